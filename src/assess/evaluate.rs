@@ -1,0 +1,229 @@
+//! Everything that is reported of one design.
+
+use crate::absorber::Mounted;
+use crate::chain::Modes;
+use crate::design::{Measure, Over, Peak, PeakFinder, Place};
+use crate::numerics::C64;
+use crate::response::{Direct, Grid, Quantity, Response, ResponseError, System, Work, natural, quasi_static};
+
+/// What makes a peak.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PeakKind {
+    /// Amplified by a resonance, this many times the quasi-static value of its largest order.
+    Resonant(f64),
+    /// Forced: little amplified.
+    Forced(f64),
+    /// At the lowest or highest speed.
+    EndOfRange(f64),
+}
+
+/// Amplification from which a peak counts as resonant.
+const RESONANT: f64 = 1.5;
+
+/// Classifies peaks against the quasi-static response of the chain.
+#[derive(Debug, Clone)]
+pub struct Classifier {
+    quantity: Quantity,
+    per_torque: Vec<C64>,
+}
+
+impl Classifier {
+    /// For one quantity.
+    pub fn new(system: &System, modes: &Modes, quantity: Quantity) -> Self {
+        Self { quantity, per_torque: quasi_static(system, modes, quantity) }
+    }
+
+    /// Phasors of the quasi-static response at one speed.
+    pub fn phasors(&self, system: &System, speed_rpm: f64) -> Vec<C64> {
+        self.per_torque.iter().enumerate().map(|(n, s)| s * system.excitation.unit_torque(n, speed_rpm)).collect()
+    }
+
+    /// What makes this peak; `None` for a peak of another quantity.
+    pub fn kind(&self, system: &System, peak: &Peak) -> Option<PeakKind> {
+        if peak.quantity != self.quantity {
+            return None;
+        }
+        let still = (self.per_torque[peak.order] * system.excitation.unit_torque(peak.order, peak.speed_rpm)).norm();
+        let amplification = peak.order_value / still;
+        Some(match peak.place {
+            Place::End => PeakKind::EndOfRange(amplification),
+            Place::Interior if amplification >= RESONANT => PeakKind::Resonant(amplification),
+            Place::Interior => PeakKind::Forced(amplification),
+        })
+    }
+
+    /// Largest quasi-static value over the grid: the twist that would be left if nothing resonated.
+    pub fn floor(&self, finder: &PeakFinder, over: Over) -> f64 {
+        let mut work = vec![];
+        for &speed in &finder.grid.speed_rpm {
+            work.extend(self.phasors(finder.system, speed));
+        }
+        match over {
+            Over::Synthesis => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
+            Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Numbers of one design, SI.
+#[derive(Debug, Clone)]
+pub struct DesignResult {
+    /// Its name.
+    pub name: String,
+    /// Its absorbers.
+    pub absorbers: Vec<Mounted>,
+    /// Without rigid modes and the engine's own damping, Hz, ascending.
+    pub frequencies_hz: Vec<f64>,
+    /// Synthesised twist.
+    pub twist: Option<Peak>,
+    /// Largest order of the twist.
+    pub order_twist: Option<Peak>,
+    /// Largest order of the hub's amplitude.
+    pub order_hub: Option<Peak>,
+    /// Synthesised vibratory torque of all shafts.
+    pub torque: Option<Peak>,
+    /// Largest mean power dissipated by the absorbers together, W.
+    pub power: Option<f64>,
+    /// Largest synthesised ring twist, rad.
+    pub ring_twist: Option<f64>,
+    /// The study's objective, where it is another measure.
+    pub objective: Option<f64>,
+    /// Value of each limited measure over its limit.
+    pub limits: Vec<f64>,
+}
+
+/// What to evaluate.
+#[derive(Debug)]
+pub struct Wanted<'a> {
+    /// Reported twist.
+    pub twist: Quantity,
+    /// Reported station.
+    pub hub: usize,
+    /// Objective.
+    pub objective: &'a Measure,
+    /// Limits.
+    pub limits: Vec<&'a crate::design::Limit>,
+}
+
+/// Evaluates one design.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub fn evaluate(
+    finder: &PeakFinder,
+    modes: &Modes,
+    name: &str,
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<DesignResult, ResponseError> {
+    let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure { quantities, over }, work);
+    let hub = Quantity::Twist { from: wanted.hub, to: None };
+    let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
+    let twist = peak(vec![wanted.twist], Over::Synthesis)?;
+    let order_twist = peak(vec![wanted.twist], Over::Orders)?;
+    let order_hub = peak(vec![hub], Over::Orders)?;
+    let torque = if shafts.is_empty() { None } else { peak(shafts, Over::Synthesis)? };
+    let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
+    let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
+    let objective = finder.peak(design, wanted.objective, work)?.map(|p| p.value);
+    let mut limits = Vec::new();
+    for limit in &wanted.limits {
+        limits.push(finder.peak(design, &limit.measure, work)?.map_or(0.0, |p| p.value) / limit.limit);
+    }
+    Ok(DesignResult {
+        name: name.to_owned(),
+        absorbers: design.to_vec(),
+        frequencies_hz: natural::frequencies_hz(&finder.system.chain, modes, design),
+        twist,
+        order_twist,
+        order_hub,
+        torque,
+        power: largest_power(finder, design, work)?,
+        ring_twist,
+        objective,
+        limits,
+    })
+}
+
+/// Largest power over the speeds of the grid, refined between them like a peak where the study refines.
+fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Result<Option<f64>, ResponseError> {
+    if design.is_empty() {
+        return Ok(None);
+    }
+    let speeds = &finder.grid.speed_rpm;
+    let mut total = |speed: f64| -> Result<f64, ResponseError> {
+        (0..design.len()).map(|i| finder.direct.dissipated_power(design, i, speed, work)).sum()
+    };
+    let values: Vec<f64> = speeds.iter().map(|s| total(*s)).collect::<Result<_, _>>()?;
+    let at = (0..values.len()).fold(0, |m, i| if values[i] > values[m] { i } else { m });
+    let mut largest = values[at];
+    if finder.refine && values.len() > 1 {
+        let (a, b) = (speeds[at.saturating_sub(1)], speeds[(at + 1).min(speeds.len() - 1)]);
+        largest = largest.max(crate::numerics::maximise::maximise(a, b, total)?.1);
+    }
+    Ok(Some(largest))
+}
+
+/// Amplitudes of one quantity over the speeds of the study.
+#[derive(Debug, Clone)]
+pub struct QuantitySweep {
+    /// Name with unit, as in `response.csv`.
+    pub name: String,
+    /// Per order (one row an order, in the unit of the name), empty where only the total is kept.
+    pub orders: Vec<Vec<f64>>,
+    /// Half peak-to-peak of all orders together (power: the sum).
+    pub total: Vec<f64>,
+}
+
+/// Response of one design over the speeds of the study.
+#[derive(Debug, Clone)]
+pub struct Sweeps {
+    /// Name of the design.
+    pub design: String,
+    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber.
+    pub quantities: Vec<QuantitySweep>,
+}
+
+/// Computes the sweeps of a design on `grid` (the study's own speeds).
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
+pub fn sweeps(
+    finder: &PeakFinder,
+    grid: &Grid,
+    name: &str,
+    design: &[Mounted],
+    (twist, hub): (Quantity, usize),
+    work: &mut Work,
+) -> Result<Sweeps, ResponseError> {
+    let direct = Direct::new(finder.system, grid);
+    let orders = finder.system.orders();
+    let mut phasors = Vec::new();
+    let mut sweep =
+        |label: String, quantity: Quantity, factor: f64, keep_orders: bool| -> Result<(QuantitySweep, Vec<C64>), ResponseError> {
+            direct.sweep(design, quantity, &mut phasors, work)?;
+            let total = finder.synthesis(&phasors).iter().map(|v| v * factor).collect();
+            let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
+            let kept = if keep_orders { (0..orders).map(per_order).collect() } else { Vec::new() };
+            Ok((QuantitySweep { name: label, orders: kept, total }, phasors.clone()))
+        };
+    let degrees = crate::units::DEG_PER_RAD;
+    let mut quantities = vec![
+        sweep("twist_deg".into(), twist, degrees, true)?.0,
+        sweep("hub_deg".into(), Quantity::Twist { from: hub, to: None }, degrees, true)?.0,
+    ];
+    for shaft in 0..finder.system.chain.len() - 1 {
+        let label = format!("torque_{}_n_m", finder.system.chain.shaft_name(shaft));
+        quantities.push(sweep(label, Quantity::ShaftTorque(shaft), 1.0, false)?.0);
+    }
+    for i in 0..design.len() {
+        let which = if design.len() > 1 { format!("_{}", i + 1) } else { String::new() };
+        let (twist, phasors) = sweep(format!("ring_twist{which}_deg"), Quantity::RingTwist(i), degrees, false)?;
+        quantities.push(twist);
+        let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, i, *speed, y);
+        let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
+        quantities.push(QuantitySweep { name: format!("dissipated_power{which}_w"), orders: Vec::new(), total });
+    }
+    Ok(Sweeps { design: name.to_owned(), quantities })
+}

@@ -1,0 +1,231 @@
+//! The main job: evaluate the designs of a study, optimise, follow the front.
+
+use super::audit::highest_frequency_hz;
+use super::evaluate::{self, Classifier, DesignResult, PeakKind, Sweeps, Wanted};
+use super::families;
+use super::{Progress, RunError};
+use crate::absorber::Kind;
+use crate::absorber::seeds::EngineMode;
+use crate::design::{Limit, PeakFinder, Problem, Space};
+use crate::engine::Excitation;
+use crate::optimise::{Front, Optimum, front, search, starts};
+use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, System, Work};
+use crate::study::{OptimiseSpec, Study};
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// An optimum with what is reported of it.
+#[derive(Debug, Clone)]
+pub struct OptimumResult {
+    /// How it was found.
+    pub optimum: Optimum,
+    /// Its numbers.
+    pub design: DesignResult,
+    /// What makes each row of the objective (`None`: another quantity than the reported twist).
+    pub kinds: Vec<Option<PeakKind>>,
+    /// Whether it is the main size of its type.
+    pub main: bool,
+}
+
+/// The front of one type.
+#[derive(Debug, Clone)]
+pub struct FrontResult {
+    /// The type.
+    pub kind: Kind,
+    /// The front.
+    pub front: Front,
+}
+
+/// Time of a stage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timing {
+    /// The stage.
+    pub stage: String,
+    /// Wall-clock time, s.
+    pub seconds: f64,
+    /// Work done in it.
+    pub work: Work,
+}
+
+/// Everything a study gives.
+#[derive(Debug)]
+pub struct Results {
+    /// The system.
+    pub system: System,
+    /// Method of the sweeps.
+    pub method: &'static str,
+    /// Given designs.
+    pub designs: Vec<DesignResult>,
+    /// Optima.
+    pub optima: Vec<OptimumResult>,
+    /// Fronts.
+    pub fronts: Vec<FrontResult>,
+    /// Largest value of the objective without absorber if nothing resonated; `None` where it is not a twist.
+    pub forced_floor: Option<f64>,
+    /// Given designs and main optima, over the study's speeds.
+    pub sweeps: Vec<Sweeps>,
+    /// Times.
+    pub timing: Vec<Timing>,
+}
+
+impl Results {
+    /// Whether every limit holds for every optimum.
+    pub fn limits_hold(&self) -> bool {
+        self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))
+    }
+}
+
+struct Clock {
+    timing: Vec<Timing>,
+    since: Instant,
+}
+
+impl Clock {
+    fn lap(&mut self, stage: &str, work: Work) {
+        self.timing.push(Timing { stage: stage.into(), seconds: self.since.elapsed().as_secs_f64(), work });
+        self.since = Instant::now();
+    }
+}
+
+/// Runs a study.
+///
+/// # Errors
+/// [`RunError`] where a design has no finite response.
+pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
+    let mut clock = Clock { timing: Vec::new(), since: Instant::now() };
+    let excitation = Excitation::new(&study.engine, study.order_limit);
+    let system = System::new(study.chain.clone(), excitation);
+    let kinks: &[f64] = if study.refine_peaks { &system.excitation.tabulated_rpm } else { &[] };
+    let grid = Grid::new(&study.speeds_rpm, kinks);
+    clock.lap("excitation", Work::default());
+    progress.stage("response of the chain", 1);
+    let method = method(study, &system, &grid);
+    progress.step();
+    clock.lap("base", if let Method::Receptance(r) = &method { r.setup } else { Work::default() });
+    let finder = PeakFinder::new(&system, &grid, &method, study.refine_peaks);
+    let limits: Vec<Limit> = study.limits.iter().map(|l| l.1.clone()).collect();
+    let wanted = Wanted { twist: study.twist, hub: study.hub, objective: &study.objective.measure, limits: limits.iter().collect() };
+
+    progress.stage("designs", study.designs.len());
+    let mut work = Work::default();
+    let mut designs = Vec::new();
+    for d in &study.designs {
+        let result = evaluate::evaluate(&finder, &study.modes, &d.name, &d.absorbers, &wanted, &mut work);
+        designs.push(result.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
+        progress.step();
+    }
+    clock.lap("designs", work);
+
+    let modes = study
+        .optimise
+        .as_ref()
+        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &system.excitation.orders)));
+    let job = Job { study, finder: &finder, limits: &limits, modes: &modes, wanted: &wanted, progress };
+    let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.optima(o))?;
+    let work = optima.iter().fold(Work::default(), |mut w, o| {
+        for stage in [o.optimum.stages.seeds, o.optimum.stages.search, o.optimum.stages.minimax] {
+            w += stage;
+        }
+        w
+    });
+    if !optima.is_empty() {
+        clock.lap("optima", work);
+    }
+    let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.fronts(o, &mut clock))?;
+
+    let own = Grid::new(&study.speeds_rpm, &[]);
+    let shown: Vec<(&str, &[crate::absorber::Mounted])> = study
+        .designs
+        .iter()
+        .map(|d| (d.name.as_str(), d.absorbers.as_slice()))
+        .chain(optima.iter().filter(|o| o.main).map(|o| (o.design.name.as_str(), std::slice::from_ref(&o.optimum.design))))
+        .collect();
+    let sweeps = shown
+        .par_iter()
+        .map(|(name, design)| {
+            evaluate::sweeps(&finder, &own, name, design, (study.twist, study.hub), &mut Work::default())
+                .map_err(|error| RunError { what: format!("design `{name}`"), error })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    clock.lap("response", Work::default());
+    let forced_floor = match study.objective.measure.quantities.as_slice() {
+        [q] if study.objective.is_twist => Some(Classifier::new(&system, &study.modes, *q).floor(&finder, study.objective.measure.over)),
+        _ => None,
+    };
+    let method = method.name();
+    Ok(Results { method, designs, optima, fronts, forced_floor, sweeps, timing: clock.timing, system })
+}
+
+/// The study's method; receptances are tabulated for what is searched.
+fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
+    if study.direct {
+        return Method::Direct(Direct::new(system, grid));
+    }
+    let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
+    quantities.extend(study.limits.iter().flat_map(|l| l.1.measure.quantities.iter().copied()));
+    quantities.extend([study.twist, Quantity::Twist { from: study.hub, to: None }]);
+    let mut unique: Vec<Quantity> = Vec::new();
+    for q in quantities {
+        if !unique.contains(&q) {
+            unique.push(q);
+        }
+    }
+    Method::Receptance(Receptance::new(system, grid, study.hub, &unique))
+}
+
+struct Job<'a> {
+    study: &'a Study,
+    finder: &'a PeakFinder<'a>,
+    limits: &'a [Limit],
+    modes: &'a [EngineMode],
+    wanted: &'a Wanted<'a>,
+    progress: &'a dyn Progress,
+}
+
+impl Job<'_> {
+    fn problem(&self, space: Space) -> Problem<'_> {
+        Problem { finder: self.finder, space, objective: &self.study.objective.measure, limits: self.limits }
+    }
+
+    fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
+        starts::starts(space, self.modes, spec.random_starts, spec.seed)
+    }
+
+    fn optima(&self, spec: &OptimiseSpec) -> Result<Vec<OptimumResult>, RunError> {
+        let families = families::wanted(&spec.absorber, self.modes);
+        let count = families.iter().map(|f| self.starts(spec, &f.1).len()).sum();
+        self.progress.stage("optima", count);
+        let step = || self.progress.step();
+        families
+            .into_par_iter()
+            .map(|(name, space)| {
+                let main = spec.absorber.kinds.iter().any(|k| name == format!("optimum_{}", k.name()));
+                let failed = |error| RunError { what: name.clone(), error };
+                let problem = self.problem(space);
+                let starts = self.starts(spec, &problem.space);
+                let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let mounted = std::slice::from_ref(&optimum.design);
+                let design = evaluate::evaluate(self.finder, &self.study.modes, &name, mounted, self.wanted, &mut Work::default());
+                let classifier = Classifier::new(self.finder.system, &self.study.modes, self.study.twist);
+                let kinds = optimum.outcome.rows.rows.iter().map(|r| classifier.kind(self.finder.system, &r.peak)).collect();
+                Ok(OptimumResult { design: design.map_err(failed)?, optimum, kinds, main })
+            })
+            .collect()
+    }
+
+    fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
+        let Some(wanted) = &self.study.front else { return Ok(Vec::new()) };
+        let mut results = Vec::new();
+        for &kind in &spec.absorber.kinds {
+            self.progress.stage(&format!("front, {}", kind.name()), 2 * wanted.inertias.len());
+            let space = families::family(&spec.absorber, kind, Some(wanted.inertias[0]), self.modes);
+            let problem = self.problem(space);
+            let step = || self.progress.step();
+            let front = front::follow(&problem, &wanted.inertias, |s| self.starts(spec, s), &step)
+                .map_err(|error| RunError { what: format!("front of {} absorbers", kind.name()), error })?;
+            clock.lap(&format!("front_{}", kind.name()), front.work);
+            results.push(FrontResult { kind, front });
+        }
+        Ok(results)
+    }
+}

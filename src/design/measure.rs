@@ -1,0 +1,30 @@
+//! What is to be small: a peak over the speed range.
+
+use crate::response::Quantity;
+
+/// How orders combine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Over {
+    /// Half peak-to-peak of all orders together, with phase.
+    Synthesis,
+    /// The largest single order.
+    Orders,
+}
+
+/// The largest value over the speed range of some quantities.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Measure {
+    /// The largest of these counts (several for the torque of all shafts); all of one unit.
+    pub quantities: Vec<Quantity>,
+    /// How orders combine.
+    pub over: Over,
+}
+
+/// An upper limit of a measure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    /// What is limited.
+    pub measure: Measure,
+    /// rad or N m; positive.
+    pub limit: f64,
+}

@@ -1,0 +1,11 @@
+//! Absorber design: what may vary, what is to be small, and the one pipeline from values to peaks.
+
+pub mod measure;
+pub mod peaks;
+pub mod problem;
+pub mod space;
+
+pub use measure::{Limit, Measure, Over};
+pub use peaks::{Peak, PeakFinder, Place};
+pub use problem::{Problem, Row, Rows};
+pub use space::{Parameter, Space, Variable};

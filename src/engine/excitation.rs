@@ -1,0 +1,146 @@
+//! Torque of every throw as complex amplitudes of engine orders, at any speed.
+
+use super::forces::{gas_torque, inertia_torque_per_omega2};
+use super::pressure::{sample_angle, samples};
+use super::{Engine, Order, Source};
+use crate::numerics::{C64, ZERO, harmonics, nearest};
+use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
+
+/// Torque harmonics of a whole throw, at every speed the same.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HarmonicTable {
+    /// Orders with their complex amplitudes, N m; phase zero is a maximum when the throw's first cylinder fires.
+    pub harmonics: Vec<(Order, C64)>,
+}
+
+/// What the pressure means at one tabulated speed, for checking it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Audit {
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Net work over displaced volume, Pa.
+    pub indicated_mean_pressure: f64,
+    /// Pa absolute.
+    pub peak_pressure: f64,
+    /// Order zero of all throws together, N m.
+    pub mean_torque: f64,
+    /// Brake torque the pressure model was given, N m, where it was.
+    pub brake_torque: Option<f64>,
+}
+
+/// Order amplitudes of the torque on each throw.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Excitation {
+    /// Orders that are present, ascending.
+    pub orders: Vec<Order>,
+    /// Their number of periods in a working cycle.
+    pub harmonics: Vec<u32>,
+    /// Speeds at which the gas torque is tabulated, rpm; empty where nothing depends on speed.
+    pub tabulated_rpm: Vec<f64>,
+    /// Complex torque amplitude of one unit at each tabulated speed (one row) and order, N m.
+    gas: Vec<Vec<C64>>,
+    /// The same of the moving masses, per (rad/s)².
+    inertia: Vec<C64>,
+    /// Sum of the firing phases of the units on each throw (one row) for each order.
+    phases: Vec<Vec<C64>>,
+    /// One row a tabulated speed.
+    pub audit: Vec<Audit>,
+}
+
+impl Excitation {
+    /// Samples the torque of a cylinder at each tabulated speed and keeps the orders up to `order_limit`.
+    pub fn new(engine: &Engine, order_limit: f64) -> Self {
+        match &engine.source {
+            Source::Harmonics(table) => Self::from_table(engine, table, order_limit),
+            Source::Cylinder { .. } => Self::from_cylinder(engine, order_limit),
+        }
+    }
+
+    fn from_table(engine: &Engine, table: &HarmonicTable, order_limit: f64) -> Self {
+        let kept: Vec<_> = table.harmonics.iter().filter(|(o, c)| o.value() <= order_limit && *c != ZERO).copied().collect();
+        let orders: Vec<Order> = kept.iter().map(|h| h.0).collect();
+        // a table holds the torque of the whole throw: only its first unit counts
+        let first = |throw| vec![engine.layout.firing_on_throw(throw)[0]];
+        Self {
+            harmonics: orders.iter().map(|o| o.per_cycle(engine.strokes)).collect(),
+            tabulated_rpm: Vec::new(),
+            gas: vec![kept.iter().map(|h| h.1).collect()],
+            inertia: vec![ZERO; orders.len()],
+            phases: (0..engine.layout.throws()).map(|t| phases(&first(t), &orders)).collect(),
+            audit: Vec::new(),
+            orders,
+        }
+    }
+
+    fn from_cylinder(engine: &Engine, order_limit: f64) -> Self {
+        let Source::Cylinder { geometry, pressure } = &engine.source else { unreachable!("called for cylinders only") };
+        let orders = Order::up_to(order_limit, engine.strokes);
+        let harmonics: Vec<u32> = orders.iter().map(|o| o.per_cycle(engine.strokes)).collect();
+        let (n, cylinders) = (samples(engine.strokes), engine.layout.firing_deg.len());
+        let mut gas = Vec::new();
+        let mut audit = Vec::new();
+        for (index, &speed_rpm) in pressure.speeds_rpm().iter().enumerate() {
+            let trace = pressure.trace(index, geometry, engine.strokes, cylinders);
+            let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
+            let mean = torque.iter().sum::<f64>() / n as f64;
+            gas.push(harmonics::analyse(&torque, &harmonics));
+            audit.push(Audit {
+                speed_rpm,
+                indicated_mean_pressure: mean * engine.cycle_deg() * RAD_PER_DEG / geometry.displacement(),
+                peak_pressure: trace.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                mean_torque: mean * cylinders as f64,
+                brake_torque: pressure.brake_torque(index),
+            });
+        }
+        let inertia: Vec<f64> = (0..n).map(|j| inertia_torque_per_omega2(geometry, sample_angle(j))).collect();
+        Self {
+            inertia: harmonics::analyse(&inertia, &harmonics),
+            phases: (0..engine.layout.throws()).map(|t| phases(engine.layout.firing_on_throw(t), &orders)).collect(),
+            tabulated_rpm: pressure.speeds_rpm().to_vec(),
+            orders,
+            harmonics,
+            gas,
+            audit,
+        }
+    }
+
+    /// Number of throws.
+    pub fn throws(&self) -> usize {
+        self.phases.len()
+    }
+
+    /// Complex torque amplitude of one unit, N m, before its firing phase. Gas torque is linear between the tabulated speeds, inertia
+    /// torque exact in the square of the speed.
+    pub fn unit_torque(&self, order: usize, speed_rpm: f64) -> C64 {
+        let gas = if self.gas.len() == 1 {
+            self.gas[0][order]
+        } else {
+            let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
+            self.gas[i][order] + (self.gas[i + 1][order] - self.gas[i][order]) * fraction
+        };
+        let omega = speed_rpm * RAD_PER_S_PER_RPM;
+        gas + self.inertia[order] * (omega * omega)
+    }
+
+    /// Sum of the firing phases of the units on `throw` (from 0) at the order of index `order`.
+    pub fn phase(&self, throw: usize, order: usize) -> C64 {
+        self.phases[throw][order]
+    }
+
+    /// Complex torque amplitude of a throw, N m.
+    pub fn throw_torque(&self, throw: usize, order: usize, speed_rpm: f64) -> C64 {
+        self.unit_torque(order, speed_rpm) * self.phases[throw][order]
+    }
+}
+
+/// Sum of e^{-i n phi} over the firing angles phi (degrees), for each order n.
+fn phases(firing_deg: &[f64], orders: &[Order]) -> Vec<C64> {
+    orders
+        .iter()
+        .map(|o| {
+            let sum: C64 = firing_deg.iter().map(|deg| C64::cis(-o.value() * deg * RAD_PER_DEG)).sum();
+            // units that cancel leave nothing but rounding: an exact zero keeps such orders out of every result
+            if sum.norm() < 1e-12 { ZERO } else { sum }
+        })
+        .collect()
+}

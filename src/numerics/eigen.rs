@@ -1,0 +1,31 @@
+//! Eigenpairs of undamped and damped systems with a diagonal mass matrix.
+
+use super::C64;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// Eigenpairs of K phi = lambda M phi for symmetric K and positive diagonal M, ascending; the columns of the second value are scaled to
+/// phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2.
+pub fn generalised(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
+    let n = m.len();
+    let root: Vec<f64> = m.iter().map(|m| m.sqrt()).collect();
+    let a = DMatrix::from_fn(n, n, |i, j| k[(i, j)] / (root[i] * root[j]));
+    let eigen = SymmetricEigen::new(a);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+    let vectors = DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, order[j])] / root[i]);
+    (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
+}
+
+/// Eigenvalues s (1/s, both of each conjugate pair) of M s^2 + C s + K with positive diagonal M, from the companion form.
+pub fn quadratic(m: &DVector<f64>, c: &DMatrix<f64>, k: &DMatrix<f64>) -> Vec<C64> {
+    let n = m.len();
+    // time is scaled so that both blocks of the companion matrix have the same size
+    let scale = (0..n).map(|i| k[(i, i)].abs() / m[i]).fold(0.0, f64::max).sqrt().max(f64::MIN_POSITIVE);
+    let companion = DMatrix::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+        (true, true) => 0.0,
+        (true, false) => f64::from(u8::from(j - n == i)),
+        (false, true) => -k[(i - n, j)] / m[i - n] / (scale * scale),
+        (false, false) => -c[(i - n, j - n)] / m[i - n] / scale,
+    });
+    companion.complex_eigenvalues().iter().map(|s| s * scale).collect()
+}

@@ -1,0 +1,15 @@
+//! Physics-free mathematics.
+
+pub mod eigen;
+pub mod harmonics;
+pub mod maximise;
+pub mod nearest;
+pub mod synthesis;
+pub mod tridiagonal;
+
+/// A complex number.
+pub type C64 = nalgebra::Complex<f64>;
+/// The imaginary unit.
+pub const I: C64 = C64::new(0.0, 1.0);
+/// Complex zero.
+pub const ZERO: C64 = C64::new(0.0, 0.0);

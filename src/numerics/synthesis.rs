@@ -1,0 +1,217 @@
+//! Half peak-to-peak of a sum of harmonics, with phase.
+
+use super::{C64, ZERO};
+use multiversion::multiversion;
+use std::f64::consts::TAU;
+
+/// The extremes of f(psi) = sum of Re(Y_n e^{i h_n psi}) over a period.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extremes {
+    /// (max f - min f) / 2.
+    pub half_peak_to_peak: f64,
+    /// Angle psi of the maximum, rad.
+    pub angle_max: f64,
+    /// Angle psi of the minimum, rad.
+    pub angle_min: f64,
+}
+
+/// A local maximum of the sum, or of its negative.
+#[derive(Debug, Clone, Copy)]
+struct Local {
+    angle: f64,
+    value: f64,
+    bend: f64,
+}
+
+impl Extremes {
+    fn of(high: Local, low: Local) -> Self {
+        Self { half_peak_to_peak: 0.5 * (high.value + low.value), angle_max: high.angle, angle_min: low.angle }
+    }
+}
+
+/// Finds extremes of sums over a fixed set of harmonics; holds the tables of sines and cosines.
+#[derive(Debug, Clone)]
+pub struct Synthesiser {
+    harmonics: Vec<u32>,
+    half: usize,
+    cosine: Vec<f64>,
+    sine: Vec<f64>,
+}
+
+impl Synthesiser {
+    /// For the given harmonic numbers (ascending, each at least 1).
+    pub fn new(harmonics: &[u32]) -> Self {
+        // Eight samples in the shortest wave; half a period is enough, odd harmonics change sign in the other half.
+        let half = 4 * harmonics.iter().max().map_or(1, |&h| h as usize).max(4);
+        let table = |f: fn(f64) -> f64| {
+            harmonics
+                .iter()
+                .flat_map(|&h| (0..half).map(move |j| f(TAU * ((j * h as usize) % (2 * half)) as f64 / (2 * half) as f64)))
+                .collect()
+        };
+        Self { harmonics: harmonics.to_vec(), half, cosine: table(f64::cos), sine: table(f64::sin) }
+    }
+
+    /// Largest and smallest value of the sum, to rounding: sampled, then every sampled extreme that could win is polished by Newton's
+    /// method on the derivative.
+    pub fn extremes(&self, phasors: &[C64]) -> Extremes {
+        if phasors.len() == 1 {
+            return self.single(phasors[0]);
+        }
+        let samples = self.samples(phasors);
+        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
+        Extremes::of(first(1.0), first(-1.0))
+    }
+
+    /// Other pairs of a local maximum and a local minimum whose half difference comes within the share `within` of the largest, at most
+    /// four, largest first: the branches that may take over when speed or design change. Pairs that are the same wave again (the sum may
+    /// have a shorter period) are left out.
+    pub fn alternatives(&self, phasors: &[C64], within: f64) -> Vec<Extremes> {
+        if phasors.len() == 1 {
+            return Vec::new();
+        }
+        let samples = self.samples(phasors);
+        let spread = 2.0 * self.extremes(phasors).half_peak_to_peak;
+        let list = |sign| {
+            let mut distinct: Vec<Local> = Vec::new();
+            for l in self.local_maxima(phasors, &samples, sign, within * spread) {
+                let same = |d: &Local| (d.value - l.value).abs() < 1e-9 * spread && (d.bend - l.bend).abs() < 1e-6 * d.bend.abs();
+                if !distinct.iter().any(same) {
+                    distinct.push(l);
+                }
+            }
+            distinct
+        };
+        let (highs, lows) = (list(1.0), list(-1.0));
+        let mut pairs: Vec<Extremes> = highs.iter().flat_map(|h| lows.iter().map(|l| Extremes::of(*h, *l))).collect();
+        pairs.sort_by(|a, b| b.half_peak_to_peak.total_cmp(&a.half_peak_to_peak));
+        pairs.into_iter().skip(1).filter(|p| p.half_peak_to_peak >= 0.5 * (1.0 - within) * spread).take(4).collect()
+    }
+
+    /// The extremes reached from the angles of `from`: the same branch for other phasors nearby.
+    pub fn branch(&self, phasors: &[C64], from: &Extremes) -> Extremes {
+        let step = self.step();
+        let end = |angle: f64, sign: f64| {
+            let start = Local { angle, value: sign * self.derivatives(phasors, angle).0, bend: 0.0 };
+            self.newton(phasors, angle, sign, step).unwrap_or(start)
+        };
+        Extremes::of(end(from.angle_max, 1.0), end(from.angle_min, -1.0))
+    }
+
+    fn single(&self, phasor: C64) -> Extremes {
+        let h = f64::from(self.harmonics[0]);
+        let angle = (-phasor.arg() / h).rem_euclid(TAU);
+        Extremes { half_peak_to_peak: phasor.norm(), angle_max: angle, angle_min: angle + 0.5 * TAU / h }
+    }
+
+    fn step(&self) -> f64 {
+        TAU / (2 * self.half) as f64
+    }
+
+    fn samples(&self, phasors: &[C64]) -> Vec<f64> {
+        let mut f = vec![0.0; 2 * self.half];
+        sample(&self.harmonics, phasors, &self.cosine, &self.sine, self.half, &mut f);
+        f
+    }
+
+    /// Local maxima of `sign` f, no further than `below` under the largest, which comes first. A maximum lies within half a step of a
+    /// sample, so a sample further down than that can hide none; the others start from the vertex of the parabola through their
+    /// neighbours.
+    fn local_maxima(&self, phasors: &[C64], f: &[f64], sign: f64, below: f64) -> Vec<Local> {
+        let (n, step) = (f.len(), self.step());
+        // |f''| at most; |re| + |im| is no less than the modulus and costs no root
+        let curvature: f64 = self.harmonics.iter().zip(phasors).map(|(&h, y)| f64::from(h * h) * (y.re.abs() + y.im.abs())).sum();
+        let top = f.iter().fold(f64::NEG_INFINITY, |m, &v| if sign * v > m { sign * v } else { m });
+        let lowest = top - below - 0.125 * curvature * step * step;
+        let mut found: Vec<Local> = Vec::with_capacity(4);
+        for j in (0..n).filter(|&j| sign * f[j] >= lowest) {
+            let (before, here, after) = (sign * f[(j + n - 1) % n], sign * f[j], sign * f[(j + 1) % n]);
+            // of two equal neighbours one is enough
+            if here <= before || here < after {
+                continue;
+            }
+            let bend = before - 2.0 * here + after;
+            let angle = (j as f64 + 0.5 * (before - after) / bend) * step;
+            let sampled = Local { angle: j as f64 * step, value: here, bend };
+            let polished = self.newton(phasors, angle, sign, step).filter(|l| l.value >= here).unwrap_or(sampled);
+            found.push(polished);
+        }
+        if found.is_empty() {
+            // a constant
+            found.push(Local { angle: 0.0, value: top, bend: 0.0 });
+        }
+        found.sort_by(|a, b| b.value.total_cmp(&a.value));
+        found.retain(|l| l.value >= top - below);
+        found
+    }
+
+    /// Newton's method for a maximum of `sign` f from `angle`; nothing where it does not settle within a few steps.
+    fn newton(&self, phasors: &[C64], angle: f64, sign: f64, step: f64) -> Option<Local> {
+        let mut psi = angle;
+        for _ in 0..8 {
+            let (f0, f1, f2) = self.derivatives(phasors, psi);
+            let change = if sign * f2 < 0.0 { (-f1 / f2).clamp(-step, step) } else { sign * f1.signum() * 0.25 * step };
+            psi += change;
+            if change.abs() < 1e-4 * step {
+                // with what the last change adds, to second order: the value errs by its fourth power
+                return Some(Local { angle: psi, value: sign * (f0 + 0.5 * f1 * change), bend: f2 });
+            }
+        }
+        None
+    }
+
+    /// f, f' and f'' at psi.
+    fn derivatives(&self, phasors: &[C64], psi: f64) -> (f64, f64, f64) {
+        let mut sums = (0.0, 0.0, 0.0);
+        let step = C64::cis(psi);
+        let (mut turn, mut reached) = (C64::from(1.0), 0);
+        for (&h, y) in self.harmonics.iter().zip(phasors) {
+            // powers by products: neighbouring harmonics are one factor apart
+            for _ in reached..h {
+                turn *= step;
+            }
+            reached = h;
+            let h = f64::from(h);
+            let re = y.re * turn.re - y.im * turn.im;
+            let im = y.re * turn.im + y.im * turn.re;
+            sums.0 += re;
+            sums.1 -= h * im;
+            sums.2 -= h * h * re;
+        }
+        sums
+    }
+
+    /// d(half peak-to-peak) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
+    /// stationary in the angle).
+    pub fn derivative(&self, extremes: &Extremes, change: &[C64]) -> f64 {
+        let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * C64::cis(f64::from(h) * psi)).re).sum() };
+        0.5 * (sum(extremes.angle_max) - sum(extremes.angle_min))
+    }
+}
+
+/// Sum of magnitudes: an upper bound of half the peak-to-peak value.
+pub fn bound(phasors: &[C64]) -> f64 {
+    phasors.iter().map(|y| (y.re * y.re + y.im * y.im).sqrt()).sum()
+}
+
+/// The phasor of largest magnitude: its index and magnitude.
+pub fn dominating(phasors: &[C64]) -> (usize, f64) {
+    let largest = phasors.iter().enumerate().map(|(i, y)| (i, y.norm_sqr())).fold((0, ZERO.re), |m, v| if v.1 > m.1 { v } else { m });
+    (largest.0, largest.1.sqrt())
+}
+
+/// f at 2 `half` equidistant angles: even and odd harmonics are summed over half a period, then added and subtracted.
+#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn sample(harmonics: &[u32], phasors: &[C64], cosine: &[f64], sine: &[f64], half: usize, f: &mut [f64]) {
+    let (even, odd) = f.split_at_mut(half);
+    for (i, (&h, y)) in harmonics.iter().zip(phasors).enumerate() {
+        let (c, s) = (&cosine[i * half..(i + 1) * half], &sine[i * half..(i + 1) * half]);
+        let target: &mut [f64] = if h % 2 == 0 { &mut *even } else { &mut *odd };
+        for ((t, c), s) in target.iter_mut().zip(c).zip(s) {
+            *t += y.re * c - y.im * s;
+        }
+    }
+    for (e, o) in even.iter_mut().zip(odd.iter_mut()) {
+        (*e, *o) = (*e + *o, *e - *o);
+    }
+}

@@ -1,0 +1,122 @@
+//! The front of ring inertia against the objective: the optimum followed along the inertia.
+
+use super::search::{self, Optimum};
+use super::{Outcome, Recorder, minimax};
+use crate::absorber::Mounted;
+use crate::design::{Problem, Space};
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// One point of a front.
+#[derive(Debug, Clone)]
+pub struct FrontPoint {
+    /// The optimum for its ring inertia.
+    pub design: Mounted,
+    /// Objective.
+    pub value: f64,
+    /// Worst excess over a limit.
+    pub excess: f64,
+    /// First-order residual.
+    pub kkt_residual: f64,
+    /// Whether a lighter ring does as well.
+    pub dominated: bool,
+}
+
+/// A front and the work it took.
+#[derive(Debug, Clone)]
+pub struct Front {
+    /// By ascending ring inertia.
+    pub points: Vec<FrontPoint>,
+    /// Evaluations.
+    pub work: Work,
+}
+
+/// Points between two global searches: fixed, so that the result does not depend on threads.
+const SEGMENT: usize = 11;
+
+/// Follows the optimum over `inertias` (ascending). At every eleventh inertia and the last a global search from `starts` is made; in
+/// between the optimum is followed from both sides by the minimax method, and the better one kept.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where no start has a finite response.
+pub fn follow(
+    problem: &Problem,
+    inertias: &[f64],
+    starts: impl Fn(&Space) -> Vec<(String, Vec<f64>)> + Sync,
+    recorder: Recorder,
+) -> Result<Front, ResponseError> {
+    let last = inertias.len() - 1;
+    let at = |i: usize| Problem { space: problem.space.with_ring_inertia(inertias[i]), ..*problem };
+    let mut knots: Vec<usize> = (0..last).step_by(SEGMENT).collect();
+    knots.push(last);
+    let heads: Vec<Optimum> = knots
+        .par_iter()
+        .map(|&i| {
+            let problem = at(i);
+            let optimum = search::optimise(&problem, &starts(&problem.space), &|| {});
+            recorder();
+            optimum
+        })
+        .collect::<Result<_, _>>()?;
+    let mut work = Work::default();
+    for head in &heads {
+        work += head.stages.seeds;
+        work += head.stages.search;
+        work += head.stages.minimax;
+    }
+    // each segment is walked from its left and from its right head
+    let walks: Vec<(Vec<(usize, Outcome)>, Work)> = (0..2 * (knots.len() - 1))
+        .into_par_iter()
+        .map(|walk| {
+            let (left, right) = (knots[walk / 2], knots[walk / 2 + 1]);
+            let inner: Vec<usize> = if walk % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
+            let head = &heads[walk / 2 + walk % 2];
+            let mut work = Work::default();
+            let (mut design, mut inertia) = (head.design, inertias[if walk % 2 == 0 { left } else { right }]);
+            let mut outcomes = Vec::new();
+            for i in inner {
+                let problem = at(i);
+                // the tuning of the neighbour: stiffness and damping follow the inertia
+                let guess = crate::absorber::Ring::with(
+                    &design.absorber,
+                    inertias[i],
+                    crate::absorber::Ring::stiffness(&design.absorber) * inertias[i] / inertia,
+                    crate::absorber::Ring::damping(&design.absorber) * inertias[i] / inertia,
+                );
+                let outcome = minimax::minimise(&problem, &problem.space.point(&guess), &mut work)?;
+                design = problem.space.absorber(&outcome.point);
+                inertia = inertias[i];
+                outcomes.push((i, outcome));
+                recorder();
+            }
+            Ok((outcomes, work))
+        })
+        .collect::<Result<_, _>>()?;
+    let mut best: Vec<Option<Outcome>> = vec![None; inertias.len()];
+    for (knot, head) in knots.iter().zip(heads) {
+        best[*knot] = Some(head.outcome);
+    }
+    for (outcomes, spent) in walks {
+        work += spent;
+        for (i, outcome) in outcomes {
+            let merit = |o: &Outcome| (o.rows.excess() > 1e-9, o.rows.objective());
+            if best[i].as_ref().is_none_or(|b| merit(&outcome) < merit(b)) {
+                best[i] = Some(outcome);
+            }
+        }
+    }
+    let mut lowest = f64::INFINITY;
+    let points = best
+        .into_iter()
+        .enumerate()
+        .filter_map(|(i, outcome)| outcome.map(|o| (i, o)))
+        .map(|(i, o)| {
+            let value = o.rows.objective();
+            let dominated = value >= lowest;
+            lowest = lowest.min(value);
+            let design = at(i).space.absorber(&o.point);
+            FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
+        })
+        .collect();
+    Ok(Front { points, work })
+}

@@ -1,0 +1,223 @@
+//! Sequential quadratic minimax: the largest of several smooth peaks, minimised in a trust region.
+//!
+//! Each step solves a quadratic model of all peaks that could become the largest (their exact values and gradients, and one matrix for the
+//! curvature of the Lagrangian), then measures the true peaks. Without curvature the method stalls wherever fewer peaks are level than
+//! there are variables: Den Hartog's problem has two level peaks and two variables, and its optimum is not a vertex of the linear model.
+
+use super::subproblem::{Line, Step, solve};
+use crate::design::problem::PENALTY;
+use crate::design::{Peak, Problem, Row, Rows};
+use crate::response::{ResponseError, Work};
+use nalgebra::{DMatrix, DVector};
+
+/// Why the iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stop {
+    /// The model promises no decrease worth having.
+    Converged,
+    /// Steps became as small as rounding without reaching the decrease the model promised: the peaks are not smooth there.
+    SmallSteps,
+    /// The limit of iterations.
+    Iterations,
+    /// The quadratic model had no solution.
+    NoModel,
+    /// Nothing can vary.
+    NothingFree,
+}
+
+impl Stop {
+    /// In words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Converged => "converged: no step promises a decrease above 1e-12",
+            Self::SmallSteps => "steps became too small to measure a decrease",
+            Self::Iterations => "iteration limit",
+            Self::NoModel => "the quadratic model could not be solved",
+            Self::NothingFree => "nothing is free to vary",
+        }
+    }
+}
+
+/// Where the iteration ended.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Coordinates.
+    pub point: Vec<f64>,
+    /// The rows there.
+    pub rows: Rows,
+    /// Length of the steepest-descent step of the linear model with unit curvature, in coordinates and units of the objective: zero
+    /// exactly where the first-order conditions of Karush, Kuhn and Tucker hold.
+    pub kkt_residual: f64,
+    /// Steps tried.
+    pub iterations: usize,
+    /// Why it ended.
+    pub stop: Stop,
+}
+
+const MOST_ITERATIONS: usize = 80;
+const FIRST_REACH: f64 = 0.3;
+const LARGEST_REACH: f64 = 2.0;
+const SMALLEST_REACH: f64 = 1e-10;
+const DECREASE: f64 = 1e-12;
+
+/// Rows in units of the largest objective.
+fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
+    let line = |r: &Row| {
+        let scale = if r.limit.is_some() { 1.0 } else { 1.0 / unit };
+        Line { limit: r.limit.is_some(), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }
+    };
+    rows.rows.iter().map(line).collect()
+}
+
+fn merit(rows: &Rows, unit: f64) -> f64 {
+    rows.objective() / unit + PENALTY * rows.excess()
+}
+
+/// How far each coordinate may move: the trust region within the bounds.
+fn reach(point: &[f64], bounds: &[(f64, f64)], radius: f64) -> Vec<(f64, f64)> {
+    point.iter().zip(bounds).map(|(w, (low, high))| ((low - w).max(-radius).min(0.0), (high - w).min(radius).max(0.0))).collect()
+}
+
+/// How far apart two peaks are: in speed (relative) and, for a synthesis, in the angles of the cycle.
+fn distance(a: &Peak, b: &Peak) -> f64 {
+    let apart = |x: f64, y: f64| {
+        let d = (x - y).rem_euclid(std::f64::consts::TAU);
+        d.min(std::f64::consts::TAU - d)
+    };
+    let angles = match (&a.extremes, &b.extremes) {
+        (Some(a), Some(b)) => apart(a.angle_max, b.angle_max) + apart(a.angle_min, b.angle_min),
+        _ => 0.0,
+    };
+    (a.speed_rpm / b.speed_rpm - 1.0).abs() + 0.1 * angles
+}
+
+/// The row at a new point that belongs to the same peak: the nearest, within a tenth.
+fn same_peak<'r>(row: &Row, rows: &'r Rows) -> Option<&'r Row> {
+    rows.rows
+        .iter()
+        .filter(|r| r.limit == row.limit && r.peak.quantity == row.peak.quantity)
+        .filter(|r| r.peak.extremes.is_some() || r.peak.order == row.peak.order)
+        .map(|r| (distance(&r.peak, &row.peak), r))
+        .filter(|(d, _)| *d < 0.1)
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, r)| r)
+}
+
+/// Gradient of the Lagrangian at `rows` with the multipliers found at `old`, or nothing where a peak has gone.
+fn lagrangian(old: &Rows, step: &Step, rows: &Rows, unit: f64) -> Option<DVector<f64>> {
+    let mut sum = DVector::zeros(step.change.len());
+    for (row, multiplier) in old.rows.iter().zip(&step.multipliers) {
+        if *multiplier > 1e-6 {
+            let scale = if row.limit.is_some() { 1.0 } else { 1.0 / unit };
+            sum += DVector::from_column_slice(&same_peak(row, rows)?.gradient) * (multiplier * scale);
+        }
+    }
+    Some(sum)
+}
+
+/// Damped update after Powell: keeps the matrix positive definite. \[Nocedal & Wright 2006\] procedure 18.2.
+fn update(hessian: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
+    let bs = &*hessian * step;
+    let sbs = step.dot(&bs);
+    if sbs <= 0.0 || step.norm() < 1e-12 {
+        return;
+    }
+    let sy = step.dot(change);
+    let theta = if sy >= 0.2 * sbs { 1.0 } else { 0.8 * sbs / (sbs - sy) };
+    let r = change * theta + &bs * (1.0 - theta);
+    *hessian += &r * r.transpose() / step.dot(&r) - &bs * bs.transpose() / sbs;
+}
+
+/// First-order residual: the step of the model with unit curvature and no trust region.
+fn kkt_residual(rows: &Rows, point: &[f64], bounds: &[(f64, f64)]) -> f64 {
+    let n = point.len();
+    let step = solve(&lines(rows, rows.objective()), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), PENALTY);
+    step.map_or(f64::INFINITY, |s| DVector::from_column_slice(&s.change).norm())
+}
+
+/// Minimises from `start`.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance at the start.
+pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Outcome, ResponseError> {
+    let bounds = problem.space.bounds();
+    let n = start.len();
+    let mut point = start.to_vec();
+    let mut rows = problem.rows(&point, work)?;
+    let mut hessian = DMatrix::identity(n, n) * 0.1;
+    let mut radius = FIRST_REACH;
+    let mut iterations = 0;
+    let stop = loop {
+        let unit = rows.objective();
+        if n == 0 || unit == 0.0 {
+            break Stop::NothingFree;
+        }
+        if iterations == MOST_ITERATIONS {
+            break Stop::Iterations;
+        }
+        if radius < SMALLEST_REACH {
+            break Stop::SmallSteps;
+        }
+        iterations += 1;
+        let model = lines(&rows, unit);
+        let Some(step) = solve(&model, &hessian, &reach(&point, &bounds, radius), PENALTY) else { break Stop::NoModel };
+        let here = merit(&rows, unit);
+        let promised = here - step.model;
+        if promised < DECREASE {
+            break Stop::Converged;
+        }
+        let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).map(|(w, d)| w + d).collect() };
+        let mut to = moved(&step.change);
+        let mut there = problem.rows(&to, work);
+        let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit));
+        let mut ratio = decrease(&there) / promised;
+        if ratio < 0.25
+            && let Ok(trial) = &there
+            && let Some(corrected) = corrected(&rows, trial, &model, &step, unit)
+            && let Some(second) = solve(&corrected, &hessian, &reach(&point, &bounds, radius), PENALTY)
+        {
+            // second-order correction: the same model through the values measured at the trial point
+            let to2 = moved(&second.change);
+            let there2 = problem.rows(&to2, work);
+            let ratio2 = decrease(&there2) / promised;
+            if ratio2 > ratio {
+                (to, there, ratio) = (to2, there2, ratio2);
+            }
+        }
+        let change = DVector::from_iterator(n, to.iter().zip(&point).map(|(a, b)| a - b));
+        let length = change.amax();
+        if let Ok(there) = &there
+            && let (Some(new), Some(old)) = (lagrangian(&rows, &step, there, unit), lagrangian(&rows, &step, &rows, unit))
+        {
+            update(&mut hessian, &change, &(new - old));
+        }
+        if ratio < 0.25 {
+            radius = 0.4 * length.min(radius);
+        } else if ratio > 0.75 && length > 0.9 * radius {
+            radius = (2.0 * radius).min(LARGEST_REACH);
+        }
+        if ratio > 0.01
+            && let Ok(there) = there
+        {
+            point = to;
+            rows = there;
+        }
+    };
+    let kkt_residual = if n == 0 { 0.0 } else { kkt_residual(&rows, &point, &bounds) };
+    Ok(Outcome { point, rows, kkt_residual, iterations, stop })
+}
+
+/// Lines whose constants make the model exact at the trial point; `None` where an important peak has gone.
+fn corrected(rows: &Rows, trial: &Rows, model: &[Line], step: &Step, unit: f64) -> Option<Vec<Line>> {
+    rows.rows
+        .iter()
+        .zip(model)
+        .zip(&step.multipliers)
+        .map(|((row, line), multiplier)| {
+            let Some(measured) = same_peak(row, trial) else { return if *multiplier > 1e-6 { None } else { Some(line.clone()) } };
+            let scale = if row.limit.is_some() { 1.0 } else { 1.0 / unit };
+            let along: f64 = line.gradient.iter().zip(&step.change).map(|(g, d)| g * d).sum();
+            Some(Line { value: measured.value * scale - along, ..line.clone() })
+        })
+        .collect()
+}

@@ -1,0 +1,109 @@
+//! A global search: closed-form and random starts, each searched without derivatives, then finished by the minimax method.
+
+use super::{Recorder, gradient_free, minimax};
+use crate::absorber::Mounted;
+use crate::design::Problem;
+use crate::design::problem::PENALTY;
+use crate::response::{ResponseError, Work};
+use minimax::Outcome;
+use rayon::prelude::*;
+
+/// Evaluations without derivatives from each start.
+const SEARCH_EVALUATIONS: u64 = 150;
+/// Starts that end within this share of the best have found the same optimum.
+pub const SAME: f64 = 1e-6;
+
+/// One start and where it led.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// Where it came from.
+    pub name: String,
+    /// Cost there.
+    pub seed: f64,
+    /// Cost after the search without derivatives.
+    pub searched: f64,
+    /// Cost after the minimax method.
+    pub finished: f64,
+}
+
+/// Work by stage.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Stages {
+    /// Evaluations of the starts.
+    pub seeds: Work,
+    /// Search without derivatives.
+    pub search: Work,
+    /// Minimax.
+    pub minimax: Work,
+}
+
+/// The best design found, and how.
+#[derive(Debug, Clone)]
+pub struct Optimum {
+    /// The design.
+    pub design: Mounted,
+    /// The end of the best start.
+    pub outcome: Outcome,
+    /// Every start.
+    pub starts: Vec<Start>,
+    /// Evaluations.
+    pub stages: Stages,
+}
+
+impl Optimum {
+    /// Value of the objective.
+    pub fn value(&self) -> f64 {
+        self.outcome.rows.objective()
+    }
+
+    /// How many starts ended at the best value.
+    pub fn agreeing(&self) -> usize {
+        let best = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+        self.starts.iter().filter(|s| s.finished <= best * (1.0 + SAME)).count()
+    }
+}
+
+fn cost(outcome: &Outcome) -> f64 {
+    outcome.rows.objective() * (1.0 + PENALTY * outcome.rows.excess())
+}
+
+/// Runs every start and keeps the best; the first of equals, so that threads change nothing.
+///
+/// # Errors
+/// The error of the first start, where no start has a finite response.
+pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], recorder: Recorder) -> Result<Optimum, ResponseError> {
+    let runs: Vec<_> = starts
+        .par_iter()
+        .map(|(name, w)| {
+            let mut stages = Stages::default();
+            let seed = problem.cost(w, &mut stages.seeds);
+            let (mut searched, mut value) = gradient_free::search(problem, w, SEARCH_EVALUATIONS, &mut stages.search);
+            if seed < value {
+                (searched, value) = (w.clone(), seed);
+            }
+            let outcome = minimax::minimise(problem, &searched, &mut stages.minimax);
+            recorder();
+            (Start { name: name.clone(), seed, searched: value, finished: outcome.as_ref().map_or(f64::INFINITY, cost) }, outcome, stages)
+        })
+        .collect();
+    let mut stages = Stages::default();
+    let mut log = Vec::new();
+    let mut best: Option<Outcome> = None;
+    let mut error = None;
+    for (start, outcome, work) in runs {
+        stages.seeds += work.seeds;
+        stages.search += work.search;
+        stages.minimax += work.minimax;
+        log.push(start);
+        match outcome {
+            Ok(o) if best.as_ref().is_none_or(|b| cost(&o) < cost(b) * (1.0 - 1e-12)) => best = Some(o),
+            Ok(_) => {}
+            Err(e) => error = error.or(Some(e)),
+        }
+    }
+    match (best, error) {
+        (Some(outcome), _) => Ok(Optimum { design: problem.space.absorber(&outcome.point), outcome, starts: log, stages }),
+        (None, Some(e)) => Err(e),
+        (None, None) => unreachable!("a search has at least one start"),
+    }
+}

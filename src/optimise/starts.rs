@@ -1,0 +1,58 @@
+//! Where searches start: closed forms for every mode the torque reaches, and random points.
+
+use crate::absorber::seeds::{EngineMode, RULES, Rule};
+use crate::absorber::{Kind, Ring};
+use crate::design::{Parameter, Space};
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+
+/// Modes that get closed-form starts of their own.
+pub const MOST_MODES: usize = 3;
+
+/// Starts for a family: the closed forms of each mode (a free ring inertia at its upper bound and its middle), then `random` points
+/// from `seed`.
+pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> Vec<(String, Vec<f64>)> {
+    let free = space.variables.iter().find(|v| v.parameter == Parameter::RingInertia);
+    let inertias: Vec<(f64, &str)> = match free {
+        None => vec![(space.fixed[Parameter::RingInertia as usize], "")],
+        Some(v) => vec![(v.upper, ", largest ring"), ((v.lower * v.upper).sqrt(), ", middle ring")],
+    };
+    let mut list = Vec::new();
+    for (m, engine) in modes.iter().take(MOST_MODES).enumerate() {
+        for (name, rule) in RULES.iter().filter(|r| suits(r.1, space.kind, m)) {
+            for (ring_inertia, which) in &inertias {
+                let absorber = rule.absorber(*ring_inertia, *engine);
+                list.push((format!("{name}, mode {}{which}", m + 1), space.point(&absorber)));
+            }
+        }
+    }
+    let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let middle = list.first().map(|l| l.1.clone());
+    let bounds = space.bounds();
+    for i in 0..random {
+        // spread over the box, but not further than six e-folds from the first closed form: beyond, rings are locked or loose
+        let point = bounds.iter().enumerate().map(|(v, (low, high))| {
+            let centre = middle.as_ref().map_or(0.5 * (low + high), |m| m[v]);
+            generator.random_range((centre - 6.0).max(*low)..=(centre + 6.0).min(*high))
+        });
+        list.push((format!("random {}", i + 1), point.collect()));
+    }
+    list
+}
+
+/// Higher modes get the exact optimum only; an undamped ring takes the stiffness of the tuned rules.
+fn suits(rule: Rule, kind: Kind, mode: usize) -> bool {
+    match kind {
+        Kind::Viscous => rule.kind() == Kind::Viscous,
+        Kind::Tuned => mode == 0 || rule == Rule::HInfinity,
+        Kind::Undamped => rule.kind() == Kind::Tuned && (mode == 0 || rule == Rule::HInfinity),
+    }
+}
+
+/// Bounds wide enough to lock the ring and to let it loose, where a study gives none: up to 10⁴ times the stiffness tuned to the highest
+/// mode and 10³ times the damping of a viscous absorber.
+pub fn wide_bounds(ring_inertia: f64, modes: &[EngineMode]) -> ((f64, f64), (f64, f64)) {
+    let top = modes.iter().map(|m| m.omega).fold(0.0, f64::max);
+    let viscous = modes.first().map_or(1.0, |m| Rule::ViscousUntuned.absorber(ring_inertia, *m).damping());
+    ((0.0, 1e4 * ring_inertia * top * top), (0.0, 1e3 * viscous))
+}

@@ -1,0 +1,278 @@
+//! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
+
+use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use crate::absorber::{Mounted, Ring};
+use crate::numerics::tridiagonal::Tridiagonal;
+use crate::numerics::{C64, ZERO};
+use crate::units::{HZ_PER_RPM, RAD_PER_S_PER_RPM};
+
+/// Solves (K + i omega C - omega² J + z(omega)) theta = T at every order and speed.
+#[derive(Debug)]
+pub struct Direct<'a> {
+    /// The system.
+    pub system: &'a System,
+    grid: &'a Grid,
+}
+
+/// The factored system at one frequency.
+///
+/// The column of a station with absorbers is scaled by their denominators d (see [`crate::absorber::DynamicStiffness`]), so that the
+/// unknown there is q = theta/d: finite and exact where an undamped ring resonates.
+struct Factored<'a> {
+    system: &'a System,
+    omega: f64,
+    matrix: Tridiagonal,
+    scale: Vec<C64>,
+    /// Station, and ring twist per q, of each absorber.
+    rings: Vec<(usize, C64)>,
+}
+
+impl<'a> Factored<'a> {
+    fn new(system: &'a System) -> Self {
+        let n = system.chain.len();
+        Self { system, omega: 0.0, matrix: Tridiagonal::zeros(n), scale: vec![C64::from(1.0); n], rings: Vec::new() }
+    }
+
+    /// Assembles and factors at the frequency of an order at a speed.
+    fn factor(&mut self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(), ResponseError> {
+        let order = self.system.excitation.orders[order];
+        let omega = order.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let (chain, n) = (&self.system.chain, self.system.chain.len());
+        self.omega = omega;
+        for i in 0..n {
+            self.matrix.diagonal[i] = chain.ground_stiffness(i, omega);
+        }
+        for i in 0..n - 1 {
+            let s = chain.shaft_stiffness(i, omega);
+            self.matrix.diagonal[i] += s;
+            self.matrix.diagonal[i + 1] += s;
+            self.matrix.upper[i] = -s;
+            self.matrix.lower[i] = -s;
+        }
+        self.rings.clear();
+        self.scale.fill(C64::from(1.0));
+        for mounted in design {
+            let h = mounted.station;
+            let z = mounted.dynamic_stiffness(omega);
+            // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
+            self.matrix.diagonal[h] = self.matrix.diagonal[h] * z.denominator + z.numerator * self.scale[h];
+            for ring in self.rings.iter_mut().filter(|r| r.0 == h) {
+                ring.1 *= z.denominator;
+            }
+            self.rings.push((h, self.scale[h] * z.ring));
+            self.scale[h] *= z.denominator;
+            if h > 0 {
+                self.matrix.upper[h - 1] *= z.denominator;
+            }
+            if h + 1 < n {
+                self.matrix.lower[h] *= z.denominator;
+            }
+        }
+        self.matrix.factor().map_err(|_| ResponseError::Unbounded {
+            order,
+            speed_rpm,
+            frequency_hz: order.value() * speed_rpm * HZ_PER_RPM,
+        })
+    }
+
+    /// The quantity from a solution.
+    fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
+        let theta = |i: usize| self.scale[i] * x[i];
+        match quantity {
+            Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
+            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * (theta(s) - theta(s + 1)),
+            Quantity::RingTwist(a) => self.rings[a].1 * x[self.rings[a].0],
+        }
+    }
+}
+
+/// Response of the base to torque and to a unit torque at a station, at one point.
+pub(super) struct BasePoint {
+    /// Quantity under the torque.
+    pub output: C64,
+    /// Quantity per unit torque at the station.
+    pub output_per_torque: C64,
+    /// Angle of the station under the torque.
+    pub station: C64,
+    /// Angle of the station per unit torque at the station.
+    pub receptance: C64,
+}
+
+impl<'a> Direct<'a> {
+    /// For the speeds of `grid`.
+    pub fn new(system: &'a System, grid: &'a Grid) -> Self {
+        Self { system, grid }
+    }
+
+    /// The speeds.
+    pub fn grid(&self) -> &'a Grid {
+        self.grid
+    }
+
+    /// Phasors of `quantity` at one speed (any), for each order.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub fn at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        speed_rpm: f64,
+        out: &mut [C64],
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let mut solver = Factored::new(self.system);
+        let mut x = vec![ZERO; self.system.chain.len()];
+        for (n, out) in out.iter_mut().enumerate() {
+            *out = self.point(&mut solver, &mut x, design, quantity, n, speed_rpm, work)?;
+        }
+        Ok(())
+    }
+
+    /// The phasor of one order at one speed.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        let mut solver = Factored::new(self.system);
+        let mut x = vec![ZERO; self.system.chain.len()];
+        self.point(&mut solver, &mut x, design, quantity, order, speed_rpm, work)
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn point(
+        &self,
+        solver: &mut Factored,
+        x: &mut [C64],
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        work.direct_solves += 1;
+        self.system.torque(order, speed_rpm, x);
+        if x.iter().all(|t| *t == ZERO) {
+            return Ok(ZERO);
+        }
+        solver.factor(design, order, speed_rpm)?;
+        solver.matrix.solve(x);
+        let y = solver.output(quantity, x);
+        if y.is_finite() {
+            return Ok(y);
+        }
+        let order = self.system.excitation.orders[order];
+        Err(ResponseError::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM })
+    }
+
+    /// Derivatives of the phasors of `quantity` at one speed with respect to ring inertia, stiffness and damping of absorber `index` of
+    /// the design, for each of the given orders: dy/dp = -(dy/dT_hub) theta_hub dz/dp.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub fn sensitivity(
+        &self,
+        design: &[Mounted],
+        index: usize,
+        quantity: Quantity,
+        orders: std::ops::Range<usize>,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<[C64; 3]>, ResponseError> {
+        let n = self.system.chain.len();
+        let mut solver = Factored::new(self.system);
+        let mut x = vec![ZERO; n];
+        let mut hub = vec![ZERO; n];
+        orders
+            .map(|order| {
+                work.direct_solves += 1;
+                self.system.torque(order, speed_rpm, &mut x);
+                solver.factor(design, order, speed_rpm)?;
+                solver.matrix.solve(&mut x);
+                let mounted = &design[index];
+                hub.fill(ZERO);
+                hub[mounted.station] = C64::from(1.0);
+                solver.matrix.solve(&mut hub);
+                let z = mounted.dynamic_stiffness(solver.omega);
+                // theta_hub over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
+                let hub_over_denominator = solver.rings[index].1 / z.ring * x[mounted.station];
+                let factor = -solver.output(quantity, &hub) * hub_over_denominator / z.denominator;
+                Ok(mounted.gradient_times_denominator2(solver.omega).map(|g| factor * g))
+            })
+            .collect()
+    }
+
+    /// Response of the system without absorber at one point, for several quantities, with the receptances of `station`.
+    pub(super) fn base(
+        &self,
+        station: usize,
+        quantities: &[Quantity],
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<BasePoint>, ResponseError> {
+        let n = self.system.chain.len();
+        let mut solver = Factored::new(self.system);
+        let mut x = vec![ZERO; n];
+        let mut unit = vec![ZERO; n];
+        work.direct_solves += 1;
+        self.system.torque(order, speed_rpm, &mut x);
+        solver.factor(&[], order, speed_rpm)?;
+        solver.matrix.solve(&mut x);
+        unit[station] = C64::from(1.0);
+        solver.matrix.solve(&mut unit);
+        let point = |q: &Quantity| match q {
+            // a ring follows its hub
+            Quantity::RingTwist(_) => (x[station], unit[station]),
+            q => (solver.output(*q, &x), solver.output(*q, &unit)),
+        };
+        Ok(quantities
+            .iter()
+            .map(|q| {
+                let (output, output_per_torque) = point(q);
+                BasePoint { output, output_per_torque, station: x[station], receptance: unit[station] }
+            })
+            .collect())
+    }
+
+    /// Mean power dissipated in the damper of absorber `index` at one speed, W: sum over orders of c (omega |ring twist|)²/2.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub fn dissipated_power(&self, design: &[Mounted], index: usize, speed_rpm: f64, work: &mut Work) -> Result<f64, ResponseError> {
+        let mut twist = vec![ZERO; self.system.orders()];
+        self.at(design, Quantity::RingTwist(index), speed_rpm, &mut twist, work)?;
+        Ok(self.power_of_twist(design, index, speed_rpm, &twist))
+    }
+
+    /// The same from the phasors of the ring twist.
+    pub fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
+        let rate = |n: usize| self.system.excitation.orders[n].value() * speed_rpm * RAD_PER_S_PER_RPM;
+        twist.iter().enumerate().map(|(n, y)| 0.5 * design[index].absorber.damping() * (rate(n) * y.norm()).powi(2)).sum()
+    }
+}
+
+impl Response for Direct<'_> {
+    fn name(&self) -> &'static str {
+        "direct"
+    }
+
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
+        out.clear();
+        let mut solver = Factored::new(self.system);
+        let mut x = vec![ZERO; self.system.chain.len()];
+        for &speed_rpm in &self.grid.speed_rpm {
+            for n in 0..self.system.orders() {
+                out.push(self.point(&mut solver, &mut x, design, quantity, n, speed_rpm, work)?);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! The inner loop of the receptance method: one rank-one update a point, over arrays of points.
+
+use crate::numerics::C64;
+use multiversion::multiversion;
+
+/// One table entry a point, in separate arrays so that the loop runs several points at a time.
+#[derive(Debug, Clone, Default)]
+pub struct Points {
+    /// Circular frequency, rad/s.
+    pub omega: Vec<f64>,
+    /// Output without absorber, y0.
+    pub y0: [Vec<f64>; 2],
+    /// y0 H - h u0: what the update adds to it, per dynamic stiffness (h: output per unit torque at the hub, u0: angle of the hub).
+    pub g: [Vec<f64>; 2],
+    /// Receptance of the hub, H.
+    pub h: [Vec<f64>; 2],
+    /// Whether the output is a ring's twist: then y0 holds the hub's angle.
+    pub ring: bool,
+}
+
+/// Absorber values as the loop needs them.
+#[derive(Debug, Clone, Copy)]
+pub struct Values {
+    /// kg m².
+    pub ring_inertia: f64,
+    /// N m/rad.
+    pub stiffness: f64,
+    /// N m s/rad.
+    pub damping: f64,
+    /// kg m².
+    pub hub_inertia: f64,
+}
+
+/// Numerator and denominator of y = (y0 + z g)/(1 + z H), both times the denominator of z.
+#[inline(always)]
+fn fraction(v: &Values, ring_output: bool, omega: f64, y0: (f64, f64), g: (f64, f64), h: (f64, f64)) -> ((f64, f64), (f64, f64)) {
+    let omega2 = omega * omega;
+    let ring = omega2 * v.ring_inertia;
+    let hub = omega2 * v.hub_inertia;
+    let (s_re, s_im) = (v.stiffness, omega * v.damping);
+    let (d_re, d_im) = (s_re - ring, s_im);
+    let (n_re, n_im) = (-ring * s_re - hub * d_re, -ring * s_im - hub * d_im);
+    let (a_re, a_im) = if ring_output { (ring, 0.0) } else { (d_re, d_im) };
+    let top = (y0.0 * a_re - y0.1 * a_im + n_re * g.0 - n_im * g.1, y0.0 * a_im + y0.1 * a_re + n_re * g.1 + n_im * g.0);
+    let bottom = (d_re + n_re * h.0 - n_im * h.1, d_im + n_re * h.1 + n_im * h.0);
+    (top, bottom)
+}
+
+macro_rules! each_point {
+    ($p:expr, $v:expr, $out:expr, $value:expr) => {{
+        let n = $p.omega.len();
+        // slices of one length, so that the loop has no bounds checks
+        let (omega, out) = (&$p.omega[..n], &mut $out[..n]);
+        let (y_re, y_im) = (&$p.y0[0][..n], &$p.y0[1][..n]);
+        let (g_re, g_im) = (&$p.g[0][..n], &$p.g[1][..n]);
+        let (h_re, h_im) = (&$p.h[0][..n], &$p.h[1][..n]);
+        for i in 0..n {
+            let (top, bottom) = fraction($v, $p.ring, omega[i], (y_re[i], y_im[i]), (g_re[i], g_im[i]), (h_re[i], h_im[i]));
+            out[i] = $value(top, bottom);
+        }
+    }};
+}
+
+/// Phasors at every point.
+#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+pub fn phasors(points: &Points, values: &Values, out: &mut [C64]) {
+    each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
+        let scale = 1.0 / (bottom.0 * bottom.0 + bottom.1 * bottom.1);
+        C64::new((top.0 * bottom.0 + top.1 * bottom.1) * scale, (top.1 * bottom.0 - top.0 * bottom.1) * scale)
+    });
+}
+
+/// Magnitudes at every point.
+#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+pub fn magnitudes(points: &Points, values: &Values, out: &mut [f64]) {
+    each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
+        ((top.0 * top.0 + top.1 * top.1) / (bottom.0 * bottom.0 + bottom.1 * bottom.1)).sqrt()
+    });
+}

@@ -1,0 +1,218 @@
+//! Steady torsional response: phasors of any quantity, per order, over speed.
+//!
+//! Every method offers the same verbs ([`Response`]). Phasors of a sweep lie speed by speed, the orders of a speed together.
+
+pub mod direct;
+mod kernel;
+pub mod natural;
+pub mod receptance;
+
+pub use direct::Direct;
+pub use receptance::Receptance;
+
+use crate::absorber::Mounted;
+use crate::chain::Chain;
+use crate::engine::{Excitation, Order};
+use crate::numerics::{C64, ZERO};
+
+/// A chain and the torque on it.
+#[derive(Debug, Clone)]
+pub struct System {
+    /// Stations and shafts.
+    pub chain: Chain,
+    /// Torque of each throw.
+    pub excitation: Excitation,
+    /// Sum of firing phases at each station: one row an order.
+    phases: Vec<Vec<C64>>,
+}
+
+impl System {
+    /// Puts the throws on their stations.
+    pub fn new(chain: Chain, excitation: Excitation) -> Self {
+        let phases = (0..excitation.orders.len())
+            .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
+            .collect();
+        Self { chain, excitation, phases }
+    }
+
+    /// Number of orders.
+    pub fn orders(&self) -> usize {
+        self.excitation.orders.len()
+    }
+
+    /// Torque phasor at every station, N m.
+    pub fn torque(&self, order: usize, speed_rpm: f64, out: &mut [C64]) {
+        let unit = self.excitation.unit_torque(order, speed_rpm);
+        for (out, phase) in out.iter_mut().zip(&self.phases[order]) {
+            *out = unit * phase;
+        }
+    }
+
+    /// Firing phases summed at every station: the torque per unit torque.
+    pub fn phases(&self, order: usize) -> &[C64] {
+        &self.phases[order]
+    }
+}
+
+/// A quantity that is linear in the angles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// Angle of station `from` less that of `to` (`None`: the ground, so the amplitude of a station), rad.
+    Twist {
+        /// Index of a station.
+        from: usize,
+        /// Index of a station, or the ground.
+        to: Option<usize>,
+    },
+    /// Vibratory torque of a shaft length, elastic and damping parts, N m.
+    ShaftTorque(usize),
+    /// Angle of the ring of an absorber (index in the design) less that of its hub, rad.
+    RingTwist(usize),
+}
+
+/// Speeds of a sweep, rpm, ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// The speeds.
+    pub speed_rpm: Vec<f64>,
+    /// Whether the torque has a kink there (a tabulated speed): maxima may sit on it.
+    pub kink: Vec<bool>,
+}
+
+impl Grid {
+    /// The speeds of a study and, with `kinks`, the tabulated speeds between them.
+    pub fn new(speeds_rpm: &[f64], kinks: &[f64]) -> Self {
+        let (first, last) = (speeds_rpm[0], speeds_rpm[speeds_rpm.len() - 1]);
+        let mut all: Vec<f64> = speeds_rpm.to_vec();
+        all.extend(kinks.iter().filter(|k| **k > first && **k < last && !speeds_rpm.contains(k)));
+        all.sort_by(f64::total_cmp);
+        let kink = all.iter().map(|s| kinks.contains(s)).collect();
+        Self { speed_rpm: all, kink }
+    }
+
+    /// Number of speeds.
+    pub fn len(&self) -> usize {
+        self.speed_rpm.len()
+    }
+
+    /// Never true for a checked study.
+    pub fn is_empty(&self) -> bool {
+        self.speed_rpm.is_empty()
+    }
+}
+
+/// Work done, counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Work {
+    /// Evaluations of a whole design.
+    pub evaluations: u64,
+    /// Tridiagonal systems factored, one an order and speed.
+    pub direct_solves: u64,
+    /// Points (order and speed) answered by receptance.
+    pub receptance_points: u64,
+    /// Points where receptance was near a singular base and the direct solve took over.
+    pub singular_points: u64,
+    /// Sums of orders with phase.
+    pub syntheses: u64,
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, w: Self) {
+        self.evaluations += w.evaluations;
+        self.direct_solves += w.direct_solves;
+        self.receptance_points += w.receptance_points;
+        self.singular_points += w.singular_points;
+        self.syntheses += w.syntheses;
+    }
+}
+
+/// No finite answer.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ResponseError {
+    /// Nothing limits the amplitude.
+    #[error(
+        "resonance without damping: order {order} at {speed_rpm:.1} rpm ({frequency_hz:.2} Hz) has no finite amplitude; give the chain or \
+         the absorber some damping, or keep the resonance out of the speed range"
+    )]
+    Unbounded {
+        /// The order.
+        order: Order,
+        /// rpm.
+        speed_rpm: f64,
+        /// Hz.
+        frequency_hz: f64,
+    },
+}
+
+/// A method that computes the steady response.
+pub trait Response: Sync {
+    /// Its word in studies.
+    fn name(&self) -> &'static str;
+
+    /// Phasors of `quantity` at all grid speeds and orders (speed by speed).
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError>;
+
+    /// Magnitudes of `quantity` at all grid speeds and orders (speed by speed).
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+        let mut phasors = Vec::new();
+        self.sweep(design, quantity, &mut phasors, work)?;
+        out.clear();
+        out.extend(phasors.iter().map(|y| y.norm()));
+        Ok(())
+    }
+}
+
+/// The method of a study.
+#[derive(Debug)]
+pub enum Method<'a> {
+    /// Solve the whole system at every point.
+    Direct(Direct<'a>),
+    /// Solve the base once, add the absorber as a rank-one change.
+    Receptance(Receptance<'a>),
+}
+
+impl Response for Method<'_> {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Direct(m) => m.name(),
+            Self::Receptance(m) => m.name(),
+        }
+    }
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
+        match self {
+            Self::Direct(m) => m.sweep(design, quantity, out, work),
+            Self::Receptance(m) => m.sweep(design, quantity, out, work),
+        }
+    }
+    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+        match self {
+            Self::Direct(m) => m.magnitudes(design, quantity, out, work),
+            Self::Receptance(m) => m.magnitudes(design, quantity, out, work),
+        }
+    }
+}
+
+/// Twist per unit torque if every elastic mode followed as if static (no amplification), for each order: what is left of the twist when
+/// nothing resonates. Zero for rings.
+pub fn quasi_static(system: &System, modes: &crate::chain::Modes, quantity: Quantity) -> Vec<C64> {
+    let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
+    let output = |mode: usize| match quantity {
+        Quantity::Twist { from, to } => at(mode, from) - to.map_or(0.0, |to| at(mode, to)),
+        Quantity::ShaftTorque(s) => system.chain.stations[s].stiffness_to_next * (at(mode, s) - at(mode, s + 1)),
+        Quantity::RingTwist(_) => 0.0,
+    };
+    (0..system.orders())
+        .map(|n| {
+            modes.elastic().fold(ZERO, |sum, mode| {
+                let forced: C64 = system.phases(n).iter().enumerate().map(|(i, p)| p * at(mode, i)).sum();
+                sum + forced * (output(mode) / (modes.omega[mode] * modes.omega[mode]))
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,119 @@
+//! Receptance method: an absorber on a station is a rank-one change of the chain, so the chain is solved once per study.
+//!
+//! With u0 the station's angle and y0 the output without absorber, H the station's receptance, h the output per unit torque there and
+//! z the absorber's dynamic stiffness: y = y0 - h z u0/(1 + z H) = (y0 + z (y0 H - h u0))/(1 + z H), exactly.
+
+use super::kernel::{self, Points, Values};
+use super::{Direct, Grid, Quantity, Response, ResponseError, System, Work};
+use crate::absorber::{Mounted, Ring};
+use crate::numerics::{C64, ZERO};
+use crate::units::RAD_PER_S_PER_RPM;
+
+/// Near an undamped resonance of the base, y0 H and h u0 are huge and cancel; where they lose more than this factor the direct solve
+/// takes over. It leaves an error of about 1e5 roundings, 2e-11.
+const LARGEST_CANCELLATION: f64 = 1e5;
+
+/// Tables of the base for absorbers on one station.
+#[derive(Debug)]
+pub struct Receptance<'a> {
+    direct: Direct<'a>,
+    station: usize,
+    tables: Vec<(Quantity, Points)>,
+    /// Points (index in a sweep) left to the direct solve, one list a table.
+    singular: Vec<Vec<usize>>,
+    /// Solves spent on the tables.
+    pub setup: Work,
+}
+
+impl<'a> Receptance<'a> {
+    /// Solves the base for absorbers on `station` and the given quantities. Other stations and quantities are left to the direct solve.
+    pub fn new(system: &'a System, grid: &'a Grid, station: usize, quantities: &[Quantity]) -> Self {
+        let direct = Direct::new(system, grid);
+        let mut setup = Work::default();
+        let empty = |q: &Quantity| (*q, Points { ring: matches!(q, Quantity::RingTwist(_)), ..Points::default() });
+        let mut tables: Vec<(Quantity, Points)> = quantities.iter().map(empty).collect();
+        let mut singular = vec![Vec::new(); quantities.len()];
+        for (i, &speed_rpm) in grid.speed_rpm.iter().enumerate() {
+            for (n, order) in system.excitation.orders.iter().enumerate() {
+                let base = direct.base(station, quantities, n, speed_rpm, &mut setup).ok();
+                for (t, (_, points)) in tables.iter_mut().enumerate() {
+                    let (mut y0, mut g, mut h) = (ZERO, ZERO, ZERO);
+                    let mut usable = false;
+                    if let Some(b) = base.as_ref().map(|b| &b[t]) {
+                        let (p, q) = (b.output * b.receptance, b.output_per_torque * b.station);
+                        (y0, g, h) = (b.output, if points.ring { ZERO } else { p - q }, b.receptance);
+                        // the hub's own angle has g = 0 exactly, term by term
+                        usable = g == ZERO || p.norm() + q.norm() <= LARGEST_CANCELLATION * g.norm();
+                        usable &= y0.is_finite() && g.is_finite() && h.is_finite();
+                        if !usable {
+                            (y0, g, h) = (ZERO, ZERO, ZERO);
+                        }
+                    }
+                    if !usable {
+                        singular[t].push(i * system.orders() + n);
+                    }
+                    points.omega.push(order.value() * speed_rpm * RAD_PER_S_PER_RPM);
+                    for (target, value) in [(&mut points.y0, y0), (&mut points.g, g), (&mut points.h, h)] {
+                        target[0].push(value.re);
+                        target[1].push(value.im);
+                    }
+                }
+            }
+        }
+        Self { direct, station, tables, singular, setup }
+    }
+
+    /// The table that answers for this design, if there is one.
+    fn table(&self, design: &[Mounted], quantity: Quantity) -> Option<(usize, Values)> {
+        let [mounted] = design else { return None };
+        if mounted.station != self.station {
+            return None;
+        }
+        let a = &mounted.absorber;
+        let values =
+            Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia };
+        self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, values))
+    }
+
+    /// Replaces the points near a singular base by direct solutions.
+    fn mend(
+        &self,
+        table: usize,
+        design: &[Mounted],
+        quantity: Quantity,
+        work: &mut Work,
+        mut put: impl FnMut(usize, C64),
+    ) -> Result<(), ResponseError> {
+        let orders = self.direct.system.orders();
+        for &point in &self.singular[table] {
+            work.singular_points += 1;
+            let speed_rpm = self.direct.grid().speed_rpm[point / orders];
+            put(point, self.direct.order_at(design, quantity, point % orders, speed_rpm, work)?);
+        }
+        Ok(())
+    }
+}
+
+impl Response for Receptance<'_> {
+    fn name(&self) -> &'static str {
+        "receptance"
+    }
+
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
+        let Some((t, values)) = self.table(design, quantity) else { return self.direct.sweep(design, quantity, out, work) };
+        let points = &self.tables[t].1;
+        work.receptance_points += points.omega.len() as u64;
+        out.resize(points.omega.len(), ZERO);
+        kernel::phasors(points, &values, out);
+        self.mend(t, design, quantity, work, |i, y| out[i] = y)
+    }
+
+    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+        let Some((t, values)) = self.table(design, quantity) else { return self.direct.magnitudes(design, quantity, out, work) };
+        let points = &self.tables[t].1;
+        work.receptance_points += points.omega.len() as u64;
+        out.resize(points.omega.len(), 0.0);
+        kernel::magnitudes(points, &values, out);
+        self.mend(t, design, quantity, work, |i, y| out[i] = y.norm())
+    }
+}

@@ -1,0 +1,295 @@
+//! Mistakes in input files, each with its place, what was found and what was expected.
+
+use std::fmt;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// A text file being read.
+#[derive(Debug, Clone)]
+pub struct Source {
+    path: PathBuf,
+    text: String,
+}
+
+/// One mistake.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistake {
+    /// What was found and what was expected, in a line.
+    pub message: String,
+    /// Where.
+    pub place: Place,
+    /// How to mend it.
+    pub help: Option<String>,
+}
+
+/// Where a mistake is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// A file as a whole.
+    File(PathBuf),
+    /// A stretch of a line in a text file.
+    Text {
+        /// The file.
+        path: PathBuf,
+        /// From 1.
+        line: usize,
+        /// From 1, in characters.
+        column: usize,
+        /// The line itself.
+        text: String,
+        /// Characters to underline.
+        length: usize,
+    },
+    /// A cell of a table.
+    Cell {
+        /// The file.
+        path: PathBuf,
+        /// Line in the file, from 1 (the header is line 1).
+        row: u64,
+        /// Name of the column.
+        column: String,
+    },
+}
+
+/// One or more mistakes in the input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputError {
+    /// At least one.
+    pub mistakes: Vec<Mistake>,
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "error: {}", self.message)?;
+        match &self.place {
+            Place::File(path) => writeln!(f, "  --> {}", path.display())?,
+            Place::Cell { path, row, column } => writeln!(f, "  --> {}, row {row}, column `{column}`", path.display())?,
+            Place::Text { path, line, column, text, length } => {
+                let gutter = " ".repeat(line.to_string().len());
+                writeln!(f, "{gutter} --> {}:{line}:{column}", path.display())?;
+                writeln!(f, "{gutter} |")?;
+                writeln!(f, "{line} | {text}")?;
+                // tabs keep their width, so that the underline sits below the value
+                let indent: String = text.chars().take(column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+                writeln!(f, "{gutter} | {indent}{}", "^".repeat(*length))?;
+            }
+        }
+        if let Some(help) = &self.help {
+            writeln!(f, "  = help: {help}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, mistake) in self.mistakes.iter().enumerate() {
+            write!(f, "{}{mistake}", if i > 0 { "\n" } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for InputError {}
+
+impl From<Mistake> for InputError {
+    fn from(mistake: Mistake) -> Self {
+        Self { mistakes: vec![mistake] }
+    }
+}
+
+fn io_reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "file not found".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "no permission to read the file".to_owned(),
+        std::io::ErrorKind::InvalidData => "the file is not text in UTF-8".to_owned(),
+        _ => format!("the file could not be read: {error}"),
+    }
+}
+
+impl Source {
+    /// Reads a file named on the command line.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        std::fs::read_to_string(path)
+            .map(|text| Self { path: path.to_path_buf(), text })
+            .map_err(|e| Mistake { message: io_reason(&e), place: Place::File(path.to_path_buf()), help: None }.into())
+    }
+
+    /// Reads a file named in another one, at `span` there.
+    ///
+    /// # Errors
+    /// Where it cannot be read; the place is where it is named.
+    pub fn read_named(path: &Path, named_in: &Self, span: Range<usize>) -> Result<Self, InputError> {
+        std::fs::read_to_string(path).map(|text| Self { path: path.to_path_buf(), text }).map_err(|e| {
+            let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
+            named_in.mistake(span, io_reason(&e), Some(help)).into()
+        })
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// A mistake at a stretch of bytes.
+    pub fn mistake(&self, span: Range<usize>, message: String, help: Option<String>) -> Mistake {
+        let start = span.start.min(self.text.len());
+        let line_start = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |i| start + i);
+        let text = self.text[line_start..line_end].trim_end_matches('\r').to_owned();
+        let end = span.end.clamp(start, line_end);
+        Mistake {
+            message,
+            place: Place::Text {
+                path: self.path.clone(),
+                line: self.text[..line_start].matches('\n').count() + 1,
+                column: self.text[line_start..start].chars().count() + 1,
+                length: self.text[start..end].trim_end().chars().count().max(1),
+                text,
+            },
+            help,
+        }
+    }
+
+    /// Parses TOML.
+    ///
+    /// # Errors
+    /// The first mistake of grammar, key or type.
+    pub fn parse<T: serde::de::DeserializeOwned>(&self) -> Result<T, InputError> {
+        toml::from_str(&self.text).map_err(|e| {
+            let (message, help) = reword(e.message());
+            self.mistake(e.span().unwrap_or(0..0), message, help).into()
+        })
+    }
+}
+
+/// Serde's messages in the words of an input file.
+fn reword(message: &str) -> (String, Option<String>) {
+    let message = message.trim_end();
+    if let Some((key, rest)) = message.strip_prefix("unknown field `").and_then(|m| m.split_once('`')) {
+        let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
+        let help = closest(key, &known).map(|k| format!("did you mean `{k}`? A unit is part of the key"));
+        return (format!("found unknown key `{key}`, expected {}", list(&known)), help);
+    }
+    if let Some((variant, rest)) = message.strip_prefix("unknown variant `").and_then(|m| m.split_once('`')) {
+        let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
+        let help = closest(variant, &known).map(|k| format!("did you mean `{k}`?"));
+        return (format!("found `{variant}`, expected {}", list(&known)), help);
+    }
+    if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.split('`').next()) {
+        return (format!("key `{key}` is missing in this table"), None);
+    }
+    if let Some((found, expected)) = message.strip_prefix("invalid type: ").and_then(|m| m.split_once(", expected ")) {
+        return (format!("found {found}, expected {}", plain_type(expected)), None);
+    }
+    if let Some((found, expected)) = message.strip_prefix("invalid length ").and_then(|m| m.split_once(", expected ")) {
+        return (format!("found {found} values, expected {}", plain_type(expected)), None);
+    }
+    if message.starts_with("wanted exactly 1 element") {
+        return ("found several or no keys, expected exactly one choice in this table".to_owned(), None);
+    }
+    if message.starts_with("wanted string or table") {
+        return ("found another type, expected one choice: a table with one key".to_owned(), None);
+    }
+    (message.replace('\n', ", "), None)
+}
+
+fn plain_type(expected: &str) -> &str {
+    match expected {
+        "f64" => "a number",
+        "i64" | "u64" | "u32" | "usize" => "a whole number",
+        "a string" => "a text in quotes",
+        "a sequence" => "a list",
+        "an array of length 2" => "two values",
+        other => other,
+    }
+}
+
+fn list(known: &[&str]) -> String {
+    let quoted: Vec<String> = known.iter().map(|k| format!("`{k}`")).collect();
+    match quoted.as_slice() {
+        [] => "no key here".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
+}
+
+/// The known word most like `word`: with the longest common start, at least half of it.
+fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    let common = |k: &str| {
+        let start = word.chars().zip(k.chars()).take_while(|(a, b)| a == b).count();
+        let end = word.chars().rev().zip(k.chars().rev()).take_while(|(a, b)| a == b).count();
+        (start + end).min(word.len())
+    };
+    known.iter().copied().max_by_key(|k| (common(k), usize::MAX - k.len())).filter(|k| 2 * common(k) > word.len())
+}
+
+/// Collects mistakes while a file is checked, so that all are reported at once.
+#[derive(Debug)]
+pub struct Check<'a> {
+    /// The file.
+    pub source: &'a Source,
+    /// Found so far.
+    pub mistakes: Vec<Mistake>,
+}
+
+/// A value with its place in the file.
+pub type At<T> = toml::Spanned<T>;
+
+impl<'a> Check<'a> {
+    /// Nothing found yet.
+    pub fn new(source: &'a Source) -> Self {
+        Self { source, mistakes: Vec::new() }
+    }
+
+    /// Records a mistake.
+    pub fn wrong<T>(&mut self, at: &At<T>, message: impl Into<String>) {
+        self.mistakes.push(self.source.mistake(at.span(), message.into(), None));
+    }
+
+    /// Records a mistake with help.
+    pub fn wrong_with_help<T>(&mut self, at: &At<T>, message: impl Into<String>, help: impl Into<String>) {
+        self.mistakes.push(self.source.mistake(at.span(), message.into(), Some(help.into())));
+    }
+
+    /// A number within a range, whose words are `expected`; written so that nan is outside every range.
+    pub fn within(&mut self, value: &At<f64>, range: impl std::ops::RangeBounds<f64>, expected: &str) -> f64 {
+        let x = *value.get_ref();
+        if !(x.is_finite() && range.contains(&x)) {
+            self.wrong(value, format!("found {x}, expected {expected}"));
+        }
+        x
+    }
+
+    /// A finite number above zero.
+    pub fn positive(&mut self, value: &At<f64>) -> f64 {
+        self.within(value, f64::MIN_POSITIVE.., "a finite number above zero")
+    }
+
+    /// A finite number of at least zero.
+    pub fn not_negative(&mut self, value: &At<f64>) -> f64 {
+        self.within(value, 0.0.., "a finite number of at least zero")
+    }
+
+    /// Ascending positive numbers, at least one.
+    pub fn ascending(&mut self, values: &At<Vec<At<f64>>>) -> Vec<f64> {
+        if values.get_ref().is_empty() {
+            self.wrong(values, "found an empty list, expected at least one value");
+        }
+        let list: Vec<f64> = values.get_ref().iter().map(|v| self.positive(v)).collect();
+        for (i, pair) in list.windows(2).enumerate() {
+            if pair[1] <= pair[0] {
+                self.wrong(&values.get_ref()[i + 1], format!("found {} after {}, expected ascending values", pair[1], pair[0]));
+            }
+        }
+        list
+    }
+}

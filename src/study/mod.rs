@@ -1,0 +1,26 @@
+//! The only place that reads files: a study in TOML, the engine file and tables it names.
+
+pub mod csv_in;
+pub mod input_error;
+mod raw;
+mod spec;
+
+pub use input_error::InputError;
+pub use spec::{AbsorberSpec, DesignSpec, FrontSpec, ObjectiveSpec, OptimiseSpec, Size, Study, UnitOf};
+
+use input_error::Source;
+use std::path::Path;
+
+/// Reads and checks a study and everything it names.
+///
+/// # Errors
+/// [`InputError`] with every mistake found, each with file, line and column.
+pub fn read(path: &Path) -> Result<Study, InputError> {
+    let source = Source::read(path)?;
+    let study: raw::study::RawStudy = source.parse()?;
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let engine_path = folder.join(study.engine.get_ref());
+    let engine_source = Source::read_named(&engine_path, &source, study.engine.span())?;
+    let engine: raw::engine::RawEngine = engine_source.parse()?;
+    spec::resolve(path, &source, &study, &engine_path, &engine_source, &engine)
+}

@@ -1,0 +1,208 @@
+//! Files as checked: SI, resolved, consistent.
+
+mod chain;
+mod designs;
+mod engine;
+mod objectives;
+mod optimise;
+
+pub use objectives::{ObjectiveSpec, UnitOf};
+pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
+
+use super::input_error::{Check, InputError, Source};
+use super::raw;
+use crate::absorber::Mounted;
+use crate::chain::{Chain, Modes};
+use crate::design::Limit;
+use crate::engine::{Engine, Order, Source as TorqueSource};
+use crate::response::Quantity;
+use std::path::Path;
+
+/// A named design of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignSpec {
+    /// Unique in the study.
+    pub name: String,
+    /// None, one or more.
+    pub absorbers: Vec<Mounted>,
+}
+
+/// A study, ready to run.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// File name without ending.
+    pub name: String,
+    /// Cylinders and pressure.
+    pub engine: Engine,
+    /// Torsional chain.
+    pub chain: Chain,
+    /// Its undamped modes.
+    pub modes: Modes,
+    /// Ascending, rpm.
+    pub speeds_rpm: Vec<f64>,
+    /// Highest order.
+    pub order_limit: f64,
+    /// Whether the direct method was chosen.
+    pub direct: bool,
+    /// Whether peaks are refined between speeds.
+    pub refine_peaks: bool,
+    /// Given designs.
+    pub designs: Vec<DesignSpec>,
+    /// Station whose amplitude is reported.
+    pub hub: usize,
+    /// Twist that is reported.
+    pub twist: Quantity,
+    /// To be small.
+    pub objective: ObjectiveSpec,
+    /// To hold, with their words in the file.
+    pub limits: Vec<(String, Limit)>,
+    /// What to optimise.
+    pub optimise: Option<OptimiseSpec>,
+    /// Front to follow.
+    pub front: Option<FrontSpec>,
+}
+
+/// More points than this in a sweep would take gigabytes: a mistake in the file.
+const MOST_POINTS: f64 = 5e6;
+
+pub(super) fn resolve(
+    path: &Path,
+    source: &Source,
+    study: &raw::study::RawStudy,
+    engine_path: &Path,
+    engine_source: &Source,
+    raw_engine: &raw::engine::RawEngine,
+) -> Result<Study, InputError> {
+    let mut in_engine = Check::new(engine_source);
+    let engine = engine::resolve(&mut in_engine, raw_engine, engine_path.parent().unwrap_or_else(|| Path::new("")));
+    let chain = chain::resolve(&mut in_engine, raw_engine, engine.as_ref().map_or(0, |e| e.layout.throws()));
+    let mut check = Check::new(source);
+    let speeds_rpm = speeds(&mut check, study);
+    let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, 0.5..=200.0, "an order from 0.5 to 200"));
+    if speeds_rpm.len() as f64 * order_limit * 2.0 > MOST_POINTS {
+        let found = speeds_rpm.len();
+        check.wrong(
+            &study.speed_rpm,
+            format!("found {found} speeds with orders up to {order_limit}, expected at most {MOST_POINTS} points"),
+        );
+    }
+    // what follows needs a chain and an engine that make sense
+    let (Some(mut engine), Some(chain), true) = (engine, chain, in_engine.mistakes.is_empty()) else {
+        in_engine.mistakes.append(&mut check.mistakes);
+        return Err(InputError { mistakes: in_engine.mistakes });
+    };
+    check_load(&mut check, study, &mut engine);
+    check_range(&mut check, study, &engine, &speeds_rpm);
+    let modes = Modes::new(&chain);
+    let designs = designs::resolve(&mut check, study, &chain, &modes);
+    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(&mut check, o, &chain, &modes));
+    let hub = match (&optimise, designs.iter().find_map(|d| d.absorbers.first())) {
+        (Some(o), _) => o.absorber.station,
+        (None, Some(a)) => a.station,
+        (None, None) => 0,
+    };
+    let objective = objectives::objective(&mut check, study, &chain, hub);
+    let limits = objectives::limits(&mut check, study, &chain);
+    let front = optimise::front(&mut check, study, optimise.as_ref(), &chain, &modes);
+    if study.design.is_empty() && study.optimise.is_none() {
+        check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
+    }
+    if !check.mistakes.is_empty() {
+        return Err(InputError { mistakes: check.mistakes });
+    }
+    let last = chain.len() - 1;
+    let twist = match objective.measure.quantities.as_slice() {
+        [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
+        [twist @ Quantity::Twist { to: None, .. }] if last == 0 || objective.is_twist => *twist,
+        _ => Quantity::Twist { from: hub, to: (hub != last).then_some(last) },
+    };
+    Ok(Study {
+        name: path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
+        engine,
+        chain,
+        modes,
+        speeds_rpm,
+        order_limit,
+        direct: matches!(study.response.method, raw::study::RawMethod::Direct),
+        refine_peaks: study.response.refine_peaks.unwrap_or(true),
+        designs,
+        hub,
+        twist,
+        objective,
+        limits,
+        optimise,
+        front,
+    })
+}
+
+fn speeds(check: &mut Check, study: &raw::study::RawStudy) -> Vec<f64> {
+    let raw = study.speed_rpm.get_ref();
+    let before = check.mistakes.len();
+    let (from, to, step) = (check.positive(&raw.from), check.positive(&raw.to), check.positive(&raw.step));
+    if to < from {
+        check.wrong(&raw.to, format!("found an empty speed range, {from} to {to} rpm, expected `to` of at least `from`"));
+    }
+    let steps = ((to - from) / step + 1e-9).floor();
+    if steps > MOST_POINTS {
+        check.wrong(&raw.step, format!("found a step of {step} rpm, which makes {steps} speeds, expected at most {MOST_POINTS}"));
+    }
+    if check.mistakes.len() > before {
+        return vec![from];
+    }
+    let mut speeds: Vec<f64> = (0..=steps as usize).map(|i| from + i as f64 * step).collect();
+    let last = speeds[speeds.len() - 1];
+    // the highest speed belongs to the range even where the step does not meet it
+    if to - last > 1e-6 * step {
+        speeds.push(to);
+    }
+    speeds
+}
+
+fn check_load(check: &mut Check, study: &raw::study::RawStudy, engine: &mut Engine) {
+    let Some(load) = &study.load_fraction else { return };
+    let fraction = check.within(load, 0.0..=1.5, "a fraction of the full mean pressure, 0 to 1.5");
+    let scaled = match &mut engine.source {
+        TorqueSource::Cylinder { pressure, .. } => pressure.scale_load(fraction),
+        TorqueSource::Harmonics(_) => false,
+    };
+    if !scaled {
+        check.wrong(load, "found `load_fraction` with measured traces or harmonics, expected it with `otto` or `wiebe` only");
+    }
+}
+
+fn check_range(check: &mut Check, study: &raw::study::RawStudy, engine: &Engine, speeds: &[f64]) {
+    let TorqueSource::Cylinder { pressure, .. } = &engine.source else { return };
+    let table = pressure.speeds_rpm();
+    let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+    if table.len() > 1 && (first < table[0] - 1e-9 || last > table[table.len() - 1] + 1e-9) {
+        check.wrong(
+            &study.speed_rpm,
+            format!(
+                "found {first} to {last} rpm, expected a range within the pressure table of the engine, {} to {} rpm",
+                table[0],
+                table[table.len() - 1]
+            ),
+        );
+    }
+}
+
+impl Study {
+    /// Highest order of the torque, at most the limit.
+    pub fn orders(&self) -> Vec<Order> {
+        Order::up_to(self.order_limit, self.engine.strokes)
+    }
+}
+
+/// Index of a station named in the study; a mistake where there is none.
+fn station(check: &mut Check, chain: &Chain, name: &super::input_error::At<String>) -> Option<usize> {
+    let found = chain.find(name.get_ref());
+    if found.is_none() {
+        let names: Vec<&str> = chain.stations.iter().take(24).map(|s| s.name.as_str()).collect();
+        check.wrong_with_help(
+            name,
+            format!("found station `{}`, expected one of the engine's stations", name.get_ref()),
+            format!("the stations are {}", names.join(", ")),
+        );
+    }
+    found
+}

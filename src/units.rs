@@ -1,0 +1,22 @@
+//! Every conversion factor. Inside hartog everything is SI; files and tables carry the unit in the name, and convert here.
+
+use std::f64::consts::PI;
+
+/// rad in a degree.
+pub const RAD_PER_DEG: f64 = PI / 180.0;
+/// degrees in a rad.
+pub const DEG_PER_RAD: f64 = 180.0 / PI;
+/// rad/s in a revolution per minute.
+pub const RAD_PER_S_PER_RPM: f64 = PI / 30.0;
+/// Hz in a rad/s.
+pub const HZ_PER_RAD_PER_S: f64 = 0.5 / PI;
+/// Hz in a revolution per minute.
+pub const HZ_PER_RPM: f64 = 1.0 / 60.0;
+/// m in a mm.
+pub const M_PER_MM: f64 = 1e-3;
+/// Pa in a bar.
+pub const PA_PER_BAR: f64 = 1e5;
+/// W in a kW.
+pub const W_PER_KW: f64 = 1e3;
+/// crank degrees in a revolution.
+pub const DEG_PER_REV: f64 = 360.0;

@@ -1,11 +1,80 @@
-#![allow(missing_docs)]
+//! Design of torsional vibration absorbers for engine crankshafts.
+//!
+//! # Model
+//!
+//! A crankshaft with flywheel, pulley and absorber is a chain of rigid inertias joined by shafts. Its angles theta (about uniform
+//! rotation) obey
+//!
+//! ```text
+//! J theta'' + C theta' + K theta = T(t)
+//! ```
+//!
+//! with diagonal J (kg m²), tridiagonal C (N m s/rad) and K (N m/rad; hysteretic shafts have k (1 + i eta)), and the torque T (N m) that gas
+//! and moving masses put on each throw. At constant speed the torque is periodic in the working cycle (one revolution for two strokes,
+//! two for four), so each **order** n (events per revolution, in halves for four strokes) can be solved by itself.
+//!
+//! | symbol | meaning | unit |
+//! | --- | --- | --- |
+//! | Omega | speed of the crankshaft | rad/s (`speed_rpm`: rpm) |
+//! | omega = n Omega | circular frequency of order n | rad/s |
+//! | theta | angle of a station; crank angle where the engine is meant | rad |
+//! | J, k, c | inertia, stiffness, damping | kg m², N m/rad, N m s/rad |
+//! | S = k + i omega c | complex stiffness of a link | N m/rad |
+//! | z(omega) | dynamic stiffness an absorber adds to its station | N m/rad |
+//! | H(omega) | receptance: angle per unit torque at a station | rad/(N m) |
+//! | mu | ring inertia over engine inertia | 1 |
+//!
+//! **Phasors.** Y stands for Re(Y e^{i omega t}); magnitudes are zero to peak. Crank angle zero is the firing dead centre of the cylinder that
+//! fires at 0°; angles, torques and twists are positive in the direction of rotation.
+//!
+//! **Peak of a sum.** "Half peak-to-peak" is (largest - smallest)/2 over the cycle of the sum of all orders with their phases. Order zero,
+//! the mean torque, is left out: it turns the whole engine.
+//!
+//! **Damping ratios** are named by what they divide by: `c/(2 J omega_absorber)` or `c/(2 J omega_engine)`, see [`absorber::seeds`].
+//!
+//! # Map
+//!
+//! A row imports only from rows above it (a test proves that).
+//!
+//! | module | holds |
+//! | --- | --- |
+//! | [`units`] | every conversion factor |
+//! | [`numerics`] | physics-free mathematics |
+//! | [`engine`] | kinematics, pressure, forces, orders, layout |
+//! | [`chain`] | stations, matrices, modes |
+//! | [`absorber`] | types and closed-form optima |
+//! | [`response`] | direct and receptance methods, natural frequencies with absorbers |
+//! | [`design`] | variables, measures, peaks and their gradients |
+//! | [`optimise`] | gradient-free search, minimax, front |
+//! | [`study`] | the only place that reads files |
+//! | [`assess`] | a whole study |
+//! | [`report`] | the only place that writes files |
+//! | [`command`] | one file a command |
+//!
+//! # References
+//!
+//! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
+//! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
+//! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2 and 3.3.
+//! - \[Golub & Van Loan 2013\] G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed.
+//! - \[Heywood 1988\] J. B. Heywood, *Internal Combustion Engine Fundamentals*.
+//! - \[Nelder & Mead 1965\] J. A. Nelder, R. Mead, A simplex method for function minimization, *Computer J.* 7, 308.
+//! - \[Nishihara & Asami 2002\] O. Nishihara, T. Asami, Closed-form solutions to the exact optimizations of dynamic vibration absorbers,
+//!   *J. Vib. Acoust.* 124, 576.
+//! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
+//! - \[Villalva 2014\] the dissertation behind CrankLab, chapters 3 to 6: geometry, chains, absorbers and tables of the shipped engines.
+
+#![deny(missing_docs)]
+
 pub mod absorber;
 pub mod assess;
 pub mod chain;
+pub mod command;
 pub mod design;
 pub mod engine;
 pub mod numerics;
 pub mod optimise;
+pub mod report;
 pub mod response;
 pub mod study;
 pub mod units;

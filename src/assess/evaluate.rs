@@ -7,20 +7,34 @@ use crate::numerics::C64;
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, System, Work, natural, quasi_static};
 
 /// What makes a peak.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PeakKind {
-    /// Amplified by a resonance, this many times the quasi-static value of its largest order.
-    Resonant(f64),
-    /// Forced: little amplified.
-    Forced(f64),
+    /// An order is amplified by a resonance.
+    Resonant,
+    /// Forced: no order is amplified much.
+    Forced,
     /// At the lowest or highest speed.
-    EndOfRange(f64),
+    EndOfRange,
 }
 
-/// Amplification from which a peak counts as resonant.
-const RESONANT: f64 = 1.5;
+/// A peak set against the quasi-static response at its speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nature {
+    /// What makes it.
+    pub kind: PeakKind,
+    /// The peak over the quasi-static value.
+    pub over_static: f64,
+    /// Index of the order that adds most to its quasi-static value.
+    pub order: usize,
+    /// That order over its quasi-static value.
+    pub amplification: f64,
+}
 
-/// Classifies peaks against the quasi-static response of the chain.
+/// A peak is resonant where the order that adds most is amplified at least this much and adds at least a fifth of the peak.
+const RESONANT: f64 = 1.5;
+const SHARE: f64 = 0.2;
+
+/// Sets peaks against the quasi-static response of the chain.
 #[derive(Debug, Clone)]
 pub struct Classifier {
     quantity: Quantity,
@@ -34,22 +48,32 @@ impl Classifier {
     }
 
     /// Phasors of the quasi-static response at one speed.
-    pub fn phasors(&self, system: &System, speed_rpm: f64) -> Vec<C64> {
+    fn phasors(&self, system: &System, speed_rpm: f64) -> Vec<C64> {
         self.per_torque.iter().enumerate().map(|(n, s)| s * system.excitation.unit_torque(n, speed_rpm)).collect()
     }
 
-    /// What makes this peak; `None` for a peak of another quantity.
-    pub fn kind(&self, system: &System, peak: &Peak) -> Option<PeakKind> {
+    /// What makes this peak of a design; `None` for a peak of another quantity.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
         if peak.quantity != self.quantity {
-            return None;
+            return Ok(None);
         }
-        let still = (self.per_torque[peak.order] * system.excitation.unit_torque(peak.order, peak.speed_rpm)).norm();
-        let amplification = peak.order_value / still;
-        Some(match peak.place {
-            Place::End => PeakKind::EndOfRange(amplification),
-            Place::Interior if amplification >= RESONANT => PeakKind::Resonant(amplification),
-            Place::Interior => PeakKind::Forced(amplification),
-        })
+        let still = self.phasors(finder.system, peak.speed_rpm);
+        let mut moving = vec![C64::default(); still.len()];
+        finder.direct.at(design, self.quantity, peak.speed_rpm, &mut moving, &mut Work::default())?;
+        let orders = if peak.extremes.is_some() { 0..still.len() } else { peak.order..peak.order + 1 };
+        let adds = |n: usize| moving[n].norm() - still[n].norm();
+        let order = orders.fold(peak.order, |m, n| if adds(n) > adds(m) { n } else { m });
+        let reference = if peak.extremes.is_some() { finder.synthesis(&still)[0] } else { still[peak.order].norm() };
+        let amplification = moving[order].norm() / still[order].norm();
+        let kind = match peak.place {
+            Place::End => PeakKind::EndOfRange,
+            Place::Interior if amplification >= RESONANT && adds(order) >= SHARE * peak.value => PeakKind::Resonant,
+            Place::Interior => PeakKind::Forced,
+        };
+        Ok(Some(Nature { kind, over_static: peak.value / reference, order, amplification }))
     }
 
     /// Largest quasi-static value over the grid: the twist that would be left if nothing resonated.

@@ -5,7 +5,7 @@ pub mod evaluate;
 pub mod families;
 pub mod run;
 
-pub use evaluate::{DesignResult, PeakKind, Sweeps};
+pub use evaluate::{DesignResult, Nature, PeakKind, Sweeps};
 pub use run::{FrontResult, OptimumResult, Results, Timing, run};
 
 /// Told of progress.

@@ -1,15 +1,15 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
 use super::audit::highest_frequency_hz;
-use super::evaluate::{self, Classifier, DesignResult, PeakKind, Sweeps, Wanted};
+use super::evaluate::{self, Classifier, DesignResult, Nature, Sweeps, Wanted};
 use super::families;
 use super::{Progress, RunError};
 use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
-use crate::design::{Limit, PeakFinder, Problem, Space};
+use crate::design::{Limit, PeakFinder, Problem, Row, Space};
 use crate::engine::Excitation;
 use crate::optimise::{Front, Optimum, front, search, starts};
-use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, System, Work};
+use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
 use crate::study::{OptimiseSpec, Study};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -21,8 +21,8 @@ pub struct OptimumResult {
     pub optimum: Optimum,
     /// Its numbers.
     pub design: DesignResult,
-    /// What makes each row of the objective (`None`: another quantity than the reported twist).
-    pub kinds: Vec<Option<PeakKind>>,
+    /// What makes each row's peak (`None`: another quantity than the reported twist).
+    pub natures: Vec<Option<Nature>>,
     /// Whether it is the main size of its type.
     pub main: bool,
 }
@@ -200,15 +200,16 @@ impl Job<'_> {
             .into_par_iter()
             .map(|(name, space)| {
                 let main = spec.absorber.kinds.iter().any(|k| name == format!("optimum_{}", k.name()));
-                let failed = |error| RunError { what: name.clone(), error };
+                let failed = |error: ResponseError| RunError { what: name.clone(), error };
                 let problem = self.problem(space);
                 let starts = self.starts(spec, &problem.space);
                 let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let mounted = std::slice::from_ref(&optimum.design);
                 let design = evaluate::evaluate(self.finder, &self.study.modes, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finder.system, &self.study.modes, self.study.twist);
-                let kinds = optimum.outcome.rows.rows.iter().map(|r| classifier.kind(self.finder.system, &r.peak)).collect();
-                Ok(OptimumResult { design: design.map_err(failed)?, optimum, kinds, main })
+                let nature = |r: &Row| classifier.nature(self.finder, mounted, &r.peak);
+                let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
+                Ok(OptimumResult { design: design.map_err(failed)?, optimum, natures, main })
             })
             .collect()
     }

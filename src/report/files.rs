@@ -1,0 +1,65 @@
+//! Whole files or none: each is written under a temporary name and renamed.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// A file or folder could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("error: cannot write {}: {reason}", path.display())]
+pub struct WriteError {
+    /// What was to be written.
+    pub path: PathBuf,
+    /// Why not.
+    pub reason: String,
+}
+
+/// The output folder.
+#[derive(Debug, Clone)]
+pub struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Makes the folder where it is missing, and tries whether it can be written to, so that a long run does not fail at its end.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub fn create(path: &Path) -> Result<Self, WriteError> {
+        let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
+        std::fs::create_dir_all(path).map_err(failed)?;
+        tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
+        Ok(Self { path: path.to_path_buf() })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes a file.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub fn write(&self, name: &str, content: &[u8]) -> Result<(), WriteError> {
+        let target = self.path.join(name);
+        let failed = |e: std::io::Error| WriteError { path: target.clone(), reason: reason(&e) };
+        let mut file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
+        file.write_all(content).map_err(failed)?;
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // temporary files are private; results are as readable as any other file
+            file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(failed)?;
+        }
+        file.persist(&target).map_err(|e| failed(e.error))?;
+        Ok(())
+    }
+}
+
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
+        std::io::ErrorKind::NotADirectory | std::io::ErrorKind::AlreadyExists => "a file is in the way of the folder".to_owned(),
+        _ => error.to_string(),
+    }
+}

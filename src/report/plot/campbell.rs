@@ -1,0 +1,97 @@
+//! Campbell diagram: natural frequencies, order lines, speed range and the resonances in it.
+
+use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text, tick};
+use crate::assess::Results;
+use crate::engine::Order;
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use crate::units::HZ_PER_RPM;
+use plotters::prelude::*;
+
+/// Order lines drawn: those that push the first modes hardest.
+const MOST_ORDERS: usize = 12;
+
+/// Sum over elastic modes of the modal torque of an order at the middle of the range.
+fn push(study: &Study, results: &Results, n: usize) -> f64 {
+    let system = &results.system;
+    let speed = study.speeds_rpm[study.speeds_rpm.len() / 2];
+    let unit = system.excitation.unit_torque(n, speed).norm();
+    let modes = study.modes.elastic().take(3);
+    modes
+        .map(|m| {
+            system.phases(n).iter().enumerate().map(|(i, p)| p * study.modes.shapes[(i, m)]).sum::<crate::numerics::C64>().norm() * unit
+        })
+        .fold(0.0, f64::max)
+}
+
+pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let all = &results.system.excitation.orders;
+    let mut chosen: Vec<usize> = (0..all.len()).collect();
+    chosen.sort_by(|a, b| push(study, results, *b).total_cmp(&push(study, results, *a)));
+    chosen.truncate(MOST_ORDERS);
+    chosen.sort_unstable();
+    let orders: Vec<Order> = chosen.iter().map(|n| all[*n]).collect();
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let right = canvas::round_up(1.02 * high).min(1.15 * high);
+    let own = study.modes.frequencies_hz();
+    let reached = orders.last().map_or(0.0, |o| o.value() * right * HZ_PER_RPM);
+    // the first optimum of the study, if there is one
+    let optimum = results.optima.first().map(|o| (&o.design.name, &o.design.frequencies_hz));
+    let shown = own.iter().chain(optimum.iter().flat_map(|o| o.1)).copied().filter(|f| *f <= reached);
+    let top = 1.08 * shown.fold(own.first().copied().unwrap_or(1.0), f64::max);
+    canvas::save(folder, "campbell", (900, 600), |area| {
+        let titled = area.titled(&format!("{}: Campbell diagram", study.engine.name), text(17))?;
+        let (left, side) = titled.split_horizontally(titled.dim_in_pixel().0 - px(190));
+        let mut chart = ChartBuilder::on(&left)
+            .margin(px(8))
+            .margin_top(px(26))
+            .margin_right(px(44))
+            .x_label_area_size(px(36))
+            .y_label_area_size(px(54))
+            .build_cartesian_2d(0.0..right, 0.0..top)?;
+        chart.draw_series(std::iter::once(Rectangle::new([(low, 0.0), (high, top)], fill(COLOURS[5], 0.12))))?;
+        chart
+            .configure_mesh()
+            .x_desc("speed / rpm")
+            .y_desc("frequency / Hz")
+            .axis_desc_style(text(13))
+            .label_style(text(12))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(line(PALE, 8))
+            .axis_style(line(GREY, 10))
+            .x_label_formatter(&|x| tick(x))
+            .y_label_formatter(&|y| tick(y))
+            .draw()?;
+        for order in &orders {
+            let slope = order.value() * HZ_PER_RPM;
+            let end = (top / slope).min(right);
+            chart.draw_series(LineSeries::new([(0.0, 0.0), (end, end * slope)], line(GREY, 9)))?;
+            // labels along the frame: at the top where the line leaves there, at the right otherwise
+            let (dx, dy) = if end < right { (-6, -15) } else { (4, -7) };
+            let label =
+                EmptyElement::at((end, end * slope)) + Text::new(order.to_string(), (dx * px(1) as i32, dy * px(1) as i32), text(11));
+            chart.draw_series(std::iter::once(label))?;
+        }
+        for f in own.iter().filter(|f| **f <= top) {
+            chart.draw_series(LineSeries::new([(0.0, *f), (right, *f)], line(COLOURS[0], 18)))?;
+        }
+        if let Some((_, frequencies)) = &optimum {
+            for f in frequencies.iter().filter(|f| **f <= top) {
+                chart.draw_series(DashedLineSeries::new([(0.0, *f), (right, *f)], px(7), px(5), line(COLOURS[1], 16)))?;
+            }
+        }
+        let met = orders.iter().flat_map(|o| own.iter().map(move |f| (*f / (o.value() * HZ_PER_RPM), *f)));
+        let inside = met.filter(|(speed, f)| (low..=high).contains(speed) && *f <= top);
+        chart.draw_series(inside.map(|p| Circle::new(p, px(4), fill(COLOURS[0], 1.0))))?;
+        let mut entries = vec![("chain alone".to_owned(), line(COLOURS[0], 18))];
+        if let Some((name, _)) = &optimum {
+            entries.push((format!("{} (dashed)", name.replace('_', " ")), line(COLOURS[1], 16)));
+        }
+        entries.push(("order lines".into(), line(GREY, 9)));
+        entries.push(("speed range".into(), line(RGBColor(190, 225, 245), 90)));
+        canvas::legend(&side, &entries)?;
+        side.draw(&Circle::new((px(16) as i32, px(26 + 19 * entries.len() as u32) as i32), px(4), fill(COLOURS[0], 1.0)))?;
+        side.draw(&Text::new("resonance", (px(34) as i32, px(19 + 19 * entries.len() as u32) as i32), text(12)))?;
+        Ok(())
+    })
+}

@@ -1,0 +1,113 @@
+//! A drawing surface: SVG with sub-pixel coordinates, its PNG, and the look shared by all plots.
+
+use crate::report::files::{Folder, WriteError};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::{FontStyle, register_font};
+use std::sync::OnceLock;
+
+/// plotters writes whole numbers only: everything is drawn this many times larger than shown.
+const SCALE: u32 = 10;
+/// Pixels of the PNG per unit of the SVG.
+const PNG_ZOOM: f32 = 1.5;
+
+/// A drawing area of the SVG backend.
+pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// What drawing may fail with.
+pub type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+/// Colours that the colour-blind can tell apart (after Okabe and Ito).
+pub const COLOURS: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(120, 94, 60),
+];
+/// Lines of a grid.
+pub const PALE: RGBColor = RGBColor(225, 225, 225);
+/// Secondary text and lines.
+pub const GREY: RGBColor = RGBColor(110, 110, 110);
+
+/// A length in the drawing, from units of the shown size.
+pub const fn px(units: u32) -> u32 {
+    units * SCALE
+}
+
+/// Text of a size.
+pub fn text(size: u32) -> TextStyle<'static> {
+    ("DejaVu Sans", px(size)).into_font().color(&BLACK)
+}
+
+/// A line of a colour and width in tenths of a unit.
+pub fn line(colour: RGBColor, tenths: u32) -> ShapeStyle {
+    ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: tenths }
+}
+
+/// A filled shape.
+pub fn fill(colour: RGBColor, opacity: f64) -> ShapeStyle {
+    colour.mix(opacity).filled()
+}
+
+/// Draws `name.svg` and `name.png`, `width` by `height` units.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub fn save(folder: &Folder, name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area) -> Drawn) -> Result<(), WriteError> {
+    let failed = |reason: String| WriteError { path: folder.path().join(format!("{name}.svg")), reason };
+    static FONT: OnceLock<bool> = OnceLock::new();
+    let registered = *FONT.get_or_init(|| register_font("DejaVu Sans", FontStyle::Normal, dejavu::sans::regular()).is_ok());
+    if !registered {
+        return Err(failed("the built-in font could not be read".into()));
+    }
+    let mut svg = String::new();
+    {
+        let area = SVGBackend::with_string(&mut svg, (px(width), px(height))).into_drawing_area();
+        area.fill(&WHITE).map_err(|e| failed(e.to_string()))?;
+        draw(&area).map_err(|e| failed(e.to_string()))?;
+        area.present().map_err(|e| failed(e.to_string()))?;
+    }
+    // shown at its size, drawn ten times as fine
+    let drawn = format!("width=\"{}\" height=\"{}\"", px(width), px(height));
+    let svg = svg.replacen(&drawn, &format!("width=\"{width}\" height=\"{height}\""), 1);
+    folder.write(&format!("{name}.svg"), svg.as_bytes())?;
+    let png = png(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
+    folder.write(&format!("{name}.png"), &png)
+}
+
+fn png(svg: &str) -> Option<Vec<u8>> {
+    let mut options = resvg::usvg::Options::default();
+    options.fontdb_mut().load_font_data(dejavu::sans::regular().to_vec());
+    let tree = resvg::usvg::Tree::from_str(svg, &options).ok()?;
+    let size = tree.size().to_int_size().scale_by(PNG_ZOOM)?;
+    let mut pixels = resvg::tiny_skia::Pixmap::new(size.width(), size.height())?;
+    resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(PNG_ZOOM, PNG_ZOOM), &mut pixels.as_mut());
+    pixels.encode_png().ok()
+}
+
+/// A number for an axis: no needless digits.
+pub fn tick(x: &f64) -> String {
+    let rounded = (x * 1e9).round() / 1e9;
+    format!("{rounded}")
+}
+
+/// A round number a little above `x`: 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten.
+pub fn round_up(x: f64) -> f64 {
+    if x.is_nan() || x <= 0.0 {
+        return 1.0;
+    }
+    let unit = 10f64.powf(x.log10().floor());
+    [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].iter().map(|f| f * unit).find(|v| *v >= x).unwrap_or(10.0 * unit)
+}
+
+/// Entries of a legend in a column of its own, so that it covers no curve.
+pub fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
+    for (i, (label, style)) in entries.iter().enumerate() {
+        let y = (px(26) + i as u32 * px(19)) as i32;
+        area.draw(&PathElement::new(vec![(px(4) as i32, y), (px(28) as i32, y)], *style))?;
+        area.draw(&Text::new(label.clone(), (px(34) as i32, y - px(7) as i32), text(12)))?;
+    }
+    Ok(())
+}

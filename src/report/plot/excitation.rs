@@ -1,0 +1,78 @@
+//! Order spectrum of the excitation: torque of a throw, and what of it pushes the first mode.
+
+use super::canvas::{self, COLOURS, Drawn, GREY, PALE, fill, line, px, text, tick};
+use crate::assess::Results;
+use crate::numerics::C64;
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use plotters::prelude::*;
+
+fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec<f64>)]) -> Drawn {
+    let (left, side) = area.split_horizontally(area.dim_in_pixel().0 - px(120));
+    let top = canvas::round_up(series.iter().flat_map(|s| &s.1).copied().fold(0.0, f64::max));
+    let step = orders.windows(2).map(|w| w[1] - w[0]).fold(1.0, f64::min);
+    let end = orders.last().copied().unwrap_or(1.0) + step;
+    let mut chart = ChartBuilder::on(&left)
+        .caption(title, text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(58))
+        .build_cartesian_2d(0.0..end, 0.0..top)?;
+    chart
+        .configure_mesh()
+        .x_desc("order")
+        .y_desc("amplitude / N m")
+        .x_labels(13)
+        .y_labels(6)
+        .axis_desc_style(text(13))
+        .label_style(text(12))
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(line(PALE, 8))
+        .axis_style(line(GREY, 10))
+        .x_label_formatter(&|x| tick(x))
+        .y_label_formatter(&|y| tick(y))
+        .draw()?;
+    let width = 0.8 * step / series.len() as f64;
+    for (i, (_, values)) in series.iter().enumerate() {
+        let bar = |(o, v): (&f64, &f64)| {
+            let from = o - 0.4 * step + i as f64 * width;
+            Rectangle::new([(from, 0.0), (from + width, *v)], fill(COLOURS[i], 0.9))
+        };
+        chart.draw_series(orders.iter().zip(values).map(bar))?;
+    }
+    let entries: Vec<_> = series.iter().enumerate().map(|(i, s)| (s.0.clone(), line(COLOURS[i], 90))).collect();
+    canvas::legend(&side, &entries)
+}
+
+pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let system = &results.system;
+    let orders: Vec<f64> = system.excitation.orders.iter().map(|o| o.value()).collect();
+    let all = &study.speeds_rpm;
+    let mut speeds = vec![all[0], all[all.len() / 2], all[all.len() - 1]];
+    speeds.dedup();
+    if system.excitation.tabulated_rpm.is_empty() {
+        speeds.truncate(1);
+    }
+    let series = |f: &dyn Fn(usize, f64) -> f64| -> Vec<(String, Vec<f64>)> {
+        speeds.iter().map(|s| (format!("{s} rpm"), (0..orders.len()).map(|n| f(n, *s)).collect())).collect()
+    };
+    let throw = series(&|n, speed| system.excitation.throw_torque(0, n, speed).norm());
+    let mode = study.modes.elastic().next();
+    let modal = mode.map(|m| {
+        let shape = study.modes.shapes.column(m);
+        let hub = shape.amax();
+        series(&|n, speed| {
+            let sum: C64 = system.phases(n).iter().zip(shape.iter()).map(|(p, phi)| p * (phi / hub)).sum();
+            (sum * system.excitation.unit_torque(n, speed)).norm()
+        })
+    });
+    canvas::save(folder, "excitation", (900, 760), |area| {
+        let titled = area.titled(&format!("{}: orders of the excitation", study.engine.name), text(17))?;
+        let (upper, lower) = titled.split_vertically(titled.dim_in_pixel().1 / 2);
+        bars(&upper, "torque of throw 1, gas and inertia", &orders, &throw)?;
+        if let Some(modal) = &modal {
+            bars(&lower, "all throws together, weighted by the first mode (its largest amplitude taken as one)", &orders, modal)?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,91 @@
+//! Front of ring inertia against the objective, with the given designs marked.
+
+use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text, tick};
+use crate::absorber::{Kind, Ring};
+use crate::assess::Results;
+use crate::report::csv::in_unit;
+use crate::report::files::{Folder, WriteError};
+use crate::study::{Study, UnitOf};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+fn colour(kind: Kind) -> RGBColor {
+    match kind {
+        Kind::Tuned => COLOURS[0],
+        Kind::Viscous => COLOURS[1],
+        Kind::Undamped => COLOURS[2],
+    }
+}
+
+pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let front = |kind: &crate::assess::FrontResult| -> Vec<(f64, f64)> {
+        kind.front.points.iter().map(|p| (p.design.absorber.ring_inertia(), in_unit(study, p.value))).collect()
+    };
+    let lines: Vec<(Kind, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.kind, front(f))).collect();
+    let mut given: Vec<(String, Kind, (f64, f64))> = results
+        .designs
+        .iter()
+        .filter_map(|d| match d.absorbers.as_slice() {
+            [one] => Some((d.name.clone(), one.absorber.kind(), (one.absorber.ring_inertia(), in_unit(study, d.objective?)))),
+            _ => None,
+        })
+        .collect();
+    given.sort_by(|a, b| b.2.1.total_cmp(&a.2.1));
+    let points = || lines.iter().flat_map(|l| l.1.iter()).chain(given.iter().map(|g| &g.2));
+    let left = points().map(|p| p.0).fold(f64::INFINITY, f64::min);
+    let right = points().map(|p| p.0).fold(0.0, f64::max);
+    let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective).map(|v| in_unit(study, v));
+    let floor = results.forced_floor.map(|v| in_unit(study, v));
+    let largest = lines.iter().flat_map(|l| l.1.iter()).map(|p| p.1).chain(given.iter().map(|g| g.2.1)).chain(none).fold(0.0, f64::max);
+    let top = canvas::round_up(largest);
+    let unit = if study.objective.unit == UnitOf::Angle { "°" } else { "N m" };
+    canvas::save(folder, "pareto", (900, 560), |area| {
+        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(170));
+        let mut chart = ChartBuilder::on(&main)
+            .caption(format!("{}: what a ring can do", study.engine.name), text(16))
+            .margin(px(8))
+            .x_label_area_size(px(36))
+            .y_label_area_size(px(58))
+            .build_cartesian_2d((left * 0.93..right * 1.08).log_scale(), 0.0..top)?;
+        chart
+            .configure_mesh()
+            .x_desc("ring inertia / kg m²")
+            .y_desc(format!("{} / {unit}", study.objective.label.replace('_', " ")))
+            .axis_desc_style(text(13))
+            .label_style(text(12))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(line(PALE, 8))
+            .axis_style(line(GREY, 10))
+            .x_label_formatter(&|x| {
+                // of a decade only what does not run together
+                let mantissa = x / 10f64.powf((x.log10() + 1e-9).floor());
+                if [1.0, 2.0, 3.0, 5.0, 7.0].iter().any(|m| (mantissa - m).abs() < 1e-6) { tick(x) } else { String::new() }
+            })
+            .y_label_formatter(&|y| tick(y))
+            .draw()?;
+        let mut entries = Vec::new();
+        for (kind, points) in &lines {
+            chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(*kind), 22)))?;
+            entries.push((format!("optimum, {}", kind.name()), line(colour(*kind), 22)));
+        }
+        for (level, label, style) in [(none, "no absorber", line(BLACK, 12)), (floor, "forced floor", line(GREY, 12))] {
+            if let Some(level) = level {
+                chart.draw_series(DashedLineSeries::new([(left * 0.93, level), (right * 1.08, level)], px(7), px(5), style))?;
+                entries.push((format!("{label} (dashed)"), style));
+            }
+        }
+        for (i, (name, kind, at)) in given.iter().enumerate() {
+            // names are set to the side with more room; those of designs close together below each other
+            let room = (at.0.ln() - left.ln()) / (right.ln() - left.ln());
+            let (dx, side) = if room > 0.5 { (-(px(9) as i32), HPos::Right) } else { (px(9) as i32, HPos::Left) };
+            let near = given[..i].iter().filter(|g| (g.2.1 - at.1).abs() < 0.035 * top && (g.2.0 / at.0).ln().abs() < 0.3).count();
+            let style = text(12).pos(Pos::new(side, VPos::Center));
+            let dy = -(px(6) as i32) + (px(15) * near as u32) as i32;
+            let marker = EmptyElement::at(*at)
+                + Circle::new((0, 0), px(5), fill(colour(*kind), 1.0))
+                + Text::new(name.replace('_', " "), (dx, dy), style);
+            chart.draw_series(std::iter::once(marker))?;
+        }
+        canvas::legend(&side, &entries)
+    })
+}

@@ -1,0 +1,38 @@
+//! Plots as SVG, with PNG beside it.
+
+mod campbell;
+mod canvas;
+mod excitation;
+mod front;
+mod response;
+
+use super::files::{Folder, WriteError};
+use crate::assess::Results;
+use crate::study::Study;
+
+/// Draws every plot of a run.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()) -> Result<(), WriteError> {
+    for sweep in &results.sweeps {
+        response::draw(study, results, sweep, folder)?;
+        written();
+    }
+    response::overlay(study, results, folder)?;
+    written();
+    campbell::draw(study, results, folder)?;
+    written();
+    excitation::draw(study, results, folder)?;
+    written();
+    if !results.fronts.is_empty() {
+        front::draw(study, results, folder)?;
+        written();
+    }
+    Ok(())
+}
+
+/// How many files [`run`] draws.
+pub fn count(results: &Results) -> usize {
+    results.sweeps.len() + 3 + usize::from(!results.fronts.is_empty())
+}

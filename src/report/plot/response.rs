@@ -1,0 +1,146 @@
+//! Response over speed: one design with its main orders, and all designs together.
+
+use super::canvas::{self, COLOURS, Drawn, GREY, PALE, line, px, text, tick};
+use crate::assess::Results;
+use crate::assess::evaluate::{QuantitySweep, Sweeps};
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use plotters::prelude::*;
+
+/// Orders drawn on their own: those with the largest peaks.
+const MAIN_ORDERS: usize = 6;
+/// Amplitudes above this multiple of the largest twist are cut off: rigid rolling at low speed would flatten the rest.
+const CUT: f64 = 2.0;
+
+struct Curve<'a> {
+    label: String,
+    values: &'a [f64],
+    style: ShapeStyle,
+}
+
+fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &[Curve], top: f64) -> Drawn {
+    let (left, right) = area.split_horizontally(area.dim_in_pixel().0 - px(150));
+    let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+    let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
+    let mut chart = ChartBuilder::on(&left)
+        .caption(title, text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(54))
+        .build_cartesian_2d(span, 0.0..top)?;
+    chart
+        .configure_mesh()
+        .x_desc("speed / rpm")
+        .y_desc(unit)
+        .x_labels(9)
+        .y_labels(7)
+        .axis_desc_style(text(13))
+        .label_style(text(12))
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(line(PALE, 8))
+        .axis_style(line(GREY, 10))
+        .x_label_formatter(&|x| tick(x))
+        .y_label_formatter(&|y| tick(y))
+        .draw()?;
+    for curve in curves {
+        // plotters draws what lies outside as well: the curve is cut at the frame
+        let points = speeds.iter().zip(curve.values).map(|(x, y)| (*x, *y));
+        for piece in clipped(points, top) {
+            chart.draw_series(LineSeries::new(piece, curve.style))?;
+        }
+    }
+    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.label.clone(), c.style)).collect();
+    canvas::legend(&right, &entries)
+}
+
+/// Stretches of a curve below `top`, each ending on it where the curve leaves.
+fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+    let mut before: Option<(f64, f64)> = None;
+    for (x, y) in points {
+        if let Some((x0, y0)) = before
+            && (y0 > top) != (y > top)
+        {
+            let crossing = x0 + (x - x0) * (top - y0) / (y - y0);
+            if y > top {
+                if let Some(piece) = pieces.last_mut() {
+                    piece.push((crossing, top));
+                }
+                pieces.push(Vec::new());
+            } else {
+                pieces.push(vec![(crossing, top)]);
+            }
+        }
+        if y <= top
+            && let Some(piece) = pieces.last_mut()
+        {
+            piece.push((x, y));
+        }
+        before = Some((x, y));
+    }
+    pieces
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}
+
+fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) -> Vec<Curve<'a>> {
+    let order = |(i, &n): (usize, &usize)| Curve {
+        label: format!("order {}", results.system.excitation.orders[n]),
+        values: &quantity.orders[n],
+        style: line(COLOURS[i % COLOURS.len()], 14),
+    };
+    let total = Curve { label: "all orders".into(), values: &quantity.total, style: line(BLACK, 22) };
+    orders.iter().enumerate().map(order).chain(std::iter::once(total)).collect()
+}
+
+/// Twist and hub amplitude of one design.
+pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -> Result<(), WriteError> {
+    let (twist, hub) = (&sweep.quantities[0], &sweep.quantities[1]);
+    let mut orders: Vec<usize> = (0..twist.orders.len()).collect();
+    orders.sort_by(|a, b| largest(&twist.orders[*b]).total_cmp(&largest(&twist.orders[*a])));
+    orders.truncate(MAIN_ORDERS);
+    orders.sort_unstable();
+    let name = |station: usize| study.chain.stations[station].name.replace('_', " ");
+    let between = match study.twist {
+        crate::response::Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground".into(), name)),
+        _ => String::new(),
+    };
+    let top = canvas::round_up(largest(&twist.total));
+    let hub_top = canvas::round_up(largest(&hub.total).min(CUT * largest(&twist.total)));
+    let cut = if hub_top < largest(&hub.total) { " (rigid rolling at low speed cut off)" } else { "" };
+    canvas::save(folder, &format!("response_{}", sweep.design), (900, 760), |area| {
+        let titled = area.titled(&format!("{}: {}", study.engine.name, sweep.design.replace('_', " ")), text(17))?;
+        let (upper, lower) = titled.split_vertically((titled.dim_in_pixel().1) / 2);
+        panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &curves(results, twist, &orders), top)?;
+        let title = format!("amplitude of {}{cut}", name(study.hub));
+        panel(&lower, &title, "half peak-to-peak / °", &study.speeds_rpm, &curves(results, hub, &orders), hub_top)
+    })
+}
+
+/// Synthesised twist of all designs.
+pub fn overlay(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let top = canvas::round_up(results.sweeps.iter().map(|s| largest(&s.quantities[0].total)).fold(0.0, f64::max));
+    let curves: Vec<Curve> = results
+        .sweeps
+        .iter()
+        .enumerate()
+        .map(|(i, s)| {
+            let optimum = s.design.starts_with("optimum_");
+            let colour =
+                if s.quantities.len() > 2 && results.sweeps[0].design == "none" && i == 0 { BLACK } else { COLOURS[i % COLOURS.len()] };
+            Curve { label: s.design.replace('_', " "), values: &s.quantities[0].total, style: line(colour, if optimum { 28 } else { 15 }) }
+        })
+        .collect();
+    canvas::save(folder, "designs", (900, 430), |area| {
+        panel(
+            area,
+            &format!("{}: synthesised twist of all designs", study.engine.name),
+            "half peak-to-peak / °",
+            &study.speeds_rpm,
+            &curves,
+            top,
+        )
+    })
+}

@@ -1,1 +1,14 @@
+//! All tests of hartog, one binary. "Equals itself" and "equals the literature" are told apart in each test's first line.
 
+mod absorbers;
+mod bad_input;
+mod chains;
+mod commands;
+mod engines;
+mod layering;
+mod long;
+mod numerics;
+mod optima;
+mod peaks;
+mod responses;
+mod support;

@@ -3,6 +3,7 @@
 pub mod audit;
 pub mod evaluate;
 pub mod families;
+pub mod probe;
 pub mod run;
 
 pub use evaluate::{DesignResult, Nature, PeakKind, Sweeps};

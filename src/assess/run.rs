@@ -2,8 +2,8 @@
 
 use super::audit::highest_frequency_hz;
 use super::evaluate::{self, Classifier, DesignResult, Nature, Sweeps, Wanted};
-use super::families;
 use super::{Progress, RunError};
+use super::{families, probe};
 use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
 use crate::design::{Limit, PeakFinder, Problem, Row, Space};
@@ -148,6 +148,11 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         })
         .collect::<Result<Vec<_>, _>>()?;
     clock.lap("response", Work::default());
+    // what one evaluation costs, apart from the stages
+    if let Some((name, design)) = shown.iter().find(|(_, d)| !d.is_empty()) {
+        let probe = probe::per_design(&finder, design, study.twist);
+        clock.timing.extend(probe.map_err(|error| RunError { what: format!("design `{name}`"), error })?);
+    }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
         [q] if study.objective.is_twist => Some(Classifier::new(&system, &study.modes, *q).floor(&finder, study.objective.measure.over)),
         _ => None,

@@ -20,7 +20,7 @@ Exit code: 0 done, 1 a limit of the study fails for an optimum, 2 bad input or n
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
-    /// Output folder [default: out/<study>].
+    /// Output folder [default: out/STUDY].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Number of threads [default: all]; results are the same for any number.
@@ -76,10 +76,21 @@ fn print(study: &Study, results: &Results, folder: &Folder, timing: &[Timing]) {
         say(&format!("\n{}", text::optimum(study, results, optimum)));
     }
     say(&format!("\n{}", text::summary(study, results)));
+    let cost: Vec<String> = timing
+        .iter()
+        .filter_map(|t| t.stage.strip_prefix("one_design_").map(|what| format!("{} {}", what.replace('_', " "), duration(t.seconds))))
+        .collect();
+    if !cost.is_empty() {
+        say(&format!("\nOne design on one thread: {}\n", cost.join(", ")));
+    }
     let stages: Vec<String> = timing.iter().filter(|t| t.seconds >= 0.05).map(|t| format!("{} {:.1} s", t.stage, t.seconds)).collect();
-    say(&format!("\n{} files in {} ({})\n", count(folder), folder.path().display(), stages.join(", ")));
+    say(&format!("{} files in {} ({})\n", count(folder), folder.path().display(), stages.join(", ")));
 }
 
 fn count(folder: &Folder) -> usize {
     std::fs::read_dir(folder.path()).map_or(0, |d| d.filter_map(Result::ok).filter(|e| e.path().is_file()).count())
+}
+
+fn duration(seconds: f64) -> String {
+    if seconds < 1e-3 { format!("{:.1} µs", 1e6 * seconds) } else { format!("{:.2} ms", 1e3 * seconds) }
 }

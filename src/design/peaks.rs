@@ -42,8 +42,9 @@ pub struct Peak {
 const ESTIMATE_SHARE: f64 = 0.98;
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
-/// A refined peak this much above its grid value means that nothing damps it.
-const UNBOUNDED: f64 = 1e6;
+/// A refined peak this many times its grid value is looked at again more closely; if it grows as much again, nothing damps it (a damping
+/// ratio below about 1e-8).
+const STEEP: f64 = 50.0;
 
 /// Finds peaks of one system by one method.
 #[derive(Debug)]
@@ -230,7 +231,7 @@ impl<'a> PeakFinder<'a> {
                 best = (at, v, Place::Interior);
             }
         };
-        let mut f = |s| value_at(s, work);
+        let mut f = |s: f64| value_at(s, work);
         if end == Place::Interior && !self.grid.kink[i] {
             keep(maximise_bracket((speed[i - 1], speed[i], speed[i + 1]), right, &mut f)?);
         } else {
@@ -242,10 +243,15 @@ impl<'a> PeakFinder<'a> {
                 keep(maximise(speed[i], speed[i + 1], &mut f)?);
             }
         }
-        if best.1 > UNBOUNDED * value {
-            // the order that carries the pole is found by asking each where it is largest; one is enough for the message
-            let order = self.pole(best.0);
-            return Err(order);
+        if best.1 > STEEP * value {
+            let (at, near) = (best.0, 1e-4 * (speed[(i + 1).min(last)] - speed[i.saturating_sub(1)]));
+            let closer = maximise((at - near).max(speed[0]), (at + near).min(speed[last]), |s| value_at(s, work))?;
+            if closer.1 > STEEP * best.1 {
+                return Err(self.pole(closer.0));
+            }
+            if closer.1 > best.1 {
+                (best.0, best.1) = closer;
+            }
         }
         Ok(Some((best.0, best.2)))
     }

@@ -78,6 +78,18 @@ fn reach(point: &[f64], bounds: &[(f64, f64)], radius: f64) -> Vec<(f64, f64)> {
     point.iter().zip(bounds).map(|(w, (low, high))| ((low - w).max(-radius).min(0.0), (high - w).min(radius).max(0.0))).collect()
 }
 
+/// A coordinate closer to a bound than an interior-point method resolves is on it: stiffness and damping become exactly zero.
+fn snapped(w: f64, (low, high): (f64, f64)) -> f64 {
+    const NEAR: f64 = 1e-6;
+    if w - low < NEAR {
+        low
+    } else if high - w < NEAR {
+        high
+    } else {
+        w
+    }
+}
+
 /// How far apart two peaks are: in speed (relative) and, for a synthesis, in the angles of the cycle.
 fn distance(a: &Peak, b: &Peak) -> f64 {
     let apart = |x: f64, y: f64| {
@@ -166,7 +178,7 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
         if promised < DECREASE {
             break Stop::Converged;
         }
-        let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).map(|(w, d)| w + d).collect() };
+        let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).zip(&bounds).map(|((w, d), b)| snapped(w + d, *b)).collect() };
         let mut to = moved(&step.change);
         let mut there = problem.rows(&to, work);
         let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit));

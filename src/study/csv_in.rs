@@ -58,10 +58,9 @@ impl Table {
     /// Index of a column that must be there.
     fn column(&self, name: &str) -> Result<usize, InputError> {
         self.header.iter().position(|h| h == name).ok_or_else(|| {
-            self.whole(format!(
-                "column `{name}` is missing; found {}",
-                self.header.iter().map(|h| format!("`{h}`")).collect::<Vec<_>>().join(", ")
-            ))
+            let found: Vec<String> = self.header.iter().map(|h| format!("`{h}`")).collect();
+            let found = if found.is_empty() { "an empty table".into() } else { format!("columns {}", found.join(", ")) };
+            self.whole(format!("found {found}, expected a column `{name}`"))
         })
     }
 }

@@ -92,6 +92,18 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
+impl InputError {
+    /// Mistakes in the order of the lines they stand in.
+    pub fn sorted(mut mistakes: Vec<Mistake>) -> Self {
+        mistakes.sort_by_key(|m| match &m.place {
+            Place::File(_) => (0, 0, 0),
+            Place::Text { line, column, .. } => (1, *line, *column),
+            Place::Cell { row, .. } => (2, usize::try_from(*row).unwrap_or(usize::MAX), 0),
+        });
+        Self { mistakes }
+    }
+}
+
 impl From<Mistake> for InputError {
     fn from(mistake: Mistake) -> Self {
         Self { mistakes: vec![mistake] }
@@ -176,7 +188,10 @@ fn reword(message: &str) -> (String, Option<String>) {
     let message = message.trim_end();
     if let Some((key, rest)) = message.strip_prefix("unknown field `").and_then(|m| m.split_once('`')) {
         let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
-        let help = closest(key, &known).map(|k| format!("did you mean `{k}`? A unit is part of the key"));
+        let help = closest(key, &known).map(|k| {
+            let same_quantity = key.rsplit_once('_').is_some_and(|(quantity, _)| k.starts_with(quantity));
+            format!("did you mean `{k}`?{}", if same_quantity { " The unit is part of the key" } else { "" })
+        });
         return (format!("found unknown key `{key}`, expected {}", list(&known)), help);
     }
     if let Some((variant, rest)) = message.strip_prefix("unknown variant `").and_then(|m| m.split_once('`')) {

@@ -233,7 +233,7 @@ pub enum RawSize {
 #[serde(rename_all = "snake_case")]
 pub enum RawRange {
     Fixed(At<f64>),
-    Between(At<[At<f64>; 2]>),
+    Between(At<Vec<At<f64>>>),
     Each(At<Vec<At<f64>>>),
 }
 
@@ -248,6 +248,6 @@ pub struct RawPareto {
 #[serde(rename_all = "snake_case")]
 pub enum RawAgainst {
     #[serde(rename = "ring_inertia_kg_m2")]
-    RingInertia(At<[At<f64>; 2]>),
-    InertiaRatio(At<[At<f64>; 2]>),
+    RingInertia(At<Vec<At<f64>>>),
+    InertiaRatio(At<Vec<At<f64>>>),
 }

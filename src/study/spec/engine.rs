@@ -77,9 +77,22 @@ fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {
         slider_crank: SliderCrank { crank_radius, rod_length, kinematics },
         piston_mass: check.not_negative(&raw.piston_mass_kg),
         rod_mass: check.not_negative(&raw.rod_mass_kg),
-        rod_rotating_fraction: check.within(&raw.rod_rotating_fraction, 0.0..=1.0, "a fraction from 0 to 1"),
+        rod_rotating_fraction: fraction(check, &raw.rod_rotating_fraction),
         crankcase_pressure: raw.crankcase_pressure_bar.as_ref().map_or(1.0, |p| check.not_negative(p)) * PA_PER_BAR,
     }
+}
+
+fn fraction(check: &mut Check, raw: &At<f64>) -> f64 {
+    let x = *raw.get_ref();
+    if x > 1.0 && x <= 100.0 {
+        check.wrong_with_help(
+            raw,
+            format!("found {x}, expected a fraction from 0 to 1"),
+            format!("a fraction, not per cent: {x} % is {}", x / 100.0),
+        );
+        return x;
+    }
+    check.within(raw, 0.0..=1.0, "a fraction from 0 to 1")
 }
 
 fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {

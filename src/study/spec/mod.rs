@@ -88,8 +88,9 @@ pub(super) fn resolve(
     }
     // what follows needs a chain and an engine that make sense
     let (Some(mut engine), Some(chain), true) = (engine, chain, in_engine.mistakes.is_empty()) else {
-        in_engine.mistakes.append(&mut check.mistakes);
-        return Err(InputError { mistakes: in_engine.mistakes });
+        let mut mistakes = InputError::sorted(in_engine.mistakes).mistakes;
+        mistakes.extend(InputError::sorted(check.mistakes).mistakes);
+        return Err(InputError { mistakes });
     };
     check_load(&mut check, study, &mut engine);
     check_range(&mut check, study, &engine, &speeds_rpm);
@@ -108,7 +109,7 @@ pub(super) fn resolve(
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
     }
     if !check.mistakes.is_empty() {
-        return Err(InputError { mistakes: check.mistakes });
+        return Err(InputError::sorted(check.mistakes));
     }
     let last = chain.len() - 1;
     let twist = match objective.measure.quantities.as_slice() {
@@ -143,7 +144,7 @@ fn speeds(check: &mut Check, study: &raw::study::RawStudy) -> Vec<f64> {
         check.wrong(&raw.to, format!("found an empty speed range, {from} to {to} rpm, expected `to` of at least `from`"));
     }
     let steps = ((to - from) / step + 1e-9).floor();
-    if steps > MOST_POINTS {
+    if steps.is_finite() && steps > MOST_POINTS {
         check.wrong(&raw.step, format!("found a step of {step} rpm, which makes {steps} speeds, expected at most {MOST_POINTS}"));
     }
     if check.mistakes.len() > before {

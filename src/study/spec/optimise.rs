@@ -53,9 +53,13 @@ pub struct FrontSpec {
     pub inertias: Vec<f64>,
 }
 
-fn ordered(check: &mut Check, pair: &At<[At<f64>; 2]>) -> (f64, f64) {
-    let [low, high] = pair.get_ref();
-    let (a, b) = (check.not_negative(low), check.not_negative(high));
+/// Lower and upper bound; the lower one may be zero only where `from_zero`.
+fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
+    let [low, high] = pair.get_ref().as_slice() else {
+        check.wrong(pair, format!("found {} values, expected two: a lower and an upper bound", pair.get_ref().len()));
+        return (1.0, 2.0);
+    };
+    let (a, b) = (if from_zero { check.not_negative(low) } else { check.positive(low) }, check.positive(high));
     if b <= a {
         check.wrong(pair, format!("found bounds {a} and {b}, expected the lower one first and below the upper one"));
     }
@@ -124,8 +128,7 @@ fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -
             Size::Each(values)
         }
         RawRange::Between(pair) => {
-            let (a, b) = ordered(check, pair);
-            check.positive(&pair.get_ref()[0]);
+            let (a, b) = ordered(check, pair, false);
             Size::Between(a * unit, b * unit)
         }
     };
@@ -135,7 +138,7 @@ fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -
             let x = check.not_negative(v);
             Some((x, x))
         }
-        Some(RawRange::Between(pair)) => Some(ordered(check, pair)),
+        Some(RawRange::Between(pair)) => Some(ordered(check, pair, true)),
         Some(RawRange::Each(list)) => {
             check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
             None
@@ -151,8 +154,7 @@ pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec
         check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
     }
     let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = &raw.get_ref().against;
-    let (a, b) = ordered(check, pair);
-    check.positive(&pair.get_ref()[0]);
+    let (a, b) = ordered(check, pair, false);
     let points = *raw.get_ref().points.get_ref();
     if !(2..=10_000).contains(&points) {
         check.wrong(&raw.get_ref().points, format!("found {points}, expected a number of points from 2 to 10000"));

@@ -1,0 +1,56 @@
+//! What evaluating one design costs, measured on the spot.
+
+use super::Timing;
+use crate::absorber::Mounted;
+use crate::design::{Measure, Over, PeakFinder};
+use crate::response::{Direct, Quantity, Response, ResponseError, Work};
+use std::time::Instant;
+
+/// Repetitions of each measurement; the median counts.
+const REPEATS: usize = 21;
+
+fn median(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+    let mut seconds = Vec::with_capacity(REPEATS);
+    for _ in 0..REPEATS {
+        let start = Instant::now();
+        once()?;
+        seconds.push(start.elapsed().as_secs_f64());
+    }
+    seconds.sort_by(f64::total_cmp);
+    Ok(seconds[REPEATS / 2])
+}
+
+/// Seconds per design on one thread: magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, and the torque
+/// of all shafts on the grid.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<Vec<Timing>, ResponseError> {
+    let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
+    let (mut magnitudes, mut phasors) = (Vec::new(), Vec::new());
+    finder.method.sweep(design, quantity, &mut phasors, &mut Work::default())?;
+    let direct = Direct::new(finder.system, finder.grid);
+    let mut timing = Vec::new();
+    let mut put = |stage: &str, seconds: f64, work: Work| timing.push(Timing { stage: stage.into(), seconds, work });
+    let mut work = Work::default();
+    let seconds = median(|| finder.method.magnitudes(design, quantity, &mut magnitudes, &mut work))?;
+    put("one_design_magnitudes", seconds, Work { receptance_points: work.receptance_points / REPEATS as u64, ..Work::default() });
+    let seconds = median(|| {
+        let total = finder.synthesis(&phasors);
+        debug_assert!(!total.is_empty());
+        Ok(())
+    })?;
+    put("one_design_synthesis", seconds, Work { syntheses: finder.grid.len() as u64, ..Work::default() });
+    let mut work = Work::default();
+    finder.peak(design, &measure, &mut work)?;
+    let seconds = median(|| finder.peak(design, &measure, &mut Work::default()).map(|_| ()))?;
+    put("one_design_refined_peak", seconds, work);
+    let mut work = Work::default();
+    let mut torques = |work: &mut Work| -> Result<(), ResponseError> {
+        (0..finder.system.chain.len() - 1).try_for_each(|s| direct.sweep(design, Quantity::ShaftTorque(s), &mut phasors, work))
+    };
+    torques(&mut work)?;
+    let seconds = median(|| torques(&mut Work::default()))?;
+    put("one_design_torques", seconds, work);
+    Ok(timing)
+}

@@ -1,0 +1,103 @@
+//! Bad input: each file of `bad_input/` beside the error it must give, word for word, with exit code 2.
+//!
+//! `engine/*.toml` are engine files for `study.toml`, `study/*.toml` are studies of `engine.toml`, `csv/pressure_*.csv` and
+//! `csv/harmonics_*.csv` tables for `engine.toml`. To write the expected messages anew, set HARTOG_WRITE_EXPECTED and read the change.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input")
+}
+
+/// Error of `hartog check study.toml` in a folder with these files; the exit code must be 2 and nothing may be printed.
+fn error(files: &[(&str, &str)]) -> String {
+    let place = tempfile::tempdir().expect("folder");
+    for (name, text) in files {
+        fs::write(place.path().join(name), text).expect("written");
+    }
+    let mut command = Command::cargo_bin("hartog").expect("built");
+    let assert = command.current_dir(place.path()).args(["check", "study.toml"]).assert().code(2);
+    assert!(assert.get_output().stdout.is_empty());
+    String::from_utf8_lossy(&assert.get_output().stderr).into_owned()
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn cases(kind: &str, ending: &str) -> Vec<PathBuf> {
+    let mut list: Vec<PathBuf> = fs::read_dir(folder().join(kind))
+        .expect("cases")
+        .filter_map(|e| e.ok().map(|e| e.path()))
+        .filter(|p| p.extension().is_some_and(|e| e == ending))
+        .collect();
+    list.sort();
+    assert!(!list.is_empty());
+    list
+}
+
+fn compare(case: &Path, found: &str) {
+    let expected = case.with_extension("stderr");
+    if std::env::var_os("HARTOG_WRITE_EXPECTED").is_some() {
+        fs::write(&expected, found).expect("written");
+    }
+    assert_eq!(read(&expected), found, "{}", case.display());
+}
+
+#[test]
+fn good_input_is_accepted() {
+    let place = tempfile::tempdir().expect("folder");
+    for name in ["study.toml", "engine.toml"] {
+        fs::copy(folder().join(name), place.path().join(name)).expect("copied");
+    }
+    Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(["check", "study.toml"]).assert().code(0);
+}
+
+#[test]
+fn engines() {
+    let study = read(&folder().join("study.toml"));
+    for case in cases("engine", "toml") {
+        compare(&case, &error(&[("study.toml", &study), ("engine.toml", &read(&case))]));
+    }
+}
+
+#[test]
+fn studies() {
+    let engine = read(&folder().join("engine.toml"));
+    for case in cases("study", "toml") {
+        compare(&case, &error(&[("engine.toml", &engine), ("study.toml", &read(&case))]));
+    }
+}
+
+#[test]
+fn tables() {
+    let (study, engine) = (read(&folder().join("study.toml")), read(&folder().join("engine.toml")));
+    let (start, end) = (engine.find("[pressure.wiebe]").expect("a cycle"), engine.find("[[station]]").expect("a station"));
+    let geometry = engine.find("[geometry]").expect("a geometry")..engine.find("[layout").expect("a layout");
+    for case in cases("csv", "csv") {
+        let harmonics = case.file_stem().is_some_and(|s| s.to_string_lossy().starts_with("harmonics"));
+        let kind = if harmonics { "harmonics" } else { "measured" };
+        let mut with_table = format!("{}[pressure.{kind}]\nfile = \"table.csv\"\n{}", &engine[..start], &engine[end..]);
+        if harmonics {
+            with_table.replace_range(geometry.clone(), "");
+        }
+        compare(&case, &error(&[("study.toml", &study), ("engine.toml", &with_table), ("table.csv", &read(&case))]));
+    }
+}
+
+#[test]
+fn files_that_are_not_there_or_not_text() {
+    let place = tempfile::tempdir().expect("folder");
+    fs::write(place.path().join("bytes.toml"), [0xff, 0xfe, 0x00]).expect("written");
+    for (arguments, words) in [
+        (["check", "nothing.toml"], "error: file not found\n  --> nothing.toml"),
+        (["run", "nothing.toml"], "error: file not found\n  --> nothing.toml"),
+        (["check", "bytes.toml"], "error: the file is not text in UTF-8\n  --> bytes.toml"),
+    ] {
+        let assert = Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(arguments).assert().code(2);
+        let text = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+        assert!(text.contains(words), "{text}");
+    }
+}

@@ -1,0 +1,129 @@
+//! Mathematics against independent methods.
+
+use crate::support::assert_close;
+use hartog::numerics::synthesis::Synthesiser;
+use hartog::numerics::tridiagonal::Tridiagonal;
+use hartog::numerics::{C64, eigen, harmonics, maximise};
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+fn complex() -> impl Strategy<Value = C64> {
+    // zeros often: pivots vanish, rows must be exchanged
+    let part = || prop_oneof![2 => Just(0.0), 5 => -2.0..2.0f64];
+    (part(), part()).prop_map(|(re, im)| C64::new(re, im))
+}
+
+proptest! {
+    /// Independent method: dense LU with full pivoting of nalgebra. Tolerance: 1e-9 of the solution's size for matrices that are not
+    /// nearly singular.
+    #[test]
+    fn tridiagonal_solve_equals_dense(n in 1usize..8, values in prop::collection::vec(complex(), 32)) {
+        let mut t = Tridiagonal::zeros(n);
+        for i in 0..n {
+            t.diagonal[i] = values[i];
+            if i + 1 < n {
+                t.lower[i] = values[8 + i];
+                t.upper[i] = values[16 + i];
+            }
+        }
+        let dense = DMatrix::from_fn(n, n, |i, j| match i as i64 - j as i64 {
+            0 => t.diagonal[i],
+            1 => t.lower[j],
+            -1 => t.upper[i],
+            _ => C64::default(),
+        });
+        let b: Vec<C64> = values[24..24 + n].to_vec();
+        let condition = dense.clone().singular_values();
+        prop_assume!(condition[condition.len() - 1] > 1e-4);
+        let expected = dense.full_piv_lu().solve(&DVector::from_vec(b.clone())).expect("regular");
+        t.factor().expect("regular");
+        let mut x = b;
+        t.solve(&mut x);
+        for (a, e) in x.iter().zip(expected.iter()) {
+            prop_assert!((a - e).norm() <= 1e-9 * (1.0 + expected.norm()), "{a} against {e}");
+        }
+    }
+
+    /// Independent method: 20 000 samples of the cycle. They miss a maximum by at most half the curvature times the square of half a step.
+    #[test]
+    fn synthesis_equals_dense_sampling(parts in prop::collection::vec((-1.0..1.0f64, -1.0..1.0f64), 12)) {
+        let harmonics: Vec<u32> = (1..=12).collect();
+        let phasors: Vec<C64> = parts.iter().map(|(a, b)| C64::new(*a, *b)).collect();
+        let n = 20_000;
+        let f = |j: usize| -> f64 { harmonics.iter().zip(&phasors).map(|(h, y)| (y * C64::cis(TAU * (j * *h as usize % n) as f64 / n as f64)).re).sum() };
+        let (low, high) = (0..n).map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let curvature: f64 = harmonics.iter().zip(&phasors).map(|(h, y)| f64::from(h * h) * y.norm()).sum();
+        let missed = 0.5 * curvature * (0.5 * TAU / n as f64).powi(2);
+        let exact = Synthesiser::new(&harmonics).extremes(&phasors).half_peak_to_peak;
+        prop_assert!(exact >= 0.5 * (high - low) - 1e-12 && exact <= 0.5 * (high - low) + missed + 1e-12, "{exact} against {}", 0.5 * (high - low));
+    }
+}
+
+/// A singular matrix is refused, never answered with infinities.
+#[test]
+fn singular_tridiagonal_is_refused() {
+    let mut t = Tridiagonal::zeros(3);
+    t.diagonal = vec![C64::from(1.0), C64::from(0.0), C64::from(2.0)];
+    assert!(t.factor().is_err());
+}
+
+/// Law: the analysis of a trigonometric polynomial returns its coefficients.
+#[test]
+fn harmonics_of_a_polynomial_are_its_coefficients() {
+    let wanted = [(1u32, C64::new(0.3, -0.7)), (2, C64::new(-1.1, 0.2)), (7, C64::new(0.05, 0.4))];
+    let samples: Vec<f64> =
+        (0..64).map(|j| 5.0 + wanted.iter().map(|(h, c)| (c * C64::cis(TAU * f64::from(j * h) / 64.0)).re).sum::<f64>()).collect();
+    let found = harmonics::analyse(&samples, &[0, 1, 2, 3, 7]);
+    for (h, c) in [(0, C64::from(5.0)), (1, wanted[0].1), (2, wanted[1].1), (3, C64::default()), (4, wanted[2].1)] {
+        assert_close((found[h] - c).norm(), 0.0, 0.0, 1e-14, "coefficient");
+    }
+}
+
+/// Law: a single harmonic has its amplitude as half peak-to-peak, and a phase only moves it along.
+#[test]
+fn one_harmonic_is_its_amplitude() {
+    let extremes = Synthesiser::new(&[3]).extremes(&[C64::from_polar(2.5, 1.0)]);
+    assert_close(extremes.half_peak_to_peak, 2.5, 1e-15, 0.0, "amplitude");
+    assert_close((3.0 * extremes.angle_max + 1.0).rem_euclid(TAU).min(1.0), 0.0, 0.0, 1e-12, "angle of the maximum");
+}
+
+/// Branches: with two maxima of nearly the same height the lower one is offered, and a sum with a shorter period offers none.
+#[test]
+fn alternatives_are_other_waves_only() {
+    let two = Synthesiser::new(&[1, 2]);
+    let offered = two.alternatives(&[C64::from(0.01), C64::from(1.0)], 0.05);
+    assert_eq!(offered.len(), 1, "the maximum half a cycle on: {offered:?}");
+    let main = two.extremes(&[C64::from(0.01), C64::from(1.0)]);
+    assert!(offered[0].half_peak_to_peak < main.half_peak_to_peak);
+    let repeated = Synthesiser::new(&[2, 4]).alternatives(&[C64::from(1.0), C64::new(0.2, 0.1)], 0.5);
+    let distinct: Vec<_> = repeated.iter().map(|e| e.half_peak_to_peak).collect();
+    assert!(distinct.windows(2).all(|w| w[0] > w[1]), "the same wave half a cycle on is not offered: {distinct:?}");
+}
+
+/// Law: a parabola's vertex is found; a maximum at a bracket's middle is never lost, searched to either side.
+#[test]
+fn maximum_of_a_parabola() {
+    let f = |x: f64| Ok::<f64, ()>(3.0 - (x - 0.7).powi(2));
+    let (at, value) = maximise::maximise(0.0, 2.0, f).expect("no error");
+    assert_close(at, 0.7, 0.0, 1e-4, "vertex");
+    assert_close(value, 3.0, 0.0, 1e-9, "value");
+    for right in [true, false] {
+        let spike = |x: f64| Ok::<f64, ()>(-(x - 1.0).abs() * 1e3);
+        let (at, value) = maximise::maximise_bracket((0.0, 1.0, 2.0), right, &mut { spike }).expect("no error");
+        assert_eq!((at, value), (1.0, 0.0), "the middle is the best point");
+    }
+    assert_eq!(maximise::maximise(0.0, 1.0, |_| Err::<f64, _>("no")), Err("no"), "errors come through");
+}
+
+/// Independent method: roots of the characteristic polynomial of one damped mass, s = -zeta w +- i w sqrt(1 - zeta²).
+#[test]
+fn quadratic_eigenvalues_of_one_mass() {
+    let (m, k, zeta): (f64, f64, f64) = (2.0, 50.0, 0.1);
+    let w = (k / m).sqrt();
+    let c = DMatrix::from_element(1, 1, 2.0 * zeta * w * m);
+    let mut s = eigen::quadratic(&DVector::from_element(1, m), &c, &DMatrix::from_element(1, 1, k));
+    s.sort_by(|a, b| a.im.total_cmp(&b.im));
+    assert_close(s[1].re, -zeta * w, 1e-12, 0.0, "decay");
+    assert_close(s[1].im, w * (1.0 - zeta * zeta).sqrt(), 1e-12, 0.0, "frequency");
+}

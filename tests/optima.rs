@@ -1,0 +1,144 @@
+//! Optimisation: the exact optimum of Den Hartog's problem, first-order conditions, limits, bounds, the front.
+
+use crate::support::{assert_close, study};
+use hartog::absorber::{Kind, Ring, seeds};
+use hartog::assess::{self, Results, Silent};
+use hartog::design::{Limit, Measure, Over, Parameter, Variable};
+use hartog::response::Quantity;
+use hartog::study::{FrontSpec, Size, Study};
+
+fn run(study: &Study) -> Results {
+    assess::run(study, &Silent).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Leaves a study with one size and one type, and no front.
+fn only(name: &str, kind: Kind, size: Size) -> Study {
+    let mut s = study(name);
+    let o = s.optimise.as_mut().expect("optimises");
+    (o.absorber.kinds, o.absorber.size) = (vec![kind], size);
+    s.front = None;
+    s
+}
+
+/// Source: [Nishihara & Asami 2002], static twist 1e-4 rad. Optimum and front of the shipped study, mass ratios 0.01 to 1, within 1e-6; the
+/// viscous front is (2 + mu)/mu [Villalva 2014] eq. (6.29).
+#[test]
+fn den_hartog_is_solved_exactly() {
+    let results = run(&study("den_hartog"));
+    assert_close(results.optima[0].optimum.value(), 1e-4 * seeds::h_infinity_peak(0.1), 1e-6, 0.0, "optimum");
+    for front in &results.fronts {
+        assert_eq!(front.front.points.len(), 25);
+        for p in &front.front.points {
+            let mu = p.design.absorber.ring_inertia();
+            let exact = if front.kind == Kind::Tuned { seeds::h_infinity_peak(mu) } else { (2.0 + mu) / mu };
+            assert_close(p.value, 1e-4 * exact, 1e-6, 0.0, &format!("{:?} at mu = {mu}", front.kind));
+        }
+        let (first, last) = (&front.front.points[0].design.absorber, &front.front.points[24].design.absorber);
+        assert_close(first.ring_inertia(), 0.01, 1e-12, 0.0, "first ratio");
+        assert_close(last.ring_inertia(), 1.0, 1e-12, 0.0, "last ratio");
+    }
+}
+
+/// Every optimum of the in-line six meets the first-order conditions, its active peaks are level, it beats the published designs of its
+/// type, and random starts reach it too.
+#[test]
+fn optima_of_the_six() {
+    let mut s = study("villalva_i6");
+    s.front = None;
+    let results = run(&s);
+    assert_eq!(results.optima.len(), 8);
+    for o in &results.optima {
+        let (name, out) = (&o.design.name, &o.optimum.outcome);
+        assert!(out.kkt_residual < 1e-5, "{name}: {:e}", out.kkt_residual);
+        let best = o.optimum.value();
+        let random = o.optimum.starts.iter().filter(|s| s.name.starts_with("random") && s.finished <= best * (1.0 + 1e-6)).count();
+        assert!(random > 0, "{name}: no random start arrives");
+        assert_close(o.design.objective.expect("excited"), best, 1e-9, 0.0, "reported again");
+    }
+    let value = |name: &str| {
+        results
+            .designs
+            .iter()
+            .chain(results.optima.iter().map(|o| &o.design))
+            .find(|d| d.name == name)
+            .and_then(|d| d.objective)
+            .expect(name)
+    };
+    assert!(value("optimum_tuned") < value("tuned_optimal") && value("optimum_tuned") < value("tuned_unity"));
+    assert!(value("optimum_viscous") < value("viscous_untuned"));
+    assert!(value("optimum_tuned") < value("optimum_viscous"), "a spring more can only help");
+    assert!(results.forced_floor.expect("a twist") < value("optimum_tuned"));
+}
+
+/// Law: the optimum over a free ring inertia is the lowest point of the front over its range.
+#[test]
+fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
+    let (a, b) = (0.02, 0.152);
+    let free = run(&only("villalva_i6", Kind::Tuned, Size::Between(a, b)));
+    let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![a]));
+    s.front = Some(FrontSpec { inertias: (0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect() });
+    let front = run(&s);
+    let lowest = front.fronts[0].front.points.iter().map(|p| p.value).fold(f64::INFINITY, f64::min);
+    let best = free.optima[0].optimum.value();
+    assert!(best <= lowest * (1.0 + 1e-9), "{best} against {lowest}");
+    assert_close(best, lowest, 5e-3, 0.0, "24 points come close");
+}
+
+/// Stiffness and damping may reach zero: tuned to one speed the best ring has no damper at all, exactly; and zero is a point of the
+/// coordinates like any other, so that a tuned ring may become a viscous one.
+#[test]
+fn damping_reaches_zero() {
+    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.1]));
+    s.designs.clear();
+    s.speeds_rpm = vec![954.0, 955.0, 956.0];
+    let one_speed = run(&s);
+    assert_eq!(one_speed.optima[0].optimum.design.absorber.damping(), 0.0, "no damper");
+    // an undamped ring leaves |f² - x²|/mu static twists near its frequency: 0.001 x 2/0.1 at the ends of this range
+    assert!(one_speed.optima[0].optimum.value() < 0.025 * 1e-4, "the hub all but stands still");
+    let stiffness = Variable { parameter: Parameter::Stiffness, lower: 0.0, upper: 1e7, scale: 10.0 };
+    assert_eq!((stiffness.coordinate(0.0), stiffness.value(0.0)), (0.0, 0.0));
+    assert_close(stiffness.value(stiffness.coordinate(3e4)), 3e4, 1e-12, 0.0, "there and back");
+}
+
+/// A limit that binds is met exactly and costs objective; one that cannot be met is reported as failing.
+#[test]
+fn limits_bind() {
+    let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![0.076]));
+    let free = run(&s);
+    let torque = Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis };
+    let unlimited = free.optima[0].design.torque.expect("shafts").value;
+    s.limits = vec![("torque".into(), Limit { measure: torque.clone(), limit: 0.97 * unlimited })];
+    let limited = run(&s);
+    assert!(limited.limits_hold());
+    let design = &limited.optima[0].design;
+    assert_close(design.limits[0], 1.0, 1e-6, 0.0, "the limit is active");
+    assert!(limited.optima[0].optimum.value() > free.optima[0].optimum.value());
+    assert!(limited.optima[0].optimum.outcome.kkt_residual < 1e-4);
+    s.limits = vec![("torque".into(), Limit { measure: torque, limit: 100.0 })];
+    assert!(!run(&s).limits_hold());
+}
+
+/// The other objectives run through the same machinery: largest order, hub amplitude, vibratory torque.
+#[test]
+fn other_objectives_have_stationary_optima() {
+    let measures = [
+        Measure { quantities: vec![Quantity::Twist { from: 0, to: Some(7) }], over: Over::Orders },
+        Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis },
+    ];
+    for measure in measures {
+        let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![0.03]));
+        s.objective.measure = measure.clone();
+        let o = &run(&s).optima[0];
+        assert!(o.optimum.outcome.kkt_residual < 1e-5, "{measure:?}: {:e} {:?}", o.optimum.outcome.kkt_residual, o.optimum.outcome.stop);
+        assert!(o.optimum.agreeing() >= 2, "{measure:?}: {:?}", o.optimum.starts);
+    }
+}
+
+/// An undamped ring on the damped six is an optimum of its own, worse than a damped one.
+#[test]
+fn undamped_optimum_is_worse_than_tuned() {
+    let undamped = run(&only("villalva_i6", Kind::Undamped, Size::Each(vec![0.0152])));
+    let tuned = run(&only("villalva_i6", Kind::Tuned, Size::Each(vec![0.0152])));
+    assert!(tuned.optima[0].optimum.value() < undamped.optima[0].optimum.value());
+    assert!(undamped.optima[0].optimum.outcome.kkt_residual < 1e-4);
+}

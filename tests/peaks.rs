@@ -1,0 +1,166 @@
+//! Peaks over speed: refinement, skipping, gradients, work.
+
+use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
+use hartog::absorber::{Kind, Mounted, Ring};
+use hartog::chain::Chain;
+use hartog::design::{Measure, Over, PeakFinder, Place};
+use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
+use hartog::study::Study;
+
+fn measure(quantity: Quantity, over: Over) -> Measure {
+    Measure { quantities: vec![quantity], over }
+}
+
+/// Runs `f` with a finder of a study.
+fn with_finder<T>(study: &Study, refine: bool, f: impl FnOnce(&PeakFinder) -> T) -> T {
+    let sys = system(study);
+    let kinks: &[f64] = if refine { &sys.excitation.tabulated_rpm } else { &[] };
+    let grid = Grid::new(&study.speeds_rpm, kinks);
+    let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[study.twist]));
+    f(&PeakFinder::new(&sys, &grid, &method, refine))
+}
+
+fn designs() -> [[Mounted; 1]; 3] {
+    [[on(0, Kind::Tuned, 0.0076, 1.3e4, 4.0)], [on(0, Kind::Viscous, 0.03, 0.0, 40.0)], [on(0, Kind::Tuned, 0.05, 3.4e4, 30.0)]]
+}
+
+/// Independent method: a sweep every 0.25 rpm by direct solutions, without skipping. It can only miss what lies between: less than 1e-5.
+#[test]
+fn refined_peaks_equal_a_fine_sweep() {
+    for name in ["villalva_i6", "villalva_v10"] {
+        let s = study(name);
+        with_finder(&s, true, |finder| {
+            let (low, high) = (s.speeds_rpm[0], s.speeds_rpm[s.speeds_rpm.len() - 1]);
+            let fine: Vec<f64> = (0..=((high - low) * 4.0) as usize).map(|i| low + i as f64 * 0.25).collect();
+            let grid = Grid::new(&fine, &[]);
+            let direct = Direct::new(finder.system, &grid);
+            for design in designs() {
+                let mut sweep = Vec::new();
+                direct.sweep(&design, s.twist, &mut sweep, &mut Work::default()).expect("damped");
+                let total = finder.synthesis(&sweep).into_iter().fold(0.0, f64::max);
+                let single = sweep.iter().map(|y| y.norm()).fold(0.0, f64::max);
+                for (over, expected) in [(Over::Synthesis, total), (Over::Orders, single)] {
+                    let peak = finder.peak(&design, &measure(s.twist, over), &mut Work::default()).expect("damped").expect("excited");
+                    assert!(peak.value >= expected * (1.0 - 1e-12), "{name}: the peak is no lower than any speed");
+                    assert_close(peak.value, expected, 1e-5, 0.0, name);
+                }
+            }
+        });
+    }
+}
+
+/// Law: `refine_peaks = false` takes the grid as it is: the largest of all grid values, found although most syntheses are skipped.
+#[test]
+fn grid_peaks_equal_the_full_evaluation() {
+    for name in ["villalva_i6", "villalva_v10"] {
+        let s = study(name);
+        with_finder(&s, false, |finder| {
+            for design in designs() {
+                let mut sweep = Vec::new();
+                finder.method.sweep(&design, s.twist, &mut sweep, &mut Work::default()).expect("damped");
+                let all = finder.synthesis(&sweep);
+                let expected = all.iter().copied().fold(0.0, f64::max);
+                let mut work = Work::default();
+                let peak = finder.peak(&design, &measure(s.twist, Over::Synthesis), &mut work).expect("damped").expect("excited");
+                assert_close(peak.value, expected, 1e-9, 0.0, name);
+                assert!(s.speeds_rpm.contains(&peak.speed_rpm));
+                assert!(work.syntheses <= all.len() as u64 + 2, "{work:?}");
+            }
+        });
+    }
+}
+
+/// A 10 rpm grid misses a peak of damping ratio 0.002 by up to 32 % (DESIGN); refinement finds it wherever it lies between grid speeds.
+#[test]
+fn narrow_peaks_are_found_between_grid_speeds() {
+    for (zeta, shift) in [(0.002, 0.5), (0.002, 0.1), (0.001, 0.5), (0.01, 0.3)] {
+        let mut chain = uniform_chain(1, 1.0, 0.0);
+        let speed = 1000.0 + 10.0 * shift;
+        let omega = speed * hartog::units::RAD_PER_S_PER_RPM;
+        chain.stations[0].stiffness_to_ground = omega * omega;
+        chain.stations[0].damping_to_ground = 2.0 * zeta * omega;
+        let sys = System::new(chain, one_throw(&[(2, 1.0), (4, 0.1)]));
+        let speeds: Vec<f64> = (0..200).map(|i| 500.0 + 10.0 * f64::from(i)).collect();
+        let grid = Grid::new(&speeds, &[]);
+        let method = Method::Direct(Direct::new(&sys, &grid));
+        let finder = PeakFinder::new(&sys, &grid, &method, true);
+        let at = Quantity::Twist { from: 0, to: None };
+        let exact = 1.0 / (2.0 * zeta * (1.0f64 - zeta * zeta).sqrt()) / (omega * omega);
+        let peak = finder.peak(&[], &measure(at, Over::Orders), &mut Work::default()).expect("damped").expect("excited");
+        assert_close(peak.value, exact, 1e-8, 0.0, "closed form of one mass");
+        assert_eq!(peak.place, Place::Interior);
+    }
+}
+
+/// Without damping a refined peak runs away: refused by name.
+#[test]
+fn undamped_peaks_are_refused() {
+    let mut chain: Chain = uniform_chain(2, 1.0, 1e4);
+    chain.stations[0].damping_to_ground = 0.0;
+    let sys = System::new(chain, one_throw(&[(2, 1.0)]));
+    let speeds: Vec<f64> = (0..200).map(|i| 500.0 + 10.0 * f64::from(i)).collect();
+    let grid = Grid::new(&speeds, &[]);
+    let method = Method::Direct(Direct::new(&sys, &grid));
+    let finder = PeakFinder::new(&sys, &grid, &method, true);
+    for over in [Over::Synthesis, Over::Orders] {
+        let found = finder.peak(&[], &measure(Quantity::Twist { from: 0, to: Some(1) }, over), &mut Work::default());
+        let Err(ResponseError::Unbounded { speed_rpm, frequency_hz, .. }) = found else { panic!("{found:?}") };
+        // sqrt(2 k/J) of two equal inertias
+        assert_close(frequency_hz, 2e4f64.sqrt() / std::f64::consts::TAU, 1e-5, 0.0, "frequency");
+        assert_close(speed_rpm / 60.0, frequency_hz, 1e-9, 0.0, "order 1");
+    }
+}
+
+/// Independent method: central differences of the refined peak in ring inertia, stiffness and damping. Step 1e-4 and peaks to 1e-10 leave
+/// 1e-5.
+#[test]
+fn gradients_equal_differences() {
+    for name in ["villalva_i6", "villalva_v10"] {
+        let s = study(name);
+        with_finder(&s, true, |finder| {
+            let a = on(0, Kind::Tuned, 0.02, 2.5e4, 11.0);
+            for (quantity, over) in [
+                (s.twist, Over::Synthesis),
+                (s.twist, Over::Orders),
+                (Quantity::ShaftTorque(3), Over::Synthesis),
+                (Quantity::Twist { from: 0, to: None }, Over::Orders),
+            ] {
+                let m = measure(quantity, over);
+                let peak = finder.peak(&[a], &m, &mut Work::default()).expect("damped").expect("excited");
+                let gradient = finder.gradient(&[a], 0, &peak, &mut Work::default()).expect("damped");
+                let values = [a.absorber.ring_inertia(), a.absorber.stiffness(), a.absorber.damping()];
+                for p in 0..3 {
+                    let at = |factor: f64| {
+                        let mut v = values;
+                        v[p] *= factor;
+                        let moved = on(0, Kind::Tuned, v[0], v[1], v[2]);
+                        finder.peak(&[moved], &m, &mut Work::default()).expect("damped").expect("excited").value
+                    };
+                    let difference = (at(1.0 + 1e-4) - at(1.0 - 1e-4)) / (2e-4 * values[p]);
+                    assert_close(
+                        gradient[p] * values[p],
+                        difference * values[p],
+                        1e-4,
+                        1e-5 * peak.value,
+                        &format!("{name} {quantity:?} {over:?}"),
+                    );
+                }
+            }
+        });
+    }
+}
+
+/// Equals itself: the work of one evaluation of the six's published designs, so that a change of cost is seen.
+#[test]
+fn work_of_an_evaluation_is_pinned() {
+    let s = study("villalva_i6");
+    with_finder(&s, true, |finder| {
+        let mut work = Work::default();
+        for d in &s.designs[1..] {
+            finder.peak(&d.absorbers, &measure(s.twist, Over::Synthesis), &mut work).expect("damped");
+        }
+        assert_eq!((work.evaluations, work.receptance_points, work.singular_points), (3, 3 * 261 * 24, 0));
+        assert!(work.direct_solves <= 3 * 24 * 60, "at most sixty speeds solved anew for a design: {work:?}");
+        assert!(work.syntheses <= 3 * (261 + 60), "{work:?}");
+    });
+}

@@ -1,0 +1,52 @@
+//! Shared by all tests.
+
+use hartog::absorber::{Kind, Mounted};
+use hartog::chain::{Chain, Station};
+use hartog::engine::excitation::HarmonicTable;
+use hartog::engine::{Engine, Excitation, Layout, Order, Source};
+use hartog::numerics::C64;
+use hartog::response::System;
+use hartog::study::Study;
+use std::path::Path;
+
+/// Fails unless |actual - expected| <= atol + rtol |expected|.
+#[track_caller]
+pub fn assert_close(actual: f64, expected: f64, rtol: f64, atol: f64, what: &str) {
+    let error = (actual - expected).abs();
+    assert!(error <= atol + rtol * expected.abs(), "{what}: {actual} against {expected}, off by {error:e}");
+}
+
+/// A shipped study.
+pub fn study(name: &str) -> Study {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies").join(format!("{name}.toml"));
+    hartog::study::read(&path).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The system of a study.
+pub fn system(study: &Study) -> System {
+    System::new(study.chain.clone(), Excitation::new(&study.engine, study.order_limit))
+}
+
+/// An absorber without hub on a station.
+pub fn on(station: usize, kind: Kind, ring_inertia: f64, stiffness: f64, damping: f64) -> Mounted {
+    Mounted { station, hub_inertia: 0.0, absorber: kind.build(ring_inertia, stiffness, damping) }
+}
+
+/// A chain of alike stations; the first carries throw 1.
+pub fn uniform_chain(n: usize, inertia: f64, stiffness: f64) -> Chain {
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia,
+        stiffness_to_next: if i + 1 < n { stiffness } else { 0.0 },
+        throws: if i == 0 { vec![0] } else { Vec::new() },
+        ..Station::default()
+    };
+    Chain { stations: (0..n).map(station).collect() }
+}
+
+/// One throw under the given harmonics (twice the order, torque amplitude), two strokes.
+pub fn one_throw(harmonics: &[(u32, f64)]) -> Excitation {
+    let table = HarmonicTable { harmonics: harmonics.iter().map(|(o, a)| (Order::from_twice(*o), C64::from(*a))).collect() };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+    Excitation::new(&Engine { name: "one throw".into(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
+}

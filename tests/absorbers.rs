@@ -79,11 +79,11 @@ fn viscous_optimum() {
 /// The two damping ratios: c/(2 J omega_absorber) = sqrt(3 mu/(8 (1 + mu))) is the same damper as den_hartog_brock's c/(2 J omega_engine).
 #[test]
 fn the_two_damping_ratios_mean_the_same_damper() {
-    let (mu, engine) = (0.2, EngineMode { inertia: 3.0, omega: 700.0 });
+    let (mu, engine) = (0.2f64, EngineMode { inertia: 3.0, omega: 700.0 });
     let a = Rule::DenHartogBrock.absorber(0.6, engine);
     let omega_absorber = (a.stiffness() / a.ring_inertia()).sqrt();
     assert_close(omega_absorber, 700.0 / 1.2, 1e-14, 0.0, "tuning");
-    assert_close(a.damping() / (2.0 * 0.6 * omega_absorber), (3.0 * mu / (8.0 * (1.0 + mu)) as f64).sqrt(), 1e-14, 0.0, "of the absorber");
+    assert_close(a.damping() / (2.0 * 0.6 * omega_absorber), (3.0 * mu / (8.0 * (1.0 + mu))).sqrt(), 1e-14, 0.0, "of the absorber");
     assert_close(a.damping() / (2.0 * 0.6 * 700.0), seeds::den_hartog_brock(mu), 1e-14, 0.0, "of the engine");
 }
 

@@ -75,6 +75,22 @@ struct Candidate {
     right: bool,
 }
 
+/// Peaks found so far.
+struct Found {
+    /// Share of the largest that is asked for.
+    keep: f64,
+    /// The largest.
+    best: f64,
+    peaks: Vec<Peak>,
+}
+
+impl Found {
+    fn put(&mut self, peak: Peak) {
+        self.best = self.best.max(peak.value);
+        self.peaks.push(peak);
+    }
+}
+
 impl<'a> PeakFinder<'a> {
     /// For one system, grid and method.
     pub fn new(system: &'a System, grid: &'a Grid, method: &'a Method<'a>, refine: bool) -> Self {
@@ -94,17 +110,17 @@ impl<'a> PeakFinder<'a> {
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
         work.evaluations += 1;
-        let mut found: Vec<Peak> = Vec::new();
-        let mut best = 0.0;
+        let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
         for &quantity in &measure.quantities {
             match measure.over {
-                Over::Synthesis => self.synthesised(design, quantity, keep, &mut best, &mut found, work)?,
-                Over::Orders => self.single_orders(design, quantity, keep, &mut best, &mut found, work)?,
+                Over::Synthesis => self.synthesised(design, quantity, &mut found, work)?,
+                Over::Orders => self.single_orders(design, quantity, &mut found, work)?,
             }
         }
-        found.retain(|p| p.value >= keep * best);
-        found.sort_by(|a, b| b.value.total_cmp(&a.value));
-        Ok(found)
+        let mut peaks = found.peaks;
+        peaks.retain(|p| p.value >= keep * found.best);
+        peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        Ok(peaks)
     }
 
     /// The largest peak of `measure`.
@@ -120,15 +136,7 @@ impl<'a> PeakFinder<'a> {
         sweep.chunks(self.system.orders()).map(|y| self.synthesiser.extremes(y).half_peak_to_peak).collect()
     }
 
-    fn synthesised(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        keep: f64,
-        best: &mut f64,
-        found: &mut Vec<Peak>,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
+    fn synthesised(&self, design: &[Mounted], quantity: Quantity, found: &mut Found, work: &mut Work) -> Result<(), ResponseError> {
         let mut sweep = Vec::new();
         self.method.sweep(design, quantity, &mut sweep, work)?;
         let orders = self.system.orders();
@@ -136,11 +144,11 @@ impl<'a> PeakFinder<'a> {
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
-        let mut top = *best;
+        let mut top = found.best;
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
             let rise = if self.refine { growth(&bounds, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && bounds[i] * rise >= keep * top {
+            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
                 work.syntheses += 1;
                 values[i] = self.synthesiser.extremes(&sweep[i * orders..(i + 1) * orders]).half_peak_to_peak;
                 top = top.max(values[i]);
@@ -154,54 +162,43 @@ impl<'a> PeakFinder<'a> {
         };
         for candidate in local_maxima(&self.grid.speed_rpm, &values) {
             let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| e.half_peak_to_peak);
-            let Some((speed_rpm, place)) = self.refined(candidate, keep * best.max(top), value_at, work)? else { continue };
+            let Some((speed_rpm, place)) = self.refined(candidate, found.keep * found.best.max(top), value_at, work)? else { continue };
             let extremes = at(speed_rpm, &mut y, work)?;
-            let mut put = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
+            let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
-                let value = extremes.half_peak_to_peak;
-                *best = best.max(value);
-                found.push(Peak { value, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place });
+                Peak { value: extremes.half_peak_to_peak, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
-            put(extremes, speed_rpm, place, &y);
+            found.put(peak(extremes, speed_rpm, place, &y));
             if !self.refine || place == Place::End {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             let reach = (self.grid.speed_rpm[candidate.index.max(1) - 1], self.grid.speed_rpm[(candidate.index + 1).min(bounds.len() - 1)]);
-            for start in self.synthesiser.alternatives(&y, (1.0 - keep).clamp(0.002, BRANCHES)) {
+            for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
                 let mut follow = |speed: f64, y: &mut [C64]| -> Result<Extremes, ResponseError> {
                     self.direct.at(design, quantity, speed, y, work)?;
                     Ok(self.synthesiser.branch(y, &start))
                 };
                 let (speed_rpm, _) = maximise(reach.0, reach.1, |s| follow(s, &mut y).map(|e| e.half_peak_to_peak))?;
                 let extremes = follow(speed_rpm, &mut y)?;
-                put(extremes, speed_rpm, Place::Interior, &y);
+                found.put(peak(extremes, speed_rpm, Place::Interior, &y));
             }
         }
         Ok(())
     }
 
-    fn single_orders(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        keep: f64,
-        best: &mut f64,
-        found: &mut Vec<Peak>,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
+    fn single_orders(&self, design: &[Mounted], quantity: Quantity, found: &mut Found, work: &mut Work) -> Result<(), ResponseError> {
         let mut sweep = Vec::new();
         self.method.magnitudes(design, quantity, &mut sweep, work)?;
         let orders = self.system.orders();
-        let top = sweep.iter().copied().fold(*best, f64::max);
+        let top = sweep.iter().copied().fold(found.best, f64::max);
         for order in 0..orders {
             let values: Vec<f64> = sweep.iter().skip(order).step_by(orders).copied().collect();
             for candidate in local_maxima(&self.grid.speed_rpm, &values) {
                 let value_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
-                let Some((speed_rpm, place)) = self.refined(candidate, keep * best.max(top), value_at, work)? else { continue };
+                let Some((speed_rpm, place)) = self.refined(candidate, found.keep * found.best.max(top), value_at, work)? else { continue };
                 let value = self.direct.order_at(design, quantity, order, speed_rpm, work)?.norm();
-                *best = best.max(value);
-                found.push(Peak { value, speed_rpm, order, order_value: value, quantity, extremes: None, place });
+                found.put(Peak { value, speed_rpm, order, order_value: value, quantity, extremes: None, place });
             }
         }
         Ok(())
@@ -262,8 +259,7 @@ impl<'a> PeakFinder<'a> {
         let quantity = Quantity::Twist { from: 0, to: (last > 0).then_some(last) };
         let size = |n: usize| self.direct.order_at(&[], quantity, n, speed_rpm, &mut Work::default()).map_or(f64::INFINITY, |y| y.norm());
         let n = (0..self.system.orders()).fold((0, 0.0), |m, n| if size(n) > m.1 { (n, size(n)) } else { m }).0;
-        let order = self.system.excitation.orders[n];
-        ResponseError::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * crate::units::HZ_PER_RPM }
+        ResponseError::unbounded(self.system.excitation.orders[n], speed_rpm)
     }
 
     /// Derivatives of a peak's value with respect to ring inertia, stiffness and damping of absorber `index`, at fixed speed and cycle

@@ -4,7 +4,7 @@ use super::{Grid, Quantity, Response, ResponseError, System, Work};
 use crate::absorber::{Mounted, Ring};
 use crate::numerics::tridiagonal::Tridiagonal;
 use crate::numerics::{C64, ZERO};
-use crate::units::{HZ_PER_RPM, RAD_PER_S_PER_RPM};
+use crate::units::RAD_PER_S_PER_RPM;
 
 /// Solves (K + i omega C - omega² J + z(omega)) theta = T at every order and speed.
 #[derive(Debug)]
@@ -22,6 +22,8 @@ struct Factored<'a> {
     system: &'a System,
     omega: f64,
     matrix: Tridiagonal,
+    /// Right-hand side, then unknowns.
+    x: Vec<C64>,
     scale: Vec<C64>,
     /// Station, and ring twist per q, of each absorber.
     rings: Vec<(usize, C64)>,
@@ -30,7 +32,7 @@ struct Factored<'a> {
 impl<'a> Factored<'a> {
     fn new(system: &'a System) -> Self {
         let n = system.chain.len();
-        Self { system, omega: 0.0, matrix: Tridiagonal::zeros(n), scale: vec![C64::from(1.0); n], rings: Vec::new() }
+        Self { system, omega: 0.0, matrix: Tridiagonal::zeros(n), x: vec![ZERO; n], scale: vec![C64::from(1.0); n], rings: Vec::new() }
     }
 
     /// Assembles and factors at the frequency of an order at a speed.
@@ -68,11 +70,27 @@ impl<'a> Factored<'a> {
                 self.matrix.lower[h] *= z.denominator;
             }
         }
-        self.matrix.factor().map_err(|_| ResponseError::Unbounded {
-            order,
-            speed_rpm,
-            frequency_hz: order.value() * speed_rpm * HZ_PER_RPM,
-        })
+        self.matrix.factor().map_err(|_| ResponseError::unbounded(order, speed_rpm))
+    }
+
+    /// Solves for the torque of an order (an index) at a speed.
+    fn solve(&mut self, design: &[Mounted], (order, speed_rpm): (usize, f64), work: &mut Work) -> Result<(), ResponseError> {
+        work.direct_solves += 1;
+        self.factor(design, order, speed_rpm)?;
+        self.system.torque(order, speed_rpm, &mut self.x);
+        self.matrix.solve(&mut self.x);
+        Ok(())
+    }
+
+    /// The phasor of a quantity under the torque; zero, even at a resonance, where there is no torque.
+    fn phasor(&mut self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        self.system.torque(at.0, at.1, &mut self.x);
+        if self.x.iter().all(|t| *t == ZERO) {
+            return Ok(ZERO);
+        }
+        self.solve(design, at, work)?;
+        let y = self.output(quantity, &self.x);
+        if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(self.system.excitation.orders[at.0], at.1)) }
     }
 
     /// The quantity from a solution.
@@ -122,14 +140,13 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let mut solver = Factored::new(self.system);
-        let mut x = vec![ZERO; self.system.chain.len()];
         for (n, out) in out.iter_mut().enumerate() {
-            *out = self.point(&mut solver, &mut x, design, quantity, n, speed_rpm, work)?;
+            *out = solver.phasor(design, quantity, (n, speed_rpm), work)?;
         }
         Ok(())
     }
 
-    /// The phasor of one order at one speed.
+    /// The phasor of one order (an index) at one speed.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
@@ -141,35 +158,7 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<C64, ResponseError> {
-        let mut solver = Factored::new(self.system);
-        let mut x = vec![ZERO; self.system.chain.len()];
-        self.point(&mut solver, &mut x, design, quantity, order, speed_rpm, work)
-    }
-
-    #[allow(clippy::too_many_arguments)]
-    fn point(
-        &self,
-        solver: &mut Factored,
-        x: &mut [C64],
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
-        work.direct_solves += 1;
-        self.system.torque(order, speed_rpm, x);
-        if x.iter().all(|t| *t == ZERO) {
-            return Ok(ZERO);
-        }
-        solver.factor(design, order, speed_rpm)?;
-        solver.matrix.solve(x);
-        let y = solver.output(quantity, x);
-        if y.is_finite() {
-            return Ok(y);
-        }
-        let order = self.system.excitation.orders[order];
-        Err(ResponseError::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM })
+        Factored::new(self.system).phasor(design, quantity, (order, speed_rpm), work)
     }
 
     /// Derivatives of the phasors of `quantity` at one speed with respect to ring inertia, stiffness and damping of absorber `index` of
@@ -186,23 +175,18 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<Vec<[C64; 3]>, ResponseError> {
-        let n = self.system.chain.len();
         let mut solver = Factored::new(self.system);
-        let mut x = vec![ZERO; n];
-        let mut hub = vec![ZERO; n];
+        let mut hub = vec![ZERO; self.system.chain.len()];
         orders
             .map(|order| {
-                work.direct_solves += 1;
-                self.system.torque(order, speed_rpm, &mut x);
-                solver.factor(design, order, speed_rpm)?;
-                solver.matrix.solve(&mut x);
+                solver.solve(design, (order, speed_rpm), work)?;
                 let mounted = &design[index];
                 hub.fill(ZERO);
                 hub[mounted.station] = C64::from(1.0);
                 solver.matrix.solve(&mut hub);
                 let z = mounted.dynamic_stiffness(solver.omega);
                 // theta_hub over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
-                let hub_over_denominator = solver.rings[index].1 / z.ring * x[mounted.station];
+                let hub_over_denominator = solver.rings[index].1 / z.ring * solver.x[mounted.station];
                 let factor = -solver.output(quantity, &hub) * hub_over_denominator / z.denominator;
                 Ok(mounted.gradient_times_denominator2(solver.omega).map(|g| factor * g))
             })
@@ -218,26 +202,21 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<Vec<BasePoint>, ResponseError> {
-        let n = self.system.chain.len();
         let mut solver = Factored::new(self.system);
-        let mut x = vec![ZERO; n];
-        let mut unit = vec![ZERO; n];
-        work.direct_solves += 1;
-        self.system.torque(order, speed_rpm, &mut x);
-        solver.factor(&[], order, speed_rpm)?;
-        solver.matrix.solve(&mut x);
+        let mut unit = vec![ZERO; self.system.chain.len()];
+        solver.solve(&[], (order, speed_rpm), work)?;
         unit[station] = C64::from(1.0);
         solver.matrix.solve(&mut unit);
         let point = |q: &Quantity| match q {
             // a ring follows its hub
-            Quantity::RingTwist(_) => (x[station], unit[station]),
-            q => (solver.output(*q, &x), solver.output(*q, &unit)),
+            Quantity::RingTwist(_) => (solver.x[station], unit[station]),
+            q => (solver.output(*q, &solver.x), solver.output(*q, &unit)),
         };
         Ok(quantities
             .iter()
             .map(|q| {
                 let (output, output_per_torque) = point(q);
-                BasePoint { output, output_per_torque, station: x[station], receptance: unit[station] }
+                BasePoint { output, output_per_torque, station: solver.x[station], receptance: unit[station] }
             })
             .collect())
     }
@@ -267,10 +246,9 @@ impl Response for Direct<'_> {
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         out.clear();
         let mut solver = Factored::new(self.system);
-        let mut x = vec![ZERO; self.system.chain.len()];
         for &speed_rpm in &self.grid.speed_rpm {
             for n in 0..self.system.orders() {
-                out.push(self.point(&mut solver, &mut x, design, quantity, n, speed_rpm, work)?);
+                out.push(solver.phasor(design, quantity, (n, speed_rpm), work)?);
             }
         }
         Ok(())

@@ -14,6 +14,7 @@ use crate::absorber::Mounted;
 use crate::chain::Chain;
 use crate::engine::{Excitation, Order};
 use crate::numerics::{C64, ZERO};
+use crate::units::HZ_PER_RPM;
 
 /// A chain and the torque on it.
 #[derive(Debug, Clone)]
@@ -142,6 +143,13 @@ pub enum ResponseError {
         /// Hz.
         frequency_hz: f64,
     },
+}
+
+impl ResponseError {
+    /// At an order and speed.
+    pub fn unbounded(order: Order, speed_rpm: f64) -> Self {
+        Self::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM }
+    }
 }
 
 /// A method that computes the steady response.

@@ -1,6 +1,6 @@
 //! Campbell diagram: natural frequencies, order lines, speed range and the resonances in it.
 
-use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text, tick};
+use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::assess::Results;
 use crate::engine::Order;
 use crate::report::files::{Folder, WriteError};
@@ -40,7 +40,7 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
     let shown = own.iter().chain(optimum.iter().flat_map(|o| o.1)).copied().filter(|f| *f <= reached);
     let top = 1.08 * shown.fold(own.first().copied().unwrap_or(1.0), f64::max);
     canvas::save(folder, "campbell", (900, 600), |area| {
-        let titled = area.titled(&format!("{}: Campbell diagram", study.engine.name), text(17))?;
+        let titled = canvas::titled(area, &format!("{}: Campbell diagram", study.engine.name))?;
         let (left, side) = titled.split_horizontally(titled.dim_in_pixel().0 - px(190));
         let mut chart = ChartBuilder::on(&left)
             .margin(px(8))
@@ -50,18 +50,7 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             .y_label_area_size(px(54))
             .build_cartesian_2d(0.0..right, 0.0..top)?;
         chart.draw_series(std::iter::once(Rectangle::new([(low, 0.0), (high, top)], fill(COLOURS[5], 0.12))))?;
-        chart
-            .configure_mesh()
-            .x_desc("speed / rpm")
-            .y_desc("frequency / Hz")
-            .axis_desc_style(text(13))
-            .label_style(text(12))
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(line(PALE, 8))
-            .axis_style(line(GREY, 10))
-            .x_label_formatter(&|x| tick(x))
-            .y_label_formatter(&|y| tick(y))
-            .draw()?;
+        canvas::mesh!(chart, "speed / rpm", "frequency / Hz", 9, 9);
         for order in &orders {
             let slope = order.value() * HZ_PER_RPM;
             let end = (top / slope).min(right);

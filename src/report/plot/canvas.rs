@@ -111,3 +111,29 @@ pub fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
     }
     Ok(())
 }
+
+/// Axes, grid and labels in the common look: chart, names of both axes, how many labels each has.
+macro_rules! mesh {
+    ($chart:expr, $x:expr, $y:expr, $nx:expr, $ny:expr) => {
+        $chart
+            .configure_mesh()
+            .x_desc($x)
+            .y_desc($y)
+            .x_labels($nx)
+            .y_labels($ny)
+            .axis_desc_style($crate::report::plot::canvas::text(13))
+            .label_style($crate::report::plot::canvas::text(12))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
+            .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
+            .x_label_formatter(&|x| $crate::report::plot::canvas::tick(x))
+            .y_label_formatter(&|y| $crate::report::plot::canvas::tick(y))
+            .draw()?
+    };
+}
+pub(super) use mesh;
+
+/// The area below a title.
+pub fn titled<'a>(area: &Area<'a>, title: &str) -> Result<Area<'a>, Box<dyn std::error::Error>> {
+    Ok(area.margin(px(6), 0, 0, 0).titled(title, text(17))?)
+}

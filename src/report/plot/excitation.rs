@@ -1,6 +1,6 @@
 //! Order spectrum of the excitation: torque of a throw, and what of it pushes the first mode.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, PALE, fill, line, px, text, tick};
+use super::canvas::{self, COLOURS, Drawn, fill, line, px, text};
 use crate::assess::Results;
 use crate::numerics::C64;
 use crate::report::files::{Folder, WriteError};
@@ -18,20 +18,7 @@ fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec
         .x_label_area_size(px(36))
         .y_label_area_size(px(58))
         .build_cartesian_2d(0.0..end, 0.0..top)?;
-    chart
-        .configure_mesh()
-        .x_desc("order")
-        .y_desc("amplitude / N m")
-        .x_labels(13)
-        .y_labels(6)
-        .axis_desc_style(text(13))
-        .label_style(text(12))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(line(PALE, 8))
-        .axis_style(line(GREY, 10))
-        .x_label_formatter(&|x| tick(x))
-        .y_label_formatter(&|y| tick(y))
-        .draw()?;
+    canvas::mesh!(chart, "order", "amplitude / N m", 13, 6);
     let width = 0.8 * step / series.len() as f64;
     for (i, (_, values)) in series.iter().enumerate() {
         let bar = |(o, v): (&f64, &f64)| {
@@ -67,7 +54,7 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
         })
     });
     canvas::save(folder, "excitation", (900, 760), |area| {
-        let titled = area.titled(&format!("{}: orders of the excitation", study.engine.name), text(17))?;
+        let titled = canvas::titled(area, &format!("{}: orders of the excitation", study.engine.name))?;
         let (upper, lower) = titled.split_vertically(titled.dim_in_pixel().1 / 2);
         bars(&upper, "torque of throw 1, gas and inertia", &orders, &throw)?;
         if let Some(modal) = &modal {

@@ -1,6 +1,6 @@
 //! Front of ring inertia against the objective, with the given designs marked.
 
-use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text, tick};
+use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::absorber::{Kind, Ring};
 use crate::assess::Results;
 use crate::report::csv::in_unit;
@@ -15,6 +15,12 @@ fn colour(kind: Kind) -> RGBColor {
         Kind::Viscous => COLOURS[1],
         Kind::Undamped => COLOURS[2],
     }
+}
+
+/// 1, 2 and 5 times the powers of ten between two values.
+fn ticks(left: f64, right: f64) -> Vec<f64> {
+    let decades = left.log10().floor() as i32..=right.log10().ceil() as i32;
+    decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d))).filter(|t| (left * 0.93..right * 1.08).contains(t)).collect()
 }
 
 pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
@@ -46,23 +52,8 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             .margin(px(8))
             .x_label_area_size(px(36))
             .y_label_area_size(px(58))
-            .build_cartesian_2d((left * 0.93..right * 1.08).log_scale(), 0.0..top)?;
-        chart
-            .configure_mesh()
-            .x_desc("ring inertia / kg m²")
-            .y_desc(format!("{} / {unit}", study.objective.label.replace('_', " ")))
-            .axis_desc_style(text(13))
-            .label_style(text(12))
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(line(PALE, 8))
-            .axis_style(line(GREY, 10))
-            .x_label_formatter(&|x| {
-                // of a decade only what does not run together
-                let mantissa = x / 10f64.powf((x.log10() + 1e-9).floor());
-                if [1.0, 2.0, 3.0, 5.0, 7.0].iter().any(|m| (mantissa - m).abs() < 1e-6) { tick(x) } else { String::new() }
-            })
-            .y_label_formatter(&|y| tick(y))
-            .draw()?;
+            .build_cartesian_2d((left * 0.93..right * 1.08).log_scale().with_key_points(ticks(left, right)), 0.0..top)?;
+        canvas::mesh!(chart, "ring inertia / kg m²", format!("{} / {unit}", study.objective.label.replace('_', " ")), 20, 9);
         let mut entries = Vec::new();
         for (kind, points) in &lines {
             chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(*kind), 22)))?;

@@ -1,6 +1,6 @@
 //! Response over speed: one design with its main orders, and all designs together.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, PALE, line, px, text, tick};
+use super::canvas::{self, COLOURS, Drawn, line, px, text};
 use crate::assess::Results;
 use crate::assess::evaluate::{QuantitySweep, Sweeps};
 use crate::report::files::{Folder, WriteError};
@@ -28,20 +28,7 @@ fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &
         .x_label_area_size(px(36))
         .y_label_area_size(px(54))
         .build_cartesian_2d(span, 0.0..top)?;
-    chart
-        .configure_mesh()
-        .x_desc("speed / rpm")
-        .y_desc(unit)
-        .x_labels(9)
-        .y_labels(7)
-        .axis_desc_style(text(13))
-        .label_style(text(12))
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(line(PALE, 8))
-        .axis_style(line(GREY, 10))
-        .x_label_formatter(&|x| tick(x))
-        .y_label_formatter(&|y| tick(y))
-        .draw()?;
+    canvas::mesh!(chart, "speed / rpm", unit, 9, 7);
     for curve in curves {
         // plotters draws what lies outside as well: the curve is cut at the frame
         let points = speeds.iter().zip(curve.values).map(|(x, y)| (*x, *y));
@@ -100,7 +87,8 @@ pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -
     let (twist, hub) = (&sweep.quantities[0], &sweep.quantities[1]);
     let mut orders: Vec<usize> = (0..twist.orders.len()).collect();
     orders.sort_by(|a, b| largest(&twist.orders[*b]).total_cmp(&largest(&twist.orders[*a])));
-    orders.truncate(MAIN_ORDERS);
+    // a single order is the sum
+    orders.truncate(if orders.len() == 1 { 0 } else { MAIN_ORDERS });
     orders.sort_unstable();
     let name = |station: usize| study.chain.stations[station].name.replace('_', " ");
     let between = match study.twist {
@@ -111,7 +99,7 @@ pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -
     let hub_top = canvas::round_up(largest(&hub.total).min(CUT * largest(&twist.total)));
     let cut = if hub_top < largest(&hub.total) { " (rigid rolling at low speed cut off)" } else { "" };
     canvas::save(folder, &format!("response_{}", sweep.design), (900, 760), |area| {
-        let titled = area.titled(&format!("{}: {}", study.engine.name, sweep.design.replace('_', " ")), text(17))?;
+        let titled = canvas::titled(area, &format!("{}: {}", study.engine.name, sweep.design.replace('_', " ")))?;
         let (upper, lower) = titled.split_vertically((titled.dim_in_pixel().1) / 2);
         panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &curves(results, twist, &orders), top)?;
         let title = format!("amplitude of {}{cut}", name(study.hub));

@@ -4,6 +4,8 @@ use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
 use hartog::absorber::{Kind, Mounted, Ring};
 use hartog::chain::Chain;
 use hartog::design::{Measure, Over, PeakFinder, Place};
+use hartog::numerics::C64;
+use hartog::numerics::synthesis::Synthesiser;
 use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
 use hartog::study::Study;
 
@@ -90,6 +92,22 @@ fn narrow_peaks_are_found_between_grid_speeds() {
         assert_close(peak.value, exact, 1e-8, 0.0, "closed form of one mass");
         assert_eq!(peak.place, Place::Interior);
     }
+}
+
+/// A maximum on a shoulder, where the samples fall all the way across it: the twist of the V10 with its unity-tuned absorber at 6350 rpm. The
+/// independent method is 200 000 samples of the cycle, which miss less than 1e-8; a search among sampled maxima misses 1e-5.
+#[test]
+fn maxima_on_shoulders_are_found() {
+    let s = study("villalva_v10");
+    let sys = system(&s);
+    let grid = Grid::new(&[6350.0], &[]);
+    let mut y = Vec::new();
+    Direct::new(&sys, &grid).sweep(&s.designs[1].absorbers, s.twist, &mut y, &mut Work::default()).expect("damped");
+    let f = |psi: f64| -> f64 { sys.excitation.harmonics.iter().zip(&y).map(|(h, y)| (y * C64::cis(f64::from(*h) * psi)).re).sum() };
+    let all = (0..200_000).map(|j| f(std::f64::consts::TAU * f64::from(j) / 200_000.0));
+    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    let found = Synthesiser::new(&sys.excitation.harmonics).extremes(&y).half_peak_to_peak;
+    assert_close(found, 0.5 * (high - low), 1e-8, 0.0, "half peak-to-peak");
 }
 
 /// Without damping a refined peak runs away: refused by name.

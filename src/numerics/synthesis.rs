@@ -115,33 +115,38 @@ impl Synthesiser {
     }
 
     /// Local maxima of `sign` f, no further than `below` under the largest, which comes first. A maximum lies within half a step of a
-    /// sample, so a sample further down than that can hide none; the others start from the vertex of the parabola through their
-    /// neighbours.
+    /// sample, so a sample further down than that can hide none. Maxima are told by the slope, which changes sign between two samples: on a
+    /// shoulder the samples themselves may fall all the way across one.
     fn local_maxima(&self, phasors: &[C64], f: &[f64], sign: f64, below: f64) -> Vec<Local> {
         let (n, step) = (f.len(), self.step());
         // |f''| at most; |re| + |im| is no less than the modulus and costs no root
         let curvature: f64 = self.harmonics.iter().zip(phasors).map(|(&h, y)| f64::from(h * h) * (y.re.abs() + y.im.abs())).sum();
         let top = f.iter().fold(f64::NEG_INFINITY, |m, &v| if sign * v > m { sign * v } else { m });
         let lowest = top - below - 0.125 * curvature * step * step;
+        let slope = |j: usize| sign * self.derivatives(phasors, (j % n) as f64 * step).1;
         let mut found: Vec<Local> = Vec::with_capacity(4);
-        for j in (0..n).filter(|&j| sign * f[j] >= lowest) {
-            let (before, here, after) = (sign * f[(j + n - 1) % n], sign * f[j], sign * f[(j + 1) % n]);
-            // of two equal neighbours one is enough
-            if here <= before || here < after {
+        let mut known: Option<(usize, f64)> = None;
+        for j in 0..n {
+            if sign * f[j] < lowest && sign * f[(j + 1) % n] < lowest {
                 continue;
             }
-            let bend = before - 2.0 * here + after;
-            let angle = (j as f64 + 0.5 * (before - after) / bend) * step;
-            let sampled = Local { angle: j as f64 * step, value: here, bend };
-            let polished = self.newton(phasors, angle, sign, step).filter(|l| l.value >= here).unwrap_or(sampled);
-            found.push(polished);
+            let here = known.filter(|k| k.0 == j).map_or_else(|| slope(j), |k| k.1);
+            let after = slope(j + 1);
+            known = Some((j + 1, after));
+            if here > 0.0 && after <= 0.0 {
+                let angle = (j as f64 + here / (here - after)) * step;
+                let nearer = if here < -after { j } else { j + 1 };
+                let sampled = Local { angle: nearer as f64 * step, value: sign * f[nearer % n], bend: (after - here) / step };
+                found.push(self.newton(phasors, angle, sign, step).filter(|l| l.value >= sampled.value).unwrap_or(sampled));
+            }
         }
         if found.is_empty() {
             // a constant
             found.push(Local { angle: 0.0, value: top, bend: 0.0 });
         }
         found.sort_by(|a, b| b.value.total_cmp(&a.value));
-        found.retain(|l| l.value >= top - below);
+        let largest = found[0].value;
+        found.retain(|l| l.value >= largest - below);
         found
     }
 

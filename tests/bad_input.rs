@@ -12,7 +12,7 @@ fn folder() -> PathBuf {
 }
 
 /// Error of `hartog check study.toml` in a folder with these files; the exit code must be 2 and nothing may be printed.
-fn error(files: &[(&str, &str)]) -> String {
+fn error(files: &[(&str, &[u8])]) -> String {
     let place = tempfile::tempdir().expect("folder");
     for (name, text) in files {
         fs::write(place.path().join(name), text).expect("written");
@@ -59,7 +59,7 @@ fn good_input_is_accepted() {
 fn engines() {
     let study = read(&folder().join("study.toml"));
     for case in cases("engine", "toml") {
-        compare(&case, &error(&[("study.toml", &study), ("engine.toml", &read(&case))]));
+        compare(&case, &error(&[("study.toml", study.as_bytes()), ("engine.toml", read(&case).as_bytes())]));
     }
 }
 
@@ -67,7 +67,7 @@ fn engines() {
 fn studies() {
     let engine = read(&folder().join("engine.toml"));
     for case in cases("study", "toml") {
-        compare(&case, &error(&[("engine.toml", &engine), ("study.toml", &read(&case))]));
+        compare(&case, &error(&[("engine.toml", engine.as_bytes()), ("study.toml", read(&case).as_bytes())]));
     }
 }
 
@@ -83,7 +83,14 @@ fn tables() {
         if harmonics {
             with_table.replace_range(geometry.clone(), "");
         }
-        compare(&case, &error(&[("study.toml", &study), ("engine.toml", &with_table), ("table.csv", &read(&case))]));
+        compare(
+            &case,
+            &error(&[
+                ("study.toml", study.as_bytes()),
+                ("engine.toml", with_table.as_bytes()),
+                ("table.csv", &fs::read(&case).expect("a table")),
+            ]),
+        );
     }
 }
 
@@ -94,7 +101,7 @@ fn files_that_are_not_there_or_not_text() {
     for (arguments, words) in [
         (["check", "nothing.toml"], "error: file not found\n  --> nothing.toml"),
         (["run", "nothing.toml"], "error: file not found\n  --> nothing.toml"),
-        (["check", "bytes.toml"], "error: the file is not text in UTF-8\n  --> bytes.toml"),
+        (["check", "bytes.toml"], "error: found bytes that are not text, expected UTF-8\n  --> bytes.toml:1:1"),
     ] {
         let assert = Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(arguments).assert().code(2);
         let text = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();

@@ -122,8 +122,12 @@ fn quadratic_eigenvalues_of_one_mass() {
     let (m, k, zeta): (f64, f64, f64) = (2.0, 50.0, 0.1);
     let w = (k / m).sqrt();
     let c = DMatrix::from_element(1, 1, 2.0 * zeta * w * m);
-    let mut s = eigen::quadratic(&DVector::from_element(1, m), &c, &DMatrix::from_element(1, 1, k));
+    let mut s = eigen::quadratic(&DMatrix::from_element(1, 1, m), &c, &DMatrix::from_element(1, 1, k)).expect("finite");
     s.sort_by(|a, b| a.im.total_cmp(&b.im));
     assert_close(s[1].re, -zeta * w, 1e-12, 0.0, "decay");
     assert_close(s[1].im, w * (1.0 - zeta * zeta).sqrt(), 1e-12, 0.0, "frequency");
+    // nothing but inertia has zero eigenvalues; what is not finite is refused
+    let (one, zero) = (DMatrix::from_element(1, 1, 1.0), DMatrix::zeros(1, 1));
+    assert_eq!(eigen::quadratic(&one, &zero, &zero), Some(vec![C64::default(); 2]));
+    assert_eq!(eigen::quadratic(&one, &zero, &DMatrix::from_element(1, 1, f64::NAN)), None);
 }

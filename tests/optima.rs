@@ -3,9 +3,10 @@
 use crate::support::{assert_close, study};
 use hartog::absorber::{Kind, Ring, seeds};
 use hartog::assess::{self, Results, Silent};
+use hartog::chain::{Chain, Modes, Station};
 use hartog::design::{Limit, Measure, Over, Parameter, Variable};
 use hartog::response::Quantity;
-use hartog::study::{FrontSpec, Size, Study};
+use hartog::study::{DesignSpec, FrontSpec, Size, Study};
 
 fn run(study: &Study) -> Results {
     assess::run(study, &Silent).unwrap_or_else(|e| panic!("{e}"))
@@ -98,6 +99,51 @@ fn damping_reaches_zero() {
     let stiffness = Variable { parameter: Parameter::Stiffness, lower: 0.0, upper: 1e7, scale: 10.0 };
     assert_eq!((stiffness.coordinate(0.0), stiffness.value(0.0)), (0.0, 0.0));
     assert_close(stiffness.value(stiffness.coordinate(3e4)), 3e4, 1e-12, 0.0, "there and back");
+}
+
+/// Degenerate families are answered: nothing free to vary; no elastic mode and no random start; a ring on a node of the only excited mode.
+#[test]
+fn degenerate_families_are_answered() {
+    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.1]));
+    let absorber = &mut s.optimise.as_mut().expect("optimises").absorber;
+    (absorber.stiffness, absorber.damping) = (Some((826.0, 826.0)), Some((3.4, 3.4)));
+    let held = run(&s);
+    assert_eq!(held.optima[0].optimum.design.absorber.stiffness(), 826.0);
+    let mut rigid = only("den_hartog", Kind::Viscous, Size::Each(vec![0.1]));
+    rigid.chain.stations[0].stiffness_to_ground = 0.0;
+    rigid.modes = Modes::new(&rigid.chain);
+    rigid.optimise.as_mut().expect("optimises").random_starts = 0;
+    rigid.designs.clear();
+    let freed = run(&rigid);
+    assert!(freed.optima[0].design.frequencies_hz.is_empty() && freed.optima[0].optimum.value().is_finite());
+}
+
+/// The optimiser finds no gap between grid speeds to hide a peak in: three equal stations, the ring on the node of mode 1, step 5 rpm. The
+/// reported optimum is the same design's peak on a grid of 0.1 rpm.
+#[test]
+fn no_peak_hides_between_grid_speeds() {
+    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.3]));
+    s.designs.clear();
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia: 1.0,
+        stiffness_to_next: if i < 2 { 1e4 } else { 0.0 },
+        damping_to_ground: 1.0,
+        throws: if i == 0 { vec![0] } else { vec![] },
+        ..Station::default()
+    };
+    s.chain = Chain { stations: (0..3).map(station).collect() };
+    s.modes = Modes::new(&s.chain);
+    s.optimise.as_mut().expect("optimises").absorber.station = 1;
+    (s.hub, s.twist) = (1, Quantity::Twist { from: 0, to: Some(2) });
+    s.objective.measure.quantities = vec![s.twist];
+    let coarse = run(&s);
+    let design = coarse.optima[0].optimum.design;
+    s.speeds_rpm = (0..=19_000).map(|i| 100.0 + 0.1 * f64::from(i)).collect();
+    s.optimise = None;
+    s.designs = vec![DesignSpec { name: "same".into(), absorbers: vec![design] }];
+    let fine = run(&s);
+    assert_close(coarse.optima[0].optimum.value(), fine.designs[0].objective.expect("excited"), 1e-6, 0.0, "peak");
 }
 
 /// A limit that binds is met exactly and costs objective; one that cannot be met is reported as failing.

@@ -1,10 +1,11 @@
 //! Everything that is reported of one design.
 
 use crate::absorber::Mounted;
-use crate::chain::Modes;
 use crate::design::{Measure, Over, Peak, PeakFinder, Place};
 use crate::numerics::C64;
+use crate::numerics::maximise::maximise;
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, System, Work, natural, quasi_static};
+use crate::units::DEG_PER_RAD;
 
 /// What makes a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,8 +44,8 @@ pub struct Classifier {
 
 impl Classifier {
     /// For one quantity.
-    pub fn new(system: &System, modes: &Modes, quantity: Quantity) -> Self {
-        Self { quantity, per_torque: quasi_static(system, modes, quantity) }
+    pub fn new(system: &System, quantity: Quantity) -> Self {
+        Self { quantity, per_torque: quasi_static(system, quantity) }
     }
 
     /// Phasors of the quasi-static response at one speed.
@@ -68,6 +69,10 @@ impl Classifier {
         let order = orders.fold(peak.order, |m, n| if adds(n) > adds(m) { n } else { m });
         let reference = if peak.extremes.is_some() { finder.synthesis(&still)[0] } else { still[peak.order].norm() };
         let amplification = moving[order].norm() / still[order].norm();
+        if !(amplification.is_finite() && reference > 0.0) {
+            // the torque does not push any elastic mode: there is nothing to compare with
+            return Ok(None);
+        }
         let kind = match peak.place {
             Place::End => PeakKind::EndOfRange,
             Place::Interior if amplification >= RESONANT && adds(order) >= SHARE * peak.value => PeakKind::Resonant,
@@ -135,7 +140,6 @@ pub struct Wanted<'a> {
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub fn evaluate(
     finder: &PeakFinder,
-    modes: &Modes,
     name: &str,
     design: &[Mounted],
     wanted: &Wanted,
@@ -158,7 +162,7 @@ pub fn evaluate(
     Ok(DesignResult {
         name: name.to_owned(),
         absorbers: design.to_vec(),
-        frequencies_hz: natural::frequencies_hz(&finder.system.chain, modes, design),
+        frequencies_hz: natural::frequencies_hz(&finder.system.chain, &finder.system.modes, design),
         twist,
         order_twist,
         order_hub,
@@ -170,21 +174,32 @@ pub fn evaluate(
     })
 }
 
-/// Largest power over the speeds of the grid, refined between them like a peak where the study refines.
+/// A power this share of the largest known one is refined between speeds.
+const POWER_SHARE: f64 = 0.3;
+
+/// Largest power over the speeds a design is evaluated at, refined between them where the study refines.
 fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Result<Option<f64>, ResponseError> {
     if design.is_empty() {
         return Ok(None);
     }
-    let speeds = &finder.grid.speed_rpm;
-    let mut total = |speed: f64| -> Result<f64, ResponseError> {
-        (0..design.len()).map(|i| finder.direct.dissipated_power(design, i, speed, work)).sum()
+    let speeds = finder.speeds(design).rpm;
+    let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
+    let twists = finder.direct.at_each(design, &rings, &speeds, work)?;
+    let orders = finder.system.orders();
+    let at = |i: usize| -> f64 {
+        let ring = |(r, y): (usize, &Vec<C64>)| finder.direct.power_of_twist(design, r, speeds[i], &y[i * orders..(i + 1) * orders]);
+        twists.iter().enumerate().map(ring).sum()
     };
-    let values: Vec<f64> = speeds.iter().map(|s| total(*s)).collect::<Result<_, _>>()?;
-    let at = (0..values.len()).fold(0, |m, i| if values[i] > values[m] { i } else { m });
-    let mut largest = values[at];
-    if finder.refine && values.len() > 1 {
-        let (a, b) = (speeds[at.saturating_sub(1)], speeds[(at + 1).min(speeds.len() - 1)]);
-        largest = largest.max(crate::numerics::maximise::maximise(a, b, total)?.1);
+    let values: Vec<f64> = (0..speeds.len()).map(at).collect();
+    let known = values.iter().copied().fold(0.0, f64::max);
+    let mut largest = known;
+    if finder.refine {
+        for i in 1..values.len().saturating_sub(1) {
+            if values[i] >= POWER_SHARE * known && values[i] >= values[i - 1] && values[i] > values[i + 1] {
+                let total = |speed: f64| (0..design.len()).map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
+                largest = largest.max(maximise(speeds[i - 1], speeds[i + 1], total)?.1);
+            }
+        }
     }
     Ok(Some(largest))
 }
@@ -223,31 +238,26 @@ pub fn sweeps(
 ) -> Result<Sweeps, ResponseError> {
     let direct = Direct::new(finder.system, grid);
     let orders = finder.system.orders();
-    let mut phasors = Vec::new();
-    let mut sweep =
-        |label: String, quantity: Quantity, factor: f64, keep_orders: bool| -> Result<(QuantitySweep, Vec<C64>), ResponseError> {
-            direct.sweep(design, quantity, &mut phasors, work)?;
-            let total = finder.synthesis(&phasors).iter().map(|v| v * factor).collect();
-            let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
-            let kept = if keep_orders { (0..orders).map(per_order).collect() } else { Vec::new() };
-            Ok((QuantitySweep { name: label, orders: kept, total }, phasors.clone()))
-        };
-    let degrees = crate::units::DEG_PER_RAD;
-    let mut quantities = vec![
-        sweep("twist_deg".into(), twist, degrees, true)?.0,
-        sweep("hub_deg".into(), Quantity::Twist { from: hub, to: None }, degrees, true)?.0,
-    ];
-    for shaft in 0..finder.system.chain.len() - 1 {
-        let label = format!("torque_{}_n_m", finder.system.chain.shaft_name(shaft));
-        quantities.push(sweep(label, Quantity::ShaftTorque(shaft), 1.0, false)?.0);
-    }
-    for i in 0..design.len() {
-        let which = if design.len() > 1 { format!("_{}", i + 1) } else { String::new() };
-        let (twist, phasors) = sweep(format!("ring_twist{which}_deg"), Quantity::RingTwist(i), degrees, false)?;
-        quantities.push(twist);
-        let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, i, *speed, y);
-        let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
-        quantities.push(QuantitySweep { name: format!("dissipated_power{which}_w"), orders: Vec::new(), total });
+    let shafts = finder.system.chain.len() - 1;
+    let which = |i: usize| if design.len() > 1 { format!("_{}", i + 1) } else { String::new() };
+    let degrees = DEG_PER_RAD;
+    let mut wanted =
+        vec![("twist_deg".to_owned(), twist, degrees), ("hub_deg".to_owned(), Quantity::Twist { from: hub, to: None }, degrees)];
+    wanted.extend((0..shafts).map(|s| (format!("torque_{}_n_m", finder.system.chain.shaft_name(s)), Quantity::ShaftTorque(s), 1.0)));
+    wanted.extend((0..design.len()).map(|i| (format!("ring_twist{}_deg", which(i)), Quantity::RingTwist(i), degrees)));
+    let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
+    let mut quantities = Vec::new();
+    for (i, ((name, quantity, factor), phasors)) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?).enumerate() {
+        let total = finder.synthesis(&phasors).iter().map(|v| v * factor).collect();
+        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
+        // single orders of twist and hub are kept; the rest would make the table many times as long
+        let kept = if i < 2 { (0..orders).map(per_order).collect() } else { Vec::new() };
+        quantities.push(QuantitySweep { name, orders: kept, total });
+        if let Quantity::RingTwist(ring) = quantity {
+            let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
+            let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
+            quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), orders: Vec::new(), total });
+        }
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

@@ -64,7 +64,9 @@ pub fn wanted(spec: &AbsorberSpec, modes: &[EngineMode]) -> Vec<(String, Space)>
             Size::Between(..) => list.push((name, family(spec, kind, None, modes))),
             Size::Each(inertias) => {
                 for (i, &j) in inertias.iter().enumerate() {
-                    let name = if i == 0 { name.clone() } else { format!("{name}_{}", shown(j)) };
+                    let alike = inertias.iter().filter(|other| shown(**other) == shown(j)).count() > 1;
+                    let size = if alike { j.to_string() } else { shown(j) };
+                    let name = if i == 0 { name.clone() } else { format!("{name}_{size}") };
                     list.push((name, family(spec, kind, Some(j), modes)));
                 }
             }

@@ -46,9 +46,8 @@ pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -
     let seconds = median(|| finder.peak(design, &measure, &mut Work::default()).map(|_| ()))?;
     put("one_design_refined_peak", seconds, work);
     let mut work = Work::default();
-    let mut torques = |work: &mut Work| -> Result<(), ResponseError> {
-        (0..finder.system.chain.len() - 1).try_for_each(|s| direct.sweep(design, Quantity::ShaftTorque(s), &mut phasors, work))
-    };
+    let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
+    let torques = |work: &mut Work| direct.sweep_each(design, &shafts, work).map(|_| ());
     torques(&mut work)?;
     let seconds = median(|| torques(&mut Work::default()))?;
     put("one_design_torques", seconds, work);

@@ -94,7 +94,7 @@ impl Clock {
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock { timing: Vec::new(), since: Instant::now() };
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let system = System::new(study.chain.clone(), excitation);
+    let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     let kinks: &[f64] = if study.refine_peaks { &system.excitation.tabulated_rpm } else { &[] };
     let grid = Grid::new(&study.speeds_rpm, kinks);
     clock.lap("excitation", Work::default());
@@ -110,7 +110,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let mut work = Work::default();
     let mut designs = Vec::new();
     for d in &study.designs {
-        let result = evaluate::evaluate(&finder, &study.modes, &d.name, &d.absorbers, &wanted, &mut work);
+        let result = evaluate::evaluate(&finder, &d.name, &d.absorbers, &wanted, &mut work);
         designs.push(result.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
         progress.step();
     }
@@ -154,7 +154,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         clock.timing.extend(probe.map_err(|error| RunError { what: format!("design `{name}`"), error })?);
     }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist => Some(Classifier::new(&system, &study.modes, *q).floor(&finder, study.objective.measure.over)),
+        [q] if study.objective.is_twist => Some(Classifier::new(&system, *q).floor(&finder, study.objective.measure.over)),
         _ => None,
     };
     let method = method.name();
@@ -210,8 +210,8 @@ impl Job<'_> {
                 let starts = self.starts(spec, &problem.space);
                 let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let mounted = std::slice::from_ref(&optimum.design);
-                let design = evaluate::evaluate(self.finder, &self.study.modes, &name, mounted, self.wanted, &mut Work::default());
-                let classifier = Classifier::new(self.finder.system, &self.study.modes, self.study.twist);
+                let design = evaluate::evaluate(self.finder, &name, mounted, self.wanted, &mut Work::default());
+                let classifier = Classifier::new(self.finder.system, self.study.twist);
                 let nature = |r: &Row| classifier.nature(self.finder, mounted, &r.peak);
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
                 Ok(OptimumResult { design: design.map_err(failed)?, optimum, natures, main })

@@ -1,6 +1,6 @@
 //! Undamped modes of a chain and what follows from them.
 
-use super::Chain;
+use super::{Chain, Station};
 use crate::engine::Order;
 use crate::numerics::eigen;
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM};
@@ -24,16 +24,25 @@ impl Modes {
         let (lambda, shapes) = eigen::generalised(&chain.stiffness_matrix(), &chain.inertias());
         let rigid = chain.rigid_bodies();
         let omega: Vec<f64> = lambda.iter().enumerate().map(|(i, l)| if i < rigid { 0.0 } else { l.max(0.0).sqrt() }).collect();
-        let c = chain.damping_matrix();
-        let hysteretic = chain.assemble(|s| s.stiffness_to_next * s.loss_factor_to_next, |_| 0.0);
-        let damping = (0..omega.len())
+        let mut modes = Self { omega, shapes, rigid, damping: Vec::new() };
+        modes.damping = (0..modes.omega.len())
             .map(|i| {
-                let phi = shapes.column(i);
-                let quadratic = |m: &DMatrix<f64>| (m * phi).dot(&phi);
-                if omega[i] == 0.0 { 0.0 } else { 0.5 * (quadratic(&c) / omega[i] + quadratic(&hysteretic) / (omega[i] * omega[i])) }
+                let omega = modes.omega[i];
+                if omega == 0.0 { 0.0 } else { 0.5 * modes.damping_between(chain, i, i, omega) / omega }
             })
             .collect();
-        Self { omega, shapes, rigid, damping }
+        modes
+    }
+
+    /// Element of the modal damping matrix phi' C phi, 1/s; hysteretic damping enters as the viscous damping equal to it at `omega`.
+    pub fn damping_between(&self, chain: &Chain, i: usize, j: usize, omega: f64) -> f64 {
+        let phi = |station: usize, mode: usize| self.shapes[(station, mode)];
+        let element = |(n, s): (usize, &Station)| {
+            let to_ground = s.damping_to_ground * phi(n, i) * phi(n, j);
+            let link = s.damping_to_next + if omega > 0.0 { s.stiffness_to_next * s.loss_factor_to_next / omega } else { 0.0 };
+            if link == 0.0 { to_ground } else { to_ground + link * (phi(n, i) - phi(n + 1, i)) * (phi(n, j) - phi(n + 1, j)) }
+        };
+        chain.stations.iter().enumerate().map(element).sum()
     }
 
     /// Elastic modes: indices of modes with a frequency.

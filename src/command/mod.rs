@@ -14,10 +14,17 @@ pub const FAILED: u8 = 1;
 /// Exit code: bad input or numerical failure.
 pub const BAD_INPUT: u8 = 2;
 
-/// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped.
+/// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped. Any other loss of output ends the
+/// program with the code of bad input.
 pub fn say(text: &str) {
     let mut out = std::io::stdout().lock();
-    let _closed = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            fail(&format!("error: standard output cannot be written: {e}"));
+            std::process::exit(i32::from(BAD_INPUT));
+        }
+        _ => {}
+    }
 }
 
 /// Prints an error and gives the exit code of bad input.

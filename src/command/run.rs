@@ -24,7 +24,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Number of threads [default: all]; results are the same for any number.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
 }
 
@@ -84,11 +84,7 @@ fn print(study: &Study, results: &Results, folder: &Folder, timing: &[Timing]) {
         say(&format!("\nOne design on one thread: {}\n", cost.join(", ")));
     }
     let stages: Vec<String> = timing.iter().filter(|t| t.seconds >= 0.05).map(|t| format!("{} {:.1} s", t.stage, t.seconds)).collect();
-    say(&format!("{} files in {} ({})\n", count(folder), folder.path().display(), stages.join(", ")));
-}
-
-fn count(folder: &Folder) -> usize {
-    std::fs::read_dir(folder.path()).map_or(0, |d| d.filter_map(Result::ok).filter(|e| e.path().is_file()).count())
+    say(&format!("{} files written to {} ({})\n", folder.written(), folder.path().display(), stages.join(", ")));
 }
 
 fn duration(seconds: f64) -> String {

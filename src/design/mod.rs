@@ -1,9 +1,11 @@
 //! Absorber design: what may vary, what is to be small, and the one pipeline from values to peaks.
 
+mod local;
 pub mod measure;
 pub mod peaks;
 pub mod problem;
 pub mod space;
+pub mod speeds;
 
 pub use measure::{Limit, Measure, Over};
 pub use peaks::{Peak, PeakFinder, Place};

@@ -1,11 +1,13 @@
 //! Peaks of a quantity over the speed range, to rounding.
 //!
-//! A sweep finds the local maxima on the grid; each that could win is refined between grid speeds by direct solutions. Ends of the range and
-//! kinks of the torque (tabulated speeds) are candidates.
+//! A sweep finds the local maxima on the grid, with speeds added round resonances too narrow for it; each that could win is refined by direct
+//! solutions. Ends of the range and kinks of the torque (tabulated speeds) are candidates.
 
+use super::local::{self, Candidate};
 use super::measure::{Measure, Over};
+use super::speeds::{Resonances, Speeds};
 use crate::absorber::Mounted;
-use crate::numerics::maximise::{maximise, maximise_bracket};
+use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound, dominating};
 use crate::numerics::{C64, ZERO};
 use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, System, Work};
@@ -38,14 +40,8 @@ pub struct Peak {
     pub place: Place,
 }
 
-/// Peaks whose estimate lies below this share of what is asked for are not refined.
-const ESTIMATE_SHARE: f64 = 0.98;
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
-/// A refined peak this many times its grid value is looked at again more closely; if it grows as much again, nothing damps it (a damping
-/// ratio below about 1e-8).
-const STEEP: f64 = 50.0;
-
 /// Finds peaks of one system by one method.
 #[derive(Debug)]
 pub struct PeakFinder<'a> {
@@ -59,20 +55,8 @@ pub struct PeakFinder<'a> {
     pub direct: Direct<'a>,
     /// Whether peaks are refined between grid speeds.
     pub refine: bool,
+    resonances: Option<Resonances>,
     synthesiser: Synthesiser,
-}
-
-/// A local maximum on the grid.
-#[derive(Debug, Clone, Copy)]
-struct Candidate {
-    /// Index of the speed.
-    index: usize,
-    /// Value there.
-    value: f64,
-    /// Estimate of the peak between grid speeds.
-    estimate: f64,
-    /// Whether the peak lies to the right of the grid speed.
-    right: bool,
 }
 
 /// Peaks found so far.
@@ -100,6 +84,7 @@ impl<'a> PeakFinder<'a> {
             method,
             direct: Direct::new(system, grid),
             refine,
+            resonances: refine.then(|| Resonances::new(system, grid)),
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
         }
     }
@@ -111,10 +96,17 @@ impl<'a> PeakFinder<'a> {
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
         work.evaluations += 1;
         let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
-        for &quantity in &measure.quantities {
-            match measure.over {
-                Over::Synthesis => self.synthesised(design, quantity, &mut found, work)?,
-                Over::Orders => self.single_orders(design, quantity, &mut found, work)?,
+        let speeds = self.speeds(design);
+        match measure.over {
+            Over::Synthesis => {
+                for (quantity, sweep) in measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?) {
+                    self.synthesised(design, *quantity, (&speeds, &sweep), &mut found, work)?;
+                }
+            }
+            Over::Orders => {
+                for quantity in &measure.quantities {
+                    self.single_orders(design, *quantity, &speeds, &mut found, work)?;
+                }
             }
         }
         let mut peaks = found.peaks;
@@ -136,22 +128,62 @@ impl<'a> PeakFinder<'a> {
         sweep.chunks(self.system.orders()).map(|y| self.synthesiser.extremes(y).half_peak_to_peak).collect()
     }
 
-    fn synthesised(&self, design: &[Mounted], quantity: Quantity, found: &mut Found, work: &mut Work) -> Result<(), ResponseError> {
-        let mut sweep = Vec::new();
-        self.method.sweep(design, quantity, &mut sweep, work)?;
+    /// Speeds at which a design is evaluated: the grid, and more round narrow resonances where peaks are refined.
+    pub fn speeds(&self, design: &[Mounted]) -> Speeds {
+        match &self.resonances {
+            Some(r) => r.speeds(self.system, self.grid, design),
+            None => Speeds { rpm: self.grid.speed_rpm.clone(), kink: self.grid.kink.clone(), added: Vec::new() },
+        }
+    }
+
+    fn sweeps(
+        &self,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        speeds: &Speeds,
+        work: &mut Work,
+    ) -> Result<Vec<Vec<C64>>, ResponseError> {
+        let grid = self.method.sweep_each(design, quantities, work)?;
+        if speeds.added.is_empty() {
+            return Ok(grid);
+        }
+        let added = self.direct.at_each(design, quantities, &speeds.added_rpm(), work)?;
+        Ok(grid.into_iter().zip(added).map(|(g, a)| speeds.merge(g, &a, self.system.orders())).collect())
+    }
+
+    fn synthesised(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        (speeds, sweep): (&Speeds, &[C64]),
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
         let bounds: Vec<f64> = sweep.chunks(orders).map(bound).collect();
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
         let mut top = found.best;
-        let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
-        for i in std::iter::once(first).chain(0..bounds.len()) {
-            let rise = if self.refine { growth(&bounds, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
+        let mut know = |i: usize, values: &mut Vec<f64>| {
+            if values[i] == f64::NEG_INFINITY {
                 work.syntheses += 1;
                 values[i] = self.synthesiser.extremes(&sweep[i * orders..(i + 1) * orders]).half_peak_to_peak;
-                top = top.max(values[i]);
+            }
+            values[i]
+        };
+        let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
+        for i in std::iter::once(first).chain(0..bounds.len()) {
+            let rise = if self.refine { local::growth(&bounds, i) } else { 1.0 };
+            if bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
+                top = top.max(know(i, &mut values));
+            }
+        }
+        if self.refine {
+            // estimates need the neighbours too
+            for c in local::maxima(&speeds.rpm, &values) {
+                know(c.index.saturating_sub(1), &mut values);
+                know((c.index + 1).min(values.len() - 1), &mut values);
             }
         }
         let mut y = vec![ZERO; orders];
@@ -160,9 +192,11 @@ impl<'a> PeakFinder<'a> {
             work.syntheses += 1;
             Ok(self.synthesiser.extremes(y))
         };
-        for candidate in local_maxima(&self.grid.speed_rpm, &values) {
+        for candidate in local::maxima(&speeds.rpm, &values) {
             let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| e.half_peak_to_peak);
-            let Some((speed_rpm, place)) = self.refined(candidate, found.keep * found.best.max(top), value_at, work)? else { continue };
+            let Some((speed_rpm, place)) = self.refined(candidate, speeds, found.keep * found.best.max(top), value_at, work)? else {
+                continue;
+            };
             let extremes = at(speed_rpm, &mut y, work)?;
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
@@ -173,7 +207,7 @@ impl<'a> PeakFinder<'a> {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
-            let reach = (self.grid.speed_rpm[candidate.index.max(1) - 1], self.grid.speed_rpm[(candidate.index + 1).min(bounds.len() - 1)]);
+            let reach = (speeds.rpm[candidate.index.max(1) - 1], speeds.rpm[(candidate.index + 1).min(bounds.len() - 1)]);
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
                 let mut follow = |speed: f64, y: &mut [C64]| -> Result<Extremes, ResponseError> {
                     self.direct.at(design, quantity, speed, y, work)?;
@@ -187,16 +221,27 @@ impl<'a> PeakFinder<'a> {
         Ok(())
     }
 
-    fn single_orders(&self, design: &[Mounted], quantity: Quantity, found: &mut Found, work: &mut Work) -> Result<(), ResponseError> {
-        let mut sweep = Vec::new();
-        self.method.magnitudes(design, quantity, &mut sweep, work)?;
+    fn single_orders(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        speeds: &Speeds,
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let mut grid = Vec::new();
+        self.method.magnitudes(design, quantity, &mut grid, work)?;
         let orders = self.system.orders();
+        let added = self.direct.at_each(design, &[quantity], &speeds.added_rpm(), work)?.swap_remove(0);
+        let added: Vec<f64> = added.iter().map(|y| y.norm()).collect();
+        let sweep = speeds.merge(grid, &added, orders);
         let top = sweep.iter().copied().fold(found.best, f64::max);
         for order in 0..orders {
             let values: Vec<f64> = sweep.iter().skip(order).step_by(orders).copied().collect();
-            for candidate in local_maxima(&self.grid.speed_rpm, &values) {
+            for candidate in local::maxima(&speeds.rpm, &values) {
                 let value_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
-                let Some((speed_rpm, place)) = self.refined(candidate, found.keep * found.best.max(top), value_at, work)? else { continue };
+                let wanted = found.keep * found.best.max(top);
+                let Some((speed_rpm, place)) = self.refined(candidate, speeds, wanted, value_at, work)? else { continue };
                 let value = self.direct.order_at(design, quantity, order, speed_rpm, work)?.norm();
                 found.put(Peak { value, speed_rpm, order, order_value: value, quantity, extremes: None, place });
             }
@@ -204,53 +249,24 @@ impl<'a> PeakFinder<'a> {
         Ok(())
     }
 
-    /// Speed and place of the local maximum near a grid speed, or nothing where it cannot reach `wanted`.
+    /// Speed and place of the local maximum near a candidate, or nothing where it cannot reach `wanted`.
     fn refined(
         &self,
         candidate: Candidate,
+        speeds: &Speeds,
         wanted: f64,
-        mut value_at: impl FnMut(f64, &mut Work) -> Result<f64, ResponseError>,
+        value_at: impl FnMut(f64, &mut Work) -> Result<f64, ResponseError>,
         work: &mut Work,
     ) -> Result<Option<(f64, Place)>, ResponseError> {
-        let Candidate { index: i, value, estimate, right } = candidate;
-        let speed = &self.grid.speed_rpm;
-        let last = speed.len() - 1;
-        let end = if i == 0 || i == last { Place::End } else { Place::Interior };
+        let last = speeds.rpm.len() - 1;
         if !self.refine || last == 0 {
-            return Ok((value >= wanted).then_some((speed[i], end)));
+            let end = if candidate.index == 0 || candidate.index == last { Place::End } else { Place::Interior };
+            return Ok((candidate.value >= wanted).then_some((speeds.rpm[candidate.index], end)));
         }
-        if estimate.max(value) < ESTIMATE_SHARE * wanted {
-            return Ok(None);
+        match local::refine(candidate, speeds, wanted, value_at, work)? {
+            Some(r) if r.unbounded => Err(self.pole(r.speed_rpm)),
+            found => Ok(found.map(|r| (r.speed_rpm, r.place))),
         }
-        let mut best = (speed[i], value_at(speed[i], work)?, end);
-        let mut keep = |(at, v): (f64, f64)| {
-            if v > best.1 * (1.0 + 1e-12) {
-                best = (at, v, Place::Interior);
-            }
-        };
-        let mut f = |s: f64| value_at(s, work);
-        if end == Place::Interior && !self.grid.kink[i] {
-            keep(maximise_bracket((speed[i - 1], speed[i], speed[i + 1]), right, &mut f)?);
-        } else {
-            // an end, or a kink that may hold the maximum itself: each side is searched apart
-            if i > 0 {
-                keep(maximise(speed[i - 1], speed[i], &mut f)?);
-            }
-            if i < last {
-                keep(maximise(speed[i], speed[i + 1], &mut f)?);
-            }
-        }
-        if best.1 > STEEP * value {
-            let (at, near) = (best.0, 1e-4 * (speed[(i + 1).min(last)] - speed[i.saturating_sub(1)]));
-            let closer = maximise((at - near).max(speed[0]), (at + near).min(speed[last]), |s| value_at(s, work))?;
-            if closer.1 > STEEP * best.1 {
-                return Err(self.pole(closer.0));
-            }
-            if closer.1 > best.1 {
-                (best.0, best.1) = closer;
-            }
-        }
-        Ok(Some((best.0, best.2)))
     }
 
     /// The error for a pole at this speed: the order whose base response is largest there.
@@ -279,41 +295,4 @@ impl<'a> PeakFinder<'a> {
             self.synthesiser.derivative(extremes, &change)
         }))
     }
-}
-
-/// Local maxima of grid values, largest first, each with an estimate of the true peak: the vertex of the parabola through 1/v² at three
-/// speeds, exact for a single resonance.
-fn local_maxima(speed: &[f64], values: &[f64]) -> Vec<Candidate> {
-    let last = values.len() - 1;
-    let mut found: Vec<Candidate> = (0..=last)
-        .filter(|&i| values[i] > 0.0 && (i == 0 || values[i] > values[i - 1]) && (i == last || values[i] >= values[i + 1]))
-        .map(|i| {
-            let inside = i > 0 && i < last && values[i - 1] > 0.0 && values[i + 1] > 0.0;
-            let estimate = if inside { vertex(&speed[i - 1..=i + 1], &values[i - 1..=i + 1]) } else { values[i] };
-            let right = i < last && (i == 0 || values[i + 1] >= values[i - 1]);
-            Candidate { index: i, value: values[i], estimate, right }
-        })
-        .collect();
-    found.sort_by(|a, b| b.value.total_cmp(&a.value));
-    found
-}
-
-/// How far a peak may rise above a grid value: the square of its growth from its lower neighbour, and never less than a well-resolved peak
-/// can hide.
-fn growth(values: &[f64], i: usize) -> f64 {
-    let lower = [i.checked_sub(1), Some(i + 1)].into_iter().flatten().filter_map(|j| values.get(j)).fold(values[i], |m, v| m.min(*v));
-    (values[i] / lower).powi(2).max(1.03)
-}
-
-fn vertex(x: &[f64], v: &[f64]) -> f64 {
-    let q: Vec<f64> = v.iter().map(|v| 1.0 / (v * v)).collect();
-    let (h0, h1) = (x[1] - x[0], x[2] - x[1]);
-    let (s0, s1) = ((q[1] - q[0]) / h0, (q[2] - q[1]) / h1);
-    let curvature = (s1 - s0) / (h0 + h1);
-    if curvature.is_nan() || curvature <= 0.0 {
-        return v[1];
-    }
-    let slope = s0 + curvature * h0;
-    let lowest = q[1] - 0.25 * slope * slope / curvature;
-    if lowest > 0.0 { 1.0 / lowest.sqrt() } else { f64::INFINITY }
 }

@@ -1,7 +1,7 @@
 //! Eigenpairs of undamped and damped systems with a diagonal mass matrix.
 
 use super::C64;
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, Schur, SymmetricEigen};
 
 /// Eigenpairs of K phi = lambda M phi for symmetric K and positive diagonal M, ascending; the columns of the second value are scaled to
 /// phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2.
@@ -16,16 +16,26 @@ pub fn generalised(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
 }
 
-/// Eigenvalues s (1/s, both of each conjugate pair) of M s^2 + C s + K with positive diagonal M, from the companion form.
-pub fn quadratic(m: &DVector<f64>, c: &DMatrix<f64>, k: &DMatrix<f64>) -> Vec<C64> {
-    let n = m.len();
+/// Eigenvalues s (1/s, both of each conjugate pair) of M s² + C s + K with positive definite M, from the companion form. Nothing where the
+/// matrices are not finite or the iteration does not end.
+pub fn quadratic(m: &DMatrix<f64>, c: &DMatrix<f64>, k: &DMatrix<f64>) -> Option<Vec<C64>> {
+    let n = m.nrows();
+    let lu = m.clone().lu();
+    let (c, k) = (lu.solve(c)?, lu.solve(k)?);
+    if !k.iter().chain(c.iter()).all(|x| x.is_finite()) {
+        return None;
+    }
     // time is scaled so that both blocks of the companion matrix have the same size
-    let scale = (0..n).map(|i| k[(i, i)].abs() / m[i]).fold(0.0, f64::max).sqrt().max(f64::MIN_POSITIVE);
+    let scale = k.amax().sqrt().max(c.amax());
+    if scale == 0.0 {
+        return Some(vec![C64::default(); 2 * n]);
+    }
     let companion = DMatrix::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
         (true, true) => 0.0,
         (true, false) => f64::from(u8::from(j - n == i)),
-        (false, true) => -k[(i - n, j)] / m[i - n] / (scale * scale),
-        (false, false) => -c[(i - n, j - n)] / m[i - n] / scale,
+        (false, true) => -k[(i - n, j)] / (scale * scale),
+        (false, false) => -c[(i - n, j - n)] / scale,
     });
-    companion.complex_eigenvalues().iter().map(|s| s * scale).collect()
+    let schur = Schur::try_new(companion, f64::EPSILON, 200 * n)?;
+    Some(schur.complex_eigenvalues().iter().map(|s| s * scale).collect())
 }

@@ -18,7 +18,7 @@ pub struct FrontPoint {
     pub excess: f64,
     /// First-order residual.
     pub kkt_residual: f64,
-    /// Whether a lighter ring does as well.
+    /// Whether a lighter ring does as well, or a limit fails.
     pub dominated: bool,
 }
 
@@ -99,7 +99,8 @@ pub fn follow(
     for (outcomes, spent) in walks {
         work += spent;
         for (i, outcome) in outcomes {
-            let merit = |o: &Outcome| (o.rows.excess() > 1e-9, o.rows.objective());
+            // a limit that fails counts before the objective
+            let merit = |o: &Outcome| (if o.rows.excess() > 1e-6 { o.rows.excess() } else { 0.0 }, o.rows.objective());
             if best[i].as_ref().is_none_or(|b| merit(&outcome) < merit(b)) {
                 best[i] = Some(outcome);
             }
@@ -112,8 +113,11 @@ pub fn follow(
         .filter_map(|(i, outcome)| outcome.map(|o| (i, o)))
         .map(|(i, o)| {
             let value = o.rows.objective();
-            let dominated = value >= lowest;
-            lowest = lowest.min(value);
+            let holds = o.rows.excess() <= 1e-6;
+            let dominated = value >= lowest || !holds;
+            if holds {
+                lowest = lowest.min(value);
+            }
             let design = at(i).space.absorber(&o.point);
             FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
         })

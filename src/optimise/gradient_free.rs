@@ -58,6 +58,9 @@ impl CostFunction for Cost<'_, '_> {
 /// Best point found from `start` within `most` evaluations, and its cost.
 pub fn search(problem: &Problem, start: &[f64], most: u64, work: &mut Work) -> (Vec<f64>, f64) {
     let bounds = problem.space.bounds();
+    if start.is_empty() {
+        return (Vec::new(), problem.cost(start, work));
+    }
     let mut simplex = vec![start.to_vec()];
     for (i, (low, high)) in bounds.iter().enumerate() {
         let edge = EDGE.min(0.25 * (high - low));

@@ -26,14 +26,18 @@ pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> 
             }
         }
     }
+    if list.is_empty() {
+        // no elastic mode moves the station: nothing to tune to
+        list.push(("middle of the bounds".to_owned(), space.bounds().iter().map(|(low, high)| 0.5 * (low + high)).collect()));
+    }
     let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
-    let middle = list.first().map(|l| l.1.clone());
+    let middle = list[0].1.clone();
     let bounds = space.bounds();
     for i in 0..random {
         // spread over the box, but not further than six e-folds from the first closed form: beyond, rings are locked or loose
         let point = bounds.iter().enumerate().map(|(v, (low, high))| {
-            let centre = middle.as_ref().map_or(0.5 * (low + high), |m| m[v]);
-            generator.random_range((centre - 6.0).max(*low)..=(centre + 6.0).min(*high))
+            let centre = middle[v];
+            generator.random_range((centre - 6.0).clamp(*low, *high)..=(centre + 6.0).clamp(*low, *high))
         });
         list.push((format!("random {}", i + 1), point.collect()));
     }
@@ -52,7 +56,9 @@ fn suits(rule: Rule, kind: Kind, mode: usize) -> bool {
 /// Bounds wide enough to lock the ring and to let it loose, where a study gives none: up to 10⁴ times the stiffness tuned to the highest
 /// mode and 10³ times the damping of a viscous absorber.
 pub fn wide_bounds(ring_inertia: f64, modes: &[EngineMode]) -> ((f64, f64), (f64, f64)) {
-    let top = modes.iter().map(|m| m.omega).fold(0.0, f64::max);
-    let viscous = modes.first().map_or(1.0, |m| Rule::ViscousUntuned.absorber(ring_inertia, *m).damping());
+    // without a mode to go by, 100 rad/s is as good as any
+    let first = modes.first().copied().unwrap_or(EngineMode { inertia: ring_inertia, omega: 100.0 });
+    let top = modes.iter().map(|m| m.omega).fold(first.omega, f64::max);
+    let viscous = Rule::ViscousUntuned.absorber(ring_inertia, first).damping();
     ((0.0, 1e4 * ring_inertia * top * top), (0.0, 1e3 * viscous))
 }

@@ -169,7 +169,7 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 number(a.stiffness()),
                 number(a.damping()),
                 number(in_unit(study, point.value)),
-                number(point.kkt_residual),
+                optional(Some(point.kkt_residual).filter(|r| r.is_finite())),
                 (point.excess <= 1e-6).to_string(),
                 point.dominated.to_string(),
             ]);

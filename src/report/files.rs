@@ -1,5 +1,6 @@
 //! Whole files or none: each is written under a temporary name and renamed.
 
+use std::cell::Cell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,7 @@ pub struct WriteError {
 #[derive(Debug, Clone)]
 pub struct Folder {
     path: PathBuf,
+    written: Cell<usize>,
 }
 
 impl Folder {
@@ -28,12 +30,31 @@ impl Folder {
         let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
         std::fs::create_dir_all(path).map_err(failed)?;
         tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
-        Ok(Self { path: path.to_path_buf() })
+        Ok(Self { path: path.to_path_buf(), written: Cell::new(0) })
     }
 
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// How many files were written.
+    pub fn written(&self) -> usize {
+        self.written.get()
+    }
+
+    /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.
+    ///
+    /// # Errors
+    /// [`WriteError`] where one is there and cannot be removed.
+    pub fn remove(&self, names: &[&str]) -> Result<(), WriteError> {
+        for name in names {
+            let path = self.path.join(name);
+            if path.is_file() {
+                std::fs::remove_file(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
+            }
+        }
+        Ok(())
     }
 
     /// Writes a file.
@@ -52,6 +73,7 @@ impl Folder {
             file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(failed)?;
         }
         file.persist(&target).map_err(|e| failed(e.error))?;
+        self.written.set(self.written.get() + 1);
         Ok(())
     }
 }

@@ -17,7 +17,9 @@ use crate::study::Study;
 pub fn write_run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()) -> Result<(), WriteError> {
     csv::designs(study, results, folder)?;
     csv::response(study, results, folder)?;
-    if !results.fronts.is_empty() {
+    if results.fronts.is_empty() {
+        folder.remove(&["pareto.csv", "pareto.svg", "pareto.png"])?;
+    } else {
         csv::pareto(study, results, folder)?;
     }
     written();

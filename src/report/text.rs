@@ -139,20 +139,20 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     }
     let starts = &o.optimum.starts;
     let agreeing = o.optimum.agreeing();
-    let other = starts.iter().filter(|s| s.finished.is_finite()).map(|s| s.finished).fold(0.0, f64::max);
-    let rest = if agreeing == starts.len() {
-        String::new()
-    } else {
-        format!("; the worst of the others ended in a local optimum {:.2} % above", 100.0 * (other / best - 1.0))
+    let worst = starts.iter().map(|s| s.finished / o.optimum.cost() - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
+    let rest = match worst {
+        _ if agreeing == starts.len() => String::new(),
+        above if above < 10.0 => format!("; the worst of the others ended {:.2} % above", 100.0 * above),
+        _ => "; others ended far above".into(),
     };
     put(format!("  {agreeing} of {} starts agree to 1e-6{rest}", starts.len()));
     let s = &o.optimum.stages;
     put(format!(
-        "  evaluations: {} of starts, {} of search, {} of minimax; KKT residual {:.0e}; {}",
+        "  evaluations: {} of starts, {} of search, {} of minimax; KKT residual {}; {}",
         s.seeds.evaluations,
         s.search.evaluations,
         s.minimax.evaluations,
-        outcome.kkt_residual,
+        if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() },
         outcome.stop.reason()
     ));
     for ((words, _), ratio) in study.limits.iter().zip(&o.design.limits) {
@@ -164,6 +164,14 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 /// What the run found, in sentences.
 pub fn summary(study: &Study, results: &Results) -> String {
     let mut text = String::new();
+    for (i, (words, _)) in study.limits.iter().enumerate() {
+        let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;
+        let list: Vec<String> =
+            results.designs.iter().filter(broken).map(|d| format!("{} ({:.0} %)", d.name, 100.0 * d.limits[i])).collect();
+        if !list.is_empty() {
+            let _ = writeln!(text, "Limit {words}: broken by the given {}.", list.join(", "));
+        }
+    }
     let objective = |d: &DesignResult| d.objective.unwrap_or(0.0);
     if let Some(floor) = results.forced_floor {
         let none = results.designs.iter().find(|d| d.absorbers.is_empty());
@@ -176,7 +184,9 @@ pub fn summary(study: &Study, results: &Results) -> String {
         results.optima.iter().filter(|o| o.main).min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value())),
     ) {
         let ratio = 100.0 * (1.0 - own.optimum.value() / objective(best));
-        let compare = if ratio.abs() < 1e-4 {
+        let compare = if !ratio.is_finite() {
+            "not comparable".to_owned()
+        } else if ratio.abs() < 1e-4 {
             "the same".to_owned()
         } else if ratio > 0.0 {
             format!("{ratio:.1} % lower")

@@ -82,15 +82,35 @@ impl<'a> Factored<'a> {
         Ok(())
     }
 
-    /// The phasor of a quantity under the torque; zero, even at a resonance, where there is no torque.
-    fn phasor(&mut self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+    /// Phasors of quantities under the torque of an order (an index) at a speed, given to `put` one by one; zero, even at a resonance, where
+    /// there is no torque.
+    fn phasors(
+        &mut self,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        at: (usize, f64),
+        work: &mut Work,
+        mut put: impl FnMut(usize, C64),
+    ) -> Result<(), ResponseError> {
         self.system.torque(at.0, at.1, &mut self.x);
-        if self.x.iter().all(|t| *t == ZERO) {
-            return Ok(ZERO);
+        let still = self.x.iter().all(|t| *t == ZERO);
+        if !still {
+            self.solve(design, at, work)?;
         }
-        self.solve(design, at, work)?;
-        let y = self.output(quantity, &self.x);
-        if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(self.system.excitation.orders[at.0], at.1)) }
+        for (i, quantity) in quantities.iter().enumerate() {
+            let y = if still { ZERO } else { self.output(*quantity, &self.x) };
+            if !y.is_finite() {
+                return Err(ResponseError::unbounded(self.system.excitation.orders[at.0], at.1));
+            }
+            put(i, y);
+        }
+        Ok(())
+    }
+
+    fn phasor(&mut self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let mut found = ZERO;
+        self.phasors(design, &[quantity], at, work, |_, y| found = y)?;
+        Ok(found)
     }
 
     /// The quantity from a solution.
@@ -144,6 +164,27 @@ impl<'a> Direct<'a> {
             *out = solver.phasor(design, quantity, (n, speed_rpm), work)?;
         }
         Ok(())
+    }
+
+    /// Phasors of several quantities at any speeds, one sweep each.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub fn at_each(
+        &self,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        speeds: &[f64],
+        work: &mut Work,
+    ) -> Result<Vec<Vec<C64>>, ResponseError> {
+        let mut solver = Factored::new(self.system);
+        let mut out = vec![Vec::with_capacity(speeds.len() * self.system.orders()); quantities.len()];
+        for &speed_rpm in speeds {
+            for n in 0..self.system.orders() {
+                solver.phasors(design, quantities, (n, speed_rpm), work, |i, y| out[i].push(y))?;
+            }
+        }
+        Ok(out)
     }
 
     /// The phasor of one order (an index) at one speed.
@@ -244,13 +285,11 @@ impl Response for Direct<'_> {
     }
 
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
-        out.clear();
-        let mut solver = Factored::new(self.system);
-        for &speed_rpm in &self.grid.speed_rpm {
-            for n in 0..self.system.orders() {
-                out.push(solver.phasor(design, quantity, (n, speed_rpm), work)?);
-            }
-        }
+        *out = self.sweep_each(design, &[quantity], work)?.swap_remove(0);
         Ok(())
+    }
+
+    fn sweep_each(&self, design: &[Mounted], quantities: &[Quantity], work: &mut Work) -> Result<Vec<Vec<C64>>, ResponseError> {
+        self.at_each(design, quantities, &self.grid.speed_rpm, work)
     }
 }

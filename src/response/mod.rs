@@ -11,7 +11,7 @@ pub use direct::Direct;
 pub use receptance::Receptance;
 
 use crate::absorber::Mounted;
-use crate::chain::Chain;
+use crate::chain::{Chain, Modes};
 use crate::engine::{Excitation, Order};
 use crate::numerics::{C64, ZERO};
 use crate::units::HZ_PER_RPM;
@@ -21,6 +21,8 @@ use crate::units::HZ_PER_RPM;
 pub struct System {
     /// Stations and shafts.
     pub chain: Chain,
+    /// Undamped modes of the chain.
+    pub modes: Modes,
     /// Torque of each throw.
     pub excitation: Excitation,
     /// Sum of firing phases at each station: one row an order.
@@ -30,10 +32,16 @@ pub struct System {
 impl System {
     /// Puts the throws on their stations.
     pub fn new(chain: Chain, excitation: Excitation) -> Self {
+        let modes = Modes::new(&chain);
+        Self::with_modes(chain, modes, excitation)
+    }
+
+    /// The same where the modes are known.
+    pub fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
         let phases = (0..excitation.orders.len())
             .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
             .collect();
-        Self { chain, excitation, phases }
+        Self { chain, modes, excitation, phases }
     }
 
     /// Number of orders.
@@ -163,6 +171,18 @@ pub trait Response: Sync {
     /// [`ResponseError::Unbounded`] at an undamped resonance.
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError>;
 
+    /// Phasors of several quantities at once, one sweep each: costs little more than one where every point is solved anew.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    fn sweep_each(&self, design: &[Mounted], quantities: &[Quantity], work: &mut Work) -> Result<Vec<Vec<C64>>, ResponseError> {
+        let one = |q: &Quantity| {
+            let mut out = Vec::new();
+            self.sweep(design, *q, &mut out, work).map(|()| out)
+        };
+        quantities.iter().map(one).collect()
+    }
+
     /// Magnitudes of `quantity` at all grid speeds and orders (speed by speed).
     ///
     /// # Errors
@@ -198,6 +218,12 @@ impl Response for Method<'_> {
             Self::Receptance(m) => m.sweep(design, quantity, out, work),
         }
     }
+    fn sweep_each(&self, design: &[Mounted], quantities: &[Quantity], work: &mut Work) -> Result<Vec<Vec<C64>>, ResponseError> {
+        match self {
+            Self::Direct(m) => m.sweep_each(design, quantities, work),
+            Self::Receptance(m) => m.sweep_each(design, quantities, work),
+        }
+    }
     fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
         match self {
             Self::Direct(m) => m.magnitudes(design, quantity, out, work),
@@ -208,7 +234,8 @@ impl Response for Method<'_> {
 
 /// Twist per unit torque if every elastic mode followed as if static (no amplification), for each order: what is left of the twist when
 /// nothing resonates. Zero for rings.
-pub fn quasi_static(system: &System, modes: &crate::chain::Modes, quantity: Quantity) -> Vec<C64> {
+pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<C64> {
+    let modes = &system.modes;
     let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
     let output = |mode: usize| match quantity {
         Quantity::Twist { from, to } => at(mode, from) - to.map_or(0.0, |to| at(mode, to)),

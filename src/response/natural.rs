@@ -1,63 +1,74 @@
-//! Natural frequencies of chain and absorbers together.
+//! Natural motions of chain and absorbers together.
 
 use crate::absorber::{Mounted, Ring};
 use crate::chain::{Chain, Modes};
-use crate::numerics::eigen;
+use crate::numerics::{C64, eigen};
 use crate::units::HZ_PER_RAD_PER_S;
 use nalgebra::{DMatrix, DVector};
 
 /// Chains longer than this are represented by as many of their lowest modes.
 const LARGEST_DENSE: usize = 64;
 
-/// Natural frequencies, Hz, ascending, without rigid modes. The absorbers' damping counts, the engine's own does not; overdamped motions
-/// have no frequency and are left out. `modes` are those of the chain alone.
+/// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
+#[derive(Debug, Clone)]
+pub struct Basis {
+    /// Mode shapes: a row a station, a column a mode.
+    shapes: DMatrix<f64>,
+    stiffness: Vec<f64>,
+    damping: DMatrix<f64>,
+}
+
+impl Basis {
+    /// The lowest `count` modes; `damped`: whether the engine's own damping counts.
+    pub fn new(chain: &Chain, modes: &Modes, count: usize, damped: bool) -> Self {
+        let kept = count.min(modes.omega.len());
+        let c = |i: usize, j: usize| modes.damping_between(chain, i, j, 0.5 * (modes.omega[i] + modes.omega[j]));
+        Self {
+            shapes: modes.shapes.columns(0, kept).into_owned(),
+            stiffness: modes.omega[..kept].iter().map(|w| w * w).collect(),
+            damping: if damped { DMatrix::from_fn(kept, kept, c) } else { DMatrix::zeros(kept, kept) },
+        }
+    }
+
+    /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed.
+    pub fn eigenvalues(&self, design: &[Mounted]) -> Option<Vec<C64>> {
+        let kept = self.stiffness.len();
+        let n = kept + design.len();
+        let mut m = DMatrix::identity(n, n);
+        let mut k = DMatrix::zeros(n, n);
+        let mut c = DMatrix::zeros(n, n);
+        c.view_mut((0, 0), (kept, kept)).copy_from(&self.damping);
+        for (i, stiffness) in self.stiffness.iter().enumerate() {
+            k[(i, i)] = *stiffness;
+        }
+        for (r, mounted) in design.iter().enumerate() {
+            let a = &mounted.absorber;
+            let hub = DVector::from_fn(n, |i, _| if i < kept { self.shapes[(mounted.station, i)] } else { 0.0 });
+            let mut twist = -&hub;
+            twist[kept + r] = 1.0;
+            m[(kept + r, kept + r)] = a.ring_inertia();
+            m.ger(mounted.hub_inertia, &hub, &hub, 1.0);
+            k.ger(a.stiffness(), &twist, &twist, 1.0);
+            c.ger(a.damping(), &twist, &twist, 1.0);
+        }
+        let mut s = eigen::quadratic(&m, &c, &k)?;
+        // a double zero eigenvalue is split by rounding: to about the square root of the rounding of the largest
+        let largest = s.iter().map(|s| s.im).fold(0.0, f64::max);
+        s.retain(|s| s.im > 1e-6 * largest);
+        Some(s)
+    }
+}
+
+/// Natural frequencies (of the damped motion, the imaginary parts of the eigenvalues), Hz, ascending, without rigid modes. The absorbers'
+/// damping counts, the engine's own does not; overdamped motions have no frequency and are left out. `modes` are those of the chain alone.
 ///
 /// Chains of more than 64 stations enter by their lowest 64 modes; the lowest frequencies then err by about (f/f64)².
 pub fn frequencies_hz(chain: &Chain, modes: &Modes, design: &[Mounted]) -> Vec<f64> {
     if design.is_empty() {
         return modes.frequencies_hz();
     }
-    let mut with_hubs = chain.clone();
-    for mounted in design {
-        with_hubs.stations[mounted.station].inertia += mounted.hub_inertia;
-    }
-    let own;
-    let hubless = design.iter().all(|m| m.hub_inertia == 0.0);
-    let modes = if hubless {
-        modes
-    } else {
-        own = Modes::new(&with_hubs);
-        &own
-    };
-    // generalised coordinates: the chain's modes, then the rings
-    let kept = modes.omega.len().min(LARGEST_DENSE);
-    let n = kept + design.len();
-    let mut mass = DVector::from_element(n, 1.0);
-    let mut k = DMatrix::zeros(n, n);
-    let mut c = DMatrix::zeros(n, n);
-    for i in 0..kept {
-        k[(i, i)] = modes.omega[i] * modes.omega[i];
-    }
-    for (r, mounted) in design.iter().enumerate() {
-        let a = &mounted.absorber;
-        mass[kept + r] = a.ring_inertia();
-        // the twist of this ring as a row over the coordinates
-        let twist = DVector::from_fn(n, |i, _| match i {
-            i if i < kept => -modes.shapes[(mounted.station, i)],
-            i if i == kept + r => 1.0,
-            _ => 0.0,
-        });
-        k += &twist * twist.transpose() * a.stiffness();
-        c += &twist * twist.transpose() * a.damping();
-    }
-    let mut frequencies: Vec<f64> = if design.iter().all(|m| m.absorber.damping() == 0.0) {
-        eigen::generalised(&k, mass.as_slice()).0.iter().map(|l| l.max(0.0).sqrt()).collect()
-    } else {
-        eigen::quadratic(&mass, &c, &k).iter().map(|s| s.im).collect()
-    };
-    // a double zero eigenvalue is split by rounding: to about the square root of the rounding of the largest
-    let largest = frequencies.iter().copied().fold(0.0, f64::max);
-    frequencies.retain(|f| *f > 1e-6 * largest);
+    let eigenvalues = Basis::new(chain, modes, LARGEST_DENSE, false).eigenvalues(design).unwrap_or_default();
+    let mut frequencies: Vec<f64> = eigenvalues.iter().map(|s| s.im * HZ_PER_RAD_PER_S).collect();
     frequencies.sort_by(f64::total_cmp);
-    frequencies.iter().map(|f| f * HZ_PER_RAD_PER_S).collect()
+    frequencies
 }

@@ -108,6 +108,17 @@ impl Response for Receptance<'_> {
         self.mend(t, design, quantity, work, |i, y| out[i] = y)
     }
 
+    fn sweep_each(&self, design: &[Mounted], quantities: &[Quantity], work: &mut Work) -> Result<Vec<Vec<C64>>, ResponseError> {
+        if quantities.iter().any(|q| self.table(design, *q).is_none()) {
+            return self.direct.sweep_each(design, quantities, work);
+        }
+        let one = |q: &Quantity| {
+            let mut out = Vec::new();
+            self.sweep(design, *q, &mut out, work).map(|()| out)
+        };
+        quantities.iter().map(one).collect()
+    }
+
     fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
         let Some((t, values)) = self.table(design, quantity) else { return self.direct.magnitudes(design, quantity, out, work) };
         let points = &self.tables[t].1;

@@ -1,6 +1,6 @@
 //! Tables: measured pressure traces and torque harmonics.
 
-use super::input_error::{InputError, Mistake, Place};
+use super::input_error::{InputError, Mistake, Place, read_bytes};
 use crate::engine::Order;
 use crate::engine::pressure::Measured;
 use crate::numerics::C64;
@@ -27,14 +27,22 @@ impl Table {
     /// Numbers under a header row; every cell filled and finite.
     fn read(path: &Path) -> Result<Self, InputError> {
         let mut table = Self { path: path.to_path_buf(), header: Vec::new(), rows: Vec::new() };
+        let text = String::from_utf8(read_bytes(path).map_err(|e| table.whole(e))?).map_err(|e| {
+            let row = 1 + e.as_bytes()[..e.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count() as u64;
+            table.at(row, 0, "found bytes that are not text, expected UTF-8".into())
+        })?;
         let mut reader = csv::ReaderBuilder::new()
             .trim(csv::Trim::All)
             .flexible(true)
             .comment(Some(b'#'))
-            .from_path(path)
-            .map_err(|e| table.whole(format!("the table could not be read: {e}")))?;
+            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
         table.header =
             reader.headers().map_err(|e| table.whole(format!("the header could not be read: {e}")))?.iter().map(str::to_owned).collect();
+        for (i, name) in table.header.iter().enumerate() {
+            if table.header[..i].contains(name) {
+                return Err(table.at(1, i, format!("found column `{name}` a second time")));
+            }
+        }
         for record in reader.records() {
             let record = record.map_err(|e| table.whole(format!("the table could not be read: {e}")))?;
             let row = record.position().map_or(0, csv::Position::line);
@@ -45,9 +53,9 @@ impl Table {
             for column in 0..table.header.len() {
                 let cell = record.get(column).unwrap_or("");
                 match cell.parse::<f64>() {
-                    Ok(x) if x.is_finite() => cells.push(x),
+                    Ok(x) if x.abs() <= 1e20 => cells.push(x),
                     _ if cell.is_empty() => return Err(table.at(row, column, "found an empty cell, expected a number".into())),
-                    _ => return Err(table.at(row, column, format!("found `{cell}`, expected a finite number"))),
+                    _ => return Err(table.at(row, column, format!("found `{cell}`, expected a number up to 1e20"))),
                 }
             }
             table.rows.push((row, cells));
@@ -59,8 +67,12 @@ impl Table {
     fn column(&self, name: &str) -> Result<usize, InputError> {
         self.header.iter().position(|h| h == name).ok_or_else(|| {
             let found: Vec<String> = self.header.iter().map(|h| format!("`{h}`")).collect();
-            let found = if found.is_empty() { "an empty table".into() } else { format!("columns {}", found.join(", ")) };
-            self.whole(format!("found {found}, expected a column `{name}`"))
+            let message = if self.header.is_empty() {
+                format!("found an empty table, expected a header with a column `{name}`")
+            } else {
+                format!("found columns {}, expected `{name}` among them", found.join(", "))
+            };
+            Mistake { message, place: Place::Cell { path: self.path.clone(), row: 1, column: name.to_owned() }, help: None }.into()
         })
     }
 }
@@ -123,6 +135,9 @@ pub fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputErr
 pub fn torque_harmonics(path: &Path, strokes: u32) -> Result<Vec<(Order, C64)>, InputError> {
     let table = Table::read(path)?;
     let (order, amplitude, phase) = (table.column("order")?, table.column("amplitude_n_m")?, table.column("phase_deg")?);
+    if let Some(i) = (0..table.header.len()).find(|i| ![order, amplitude, phase].contains(i)) {
+        return Err(table.at(1, i, format!("found column `{}`, expected `order`, `amplitude_n_m` and `phase_deg` only", table.header[i])));
+    }
     let step = 4 / strokes;
     let mut harmonics: Vec<(Order, C64)> = Vec::new();
     for (row, cells) in &table.rows {

@@ -114,9 +114,29 @@ fn io_reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "file not found".to_owned(),
         std::io::ErrorKind::PermissionDenied => "no permission to read the file".to_owned(),
-        std::io::ErrorKind::InvalidData => "the file is not text in UTF-8".to_owned(),
         _ => format!("the file could not be read: {error}"),
     }
+}
+
+/// Larger files are no studies.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// Bytes of a regular file.
+///
+/// # Errors
+/// What keeps it from being read, in words.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
+    let metadata = std::fs::metadata(path).map_err(|e| io_reason(&e))?;
+    if metadata.is_dir() {
+        return Err("found a folder, expected a file".into());
+    }
+    if !metadata.is_file() {
+        return Err("found a device or pipe, expected a file".into());
+    }
+    if metadata.len() > MOST_BYTES {
+        return Err(format!("found a file of {} bytes, expected at most {MOST_BYTES}", metadata.len()));
+    }
+    std::fs::read(path).map_err(|e| io_reason(&e))
 }
 
 impl Source {
@@ -125,9 +145,8 @@ impl Source {
     /// # Errors
     /// Where it cannot be read.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        std::fs::read_to_string(path)
-            .map(|text| Self { path: path.to_path_buf(), text })
-            .map_err(|e| Mistake { message: io_reason(&e), place: Place::File(path.to_path_buf()), help: None }.into())
+        let whole = |message| Mistake { message, place: Place::File(path.to_path_buf()), help: None };
+        Self::decode(path, read_bytes(path).map_err(whole)?)
     }
 
     /// Reads a file named in another one, at `span` there.
@@ -135,9 +154,20 @@ impl Source {
     /// # Errors
     /// Where it cannot be read; the place is where it is named.
     pub fn read_named(path: &Path, named_in: &Self, span: Range<usize>) -> Result<Self, InputError> {
-        std::fs::read_to_string(path).map(|text| Self { path: path.to_path_buf(), text }).map_err(|e| {
+        let bytes = read_bytes(path).map_err(|reason| {
             let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
-            named_in.mistake(span, io_reason(&e), Some(help)).into()
+            named_in.mistake(span, reason, Some(help))
+        })?;
+        Self::decode(path, bytes)
+    }
+
+    fn decode(path: &Path, bytes: Vec<u8>) -> Result<Self, InputError> {
+        String::from_utf8(bytes).map(|text| Self { path: path.to_path_buf(), text }).map_err(|e| {
+            let good = e.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
+            // what is good stands at the same place in the lossy text
+            let source = Self { path: path.to_path_buf(), text };
+            source.mistake(good..good + 1, "found bytes that are not text, expected UTF-8".into(), None).into()
         })
     }
 
@@ -157,7 +187,10 @@ impl Source {
         let line_start = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = self.text[start..].find('\n').map_or(self.text.len(), |i| start + i);
         let text = self.text[line_start..line_end].trim_end_matches('\r').to_owned();
-        let end = span.end.clamp(start, line_end);
+        let mut end = span.end.clamp(start, line_end);
+        while !self.text.is_char_boundary(end) {
+            end += 1;
+        }
         Mistake {
             message,
             place: Place::Text {
@@ -203,6 +236,7 @@ fn reword(message: &str) -> (String, Option<String>) {
         return (format!("key `{key}` is missing in this table"), None);
     }
     if let Some((found, expected)) = message.strip_prefix("invalid type: ").and_then(|m| m.split_once(", expected ")) {
+        let found = found.replace("map", "a table").replace("sequence", "a list").replace(" as i128", "");
         return (format!("found {found}, expected {}", plain_type(expected)), None);
     }
     if let Some((found, expected)) = message.strip_prefix("invalid length ").and_then(|m| m.split_once(", expected ")) {
@@ -224,6 +258,7 @@ fn plain_type(expected: &str) -> &str {
         "a string" => "a text in quotes",
         "a sequence" => "a list",
         "an array of length 2" => "two values",
+        other if other.starts_with("struct ") => "a table",
         other => other,
     }
 }
@@ -256,6 +291,10 @@ pub struct Check<'a> {
     pub mistakes: Vec<Mistake>,
 }
 
+/// Smallest and largest size of a number that is not zero.
+const SMALLEST: f64 = 1e-20;
+const LARGEST: f64 = 1e20;
+
 /// A value with its place in the file.
 pub type At<T> = toml::Spanned<T>;
 
@@ -279,19 +318,27 @@ impl<'a> Check<'a> {
     pub fn within(&mut self, value: &At<f64>, range: impl std::ops::RangeBounds<f64>, expected: &str) -> f64 {
         let x = *value.get_ref();
         if !(x.is_finite() && range.contains(&x)) {
-            self.wrong(value, format!("found {x}, expected {expected}"));
+            let plain = x == 0.0 || !x.is_finite() || (1e-6..1e9).contains(&x.abs());
+            self.wrong(value, if plain { format!("found {x}, expected {expected}") } else { format!("found {x:e}, expected {expected}") });
         }
         x
     }
 
-    /// A finite number above zero.
+    /// A number above zero, of a size that products of a few of them stay finite.
     pub fn positive(&mut self, value: &At<f64>) -> f64 {
-        self.within(value, f64::MIN_POSITIVE.., "a finite number above zero")
+        self.within(value, SMALLEST..=LARGEST, "a number above zero, from 1e-20 to 1e20")
     }
 
-    /// A finite number of at least zero.
+    /// A number of at least zero.
     pub fn not_negative(&mut self, value: &At<f64>) -> f64 {
-        self.within(value, 0.0.., "a finite number of at least zero")
+        self.within(value, 0.0..=LARGEST, "a number of at least zero, up to 1e20")
+    }
+
+    /// A name for tables and plots.
+    pub fn name(&mut self, name: &At<String>) {
+        if name.get_ref().chars().any(char::is_control) || name.get_ref().chars().count() > 100 {
+            self.wrong(name, "found a name with control characters or more than 100 letters, expected one that can be printed");
+        }
     }
 
     /// Ascending positive numbers, at least one.

@@ -6,7 +6,7 @@ use serde::Deserialize;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawEngine {
-    pub name: String,
+    pub name: At<String>,
     pub strokes: At<i64>,
     pub geometry: Option<At<RawGeometry>>,
     pub layout: RawLayout,

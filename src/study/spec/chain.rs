@@ -17,6 +17,7 @@ pub fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Option<Chai
     let mut stations = Vec::new();
     for (i, s) in raw.station.iter().enumerate() {
         let name = s.name.get_ref();
+        check.name(&s.name);
         if name.is_empty() || name == "ground" {
             check.wrong(&s.name, format!("found the name `{name}`, expected another one"));
         }

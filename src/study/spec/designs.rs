@@ -16,6 +16,7 @@ pub fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes
         if !names.insert(name.clone()) {
             check.wrong(&raw.name, format!("found design `{name}` a second time, expected different names"));
         }
+        check.name(&raw.name);
         let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c)) && !name.starts_with('.');
         if !plain || name.starts_with("optimum_") {
             check.wrong_with_help(

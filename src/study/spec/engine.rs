@@ -41,7 +41,8 @@ pub fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engi
             Source::Cylinder { geometry, pressure: Pressure::Measured(measured) }
         }
     };
-    Some(Engine { name: raw.name.clone(), strokes, layout: layout?, source })
+    check.name(&raw.name);
+    Some(Engine { name: raw.name.get_ref().clone(), strokes, layout: layout?, source })
 }
 
 /// A table named in the engine file: a missing file is a mistake at its name, a mistake in it has its own place.
@@ -49,7 +50,7 @@ fn table<T>(check: &mut Check, file: &RawFile, read: impl Fn(&Path) -> Result<T,
     let path = folder.join(file.file.get_ref());
     if !path.is_file() {
         let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
-        check.wrong_with_help(&file.file, "file not found", help);
+        check.wrong_with_help(&file.file, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
         return None;
     }
     read(&path).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()

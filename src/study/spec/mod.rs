@@ -93,6 +93,7 @@ pub(super) fn resolve(
         return Err(InputError { mistakes });
     };
     check_load(&mut check, study, &mut engine);
+    check_orders(&mut check, study, &engine, order_limit);
     check_range(&mut check, study, &engine, &speeds_rpm);
     let modes = Modes::new(&chain);
     let designs = designs::resolve(&mut check, study, &chain, &modes);
@@ -115,7 +116,7 @@ pub(super) fn resolve(
     let twist = match objective.measure.quantities.as_slice() {
         [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
         [twist @ Quantity::Twist { to: None, .. }] if last == 0 || objective.is_twist => *twist,
-        _ => Quantity::Twist { from: hub, to: (hub != last).then_some(last) },
+        _ => objectives::default_twist(&chain, hub),
     };
     Ok(Study {
         name: path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
@@ -168,6 +169,20 @@ fn check_load(check: &mut Check, study: &raw::study::RawStudy, engine: &mut Engi
     };
     if !scaled {
         check.wrong(load, "found `load_fraction` with measured traces or harmonics, expected it with `otto` or `wiebe` only");
+    }
+}
+
+fn check_orders(check: &mut Check, study: &raw::study::RawStudy, engine: &Engine, limit: f64) {
+    let some = match &engine.source {
+        TorqueSource::Cylinder { .. } => !Order::up_to(limit, engine.strokes).is_empty(),
+        TorqueSource::Harmonics(table) => table.harmonics.iter().any(|(o, c)| o.value() <= limit && c.norm() > 0.0),
+    };
+    if !some {
+        let message = format!("found no order of the torque up to {limit}, expected at least one that is not zero");
+        match &study.order_limit {
+            Some(o) => check.wrong(o, message),
+            None => check.wrong(&study.engine, message),
+        }
     }
 }
 

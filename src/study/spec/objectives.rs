@@ -53,6 +53,13 @@ fn torques(chain: &Chain) -> Vec<Quantity> {
     (0..chain.len() - 1).map(Quantity::ShaftTorque).collect()
 }
 
+/// The twist reported where a study names none: from the hub to the last station, or over the whole chain where the hub is the last; to
+/// the ground where there is one station only.
+pub fn default_twist(chain: &Chain, hub: usize) -> Quantity {
+    let last = chain.len() - 1;
+    Quantity::Twist { from: if hub == last { 0 } else { hub }, to: (last > 0).then_some(last) }
+}
+
 /// The objective; by default the synthesised twist from the hub to the last station.
 pub fn objective(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize) -> ObjectiveSpec {
     let last = chain.len() - 1;
@@ -84,7 +91,7 @@ pub fn objective(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize)
             is_twist: kind == Kind::Twist,
         }
     };
-    let default = || spec(vec![Quantity::Twist { from: hub, to: (hub != last).then_some(last) }], Over::Synthesis, Kind::Twist);
+    let default = || spec(vec![default_twist(chain, hub)], Over::Synthesis, Kind::Twist);
     if let Some(second) = study.objective.get(1) {
         check.wrong(second, "found a second [[objective]], expected one: the front is drawn over ring inertia by [pareto]");
     }

@@ -164,7 +164,11 @@ pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec
         RawAgainst::RingInertia(_) => 1.0,
         RawAgainst::InertiaRatio(_) => {
             let family = &optimise?.absorber;
-            engine_mode(chain, modes, family.station, family.whole_chain)?.inertia
+            let Some(mode) = engine_mode(chain, modes, family.station, family.whole_chain) else {
+                check.wrong(raw, "no elastic mode moves the absorber's station, expected `against.ring_inertia_kg_m2` instead of a ratio");
+                return None;
+            };
+            mode.inertia
         }
     };
     // equal ratios: the light rings, where the front is steep, get as many points as the heavy ones

@@ -1,0 +1,109 @@
+//! Speeds at which a design is evaluated: those of the study, and more where a resonance is too narrow for them.
+
+use crate::absorber::Mounted;
+use crate::response::natural::Basis;
+use crate::response::{Grid, System};
+use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
+
+/// A resonance whose half-width is less than this many grid steps is narrow: grid values alone might miss it.
+const STEPS: f64 = 2.0;
+/// Damping ratios below this are taken for it when speeds are laid round a resonance.
+const LEAST_DAMPING: f64 = 1e-6;
+/// Speeds are laid round a narrow resonance at its half-width times the powers of this, so that the true peak has close neighbours on both
+/// sides even where the resonance is known to a few digits only.
+const LADDER: f64 = 3.0;
+/// Modes up to this multiple of the highest excited frequency describe the chain well enough to say where it resonates.
+const REACH: f64 = 2.0;
+/// But no more than this.
+const MOST_MODES: usize = 24;
+
+/// The chain as far as narrow resonances need it.
+#[derive(Debug)]
+pub struct Resonances {
+    basis: Basis,
+}
+
+/// Speeds of one design.
+#[derive(Debug, Clone)]
+pub struct Speeds {
+    /// Ascending, rpm.
+    pub rpm: Vec<f64>,
+    /// Whether the torque has a kink there.
+    pub kink: Vec<bool>,
+    /// Indices of the speeds that are not in the grid.
+    pub added: Vec<usize>,
+}
+
+impl Resonances {
+    /// Of the chain of a system, for speeds up to those of `grid`.
+    pub fn new(system: &System, grid: &Grid) -> Self {
+        let highest = system.excitation.orders.last().map_or(0.0, |o| o.value()) * grid.speed_rpm[grid.len() - 1] * RAD_PER_S_PER_RPM;
+        let reached = system.modes.omega.iter().filter(|w| **w <= REACH * highest).count();
+        let count = reached.max(system.modes.rigid + 3).min(MOST_MODES.max(system.modes.rigid + 3));
+        Self { basis: Basis::new(&system.chain, &system.modes, count, true) }
+    }
+
+    /// The grid's speeds with those that the narrow resonances of a design need.
+    pub fn speeds(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Speeds {
+        let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
+        let mut more: Vec<f64> = Vec::new();
+        for s in self.basis.eigenvalues(design).unwrap_or_default() {
+            let damping = (-s.re / s.norm()).max(LEAST_DAMPING);
+            for order in &system.excitation.orders {
+                let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
+                let step = step_at(&grid.speed_rpm, speed);
+                let half_width = damping * speed;
+                if half_width > STEPS * step || speed < low - step || speed > high + step {
+                    continue;
+                }
+                more.push(speed);
+                let mut distance = half_width;
+                while distance < 1.5 * step {
+                    more.extend([speed - distance, speed + distance]);
+                    distance *= LADDER;
+                }
+            }
+        }
+        more.retain(|s| (low..=high).contains(s));
+        if more.is_empty() {
+            return Speeds { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new() };
+        }
+        let own = grid.speed_rpm.iter().zip(&grid.kink).map(|(s, k)| (*s, *k, false));
+        let mut all: Vec<(f64, bool, bool)> = own.chain(more.into_iter().map(|s| (s, false, true))).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        all.dedup_by(|b, a| b.0 == a.0);
+        let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
+        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added }
+    }
+}
+
+impl Speeds {
+    /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.
+    pub fn merge<T: Copy>(&self, grid: Vec<T>, added: &[T], per_speed: usize) -> Vec<T> {
+        if self.added.is_empty() {
+            return grid;
+        }
+        let mut all = Vec::with_capacity(self.rpm.len() * per_speed);
+        let (mut own, mut more) = (grid.chunks(per_speed), added.chunks(per_speed));
+        let mut next = self.added.iter().peekable();
+        for i in 0..self.rpm.len() {
+            let from_added = next.next_if(|a| **a == i).is_some();
+            all.extend_from_slice(if from_added { more.next() } else { own.next() }.unwrap_or_default());
+        }
+        all
+    }
+
+    /// The added speeds, rpm.
+    pub fn added_rpm(&self) -> Vec<f64> {
+        self.added.iter().map(|i| self.rpm[*i]).collect()
+    }
+}
+
+/// Distance between grid speeds round a speed.
+fn step_at(grid: &[f64], speed: f64) -> f64 {
+    if grid.len() < 2 {
+        return 0.0;
+    }
+    let i = grid.partition_point(|s| *s <= speed).clamp(1, grid.len() - 1);
+    grid[i] - grid[i - 1]
+}

@@ -165,25 +165,26 @@ impl<'a> PeakFinder<'a> {
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
         let mut top = found.best;
-        let mut know = |i: usize, values: &mut Vec<f64>| {
-            if values[i] == f64::NEG_INFINITY {
-                work.syntheses += 1;
-                values[i] = self.synthesiser.extremes(&sweep[i * orders..(i + 1) * orders]).half_peak_to_peak;
-            }
-            values[i]
+        let mut know = |i: usize, values: &mut Vec<f64>, threshold: f64| {
+            work.syntheses += 1;
+            values[i] = self.synthesiser.half_peak_to_peak_above(&sweep[i * orders..(i + 1) * orders], threshold);
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
             let rise = if self.refine { local::growth(&bounds, i) } else { 1.0 };
-            if bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
-                top = top.max(know(i, &mut values));
+            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
+                know(i, &mut values, found.keep * top / rise);
+                top = top.max(values[i]);
             }
         }
         if self.refine {
-            // estimates need the neighbours too
+            // estimates need both neighbours
             for c in local::maxima(&speeds.rpm, &values) {
-                know(c.index.saturating_sub(1), &mut values);
-                know((c.index + 1).min(values.len() - 1), &mut values);
+                for j in [c.index.saturating_sub(1), (c.index + 1).min(values.len() - 1)] {
+                    if values[j] == f64::NEG_INFINITY {
+                        know(j, &mut values, 0.0);
+                    }
+                }
             }
         }
         let mut y = vec![ZERO; orders];

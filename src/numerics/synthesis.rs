@@ -63,6 +63,22 @@ impl Synthesiser {
         Extremes::of(first(1.0), first(-1.0))
     }
 
+    /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
+    pub fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
+        if phasors.len() == 1 {
+            return phasors[0].norm();
+        }
+        let samples = self.samples(phasors);
+        let (low, high) =
+            samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (if v < l { v } else { l }, if v > h { v } else { h }));
+        let sampled = 0.5 * (high - low);
+        if sampled + self.reach(phasors) < threshold {
+            return sampled;
+        }
+        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
+        Extremes::of(first(1.0), first(-1.0)).half_peak_to_peak
+    }
+
     /// Other pairs of a local maximum and a local minimum whose half difference comes within the share `within` of the largest, at most
     /// four, largest first: the branches that may take over when speed or design change. Pairs that are the same wave again (the sum may
     /// have a shorter period) are left out.
@@ -108,6 +124,24 @@ impl Synthesiser {
         TAU / (2 * self.half) as f64
     }
 
+    /// How far a maximum can stand above its nearest sample: half the largest |f''| times the square of half a step.
+    fn reach(&self, phasors: &[C64]) -> f64 {
+        let curvature: f64 = self.harmonics.iter().zip(phasors).map(|(&h, y)| f64::from(h * h) * (y.re * y.re + y.im * y.im).sqrt()).sum();
+        0.125 * curvature * self.step() * self.step()
+    }
+
+    /// f' at sample `j`, from the tables.
+    fn slope(&self, phasors: &[C64], j: usize) -> f64 {
+        let (column, second_half) = (j % self.half, j >= self.half);
+        let mut sum = 0.0;
+        for (i, (&h, y)) in self.harmonics.iter().zip(phasors).enumerate() {
+            let at = i * self.half + column;
+            let term = f64::from(h) * (y.re * self.sine[at] + y.im * self.cosine[at]);
+            sum += if second_half && h % 2 == 1 { term } else { -term };
+        }
+        sum
+    }
+
     fn samples(&self, phasors: &[C64]) -> Vec<f64> {
         let mut f = vec![0.0; 2 * self.half];
         sample(&self.harmonics, phasors, &self.cosine, &self.sine, self.half, &mut f);
@@ -119,11 +153,9 @@ impl Synthesiser {
     /// shoulder the samples themselves may fall all the way across one.
     fn local_maxima(&self, phasors: &[C64], f: &[f64], sign: f64, below: f64) -> Vec<Local> {
         let (n, step) = (f.len(), self.step());
-        // |f''| at most; |re| + |im| is no less than the modulus and costs no root
-        let curvature: f64 = self.harmonics.iter().zip(phasors).map(|(&h, y)| f64::from(h * h) * (y.re.abs() + y.im.abs())).sum();
         let top = f.iter().fold(f64::NEG_INFINITY, |m, &v| if sign * v > m { sign * v } else { m });
-        let lowest = top - below - 0.125 * curvature * step * step;
-        let slope = |j: usize| sign * self.derivatives(phasors, (j % n) as f64 * step).1;
+        let lowest = top - below - self.reach(phasors);
+        let slope = |j: usize| sign * self.slope(phasors, j % n);
         let mut found: Vec<Local> = Vec::with_capacity(4);
         let mut known: Option<(usize, f64)> = None;
         for j in 0..n {
@@ -157,8 +189,8 @@ impl Synthesiser {
             let (f0, f1, f2) = self.derivatives(phasors, psi);
             let change = if sign * f2 < 0.0 { (-f1 / f2).clamp(-step, step) } else { sign * f1.signum() * 0.25 * step };
             psi += change;
-            if change.abs() < 1e-4 * step {
-                // with what the last change adds, to second order: the value errs by its fourth power
+            if change.abs() < 1e-3 * step {
+                // with what the last change adds, to second order: the value errs by its third power, below 1e-10
                 return Some(Local { angle: psi, value: sign * (f0 + 0.5 * f1 * change), bend: f2 });
             }
         }
@@ -168,14 +200,16 @@ impl Synthesiser {
     /// f, f' and f'' at psi.
     fn derivatives(&self, phasors: &[C64], psi: f64) -> (f64, f64, f64) {
         let mut sums = (0.0, 0.0, 0.0);
-        let step = C64::cis(psi);
-        let (mut turn, mut reached) = (C64::from(1.0), 0);
+        // powers by products: neighbouring harmonics are one factor apart. Two chains, odd and even, since each product waits for the last.
+        let one = C64::cis(psi);
+        let step = one * one;
+        let mut turns = [(C64::from(1.0), 0), (one, 1)];
         for (&h, y) in self.harmonics.iter().zip(phasors) {
-            // powers by products: neighbouring harmonics are one factor apart
-            for _ in reached..h {
-                turn *= step;
+            let (turn, reached) = &mut turns[(h % 2) as usize];
+            while *reached < h {
+                *turn *= step;
+                *reached += 2;
             }
-            reached = h;
             let h = f64::from(h);
             let re = y.re * turn.re - y.im * turn.im;
             let im = y.re * turn.im + y.im * turn.re;

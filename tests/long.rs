@@ -1,20 +1,33 @@
 //! Minutes long: `cargo test --release -- --ignored`.
 
 use crate::support::{study, system};
-use hartog::absorber::Ring;
+use hartog::absorber::seeds::EngineMode;
+use hartog::absorber::{Kind, Ring};
 use hartog::assess::audit::highest_frequency_hz;
 use hartog::assess::{self, Silent, families};
 use hartog::design::{PeakFinder, Problem};
 use hartog::optimise::{minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
-use hartog::study::Study;
+use hartog::study::{AbsorberSpec, Study};
 use rayon::prelude::*;
 
-fn with_finder(study: &Study, f: impl FnOnce(&PeakFinder)) {
+fn with_finder(study: &Study, f: impl FnOnce(&PeakFinder, &[EngineMode])) {
     let sys = system(study);
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[study.twist]));
-    f(&PeakFinder::new(&sys, &grid, &method, true));
+    let modes = families::engine_modes(study, family(study), highest_frequency_hz(study, &sys.excitation.orders));
+    f(&PeakFinder::new(&sys, &grid, &method, true), &modes);
+}
+
+/// What a study optimises.
+fn family(study: &Study) -> &AbsorberSpec {
+    &study.optimise.as_ref().expect("optimises").absorber
+}
+
+/// The problem of one type and ring.
+fn problem<'a>(study: &'a Study, finder: &'a PeakFinder<'a>, modes: &[EngineMode], kind: Kind, ring: f64) -> Problem<'a> {
+    let space = families::family(family(study), kind, Some(ring), modes);
+    Problem { finder, space, objective: &study.objective.measure, limits: &[] }
 }
 
 /// No point of a logarithmic grid of 10⁵ points in stiffness and damping, four decades wide round the optimum's seed, nor of a second one
@@ -26,14 +39,11 @@ fn no_grid_beats_an_optimum() {
         let mut s = study(name);
         s.front = None;
         let results = assess::run(&s, &Silent).expect("damped");
-        with_finder(&s, |finder| {
-            let modes = families::engine_modes(&s, &s.optimise.as_ref().expect("optimises").absorber, 1e9);
+        with_finder(&s, |finder, modes| {
             for o in &results.optima {
-                let ring = o.optimum.design.absorber.ring_inertia();
-                let spec = &s.optimise.as_ref().expect("optimises").absorber;
-                let space = families::family(spec, o.optimum.design.absorber.kind(), Some(ring), &modes);
-                let problem = Problem { finder, space, objective: &s.objective.measure, limits: &[] };
-                let seed = starts::starts(&problem.space, &modes, 0, 1)[0].1.clone();
+                let a = &o.optimum.design.absorber;
+                let problem = problem(&s, finder, modes, a.kind(), a.ring_inertia());
+                let seed = starts::starts(&problem.space, modes, 0, 1)[0].1.clone();
                 let n = problem.space.variables.len();
                 let (mut centre, mut half) = (seed, 2.0 * std::f64::consts::LN_10);
                 let side = 100_000f64.powf(1.0 / n as f64).round() as usize;
@@ -70,16 +80,13 @@ fn fronts_are_optimal() {
     for name in ["villalva_i6", "villalva_v10"] {
         let s = study(name);
         let results = assess::run(&s, &Silent).expect("damped");
-        with_finder(&s, |finder| {
-            let spec = &s.optimise.as_ref().expect("optimises").absorber;
-            let modes = families::engine_modes(&s, spec, highest_frequency_hz(&s, &finder.system.excitation.orders));
+        with_finder(&s, |finder, modes| {
             for front in &results.fronts {
                 let mut worst = 0.0f64;
                 for p in front.front.points.iter().step_by(3) {
                     let ring = p.design.absorber.ring_inertia();
-                    let space = families::family(spec, front.kind, Some(ring), &modes);
-                    let problem = Problem { finder, space, objective: &s.objective.measure, limits: &[] };
-                    let list = starts::starts(&problem.space, &modes, 40, 7);
+                    let problem = problem(&s, finder, modes, front.kind, ring);
+                    let list = starts::starts(&problem.space, modes, 40, 7);
                     let best = search::optimise(&problem, &list, &|| {}).expect("damped").value();
                     worst = worst.max(p.value / best - 1.0);
                     assert!(p.value <= best * (1.0 + 1e-5), "{name} {:?} at {ring}: {} against {best}", front.kind, p.value);
@@ -98,15 +105,12 @@ fn random_starts_reach_the_optima() {
         let mut s = study(name);
         s.front = None;
         let results = assess::run(&s, &Silent).expect("damped");
-        with_finder(&s, |finder| {
-            let spec = &s.optimise.as_ref().expect("optimises").absorber;
-            let modes = families::engine_modes(&s, spec, highest_frequency_hz(&s, &finder.system.excitation.orders));
+        with_finder(&s, |finder, modes| {
             for o in &results.optima {
                 let a = &o.optimum.design.absorber;
-                let space = families::family(spec, a.kind(), Some(a.ring_inertia()), &modes);
-                let problem = Problem { finder, space, objective: &s.objective.measure, limits: &[] };
+                let problem = problem(&s, finder, modes, a.kind(), a.ring_inertia());
                 let random: Vec<_> =
-                    starts::starts(&problem.space, &modes, 20, 99).into_iter().filter(|s| s.0.starts_with("random")).collect();
+                    starts::starts(&problem.space, modes, 20, 99).into_iter().filter(|s| s.0.starts_with("random")).collect();
                 let found = search::optimise(&problem, &random, &|| {}).expect("damped");
                 let alone = minimax::minimise(&problem, &random[0].1, &mut Work::default()).expect("damped");
                 println!(

@@ -42,6 +42,9 @@ pub struct Peak {
 
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
+/// Peaks that differ by less than this share are level.
+const LEVEL: f64 = 1e-9;
+
 /// Finds peaks of one system by one method.
 #[derive(Debug)]
 pub struct PeakFinder<'a> {
@@ -110,17 +113,18 @@ impl<'a> PeakFinder<'a> {
             }
         }
         let mut peaks = found.peaks;
-        peaks.retain(|p| p.value >= keep * found.best);
+        peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
         Ok(peaks)
     }
 
-    /// The largest peak of `measure`.
+    /// The largest peak of `measure`; of peaks level to 1e-9, as an optimum has them, the one at the lowest speed.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<Option<Peak>, ResponseError> {
-        Ok(self.peaks(design, measure, 1.0, work)?.first().copied())
+        let peaks = self.peaks(design, measure, 1.0, work)?;
+        Ok(peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm)))
     }
 
     /// Half peak-to-peak value of every grid speed of a sweep.

@@ -50,3 +50,10 @@ pub fn one_throw(harmonics: &[(u32, f64)]) -> Excitation {
     let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
     Excitation::new(&Engine { name: "one throw".into(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
 }
+
+/// Largest amplitude of the exact optimum of Den Hartog's problem, in static deflections [Nishihara & Asami 2002]; for mu from 1e-4 (below,
+/// the difference loses digits).
+pub fn h_infinity_peak(mu: f64) -> f64 {
+    let difference = (8.0 + 9.0 * mu).powi(2) * (16.0 + 9.0 * mu) - 128.0 * (4.0 + 3.0 * mu).powf(1.5);
+    (difference / (27.0 * mu * mu * (32.0 + 27.0 * mu))).sqrt()
+}

@@ -85,10 +85,3 @@ pub fn h_infinity(mu: f64) -> (f64, f64) {
     let damping_of_absorber = 0.25 * (excess / (1.0 + mu)).sqrt();
     (tuning, tuning * damping_of_absorber)
 }
-
-/// Largest amplitude of the exact optimum, in static deflections \[Nishihara & Asami 2002\]; for mu from 1e-4 (below, the difference loses
-/// digits).
-pub fn h_infinity_peak(mu: f64) -> f64 {
-    let difference = (8.0 + 9.0 * mu).powi(2) * (16.0 + 9.0 * mu) - 128.0 * (4.0 + 3.0 * mu).powf(1.5);
-    (difference / (27.0 * mu * mu * (32.0 + 27.0 * mu))).sqrt()
-}

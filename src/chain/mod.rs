@@ -73,30 +73,6 @@ impl Chain {
         self.stations.iter().map(|s| s.inertia).sum()
     }
 
-    /// Whether anything in the chain dissipates.
-    pub fn is_damped(&self) -> bool {
-        self.stations
-            .iter()
-            .any(|s| s.damping_to_next > 0.0 || s.damping_to_ground > 0.0 || s.loss_factor_to_next * s.stiffness_to_next > 0.0)
-    }
-
-    /// A tridiagonal matrix from a coefficient to the next station and one to the ground.
-    fn assemble(&self, to_next: impl Fn(&Station) -> f64, to_ground: impl Fn(&Station) -> f64) -> DMatrix<f64> {
-        let n = self.len();
-        let mut m = DMatrix::zeros(n, n);
-        for (i, s) in self.stations.iter().enumerate() {
-            m[(i, i)] += to_ground(s);
-            if i + 1 < n {
-                let c = to_next(s);
-                m[(i, i)] += c;
-                m[(i + 1, i + 1)] += c;
-                m[(i, i + 1)] -= c;
-                m[(i + 1, i)] -= c;
-            }
-        }
-        m
-    }
-
     /// Inertias, kg m²: the diagonal of J.
     pub fn inertias(&self) -> Vec<f64> {
         self.stations.iter().map(|s| s.inertia).collect()
@@ -104,12 +80,18 @@ impl Chain {
 
     /// K, N m/rad (n by n).
     pub fn stiffness_matrix(&self) -> DMatrix<f64> {
-        self.assemble(|s| s.stiffness_to_next, |s| s.stiffness_to_ground)
-    }
-
-    /// C, N m s/rad (n by n); hysteretic damping is not in it.
-    pub fn damping_matrix(&self) -> DMatrix<f64> {
-        self.assemble(|s| s.damping_to_next, |s| s.damping_to_ground)
+        let n = self.len();
+        let mut k = DMatrix::zeros(n, n);
+        for (i, s) in self.stations.iter().enumerate() {
+            k[(i, i)] += s.stiffness_to_ground;
+            if i + 1 < n {
+                k[(i, i)] += s.stiffness_to_next;
+                k[(i + 1, i + 1)] += s.stiffness_to_next;
+                k[(i, i + 1)] -= s.stiffness_to_next;
+                k[(i + 1, i)] -= s.stiffness_to_next;
+            }
+        }
+        k
     }
 
     /// Bodies that no spring ties to the ground: shafts without stiffness cut the chain. Each has one rigid mode.

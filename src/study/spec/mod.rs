@@ -202,13 +202,6 @@ fn check_range(check: &mut Check, study: &raw::study::RawStudy, engine: &Engine,
     }
 }
 
-impl Study {
-    /// Highest order of the torque, at most the limit.
-    pub fn orders(&self) -> Vec<Order> {
-        Order::up_to(self.order_limit, self.engine.strokes)
-    }
-}
-
 /// Index of a station named in the study; a mistake where there is none.
 fn station(check: &mut Check, chain: &Chain, name: &super::input_error::At<String>) -> Option<usize> {
     let found = chain.find(name.get_ref());

@@ -194,10 +194,15 @@ fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Re
     let known = values.iter().copied().fold(0.0, f64::max);
     let mut largest = known;
     if finder.refine {
-        for i in 1..values.len().saturating_sub(1) {
-            if values[i] >= POWER_SHARE * known && values[i] >= values[i - 1] && values[i] > values[i + 1] {
-                let total = |speed: f64| (0..design.len()).map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
-                largest = largest.max(maximise(speeds[i - 1], speeds[i + 1], total)?.1);
+        let last = values.len() - 1;
+        for i in 0..=last {
+            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
+            if values[i] >= POWER_SHARE * known && values[i] >= values[before] && values[i] >= values[after] {
+                // each side apart, whatever the distances of the neighbours
+                for (a, b) in [(before, i), (i, after)].into_iter().filter(|(a, b)| a < b) {
+                    let total = |speed: f64| (0..design.len()).map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
+                    largest = largest.max(maximise(speeds[a], speeds[b], total)?.1);
+                }
             }
         }
     }

@@ -5,8 +5,12 @@ use super::speeds::Speeds;
 use crate::numerics::maximise::{maximise, maximise_bracket};
 use crate::response::{ResponseError, Work};
 
-/// Peaks whose estimate lies below this share of what is asked for are not refined.
-const ESTIMATE_SHARE: f64 = 0.98;
+/// A peak may stand this many times as far above its known value as the parabola says, and this share of the value besides.
+const DOUBT: f64 = 3.0;
+const MARGIN: f64 = 0.005;
+/// Near narrow resonances, neighbours lie at three times each other's distance and tell little: a peak may be this many times its known
+/// value.
+const NARROW: f64 = 10.0;
 /// A refined peak this many times its known value is looked at again more closely; if it grows as much again, nothing damps it.
 const STEEP: f64 = 50.0;
 
@@ -86,7 +90,9 @@ pub fn refine(
     let Candidate { index: i, value, estimate, right } = candidate;
     let speed = &speeds.rpm;
     let last = speed.len() - 1;
-    if estimate.max(value) < ESTIMATE_SHARE * wanted {
+    let narrow = speeds.is_narrow(i);
+    let possible = if narrow { NARROW * value } else { value + DOUBT * (estimate - value) + MARGIN * value };
+    if possible < wanted {
         return Ok(None);
     }
     let end = if i == 0 || i == last { Place::End } else { Place::Interior };
@@ -98,10 +104,10 @@ pub fn refine(
         }
     };
     let (left, beyond) = (speed[i.saturating_sub(1)], speed[(i + 1).min(last)]);
-    if end == Place::Interior && !speeds.kink[i] {
+    if end == Place::Interior && !speeds.kink[i] && !narrow {
         keep(maximise_bracket((left, speed[i], beyond), right, &mut f)?);
     } else {
-        // an end, or a kink that may hold the maximum itself: each side is searched apart
+        // an end, a kink that may hold the maximum itself, or neighbours at very different distances: each side is searched apart
         if i > 0 {
             keep(maximise(left, speed[i], &mut f)?);
         }

@@ -5,7 +5,7 @@
 
 use super::local::{self, Candidate};
 use super::measure::{Measure, Over};
-use super::speeds::{Resonances, Speeds};
+use super::speeds::{Pole, Resonances, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound, dominating};
@@ -42,6 +42,8 @@ pub struct Peak {
 
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
+/// Towards an undamped resonance a quantity grows at least this many times in two decades of distance.
+const STEEP: f64 = 50.0;
 /// Peaks that differ by less than this share are level.
 const LEVEL: f64 = 1e-9;
 
@@ -100,6 +102,9 @@ impl<'a> PeakFinder<'a> {
         work.evaluations += 1;
         let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
         let speeds = self.speeds(design);
+        for pole in &speeds.poles {
+            self.check_pole(design, measure, pole, work)?;
+        }
         match measure.over {
             Over::Synthesis => {
                 for (quantity, sweep) in measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?) {
@@ -136,7 +141,7 @@ impl<'a> PeakFinder<'a> {
     pub fn speeds(&self, design: &[Mounted]) -> Speeds {
         match &self.resonances {
             Some(r) => r.speeds(self.system, self.grid, design),
-            None => Speeds { rpm: self.grid.speed_rpm.clone(), kink: self.grid.kink.clone(), added: Vec::new() },
+            None => Speeds::of(self.grid),
         }
     }
 
@@ -199,7 +204,9 @@ impl<'a> PeakFinder<'a> {
         };
         for candidate in local::maxima(&speeds.rpm, &values) {
             let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| e.half_peak_to_peak);
-            let Some((speed_rpm, place)) = self.refined(candidate, speeds, found.keep * found.best.max(top), value_at, work)? else {
+            let Some((speed_rpm, place)) =
+                self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
+            else {
                 continue;
             };
             let extremes = at(speed_rpm, &mut y, work)?;
@@ -246,7 +253,9 @@ impl<'a> PeakFinder<'a> {
             for candidate in local::maxima(&speeds.rpm, &values) {
                 let value_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
                 let wanted = found.keep * found.best.max(top);
-                let Some((speed_rpm, place)) = self.refined(candidate, speeds, wanted, value_at, work)? else { continue };
+                let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
+                    continue;
+                };
                 let value = self.direct.order_at(design, quantity, order, speed_rpm, work)?.norm();
                 found.put(Peak { value, speed_rpm, order, order_value: value, quantity, extremes: None, place });
             }
@@ -257,6 +266,7 @@ impl<'a> PeakFinder<'a> {
     /// Speed and place of the local maximum near a candidate, or nothing where it cannot reach `wanted`.
     fn refined(
         &self,
+        (design, quantity): (&[Mounted], Quantity),
         candidate: Candidate,
         speeds: &Speeds,
         wanted: f64,
@@ -269,16 +279,29 @@ impl<'a> PeakFinder<'a> {
             return Ok((candidate.value >= wanted).then_some((speeds.rpm[candidate.index], end)));
         }
         match local::refine(candidate, speeds, wanted, value_at, work)? {
-            Some(r) if r.unbounded => Err(self.pole(r.speed_rpm)),
+            Some(r) if r.unbounded => Err(self.pole(design, quantity, r.speed_rpm)),
             found => Ok(found.map(|r| (r.speed_rpm, r.place))),
         }
     }
 
-    /// The error for a pole at this speed: the order whose base response is largest there.
-    fn pole(&self, speed_rpm: f64) -> ResponseError {
-        let last = self.system.chain.len() - 1;
-        let quantity = Quantity::Twist { from: 0, to: (last > 0).then_some(last) };
-        let size = |n: usize| self.direct.order_at(&[], quantity, n, speed_rpm, &mut Work::default()).map_or(f64::INFINITY, |y| y.norm());
+    /// Whether a quantity grows without bound towards an undamped resonance: a hundred times closer, it is a hundred times as large, unless
+    /// the torque does not push the mode or the quantity does not see it.
+    fn check_pole(&self, design: &[Mounted], measure: &Measure, pole: &Pole, work: &mut Work) -> Result<(), ResponseError> {
+        for quantity in &measure.quantities {
+            let mut size = |distance: f64| -> Result<f64, ResponseError> {
+                Ok(self.direct.order_at(design, *quantity, pole.order, pole.speed_rpm * (1.0 + distance), work)?.norm())
+            };
+            if size(1e-6)? > STEEP * size(1e-4)? {
+                return Err(ResponseError::unbounded(self.system.excitation.orders[pole.order], pole.speed_rpm));
+            }
+        }
+        Ok(())
+    }
+
+    /// The error for a quantity that runs away at this speed: its largest order is to blame.
+    fn pole(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64) -> ResponseError {
+        let size =
+            |n: usize| self.direct.order_at(design, quantity, n, speed_rpm, &mut Work::default()).map_or(f64::INFINITY, |y| y.norm());
         let n = (0..self.system.orders()).fold((0, 0.0), |m, n| if size(n) > m.1 { (n, size(n)) } else { m }).0;
         ResponseError::unbounded(self.system.excitation.orders[n], speed_rpm)
     }

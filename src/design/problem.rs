@@ -18,7 +18,7 @@ pub const UNBOUNDED_COST: f64 = 1e30;
 pub struct Row {
     /// `None`: the objective; else the index of a limit.
     pub limit: Option<usize>,
-    /// Objective: its value. Limit: value over limit, less one.
+    /// Objective: its value. Limit: logarithm of value over limit.
     pub value: f64,
     /// With respect to the coordinates.
     pub gradient: Vec<f64>,
@@ -39,7 +39,7 @@ impl Rows {
         self.rows.iter().find(|r| r.limit.is_none()).map_or(0.0, |r| r.value)
     }
 
-    /// Largest excess over a limit; zero where all hold.
+    /// Largest excess over a limit (a logarithm); zero where all hold.
     pub fn excess(&self) -> f64 {
         self.rows.iter().filter(|r| r.limit.is_some()).map(|r| r.value).fold(0.0, f64::max)
     }
@@ -69,7 +69,7 @@ impl Problem<'_> {
         let value = largest(self.objective, work)?;
         let mut excess = 0.0_f64;
         for limit in self.limits {
-            excess = excess.max(largest(&limit.measure, work)? / limit.limit - 1.0);
+            excess = excess.max((largest(&limit.measure, work)? / limit.limit).ln());
         }
         Ok((value, excess))
     }
@@ -91,8 +91,9 @@ impl Problem<'_> {
         for (limit, measure, unit) in measures {
             for peak in self.finder.peaks(&design, measure, ROW_SHARE, work)? {
                 let gradient = self.finder.gradient(&design, 0, &peak, work)?;
+                // the logarithm keeps limits that are missed by far of a size with the objective
+                let (value, unit) = if limit.is_some() { ((peak.value / unit).ln(), peak.value) } else { (peak.value, 1.0) };
                 let gradient = self.space.chain_rule(w, gradient).iter().map(|g| g / unit).collect();
-                let value = peak.value / unit - f64::from(u8::from(limit.is_some()));
                 rows.push(Row { limit, value, gradient, peak });
             }
         }

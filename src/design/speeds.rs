@@ -16,11 +16,26 @@ const LADDER: f64 = 3.0;
 const REACH: f64 = 2.0;
 /// But no more than this.
 const MOST_MODES: usize = 24;
+/// Modes of the full basis.
+const FULL_MODES: usize = 64;
+/// Damping ratios below this are rounding of zero.
+const UNDAMPED: f64 = 1e-10;
 
 /// The chain as far as narrow resonances need it.
 #[derive(Debug)]
 pub struct Resonances {
     basis: Basis,
+    /// As many modes as can be afforded: a heavy hub bends the low modes of the chain.
+    full: Basis,
+}
+
+/// A resonance that nothing damps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pole {
+    /// Index of the order that meets it.
+    pub order: usize,
+    /// rpm.
+    pub speed_rpm: f64,
 }
 
 /// Speeds of one design.
@@ -32,6 +47,8 @@ pub struct Speeds {
     pub kink: Vec<bool>,
     /// Indices of the speeds that are not in the grid.
     pub added: Vec<usize>,
+    /// Resonances in the range that nothing damps, as far as eigenvalues tell.
+    pub poles: Vec<Pole>,
 }
 
 impl Resonances {
@@ -40,23 +57,33 @@ impl Resonances {
         let highest = system.excitation.orders.last().map_or(0.0, |o| o.value()) * grid.speed_rpm[grid.len() - 1] * RAD_PER_S_PER_RPM;
         let reached = system.modes.omega.iter().filter(|w| **w <= REACH * highest).count();
         let count = reached.max(system.modes.rigid + 3).min(MOST_MODES.max(system.modes.rigid + 3));
-        Self { basis: Basis::new(&system.chain, &system.modes, count, true) }
+        let basis = |count| Basis::new(&system.chain, &system.modes, count, true);
+        Self { basis: basis(count), full: basis(count.max(FULL_MODES)) }
     }
 
     /// The grid's speeds with those that the narrow resonances of a design need.
     pub fn speeds(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Speeds {
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let mut more: Vec<f64> = Vec::new();
-        for s in self.basis.eigenvalues(design).unwrap_or_default() {
-            let damping = (-s.re / s.norm()).max(LEAST_DAMPING);
-            for order in &system.excitation.orders {
+        let mut poles = Vec::new();
+        let basis = if design.iter().any(|m| m.hub_inertia > 0.0) { &self.full } else { &self.basis };
+        for s in basis.eigenvalues(design).unwrap_or_default() {
+            let own_damping = -s.re / s.norm();
+            let damping = own_damping.max(LEAST_DAMPING);
+            for (n, order) in system.excitation.orders.iter().enumerate() {
                 let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
                 let step = step_at(&grid.speed_rpm, speed);
                 let half_width = damping * speed;
                 if half_width > STEPS * step || speed < low - step || speed > high + step {
                     continue;
                 }
-                more.push(speed);
+                // at an undamped resonance itself there is nothing but rounding
+                if own_damping >= LEAST_DAMPING {
+                    more.push(speed);
+                }
+                if own_damping < UNDAMPED && (low..=high).contains(&speed) {
+                    poles.push(Pole { order: n, speed_rpm: speed });
+                }
                 let mut distance = half_width;
                 while distance < 1.5 * step {
                     more.extend([speed - distance, speed + distance]);
@@ -66,18 +93,29 @@ impl Resonances {
         }
         more.retain(|s| (low..=high).contains(s));
         if more.is_empty() {
-            return Speeds { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new() };
+            return Speeds { poles, ..Speeds::of(grid) };
         }
         let own = grid.speed_rpm.iter().zip(&grid.kink).map(|(s, k)| (*s, *k, false));
         let mut all: Vec<(f64, bool, bool)> = own.chain(more.into_iter().map(|s| (s, false, true))).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
         all.dedup_by(|b, a| b.0 == a.0);
         let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
-        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added }
+        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles }
     }
 }
 
 impl Speeds {
+    /// Those of a grid.
+    pub fn of(grid: &Grid) -> Self {
+        Self { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new(), poles: Vec::new() }
+    }
+
+    /// Whether a speed or one of its neighbours was added: there, peaks are narrow.
+    pub fn is_narrow(&self, i: usize) -> bool {
+        let at = self.added.partition_point(|a| *a + 1 < i);
+        self.added.get(at).is_some_and(|a| *a <= i + 1)
+    }
+
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.
     pub fn merge<T: Copy>(&self, grid: Vec<T>, added: &[T], per_speed: usize) -> Vec<T> {
         if self.added.is_empty() {

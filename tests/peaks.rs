@@ -174,7 +174,7 @@ fn undamped_peaks_are_refused() {
             assert_eq!(order.value(), 1.0);
         }
     }
-    // an undamped ring on an undamped base has two poles; the first is met at 1 rad/s times its frequency
+    // an undamped ring on an undamped base has two poles, both in this range
     let mut chain = uniform_chain(1, 1.0, 0.0);
     chain.stations[0].stiffness_to_ground = 1e4;
     let sys = System::new(chain, one_throw(&[(2, 1.0)]));

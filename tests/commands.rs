@@ -14,13 +14,15 @@ fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// A copy of a shipped study with some text replaced, beside its engines.
+/// A copy of a shipped study with some text replaced, beside its engines and published tables.
 fn variant(folder: &Path, name: &str, changes: &[(&str, &str)]) -> std::path::PathBuf {
     let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
-    fs::create_dir_all(folder.join("engines")).expect("writable");
-    for engine in fs::read_dir(studies.join("engines")).expect("engines") {
-        let engine = engine.expect("engines");
-        fs::copy(engine.path(), folder.join("engines").join(engine.file_name())).expect("copied");
+    for part in ["engines", "published"] {
+        fs::create_dir_all(folder.join(part)).expect("writable");
+        for file in fs::read_dir(studies.join(part)).expect(part) {
+            let file = file.expect(part);
+            fs::copy(file.path(), folder.join(part).join(file.file_name())).expect("copied");
+        }
     }
     let mut text = fs::read_to_string(studies.join(format!("{name}.toml"))).expect("study");
     for (from, to) in changes {

@@ -5,18 +5,18 @@ use hartog::absorber::seeds::EngineMode;
 use hartog::absorber::{Kind, Ring};
 use hartog::assess::audit::highest_frequency_hz;
 use hartog::assess::{self, OptimumResult, Silent, families};
-use hartog::design::{PeakFinder, Problem};
+use hartog::design::{Condition, PeakFinder, Problem, Scene};
 use hartog::optimise::{minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
 use hartog::study::{AbsorberSpec, Study};
 use rayon::prelude::*;
 
-fn with_finder(study: &Study, f: impl FnOnce(&PeakFinder, &[EngineMode])) {
+fn with_scenes(study: &Study, f: impl FnOnce(&[Scene], &[EngineMode])) {
     let sys = system(study);
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[study.twist]));
     let modes = families::engine_modes(study, family(study), highest_frequency_hz(study, &sys.excitation.orders));
-    f(&PeakFinder::new(&sys, &grid, &method, true), &modes);
+    f(&[Scene { condition: Condition::Firing, finder: &PeakFinder::new(&sys, &grid, &method, true) }], &modes);
 }
 
 /// What a study optimises.
@@ -25,9 +25,9 @@ fn family(study: &Study) -> &AbsorberSpec {
 }
 
 /// The problem of one type and ring.
-fn problem<'a>(study: &'a Study, finder: &'a PeakFinder<'a>, modes: &[EngineMode], kind: Kind, ring: f64) -> Problem<'a> {
+fn problem<'a>(study: &'a Study, scenes: &'a [Scene<'a>], modes: &[EngineMode], kind: Kind, ring: f64) -> Problem<'a> {
     let space = families::family(family(study), kind, Some(ring), modes);
-    Problem { finder, space, objective: &study.objective.measure, limits: &[] }
+    Problem { scenes, space, objective: &study.objective.measure, limits: &[] }
 }
 
 /// Runs both engines and hands over every optimum with its problem.
@@ -36,10 +36,10 @@ fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[EngineMode
         let mut s = study(name);
         s.front = None;
         let results = assess::run(&s, &Silent).expect("damped");
-        with_finder(&s, |finder, modes| {
+        with_scenes(&s, |scenes, modes| {
             for o in &results.optima {
                 let a = &o.optimum.design.absorber;
-                check(name, o, &problem(&s, finder, modes, a.kind(), a.ring_inertia()), modes);
+                check(name, o, &problem(&s, scenes, modes, a.kind(), a.ring_inertia()), modes);
             }
         });
     }
@@ -86,12 +86,12 @@ fn fronts_are_optimal() {
     for name in ["villalva_i6", "villalva_v10"] {
         let s = study(name);
         let results = assess::run(&s, &Silent).expect("damped");
-        with_finder(&s, |finder, modes| {
+        with_scenes(&s, |scenes, modes| {
             for front in &results.fronts {
                 let mut worst = 0.0f64;
                 for p in front.front.points.iter().step_by(3) {
                     let ring = p.design.absorber.ring_inertia();
-                    let problem = problem(&s, finder, modes, front.kind, ring);
+                    let problem = problem(&s, scenes, modes, front.kind, ring);
                     let list = starts::starts(&problem.space, modes, 40, 7);
                     let best = search::optimise(&problem, &list, &|| {}).expect("damped").value();
                     worst = worst.max(p.value / best - 1.0);

@@ -1,10 +1,13 @@
 //! Torsional vibration absorbers: a ring coupled to a station. One file a type.
 
+pub mod common_point;
+mod locked;
 pub mod seeds;
 mod tuned;
 mod undamped;
 mod viscous;
 
+pub use locked::Locked;
 pub use tuned::Tuned;
 pub use undamped::Undamped;
 pub use viscous::Viscous;
@@ -15,7 +18,7 @@ use crate::numerics::C64;
 pub trait Ring {
     /// Inertia of the ring, kg m².
     fn ring_inertia(&self) -> f64;
-    /// Stiffness between hub and ring, N m/rad.
+    /// Stiffness between hub and ring, N m/rad; infinite where the ring is locked.
     fn stiffness(&self) -> f64;
     /// Damping between hub and ring, N m s/rad.
     fn damping(&self) -> f64;
@@ -32,6 +35,8 @@ pub enum Kind {
     Tuned,
     /// Damper only.
     Viscous,
+    /// Seized: a dead inertia.
+    Locked,
 }
 
 impl Kind {
@@ -41,6 +46,7 @@ impl Kind {
             Self::Undamped => "undamped",
             Self::Tuned => "tuned",
             Self::Viscous => "viscous",
+            Self::Locked => "locked",
         }
     }
 
@@ -50,6 +56,7 @@ impl Kind {
             Self::Undamped => Absorber::Undamped(Undamped { ring_inertia, stiffness }),
             Self::Tuned => Absorber::Tuned(Tuned { ring_inertia, stiffness, damping }),
             Self::Viscous => Absorber::Viscous(Viscous { ring_inertia, damping }),
+            Self::Locked => Absorber::Locked(Locked { ring_inertia }),
         }
     }
 }
@@ -63,6 +70,8 @@ pub enum Absorber {
     Tuned(Tuned),
     /// Damper only.
     Viscous(Viscous),
+    /// Seized: a dead inertia.
+    Locked(Locked),
 }
 
 macro_rules! each {
@@ -71,6 +80,7 @@ macro_rules! each {
             Absorber::Undamped($a) => $body,
             Absorber::Tuned($a) => $body,
             Absorber::Viscous($a) => $body,
+            Absorber::Locked($a) => $body,
         }
     };
 }
@@ -82,6 +92,7 @@ impl Absorber {
             Self::Undamped(_) => Kind::Undamped,
             Self::Tuned(_) => Kind::Tuned,
             Self::Viscous(_) => Kind::Viscous,
+            Self::Locked(_) => Kind::Locked,
         }
     }
 }
@@ -128,6 +139,10 @@ impl Mounted {
     /// z(omega) = -omega² J_hub - omega² J_ring S/(S - omega² J_ring): the ring obeys -omega² J theta_ring = S (theta_hub - theta_ring).
     pub fn dynamic_stiffness(&self, omega: f64) -> DynamicStiffness {
         let a = &self.absorber;
+        if a.kind() == Kind::Locked {
+            let inertia = a.ring_inertia() + self.hub_inertia;
+            return DynamicStiffness { numerator: C64::from(-omega * omega * inertia), denominator: C64::from(1.0), ring: 0.0 };
+        }
         let s = C64::new(a.stiffness(), omega * a.damping());
         let ring = omega * omega * a.ring_inertia();
         let denominator = s - ring;
@@ -137,6 +152,9 @@ impl Mounted {
     /// Derivatives of z with respect to ring inertia, stiffness and damping, times the square of the denominator.
     pub fn gradient_times_denominator2(&self, omega: f64) -> [C64; 3] {
         let a = &self.absorber;
+        if a.kind() == Kind::Locked {
+            return [C64::from(-omega * omega), C64::ZERO, C64::ZERO];
+        }
         let s = C64::new(a.stiffness(), omega * a.damping());
         let inertia = -omega * omega * a.ring_inertia();
         let by_stiffness = C64::from(inertia * inertia);

@@ -1,11 +1,12 @@
 //! Everything that is reported of one design.
 
 use crate::absorber::Mounted;
-use crate::design::{Measure, Over, Peak, PeakFinder, Place};
+use crate::design::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, System, Work, natural, quasi_static};
 use crate::units::DEG_PER_RAD;
+use rayon::prelude::*;
 
 /// What makes a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,7 +40,8 @@ const SHARE: f64 = 0.2;
 #[derive(Debug, Clone)]
 pub struct Classifier {
     quantity: Quantity,
-    per_torque: Vec<C64>,
+    /// Per torque at each station.
+    per_torque: Vec<f64>,
 }
 
 impl Classifier {
@@ -50,7 +52,13 @@ impl Classifier {
 
     /// Phasors of the quasi-static response at one speed.
     fn phasors(&self, system: &System, speed_rpm: f64) -> Vec<C64> {
-        self.per_torque.iter().enumerate().map(|(n, s)| s * system.excitation.unit_torque(n, speed_rpm)).collect()
+        let mut torque = vec![C64::default(); system.chain.len()];
+        (0..system.orders())
+            .map(|n| {
+                system.torque(n, speed_rpm, &mut torque);
+                torque.iter().zip(&self.per_torque).map(|(t, s)| t * s).sum()
+            })
+            .collect()
     }
 
     /// What makes this peak of a design; `None` for a peak of another quantity.
@@ -115,9 +123,28 @@ pub struct DesignResult {
     pub power: Option<f64>,
     /// Largest synthesised ring twist, rad.
     pub ring_twist: Option<f64>,
-    /// The study's objective, where it is another measure.
+    /// The study's objective, the largest over the conditions that an optimum is to hold in.
     pub objective: Option<f64>,
-    /// Value of each limited measure over its limit.
+    /// Value of each limited measure over its limit, the largest over the same conditions.
+    pub limits: Vec<f64>,
+    /// In the other conditions of the study that make a difference to it.
+    pub conditions: Vec<ConditionResult>,
+}
+
+/// Numbers of a design where not everything works, SI.
+#[derive(Debug, Clone)]
+pub struct ConditionResult {
+    /// The condition.
+    pub condition: Condition,
+    /// Of a misfire: the cylinder (from 0) with the largest objective.
+    pub cylinder: Option<usize>,
+    /// Synthesised twist.
+    pub twist: Option<Peak>,
+    /// Synthesised vibratory torque of all shafts.
+    pub torque: Option<Peak>,
+    /// The study's objective.
+    pub objective: f64,
+    /// Value of each limited measure over its limit; of a misfire the largest of all cylinders.
     pub limits: Vec<f64>,
 }
 
@@ -132,33 +159,43 @@ pub struct Wanted<'a> {
     pub objective: &'a Measure,
     /// Limits.
     pub limits: Vec<&'a crate::design::Limit>,
+    /// Conditions besides firing.
+    pub conditions: &'a [Condition],
+    /// Conditions an optimum is to hold in.
+    pub held: &'a [Condition],
 }
 
-/// Evaluates one design.
+/// Evaluates one design. `finders`: of the engine as it should be, then with each cylinder misfiring where a condition asks for it.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub fn evaluate(
-    finder: &PeakFinder,
+    finders: &[PeakFinder],
     name: &str,
     design: &[Mounted],
     wanted: &Wanted,
     work: &mut Work,
 ) -> Result<DesignResult, ResponseError> {
+    let finder = &finders[0];
     let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure { quantities, over }, work);
     let hub = Quantity::Twist { from: wanted.hub, to: None };
-    let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
+    let shafts = shafts(finder);
     let twist = peak(vec![wanted.twist], Over::Synthesis)?;
     let order_twist = peak(vec![wanted.twist], Over::Orders)?;
     let order_hub = peak(vec![hub], Over::Orders)?;
     let torque = if shafts.is_empty() { None } else { peak(shafts, Over::Synthesis)? };
     let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
     let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
-    let objective = finder.peak(design, wanted.objective, work)?.map(|p| p.value);
-    let mut limits = Vec::new();
-    for limit in &wanted.limits {
-        limits.push(finder.peak(design, &limit.measure, work)?.map_or(0.0, |p| p.value) / limit.limit);
+    let (own, own_limits) = asked(finder, design, wanted, work)?;
+    let conditions = in_conditions(finders, design, wanted, work)?;
+    let mut asked: Vec<(f64, &Vec<f64>)> = vec![(own, &own_limits)];
+    // a condition that makes no difference to the design is that of firing
+    asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
+    if !wanted.held.contains(&Condition::Firing) && asked.len() > 1 {
+        asked.remove(0);
     }
+    let objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
+    let limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
     Ok(DesignResult {
         name: name.to_owned(),
         absorbers: design.to_vec(),
@@ -171,7 +208,51 @@ pub fn evaluate(
         ring_twist,
         objective,
         limits,
+        conditions,
     })
+}
+
+fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
+    (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect()
+}
+
+/// Objective, and each limited measure over its limit.
+fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
+    let mut largest = |m: &Measure| Ok(finder.peak(design, m, work)?.map_or(0.0, |p| p.value));
+    let limits = wanted.limits.iter().map(|l| Ok(largest(&l.measure)? / l.limit)).collect::<Result<_, _>>()?;
+    Ok((largest(wanted.objective)?, limits))
+}
+
+fn in_conditions(
+    finders: &[PeakFinder],
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<Vec<ConditionResult>, ResponseError> {
+    let one = |condition: Condition, cylinder: Option<usize>| -> Result<(ConditionResult, Work), ResponseError> {
+        let finder = &finders[cylinder.map_or(0, |c| c + 1)];
+        let (design, mut work) = (condition.absorbers(design), Work::default());
+        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure { quantities, over: Over::Synthesis }, &mut work);
+        let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
+        let torque = if shafts.is_empty() { None } else { peak(shafts)? };
+        let (objective, limits) = asked(finder, &design, wanted, &mut work)?;
+        Ok((ConditionResult { condition, cylinder, twist, torque, objective, limits }, work))
+    };
+    let mut results = Vec::new();
+    for &condition in wanted.conditions {
+        let found: Vec<(ConditionResult, Work)> = match condition {
+            Condition::Firing => continue,
+            Condition::Misfire => (1..finders.len()).into_par_iter().map(|f| one(condition, Some(f - 1))).collect::<Result<_, _>>()?,
+            Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
+            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None)?],
+        };
+        found.iter().for_each(|f| *work += f.1);
+        let limits = (0..wanted.limits.len()).map(|l| found.iter().map(|f| f.0.limits[l]).fold(0.0, f64::max)).collect();
+        // the first of equals: symmetric engines have several worst cylinders
+        let worst = found.into_iter().map(|f| f.0).reduce(|m, f| if f.objective > m.objective * (1.0 + 1e-9) { f } else { m });
+        results.extend(worst.map(|w| ConditionResult { limits, ..w }));
+    }
+    Ok(results)
 }
 
 /// A power this share of the largest known one is refined between speeds.
@@ -225,7 +306,7 @@ pub struct QuantitySweep {
 pub struct Sweeps {
     /// Name of the design.
     pub design: String,
-    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber.
+    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, then the twist in each condition.
     pub quantities: Vec<QuantitySweep>,
 }
 
@@ -234,13 +315,14 @@ pub struct Sweeps {
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
 pub fn sweeps(
-    finder: &PeakFinder,
+    finders: &[PeakFinder],
     grid: &Grid,
-    name: &str,
+    (name, conditions): (&str, &[ConditionResult]),
     design: &[Mounted],
     (twist, hub): (Quantity, usize),
     work: &mut Work,
 ) -> Result<Sweeps, ResponseError> {
+    let finder = &finders[0];
     let direct = Direct::new(finder.system, grid);
     let orders = finder.system.orders();
     let shafts = finder.system.chain.len() - 1;
@@ -263,6 +345,16 @@ pub fn sweeps(
             let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
             quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), orders: Vec::new(), total });
         }
+    }
+    for c in conditions {
+        let finder = &finders[c.cylinder.map_or(0, |c| c + 1)];
+        let mut phasors = Vec::new();
+        Direct::new(finder.system, grid).sweep(&c.condition.absorbers(design), twist, &mut phasors, work)?;
+        let total = finder.synthesis(&phasors).iter().map(|v| v * degrees).collect();
+        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
+        // a misfire brings orders of its own
+        let kept = if c.cylinder.is_some() { (0..orders).map(per_order).collect() } else { Vec::new() };
+        quantities.push(QuantitySweep { name: format!("twist_{}_deg", c.condition.name()), orders: kept, total });
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

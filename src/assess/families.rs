@@ -37,8 +37,8 @@ pub fn family(spec: &AbsorberSpec, kind: Kind, ring_inertia: Option<f64>, modes:
     let damping = spec.damping.unwrap_or(wide_damping);
     let ranges = [
         (Parameter::RingInertia, size, true),
-        (Parameter::Stiffness, stiffness, kind != Kind::Viscous),
-        (Parameter::Damping, damping, kind != Kind::Undamped),
+        (Parameter::Stiffness, stiffness, matches!(kind, Kind::Tuned | Kind::Undamped)),
+        (Parameter::Damping, damping, matches!(kind, Kind::Tuned | Kind::Viscous)),
     ];
     let omega = modes.first().map_or(1.0, |m| m.omega);
     let typical = [size.1, size.1 * omega * omega, size.1 * omega];

@@ -1,12 +1,15 @@
 //! Whole studies: models put together, designs evaluated, optima and fronts found.
 
+pub mod amplitude;
 pub mod audit;
+pub mod calibrate;
 pub mod evaluate;
 pub mod families;
 pub mod probe;
 pub mod run;
 
-pub use evaluate::{DesignResult, Nature, PeakKind, Sweeps};
+pub use calibrate::{Calibration, calibrate};
+pub use evaluate::{ConditionResult, DesignResult, Nature, PeakKind, Sweeps};
 pub use run::{FrontResult, OptimumResult, Results, Timing, run};
 
 /// Told of progress.

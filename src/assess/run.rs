@@ -6,7 +6,7 @@ use super::{Progress, RunError};
 use super::{families, probe};
 use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
-use crate::design::{Limit, PeakFinder, Problem, Row, Space};
+use crate::design::{Condition, Limit, PeakFinder, Problem, Row, Scene, Space};
 use crate::engine::Excitation;
 use crate::optimise::{Front, Optimum, front, search, starts};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
@@ -94,23 +94,42 @@ impl Clock {
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock { timing: Vec::new(), since: Instant::now() };
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
-    let kinks: &[f64] = if study.refine_peaks { &system.excitation.tabulated_rpm } else { &[] };
+    let mut systems = systems(study, excitation);
+    let kinks: &[f64] = if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] };
     let grid = Grid::new(&study.speeds_rpm, kinks);
     clock.lap("excitation", Work::default());
-    progress.stage("response of the chain", 1);
-    let method = method(study, &system, &grid);
-    progress.step();
-    clock.lap("base", if let Method::Receptance(r) = &method { r.setup } else { Work::default() });
-    let finder = PeakFinder::new(&system, &grid, &method, study.refine_peaks);
+    progress.stage("response of the chain", systems.len());
+    let methods: Vec<Method> = systems
+        .par_iter()
+        .map(|system| {
+            let method = method(study, system, &grid);
+            progress.step();
+            method
+        })
+        .collect();
+    let mut setup = Work::default();
+    for method in &methods {
+        setup += if let Method::Receptance(r) = method { r.setup } else { Work::default() };
+    }
+    clock.lap("base", setup);
+    let finders: Vec<PeakFinder> =
+        systems.iter().zip(&methods).map(|(system, method)| PeakFinder::new(system, &grid, method, study.refine_peaks)).collect();
     let limits: Vec<Limit> = study.limits.iter().map(|l| l.1.clone()).collect();
-    let wanted = Wanted { twist: study.twist, hub: study.hub, objective: &study.objective.measure, limits: limits.iter().collect() };
+    let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+    let wanted = Wanted {
+        twist: study.twist,
+        hub: study.hub,
+        objective: &study.objective.measure,
+        limits: limits.iter().collect(),
+        conditions: &study.conditions,
+        held,
+    };
 
     progress.stage("designs", study.designs.len());
     let mut work = Work::default();
     let mut designs = Vec::new();
     for d in &study.designs {
-        let result = evaluate::evaluate(&finder, &d.name, &d.absorbers, &wanted, &mut work);
+        let result = evaluate::evaluate(&finders, &d.name, &d.absorbers, &wanted, &mut work);
         designs.push(result.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
         progress.step();
     }
@@ -119,8 +138,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let modes = study
         .optimise
         .as_ref()
-        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &system.excitation.orders)));
-    let job = Job { study, finder: &finder, limits: &limits, modes: &modes, wanted: &wanted, progress };
+        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &systems[0].excitation.orders)));
+    let scenes: Vec<Scene> = held.iter().flat_map(|c| scenes(*c, &finders)).collect();
+    let job = Job { study, finders: &finders, scenes: &scenes, limits: &limits, modes: &modes, wanted: &wanted, progress };
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.optima(o))?;
     let work = optima.iter().fold(Work::default(), |mut w, o| {
         for stage in [o.optimum.stages.seeds, o.optimum.stages.search, o.optimum.stages.minimax] {
@@ -134,31 +154,50 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.fronts(o, &mut clock))?;
 
     let own = Grid::new(&study.speeds_rpm, &[]);
-    let shown: Vec<(&str, &[crate::absorber::Mounted])> = study
-        .designs
-        .iter()
-        .map(|d| (d.name.as_str(), d.absorbers.as_slice()))
-        .chain(optima.iter().filter(|o| o.main).map(|o| (o.design.name.as_str(), std::slice::from_ref(&o.optimum.design))))
-        .collect();
+    let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let sweeps = shown
         .par_iter()
-        .map(|(name, design)| {
-            evaluate::sweeps(&finder, &own, name, design, (study.twist, study.hub), &mut Work::default())
-                .map_err(|error| RunError { what: format!("design `{name}`"), error })
+        .map(|d| {
+            let named = (d.name.as_str(), d.conditions.as_slice());
+            evaluate::sweeps(&finders, &own, named, &d.absorbers, (study.twist, study.hub), &mut Work::default())
+                .map_err(|error| RunError { what: format!("design `{}`", d.name), error })
         })
         .collect::<Result<Vec<_>, _>>()?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
-    if let Some((name, design)) = shown.iter().find(|(_, d)| !d.is_empty()) {
-        let probe = probe::per_design(&finder, design, study.twist);
-        clock.timing.extend(probe.map_err(|error| RunError { what: format!("design `{name}`"), error })?);
+    if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
+        let probe = probe::per_design(&finders[0], &d.absorbers, study.twist);
+        clock.timing.extend(probe.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
     }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist => Some(Classifier::new(&system, *q).floor(&finder, study.objective.measure.over)),
+        [q] if study.objective.is_twist => Some(Classifier::new(&systems[0], *q).floor(&finders[0], study.objective.measure.over)),
         _ => None,
     };
-    let method = method.name();
+    let method = methods[0].name();
+    drop(scenes);
+    drop(finders);
+    drop(methods);
+    let system = systems.swap_remove(0);
     Ok(Results { method, designs, optima, fronts, forced_floor, sweeps, timing: clock.timing, system })
+}
+
+/// The engine as it should be, then with each cylinder misfiring where the study asks for it.
+fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
+    let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+    let misfires = study.conditions.contains(&Condition::Misfire);
+    let change = misfires.then(|| excitation.motored_change(&study.engine)).flatten();
+    let cylinders = 0..change.as_ref().map_or(0, |_| study.engine.layout.firing_deg.len());
+    let misfiring = cylinders
+        .zip(std::iter::repeat(&change))
+        .filter_map(|(c, change)| change.as_ref().map(|change| with(excitation.misfiring(&study.engine, c, change))));
+    let misfiring: Vec<System> = misfiring.collect();
+    std::iter::once(with(excitation)).chain(misfiring).collect()
+}
+
+/// A condition as scenes of a design problem: one for each cylinder that may misfire.
+fn scenes<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<Scene<'a>> {
+    let of = if condition == Condition::Misfire { &finders[1..] } else { &finders[..1] };
+    of.iter().map(|finder| Scene { condition, finder }).collect()
 }
 
 /// The study's method; receptances are tabulated for what is searched.
@@ -180,7 +219,8 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
 
 struct Job<'a> {
     study: &'a Study,
-    finder: &'a PeakFinder<'a>,
+    finders: &'a [PeakFinder<'a>],
+    scenes: &'a [Scene<'a>],
     limits: &'a [Limit],
     modes: &'a [EngineMode],
     wanted: &'a Wanted<'a>,
@@ -189,7 +229,7 @@ struct Job<'a> {
 
 impl Job<'_> {
     fn problem(&self, space: Space) -> Problem<'_> {
-        Problem { finder: self.finder, space, objective: &self.study.objective.measure, limits: self.limits }
+        Problem { scenes: self.scenes, space, objective: &self.study.objective.measure, limits: self.limits }
     }
 
     fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
@@ -210,9 +250,12 @@ impl Job<'_> {
                 let starts = self.starts(spec, &problem.space);
                 let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let mounted = std::slice::from_ref(&optimum.design);
-                let design = evaluate::evaluate(self.finder, &name, mounted, self.wanted, &mut Work::default());
-                let classifier = Classifier::new(self.finder.system, self.study.twist);
-                let nature = |r: &Row| classifier.nature(self.finder, mounted, &r.peak);
+                let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
+                let classifier = Classifier::new(self.finders[0].system, self.study.twist);
+                let nature = |r: &Row| {
+                    let scene = &self.scenes[r.scene];
+                    classifier.nature(scene.finder, &scene.condition.absorbers(mounted), &r.peak)
+                };
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
                 Ok(OptimumResult { design: design.map_err(failed)?, optimum, natures, main })
             })

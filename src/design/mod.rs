@@ -1,5 +1,6 @@
 //! Absorber design: what may vary, what is to be small, and the one pipeline from values to peaks.
 
+pub mod condition;
 mod local;
 pub mod measure;
 pub mod peaks;
@@ -7,7 +8,8 @@ pub mod problem;
 pub mod space;
 pub mod speeds;
 
+pub use condition::Condition;
 pub use measure::{Limit, Measure, Over};
 pub use peaks::{Peak, PeakFinder, Place};
-pub use problem::{Problem, Row, Rows};
+pub use problem::{Problem, Row, Rows, Scene};
 pub use space::{Parameter, Space, Variable};

@@ -28,6 +28,18 @@ pub struct Audit {
     pub brake_torque: Option<f64>,
 }
 
+/// A unit that compresses and expands without burning.
+#[derive(Debug, Clone, PartialEq)]
+struct Misfire {
+    throw: usize,
+    /// Change of the torque of the throw at each tabulated speed (one row) and order, N m.
+    change: Vec<Vec<C64>>,
+}
+
+/// Torque of a motored unit less that of a firing one, by tabulated speed and order, N m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotoredChange(Vec<Vec<C64>>);
+
 /// Order amplitudes of the torque on each throw.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Excitation {
@@ -43,6 +55,8 @@ pub struct Excitation {
     inertia: Vec<C64>,
     /// Sum of the firing phases of the units on each throw (one row) for each order.
     phases: Vec<Vec<C64>>,
+    /// What a unit that does not fire changes.
+    misfire: Option<Misfire>,
     /// One row a tabulated speed.
     pub audit: Vec<Audit>,
 }
@@ -68,8 +82,29 @@ impl Excitation {
             inertia: vec![ZERO; orders.len()],
             phases: (0..engine.layout.throws()).map(|t| phases(&first(t), &orders)).collect(),
             audit: Vec::new(),
+            misfire: None,
             orders,
         }
+    }
+
+    /// What a unit of this engine loses when it does not fire; nothing where the torque comes from a table.
+    pub fn motored_change(&self, engine: &Engine) -> Option<MotoredChange> {
+        let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
+        let change = |(index, fired): (usize, &Vec<C64>)| -> Vec<C64> {
+            let trace = pressure.motored(index, geometry, engine.strokes);
+            let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
+            harmonics::analyse(&torque, &self.harmonics).iter().zip(fired).map(|(m, f)| m - f).collect()
+        };
+        Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
+    }
+
+    /// The same engine with `cylinder` (from 0) misfiring. The others keep their load.
+    #[must_use]
+    pub fn misfiring(&self, engine: &Engine, cylinder: usize, change: &MotoredChange) -> Self {
+        let phase = phases(&[engine.layout.firing_deg[cylinder]], &self.orders);
+        let at_angle = |row: &Vec<C64>| row.iter().zip(&phase).map(|(c, p)| c * p).collect();
+        let misfire = Misfire { throw: cylinder / engine.layout.rods_per_throw, change: change.0.iter().map(at_angle).collect() };
+        Self { misfire: Some(misfire), ..self.clone() }
     }
 
     fn from_cylinder(engine: &Engine, order_limit: f64) -> Self {
@@ -101,6 +136,7 @@ impl Excitation {
             harmonics,
             gas,
             audit,
+            misfire: None,
         }
     }
 
@@ -109,17 +145,26 @@ impl Excitation {
         self.phases.len()
     }
 
-    /// Complex torque amplitude of one unit, N m, before its firing phase. Gas torque is linear between the tabulated speeds, inertia
+    /// Complex torque amplitude of one firing unit, N m, before its firing phase. Gas torque is linear between the tabulated speeds, inertia
     /// torque exact in the square of the speed.
     pub fn unit_torque(&self, order: usize, speed_rpm: f64) -> C64 {
-        let gas = if self.gas.len() == 1 {
-            self.gas[0][order]
-        } else {
-            let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
-            self.gas[i][order] + (self.gas[i + 1][order] - self.gas[i][order]) * fraction
-        };
+        let gas = self.between(&self.gas, order, speed_rpm);
         let omega = speed_rpm * RAD_PER_S_PER_RPM;
         gas + self.inertia[order] * (omega * omega)
+    }
+
+    /// Linear between the tabulated speeds.
+    fn between(&self, table: &[Vec<C64>], order: usize, speed_rpm: f64) -> C64 {
+        if table.len() == 1 {
+            return table[0][order];
+        }
+        let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
+        table[i][order] + (table[i + 1][order] - table[i][order]) * fraction
+    }
+
+    /// The throw (from 0) of a misfiring unit, and what it adds to the torque of that throw, N m.
+    pub fn misfire_torque(&self, order: usize, speed_rpm: f64) -> Option<(usize, C64)> {
+        self.misfire.as_ref().map(|m| (m.throw, self.between(&m.change, order, speed_rpm)))
     }
 
     /// Sum of the firing phases of the units on `throw` (from 0) at the order of index `order`.
@@ -129,7 +174,8 @@ impl Excitation {
 
     /// Complex torque amplitude of a throw, N m.
     pub fn throw_torque(&self, throw: usize, order: usize, speed_rpm: f64) -> C64 {
-        self.unit_torque(order, speed_rpm) * self.phases[throw][order]
+        let firing = self.unit_torque(order, speed_rpm) * self.phases[throw][order];
+        self.misfire_torque(order, speed_rpm).filter(|m| m.0 == throw).map_or(firing, |m| firing + m.1)
     }
 }
 

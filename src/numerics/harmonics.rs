@@ -8,15 +8,12 @@ use std::f64::consts::TAU;
 /// degree below N/2.
 pub fn analyse(samples: &[f64], harmonics: &[u32]) -> Vec<C64> {
     let n = samples.len();
+    // the angle of every sample and harmonic is one of n: none is computed twice
+    let turn: Vec<C64> = (0..n).map(|j| C64::cis(-TAU * j as f64 / n as f64)).collect();
     harmonics
         .iter()
         .map(|&h| {
-            let sum: C64 = samples
-                .iter()
-                .enumerate()
-                // the product is reduced first: sine and cosine of small arguments keep all their digits
-                .map(|(j, &f)| C64::from_polar(f, -TAU * ((j * h as usize) % n) as f64 / n as f64))
-                .sum();
+            let sum: C64 = samples.iter().enumerate().map(|(j, &f)| turn[(j * h as usize) % n] * f).sum();
             sum * (if h == 0 { 1.0 } else { 2.0 } / n as f64)
         })
         .collect()

@@ -2,6 +2,7 @@
 
 pub mod eigen;
 pub mod harmonics;
+pub mod least_squares;
 pub mod maximise;
 pub mod nearest;
 pub mod synthesis;

@@ -49,6 +49,7 @@ fn suits(rule: Rule, kind: Kind, mode: usize) -> bool {
     match kind {
         Kind::Viscous => rule.kind() == Kind::Viscous,
         Kind::Tuned => mode == 0 || rule == Rule::HInfinity,
+        Kind::Locked => false,
         Kind::Undamped => rule.kind() == Kind::Tuned && (mode == 0 || rule == Rule::HInfinity),
     }
 }

@@ -90,7 +90,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
         d.name.clone(),
         if kinds.is_empty() { "none".into() } else { kinds.join("+") },
         optional(total),
-        optional(one.map(|a| a.stiffness())),
+        optional(one.map(|a| a.stiffness()).filter(|k| k.is_finite())),
         optional(one.map(|a| a.damping())),
         frequency(0),
         frequency(1),

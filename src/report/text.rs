@@ -41,7 +41,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
     let mut row = vec![
         d.name.clone(),
         dash(one.map(|a| significant(a.ring_inertia(), 4))),
-        dash(one.map(|a| significant(a.stiffness(), 5))),
+        dash(one.map(|a| a.stiffness()).filter(|k| k.is_finite()).map(|k| significant(k, 5))),
         dash(one.map(|a| significant(a.damping(), 4))),
         frequency(0),
         frequency(1),

@@ -14,6 +14,15 @@ pub struct Direct<'a> {
     grid: &'a Grid,
 }
 
+/// An absorber in the factored system.
+struct RingOf {
+    station: usize,
+    /// Denominators of the other absorbers on the station.
+    others: C64,
+    /// Twist of the ring per hub angle, times its own denominator.
+    ring: f64,
+}
+
 /// The factored system at one frequency.
 ///
 /// The column of a station with absorbers is scaled by their denominators d (see [`crate::absorber::DynamicStiffness`]), so that the
@@ -25,8 +34,7 @@ struct Factored<'a> {
     /// Right-hand side, then unknowns.
     x: Vec<C64>,
     scale: Vec<C64>,
-    /// Station, and ring twist per q, of each absorber.
-    rings: Vec<(usize, C64)>,
+    rings: Vec<RingOf>,
 }
 
 impl<'a> Factored<'a> {
@@ -58,10 +66,10 @@ impl<'a> Factored<'a> {
             let z = mounted.dynamic_stiffness(omega);
             // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
             self.matrix.diagonal[h] = self.matrix.diagonal[h] * z.denominator + z.numerator * self.scale[h];
-            for ring in self.rings.iter_mut().filter(|r| r.0 == h) {
-                ring.1 *= z.denominator;
+            for ring in self.rings.iter_mut().filter(|r| r.station == h) {
+                ring.others *= z.denominator;
             }
-            self.rings.push((h, self.scale[h] * z.ring));
+            self.rings.push(RingOf { station: h, others: self.scale[h], ring: z.ring });
             self.scale[h] *= z.denominator;
             if h > 0 {
                 self.matrix.upper[h - 1] *= z.denominator;
@@ -119,7 +127,10 @@ impl<'a> Factored<'a> {
         match quantity {
             Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * (theta(s) - theta(s + 1)),
-            Quantity::RingTwist(a) => self.rings[a].1 * x[self.rings[a].0],
+            Quantity::RingTwist(a) => {
+                let r = &self.rings[a];
+                r.others * r.ring * x[r.station]
+            }
         }
     }
 }
@@ -227,7 +238,7 @@ impl<'a> Direct<'a> {
                 solver.matrix.solve(&mut hub);
                 let z = mounted.dynamic_stiffness(solver.omega);
                 // theta_hub over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
-                let hub_over_denominator = solver.rings[index].1 / z.ring * solver.x[mounted.station];
+                let hub_over_denominator = solver.rings[index].others * solver.x[mounted.station];
                 let factor = -solver.output(quantity, &hub) * hub_over_denominator / z.denominator;
                 Ok(mounted.gradient_times_denominator2(solver.omega).map(|g| factor * g))
             })

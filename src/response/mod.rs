@@ -13,7 +13,7 @@ pub use receptance::Receptance;
 use crate::absorber::Mounted;
 use crate::chain::{Chain, Modes};
 use crate::engine::{Excitation, Order};
-use crate::numerics::{C64, ZERO};
+use crate::numerics::C64;
 use crate::units::HZ_PER_RPM;
 
 /// A chain and the torque on it.
@@ -55,9 +55,14 @@ impl System {
         for (out, phase) in out.iter_mut().zip(&self.phases[order]) {
             *out = unit * phase;
         }
+        if let Some((throw, change)) = self.excitation.misfire_torque(order, speed_rpm)
+            && let Some(station) = self.chain.stations.iter().position(|s| s.throws.contains(&throw))
+        {
+            out[station] += change;
+        }
     }
 
-    /// Firing phases summed at every station: the torque per unit torque.
+    /// Firing phases summed at every station: the torque per unit torque, where every unit fires.
     pub fn phases(&self, order: usize) -> &[C64] {
         &self.phases[order]
     }
@@ -232,9 +237,9 @@ impl Response for Method<'_> {
     }
 }
 
-/// Twist per unit torque if every elastic mode followed as if static (no amplification), for each order: what is left of the twist when
+/// A quantity per unit torque at each station if every elastic mode followed as if static (no amplification): what is left of it when
 /// nothing resonates. Zero for rings.
-pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<C64> {
+pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
     let modes = &system.modes;
     let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
     let output = |mode: usize| match quantity {
@@ -242,12 +247,6 @@ pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<C64> {
         Quantity::ShaftTorque(s) => system.chain.stations[s].stiffness_to_next * (at(mode, s) - at(mode, s + 1)),
         Quantity::RingTwist(_) => 0.0,
     };
-    (0..system.orders())
-        .map(|n| {
-            modes.elastic().fold(ZERO, |sum, mode| {
-                let forced: C64 = system.phases(n).iter().enumerate().map(|(i, p)| p * at(mode, i)).sum();
-                sum + forced * (output(mode) / (modes.omega[mode] * modes.omega[mode]))
-            })
-        })
-        .collect()
+    let share = |station: usize, mode: usize| at(mode, station) * output(mode) / (modes.omega[mode] * modes.omega[mode]);
+    (0..system.chain.len()).map(|station| modes.elastic().map(|mode| share(station, mode)).sum()).collect()
 }

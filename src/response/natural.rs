@@ -1,6 +1,6 @@
 //! Natural motions of chain and absorbers together.
 
-use crate::absorber::{Mounted, Ring};
+use crate::absorber::{Kind, Mounted, Ring};
 use crate::chain::{Chain, Modes};
 use crate::numerics::{C64, eigen};
 use crate::units::HZ_PER_RAD_PER_S;
@@ -33,7 +33,8 @@ impl Basis {
     /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed.
     pub fn eigenvalues(&self, design: &[Mounted]) -> Option<Vec<C64>> {
         let kept = self.stiffness.len();
-        let n = kept + design.len();
+        let moving = design.iter().filter(|m| m.absorber.kind() != Kind::Locked).count();
+        let n = kept + moving;
         let mut m = DMatrix::identity(n, n);
         let mut k = DMatrix::zeros(n, n);
         let mut c = DMatrix::zeros(n, n);
@@ -41,12 +42,18 @@ impl Basis {
         for (i, stiffness) in self.stiffness.iter().enumerate() {
             k[(i, i)] = *stiffness;
         }
-        for (r, mounted) in design.iter().enumerate() {
+        let mut ring = kept;
+        for mounted in design {
             let a = &mounted.absorber;
             let hub = DVector::from_fn(n, |i, _| if i < kept { self.shapes[(mounted.station, i)] } else { 0.0 });
+            if a.kind() == Kind::Locked {
+                m.ger(mounted.hub_inertia + a.ring_inertia(), &hub, &hub, 1.0);
+                continue;
+            }
             let mut twist = -&hub;
-            twist[kept + r] = 1.0;
-            m[(kept + r, kept + r)] = a.ring_inertia();
+            twist[ring] = 1.0;
+            m[(ring, ring)] = a.ring_inertia();
+            ring += 1;
             m.ger(mounted.hub_inertia, &hub, &hub, 1.0);
             k.ger(a.stiffness(), &twist, &twist, 1.0);
             c.ger(a.damping(), &twist, &twist, 1.0);

@@ -5,7 +5,7 @@
 
 use super::kernel::{self, Points, Values};
 use super::{Direct, Grid, Quantity, Response, ResponseError, System, Work};
-use crate::absorber::{Mounted, Ring};
+use crate::absorber::{Kind, Mounted, Ring};
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -70,8 +70,12 @@ impl<'a> Receptance<'a> {
             return None;
         }
         let a = &mounted.absorber;
-        let values =
-            Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia };
+        let values = if a.kind() == Kind::Locked {
+            // without a ring of its own any stiffness does
+            Values { ring_inertia: 0.0, stiffness: 1.0, damping: 0.0, hub_inertia: mounted.hub_inertia + a.ring_inertia() }
+        } else {
+            Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia }
+        };
         self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, values))
     }
 

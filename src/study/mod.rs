@@ -2,11 +2,13 @@
 
 pub mod csv_in;
 pub mod input_error;
+pub mod published;
 mod raw;
 mod spec;
 
 pub use input_error::InputError;
-pub use spec::{AbsorberSpec, DesignSpec, FrontSpec, ObjectiveSpec, OptimiseSpec, Size, Study, UnitOf};
+pub use published::Published;
+pub use spec::{AbsorberSpec, CalibrateSpec, DesignSpec, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, Size, Study, UnitOf};
 
 use input_error::Source;
 use std::path::Path;

@@ -15,6 +15,13 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// Expansion along the measured compression, mirrored at firing dead centre. What has burnt before dead centre stays in it.
+    pub(super) fn motored(&self, index: usize, strokes: u32) -> Vec<f64> {
+        let fired = self.trace(index, strokes);
+        let n = fired.len();
+        (0..n).map(|j| if (j as f64) * SAMPLE_DEG <= 180.0 { fired[(n - j) % n] } else { fired[j] }).collect()
+    }
+
     pub(super) fn trace(&self, index: usize, strokes: u32) -> Vec<f64> {
         let cycle = 180.0 * f64::from(strokes);
         let (mut angle, mut pressure) = (self.crank_deg.clone(), self.pressure[index].clone());

@@ -45,6 +45,15 @@ impl Pressure {
         }
     }
 
+    /// Pressure of a cylinder that compresses and expands without burning, as in [`Self::trace`].
+    pub fn motored(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
+        match self {
+            Self::Otto(m) => m.motored(geometry, strokes),
+            Self::Wiebe(m) => m.motored(geometry, strokes),
+            Self::Measured(m) => m.motored(index, strokes),
+        }
+    }
+
     /// Brake torque of the engine the model was given, N m, where it was.
     pub fn brake_torque(&self, index: usize) -> Option<f64> {
         match self {

@@ -32,7 +32,17 @@ impl Otto {
         let mean = self.pressure_scale * self.brake_mean_pressure(index, geometry, strokes, cylinders);
         // The area of the cycle is clearance volume / (k - 1) (p3 - p2) (1 - rc^(1 - k)); displaced = clearance (rc - 1).
         let rise = mean * (rc - 1.0) * (k - 1.0) / (1.0 - rc.powf(1.0 - k));
-        let after = self.inlet_pressure + rise * rc.powf(-k);
+        self.isentropes(geometry, strokes, self.inlet_pressure + rise * rc.powf(-k))
+    }
+
+    /// Without heat: expansion along the compression line.
+    pub(super) fn motored(&self, geometry: &Geometry, strokes: u32) -> Vec<f64> {
+        self.isentropes(geometry, strokes, self.inlet_pressure)
+    }
+
+    /// Compression from inlet pressure, expansion to `after` at bottom dead centre.
+    fn isentropes(&self, geometry: &Geometry, strokes: u32, after: f64) -> Vec<f64> {
+        let (rc, k) = (self.compression_ratio, self.heat_capacity_ratio);
         let clearance = 2.0 * geometry.slider_crank.crank_radius / (rc - 1.0);
         let n = samples(strokes);
         (0..n)

@@ -35,6 +35,17 @@ impl Wiebe {
         1.0 - (-EFFICIENCY * y.powf(self.shape + 1.0)).exp()
     }
 
+    /// Without heat: compression and expansion along one line.
+    pub(super) fn motored(&self, geometry: &Geometry, strokes: u32) -> Vec<f64> {
+        let n = samples(strokes);
+        let clearance = 2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0);
+        let compressed = |j: usize| {
+            let height = clearance + geometry.slider_crank.motion(sample_angle(j)).travel;
+            (self.compression_ratio * clearance / height).powf(self.heat_capacity_ratio)
+        };
+        (0..n).map(|j| self.boost_pressure * if closed_part_deg(j, n).is_some() { compressed(j) } else { 1.0 }).collect()
+    }
+
     /// d(p V^k) = (k - 1) V^(k - 1) dQ is linear in the heat: the pressure is that of the motored cycle plus heat times a unit trace,
     /// and the heat follows from the area.
     pub(super) fn trace(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
@@ -42,10 +53,7 @@ impl Wiebe {
         let n = samples(strokes);
         let clearance = 2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0);
         let height = |j: usize| clearance + geometry.slider_crank.motion(sample_angle(j)).travel;
-        let bottom = self.compression_ratio * clearance;
-        let motored: Vec<f64> = (0..n)
-            .map(|j| self.boost_pressure * if closed_part_deg(j, n).is_some() { (bottom / height(j)).powf(k) } else { 1.0 })
-            .collect();
+        let motored = self.motored(geometry, strokes);
         let mut unit = vec![0.0; n];
         let mut released = 0.0;
         let half_turn = (180.0 / SAMPLE_DEG).round() as usize;

@@ -14,6 +14,7 @@ fn colour(kind: Kind) -> RGBColor {
         Kind::Tuned => COLOURS[0],
         Kind::Viscous => COLOURS[1],
         Kind::Undamped => COLOURS[2],
+        Kind::Locked => GREY,
     }
 }
 

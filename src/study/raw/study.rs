@@ -10,6 +10,7 @@ pub struct RawStudy {
     pub speed_rpm: At<RawSpeeds>,
     pub order_limit: Option<At<f64>>,
     pub load_fraction: Option<At<f64>>,
+    pub conditions: Option<At<Vec<At<RawCondition>>>>,
     #[serde(default)]
     pub response: RawResponse,
     #[serde(default)]
@@ -20,6 +21,17 @@ pub struct RawStudy {
     pub constraint: Vec<RawConstraint>,
     pub optimise: Option<RawOptimise>,
     pub pareto: Option<At<RawPareto>>,
+    pub published: Option<At<RawPublished>>,
+    pub calibrate: Option<At<RawCalibrate>>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawCondition {
+    Firing,
+    Misfire,
+    AbsorberLocked,
+    AbsorberLost,
 }
 
 #[derive(Debug, Deserialize)]
@@ -75,6 +87,7 @@ pub enum RawType {
     Tuned(RawTuned),
     Viscous(RawViscous),
     Undamped(RawUndamped),
+    Locked(RawLocked),
     Seeded(RawSeeded),
 }
 
@@ -98,6 +111,12 @@ pub struct RawViscous {
 pub struct RawUndamped {
     pub ring_inertia_kg_m2: At<f64>,
     pub stiffness_n_m_per_rad: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLocked {
+    pub ring_inertia_kg_m2: At<f64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -197,6 +216,7 @@ pub struct RawTorqueLimit {
 pub struct RawOptimise {
     pub seed: Option<At<i64>>,
     pub random_starts: Option<At<i64>>,
+    pub conditions: Option<At<Vec<At<RawCondition>>>>,
     pub absorber: At<Vec<RawOptimised>>,
 }
 
@@ -250,4 +270,55 @@ pub enum RawAgainst {
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(At<Vec<At<f64>>>),
     InertiaRatio(At<Vec<At<f64>>>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawPublished {
+    pub engine: At<String>,
+    pub frequencies: Option<At<String>>,
+    pub absorbers: Option<At<String>>,
+    pub amplitudes: Option<At<String>>,
+    pub engines: Option<At<String>>,
+    pub least_amplitude_deg: Option<At<f64>>,
+    #[serde(default)]
+    pub tolerance_percent: RawTolerances,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTolerances {
+    pub frequency: Option<At<f64>>,
+    pub critical_speed: Option<At<f64>>,
+    pub stiffness: Option<At<f64>>,
+    pub damping: Option<At<f64>>,
+    pub amplitude_median: Option<At<f64>>,
+    pub amplitude_worst: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCalibrate {
+    pub designs: At<Vec<At<String>>>,
+    #[serde(default)]
+    pub exclude: Vec<At<RawExcluded>>,
+    pub tuned_by_hand: Option<At<Vec<At<String>>>>,
+    pub pressure_scale: Option<At<RawRange>>,
+    pub compression_ratio: Option<At<RawRange>>,
+    pub heat_capacity_ratio: Option<At<RawRange>>,
+    pub boost_bar: Option<At<RawRange>>,
+    pub burn_start_deg: Option<At<RawRange>>,
+    pub burn_duration_deg: Option<At<RawRange>>,
+    pub wiebe_exponent: Option<At<RawRange>>,
+    pub throw_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    pub shaft_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    pub shaft_loss_factor: Option<At<RawRange>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawExcluded {
+    pub design: At<String>,
+    pub order: At<f64>,
+    pub speed_rpm: At<f64>,
 }

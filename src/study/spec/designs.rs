@@ -2,7 +2,7 @@
 
 use super::{DesignSpec, station};
 use crate::absorber::seeds::{EngineMode, RULES};
-use crate::absorber::{Absorber, Mounted, Tuned, Undamped, Viscous};
+use crate::absorber::{Absorber, Locked, Mounted, Tuned, Undamped, Viscous};
 use crate::chain::{Chain, Modes};
 use crate::study::input_error::Check;
 use crate::study::raw::study::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawStudy, RawType};
@@ -49,6 +49,7 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, chain: &Chain, modes: &Modes) 
             ring_inertia: check.positive(&u.ring_inertia_kg_m2),
             stiffness: check.not_negative(&u.stiffness_n_m_per_rad),
         }),
+        RawType::Locked(l) => Absorber::Locked(Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) }),
         RawType::Seeded(s) => seeded(check, s, on?, chain, modes)?,
     };
     Some(Mounted { station: on?, hub_inertia, absorber })

@@ -1,10 +1,11 @@
 //! Engine: geometry, layout, pressure.
 
+use super::table;
 use crate::engine::pressure::{Otto, Wiebe};
 use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, SliderCrank, Source};
 use crate::study::csv_in;
 use crate::study::input_error::{At, Check};
-use crate::study::raw::engine::{RawCurve, RawEngine, RawFile, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawWiebe};
+use crate::study::raw::engine::{RawCurve, RawEngine, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawWiebe};
 use crate::units::{M_PER_MM, PA_PER_BAR, RAD_PER_S_PER_RPM, W_PER_KW};
 use std::path::Path;
 
@@ -20,7 +21,7 @@ pub fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engi
     let geometry = raw.geometry.as_ref().map(|g| geometry(check, g.get_ref()));
     let source = match (raw.pressure.get_ref(), geometry) {
         (RawPressure::Harmonics(file), None) => {
-            let harmonics = table(check, file, |path| csv_in::torque_harmonics(path, strokes), folder)?;
+            let harmonics = table(check, &file.file, folder, |path| csv_in::torque_harmonics(path, strokes))?;
             Source::Harmonics(HarmonicTable { harmonics })
         }
         (RawPressure::Harmonics(_), Some(_)) => {
@@ -37,23 +38,12 @@ pub fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engi
         (RawPressure::Wiebe(wiebe), Some(geometry)) => Source::Cylinder { geometry, pressure: Pressure::Wiebe(self::wiebe(check, wiebe)) },
         (RawPressure::Measured(file), Some(geometry)) => {
             let cycle = 180.0 * f64::from(strokes);
-            let measured = table(check, file, |path| csv_in::pressure_traces(path, cycle), folder)?;
+            let measured = table(check, &file.file, folder, |path| csv_in::pressure_traces(path, cycle))?;
             Source::Cylinder { geometry, pressure: Pressure::Measured(measured) }
         }
     };
     check.name(&raw.name);
     Some(Engine { name: raw.name.get_ref().clone(), strokes, layout: layout?, source })
-}
-
-/// A table named in the engine file: a missing file is a mistake at its name, a mistake in it has its own place.
-fn table<T>(check: &mut Check, file: &RawFile, read: impl Fn(&Path) -> Result<T, crate::study::InputError>, folder: &Path) -> Option<T> {
-    let path = folder.join(file.file.get_ref());
-    if !path.is_file() {
-        let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
-        check.wrong_with_help(&file.file, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
-        return None;
-    }
-    read(&path).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()
 }
 
 fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {

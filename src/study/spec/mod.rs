@@ -1,19 +1,23 @@
 //! Files as checked: SI, resolved, consistent.
 
+pub mod calibrate;
 mod chain;
 mod designs;
 mod engine;
 mod objectives;
 mod optimise;
+mod published;
 
+pub use calibrate::{CalibrateSpec, FreeInput, Input};
 pub use objectives::{ObjectiveSpec, UnitOf};
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
-use super::input_error::{Check, InputError, Source};
+use super::input_error::{At, Check, InputError, Source};
+use super::published::Published;
 use super::raw;
 use crate::absorber::Mounted;
 use crate::chain::{Chain, Modes};
-use crate::design::Limit;
+use crate::design::{Condition, Limit};
 use crate::engine::{Engine, Order, Source as TorqueSource};
 use crate::response::Quantity;
 use std::path::Path;
@@ -60,6 +64,12 @@ pub struct Study {
     pub optimise: Option<OptimiseSpec>,
     /// Front to follow.
     pub front: Option<FrontSpec>,
+    /// Conditions every design is evaluated in; firing always is.
+    pub conditions: Vec<Condition>,
+    /// Tables to compare with.
+    pub published: Option<Published>,
+    /// Inputs to fit to them.
+    pub calibrate: Option<CalibrateSpec>,
 }
 
 /// More points than this in a sweep would take gigabytes: a mistake in the file.
@@ -97,7 +107,7 @@ pub(super) fn resolve(
     check_range(&mut check, study, &engine, &speeds_rpm);
     let modes = Modes::new(&chain);
     let designs = designs::resolve(&mut check, study, &chain, &modes);
-    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(&mut check, o, &chain, &modes));
+    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(&mut check, o, &engine, &chain, &modes));
     let hub = match (&optimise, designs.iter().find_map(|d| d.absorbers.first())) {
         (Some(o), _) => o.absorber.station,
         (None, Some(a)) => a.station,
@@ -106,6 +116,11 @@ pub(super) fn resolve(
     let objective = objectives::objective(&mut check, study, &chain, hub);
     let limits = objectives::limits(&mut check, study, &chain);
     let front = optimise::front(&mut check, study, optimise.as_ref(), &chain, &modes);
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(&mut check, c, &engine));
+    conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
+    let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &designs));
+    let calibrate = study.calibrate.as_ref().and_then(|c| calibrate::resolve(&mut check, c, published.as_ref(), &designs, &engine, &chain));
     if study.design.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
     }
@@ -134,7 +149,21 @@ pub(super) fn resolve(
         limits,
         optimise,
         front,
+        conditions,
+        published,
+        calibrate,
     })
+}
+
+/// A table named in a file: a missing one is a mistake at its name, a mistake in it has its own place.
+fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl Fn(&Path) -> Result<T, InputError>) -> Option<T> {
+    let path = folder.join(name.get_ref());
+    if !path.is_file() {
+        let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
+        check.wrong_with_help(name, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
+        return None;
+    }
+    read(&path).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()
 }
 
 fn speeds(check: &mut Check, study: &raw::study::RawStudy) -> Vec<f64> {
@@ -203,7 +232,7 @@ fn check_range(check: &mut Check, study: &raw::study::RawStudy, engine: &Engine,
 }
 
 /// Index of a station named in the study; a mistake where there is none.
-fn station(check: &mut Check, chain: &Chain, name: &super::input_error::At<String>) -> Option<usize> {
+fn station(check: &mut Check, chain: &Chain, name: &At<String>) -> Option<usize> {
     let found = chain.find(name.get_ref());
     if found.is_none() {
         let names: Vec<&str> = chain.stations.iter().take(24).map(|s| s.name.as_str()).collect();

@@ -4,8 +4,12 @@ use super::designs::engine_mode;
 use super::station;
 use crate::absorber::Kind;
 use crate::chain::{Chain, Modes};
+use crate::design::Condition;
+use crate::engine::{Engine, Source};
 use crate::study::input_error::{At, Check};
-use crate::study::raw::study::{RawAgainst, RawEngineInertia, RawKind, RawOn, RawOptimise, RawOptimised, RawRange, RawSize, RawStudy};
+use crate::study::raw::study::{
+    RawAgainst, RawCondition, RawEngineInertia, RawKind, RawOn, RawOptimise, RawOptimised, RawRange, RawSize, RawStudy,
+};
 
 /// Ring inertia of what is optimised, kg m².
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +48,8 @@ pub struct OptimiseSpec {
     pub random_starts: usize,
     /// The family.
     pub absorber: AbsorberSpec,
+    /// Conditions it is to hold in; at least firing or a misfire.
+    pub conditions: Vec<Condition>,
 }
 
 /// Front over ring inertia.
@@ -66,7 +72,31 @@ fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64,
     (a, b)
 }
 
-pub fn resolve(check: &mut Check, raw: &RawOptimise, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
+/// Conditions as listed, each once; a misfire needs a cylinder pressure.
+pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &Engine) -> Vec<Condition> {
+    let mut conditions = Vec::new();
+    for raw in list.get_ref() {
+        let condition = match raw.get_ref() {
+            RawCondition::Firing => Condition::Firing,
+            RawCondition::Misfire => Condition::Misfire,
+            RawCondition::AbsorberLocked => Condition::AbsorberLocked,
+            RawCondition::AbsorberLost => Condition::AbsorberLost,
+        };
+        if condition == Condition::Misfire && matches!(engine.source, Source::Harmonics(_)) {
+            check.wrong(raw, "found `misfire` with torque harmonics of whole throws, expected it with a cylinder pressure only");
+        }
+        if conditions.contains(&condition) {
+            check.wrong(raw, format!("found condition `{}` a second time, expected each once", condition.name()));
+        }
+        conditions.push(condition);
+    }
+    if conditions.is_empty() {
+        check.wrong(list, "found an empty list, expected at least one condition: firing, misfire, absorber_locked, absorber_lost");
+    }
+    conditions
+}
+
+pub fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
     let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
         let x = value.map_or(default, |v| *v.get_ref());
         if let Some(v) = value
@@ -82,7 +112,13 @@ pub fn resolve(check: &mut Check, raw: &RawOptimise, chain: &Chain, modes: &Mode
         check.wrong(&raw.absorber, format!("found {} [[optimise.absorber]], expected one", raw.absorber.get_ref().len()));
         return None;
     };
-    Some(OptimiseSpec { seed, random_starts, absorber: family(check, absorber, chain, modes)? })
+    let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
+    if let Some(list) = &raw.conditions
+        && !conditions.iter().any(|c| matches!(c, Condition::Firing | Condition::Misfire))
+    {
+        check.wrong(list, "found no condition in which an absorber works, expected `firing` or `misfire` among them");
+    }
+    Some(OptimiseSpec { seed, random_starts, absorber: family(check, absorber, chain, modes)?, conditions })
 }
 
 fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -> Option<AbsorberSpec> {

@@ -1,0 +1,210 @@
+//! Inputs of an engine fitted to measured or published amplitudes of single orders, by least squares.
+//!
+//! Residuals are absolute, in the unit of the amplitude: a large peak and a small one are read off a plot with the same error. Every
+//! evaluation builds the engine anew from the changed inputs, and so does everything after the fit.
+
+pub mod statistics;
+
+pub use statistics::Statistics;
+
+use super::amplitude::near;
+use super::{Progress, RunError};
+use crate::engine::Excitation;
+use crate::numerics::least_squares::{Fit, fit};
+use crate::response::{Direct, Grid, ResponseError, System, Work};
+use crate::study::{CalibrateSpec, FreeInput, Input, Study};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Two inputs with a correlation beyond this cannot be told apart.
+pub const ALIKE: f64 = 0.98;
+
+/// How well a fitted input is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Known {
+    /// The rows determine it.
+    Yes,
+    /// It ends on a bound: its standard error says nothing.
+    AtBound,
+    /// The rows say no more about it than its bounds do: its standard error is not below the standard deviation of a value that may lie
+    /// anywhere between them.
+    NotIdentified,
+    /// There are as many inputs as rows: any value could be exact.
+    NoFreedom,
+}
+
+/// A fitted input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibrated {
+    /// Which, its bounds, and its value in the engine file.
+    pub free: FreeInput,
+    /// Fitted, in the unit of its key.
+    pub value: f64,
+    /// Of the fitted value, where there are more rows than inputs.
+    pub standard_error: Option<f64>,
+    /// How well it is known.
+    pub known: Known,
+}
+
+/// A row of the fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedRow {
+    /// Index of the published amplitude.
+    pub row: usize,
+    /// As measured, rad.
+    pub published: f64,
+    /// With the engine file, rad.
+    pub before: f64,
+    /// Fitted, rad.
+    pub after: f64,
+}
+
+/// A finished calibration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// Fitted inputs.
+    pub inputs: Vec<Calibrated>,
+    /// Held inputs that were chosen by hand.
+    pub by_hand: Vec<(Input, f64)>,
+    /// Rows fitted.
+    pub rows: Vec<FittedRow>,
+    /// Errors and correlations.
+    pub statistics: Statistics,
+    /// How often the rows were computed.
+    pub evaluations: u64,
+    /// How many starts ended at the best sum of squares, and how many there were.
+    pub agreeing: (usize, usize),
+}
+
+impl Calibration {
+    /// Root mean square of the residuals, rad: before and after.
+    pub fn rms(&self) -> (f64, f64) {
+        let mean = |of: fn(&FittedRow) -> f64| {
+            let sum: f64 = self.rows.iter().map(|r| (of(r) - r.published).powi(2)).sum();
+            (sum / self.rows.len() as f64).sqrt()
+        };
+        (mean(|r| r.before), mean(|r| r.after))
+    }
+
+    /// Pairs of inputs that the rows cannot tell apart.
+    pub fn alike(&self) -> Vec<(Input, Input, f64)> {
+        let mut pairs = Vec::new();
+        for (i, a) in self.inputs.iter().enumerate() {
+            for (j, b) in self.inputs.iter().enumerate().skip(i + 1) {
+                if let Some(r) = self.statistics.correlation[i][j].filter(|r| r.abs() > ALIKE) {
+                    pairs.push((a.free.input, b.free.input, r));
+                }
+            }
+        }
+        pairs
+    }
+}
+
+/// Amplitudes of the fitted rows for inputs of given values, rad. Torques are kept while only the chain changes.
+struct Model<'a> {
+    study: &'a Study,
+    spec: &'a CalibrateSpec,
+    grid: Grid,
+    torques: Vec<(Vec<f64>, Arc<Excitation>)>,
+}
+
+/// Torques kept: those of a point and of its neighbours in the first inputs.
+const KEPT: usize = 4;
+
+impl<'a> Model<'a> {
+    fn new(study: &'a Study, spec: &'a CalibrateSpec) -> Self {
+        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new() }
+    }
+
+    fn amplitudes(&mut self, values: &[f64]) -> Result<Vec<f64>, RunError> {
+        let inputs: Vec<(Input, f64)> = self.spec.inputs.iter().map(|f| f.input).zip(values.iter().copied()).collect();
+        let study = self.study.with_inputs(&inputs);
+        let key: Vec<f64> = inputs.iter().filter(|i| i.0.changes_torque()).map(|i| i.1).collect();
+        let torque = match self.torques.iter().find(|t| t.0 == key) {
+            Some((_, torque)) => torque.clone(),
+            None => {
+                let torque = Arc::new(Excitation::new(&study.engine, study.order_limit));
+                self.torques.truncate(KEPT - 1);
+                self.torques.insert(0, (key, torque.clone()));
+                torque
+            }
+        };
+        let system = System::with_modes(study.chain.clone(), study.modes.clone(), (*torque).clone());
+        let direct = Direct::new(&system, &self.grid);
+        let Some(published) = &self.study.published else { return Ok(Vec::new()) };
+        let amplitude = |row: &usize| {
+            let row = &published.amplitudes[*row];
+            let design = &study.designs[row.design];
+            let found = near(&study, &direct, &design.absorbers, row.order, row.speed_rpm, &mut Work::default());
+            let failed = |error: ResponseError| RunError { what: format!("calibration, design `{}`", design.name), error };
+            Ok(found.map_err(failed)?.map_or(0.0, |n| n.amplitude))
+        };
+        self.spec.rows.iter().map(amplitude).collect()
+    }
+}
+
+/// Where searches start between the bounds besides the values of the engine file: alike in all inputs.
+const STARTS: [f64; 3] = [0.5, 0.2, 0.8];
+/// Sums of squares within this share are the same.
+const SAME: f64 = 1e-6;
+
+/// Fits what a study calibrates: the study with the fitted inputs, and the account of the fit. A study without `[calibrate]` comes back
+/// as it is.
+///
+/// # Errors
+/// [`RunError`] where a design has no finite response with the inputs of the engine file.
+pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Option<Calibration>), RunError> {
+    let (Some(spec), Some(published)) = (&study.calibrate, &study.published) else { return Ok((study.clone(), None)) };
+    let measured: Vec<f64> = spec.rows.iter().filter_map(|r| published.amplitudes[*r].amplitude).collect();
+    let before = Model::new(study, spec).amplitudes(&spec.inputs.iter().map(|f| f.start).collect::<Vec<_>>())?;
+    let bounds: Vec<(f64, f64)> = spec.inputs.iter().map(|f| (f.lower, f.upper)).collect();
+    let mut starts: Vec<Vec<f64>> = vec![spec.inputs.iter().map(|f| f.start.clamp(f.lower, f.upper)).collect()];
+    starts.extend(STARTS.map(|share| bounds.iter().map(|(low, high)| low + share * (high - low)).collect::<Vec<f64>>()));
+    progress.stage("calibration", starts.len());
+    let fits: Vec<Fit> = starts
+        .par_iter()
+        .map(|start| {
+            let mut model = Model::new(study, spec);
+            let residuals = |x: &[f64]| Ok(model.amplitudes(x)?.iter().zip(&measured).map(|(a, b)| a - b).collect());
+            let found = fit(residuals, &bounds, start);
+            progress.step();
+            found
+        })
+        .collect::<Result<_, RunError>>()?;
+    let evaluations = fits.iter().map(|f| f.evaluations).sum();
+    // the first of equals, so that the result does not depend on rounding between starts
+    let lowest = fits.iter().map(Fit::cost).fold(f64::INFINITY, f64::min);
+    let same = |f: &&Fit| f.cost() <= lowest * (1.0 + SAME) + f64::MIN_POSITIVE;
+    let agreeing = (fits.iter().filter(same).count(), fits.len());
+    let Some(best) = fits.iter().find(same) else { return Ok((study.clone(), None)) };
+    let widths: Vec<f64> = bounds.iter().map(|(low, high)| high - low).collect();
+    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &widths);
+    let inputs: Vec<Calibrated> = spec
+        .inputs
+        .iter()
+        .enumerate()
+        .map(|(j, free)| {
+            let (value, standard_error) = (best.point[j], statistics.standard_errors[j]);
+            Calibrated { free: *free, value, standard_error, known: known(free, value, standard_error) }
+        })
+        .collect();
+    let after = best.residuals.iter().zip(&measured).map(|(r, m)| r + m);
+    let rows = spec.rows.iter().zip(&measured).zip(before).zip(after);
+    let rows = rows.map(|(((row, published), before), after)| FittedRow { row: *row, published: *published, before, after }).collect();
+    let values: Vec<(Input, f64)> = inputs.iter().map(|c| (c.free.input, c.value)).collect();
+    let calibration = Calibration { inputs, by_hand: spec.by_hand.clone(), rows, statistics, evaluations, agreeing };
+    Ok((study.with_inputs(&values), Some(calibration)))
+}
+
+/// On a bound: within this share of the width.
+const ON_BOUND: f64 = 1e-3;
+
+fn known(free: &FreeInput, value: f64, standard_error: Option<f64>) -> Known {
+    let width = free.upper - free.lower;
+    match standard_error {
+        None => Known::NoFreedom,
+        Some(e) if e.is_nan() || e >= width / 12f64.sqrt() => Known::NotIdentified,
+        _ if value - free.lower < ON_BOUND * width || free.upper - value < ON_BOUND * width => Known::AtBound,
+        _ => Known::Yes,
+    }
+}

@@ -1,0 +1,38 @@
+//! Conditions an absorber is judged in: everything works, a cylinder misfires, the absorber is locked or lost.
+
+use crate::absorber::{Absorber, Locked, Mounted, Ring};
+
+/// State of engine and absorbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Condition {
+    /// Everything works.
+    Firing,
+    /// One cylinder, any of them, compresses and expands without burning.
+    Misfire,
+    /// The rings turn with their hubs: a seized damper, or a spring far too stiff.
+    AbsorberLocked,
+    /// The rings are gone; the hubs stay.
+    AbsorberLost,
+}
+
+impl Condition {
+    /// The word used in studies, columns and file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Firing => "firing",
+            Self::Misfire => "misfire",
+            Self::AbsorberLocked => "absorber_locked",
+            Self::AbsorberLost => "absorber_lost",
+        }
+    }
+
+    /// The absorbers of a design in this condition.
+    pub fn absorbers(self, design: &[Mounted]) -> Vec<Mounted> {
+        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked(Locked { ring_inertia }), ..*m };
+        match self {
+            Self::Firing | Self::Misfire => design.to_vec(),
+            Self::AbsorberLocked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
+            Self::AbsorberLost => design.iter().map(|m| locked(m, 0.0)).collect(),
+        }
+    }
+}

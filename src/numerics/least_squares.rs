@@ -1,0 +1,178 @@
+//! Nonlinear least squares within bounds: the model of Gauss and Newton in a trust region (argmin), in coordinates that keep the bounds.
+
+use argmin::core::{CostFunction, Error, Executor, Gradient, Hessian};
+use argmin::solver::trustregion::{Steihaug, TrustRegion};
+use nalgebra::{DMatrix, DVector};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// Step of the central differences, as a share of the width between the bounds: truncation and rounding both stay near 1e-8.
+const STEP: f64 = 1e-4;
+/// Starts keep this share of the width from the bounds, where the coordinates stand still.
+const INSIDE: f64 = 0.02;
+/// A full step that promises less than this share of the cost ends the search.
+const PROMISE: f64 = 1e-13;
+/// A cost this much below the first one is rounding.
+const EXACT: f64 = 1e-26;
+const MOST_ITERATIONS: u64 = 60;
+
+/// Where the search ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// The parameters.
+    pub point: Vec<f64>,
+    /// Residuals there.
+    pub residuals: Vec<f64>,
+    /// Their derivatives: a row a residual, a column a parameter.
+    pub jacobian: DMatrix<f64>,
+    /// How often the residuals were computed.
+    pub evaluations: u64,
+}
+
+impl Fit {
+    /// Sum of the squared residuals.
+    pub fn cost(&self) -> f64 {
+        self.residuals.iter().map(|r| r * r).sum()
+    }
+}
+
+/// Parameter from its coordinate: x = middle + half width sin(u) stays between the bounds for every u.
+fn parameter(u: f64, (low, high): (f64, f64)) -> f64 {
+    0.5 * (low + high) + 0.5 * (high - low) * u.sin()
+}
+
+struct State<F, E> {
+    residuals: F,
+    bounds: Vec<(f64, f64)>,
+    error: Option<E>,
+    evaluations: u64,
+    first: Option<f64>,
+    best: Option<(f64, Fit)>,
+    /// Where derivatives were last computed, with them and the residuals.
+    known: Option<(Vec<f64>, Fit)>,
+}
+
+impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
+    fn at(&mut self, x: &[f64]) -> Result<Vec<f64>, Error> {
+        self.evaluations += 1;
+        (self.residuals)(x).map_err(|e| {
+            self.error = Some(e);
+            Error::msg("the residuals could not be computed")
+        })
+    }
+
+    fn cost(&mut self, u: &[f64]) -> Result<f64, Error> {
+        let x: Vec<f64> = u.iter().zip(&self.bounds).map(|(u, b)| parameter(*u, *b)).collect();
+        let cost = 0.5 * self.at(&x)?.iter().map(|r| r * r).sum::<f64>();
+        if cost.is_finite() { Ok(cost) } else { Err(Error::msg("the residuals are not finite")) }
+    }
+
+    /// Residuals and derivatives at the coordinates `u`.
+    fn derivatives(&mut self, u: &[f64]) -> Result<Fit, Error> {
+        if let Some((at, fit)) = &self.known
+            && at == u
+        {
+            return Ok(fit.clone());
+        }
+        let point: Vec<f64> = u.iter().zip(&self.bounds).map(|(u, b)| parameter(*u, *b)).collect();
+        let residuals = self.at(&point)?;
+        let mut jacobian = DMatrix::zeros(residuals.len(), point.len());
+        for j in 0..point.len() {
+            let (low, high) = self.bounds[j];
+            let step = STEP * (high - low);
+            let (mut up, mut down) = (point.clone(), point.clone());
+            (up[j], down[j]) = ((point[j] + step).min(high), (point[j] - step).max(low));
+            let width = up[j] - down[j];
+            let (above, below) = (self.at(&up)?, self.at(&down)?);
+            jacobian.set_column(j, &((DVector::from_vec(above) - DVector::from_vec(below)) / width));
+        }
+        let fit = Fit { point, residuals, jacobian, evaluations: self.evaluations };
+        if self.best.as_ref().is_none_or(|b| fit.cost() < b.0) {
+            self.best = Some((fit.cost(), fit.clone()));
+        }
+        self.known = Some((u.to_vec(), fit.clone()));
+        Ok(fit)
+    }
+
+    /// Derivatives with respect to the coordinates.
+    fn in_coordinates(&self, u: &[f64], fit: &Fit) -> DMatrix<f64> {
+        let mut jacobian = fit.jacobian.clone();
+        for (j, (u, (low, high))) in u.iter().zip(&self.bounds).enumerate() {
+            jacobian.column_mut(j).scale_mut(0.5 * (high - low) * u.cos());
+        }
+        jacobian
+    }
+}
+
+struct Problem<F, E>(Rc<RefCell<State<F, E>>>);
+
+impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> CostFunction for Problem<F, E> {
+    type Param = Vec<f64>;
+    type Output = f64;
+    fn cost(&self, u: &Vec<f64>) -> Result<f64, Error> {
+        self.0.borrow_mut().cost(u)
+    }
+}
+
+impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> Gradient for Problem<F, E> {
+    type Param = Vec<f64>;
+    type Gradient = Vec<f64>;
+    fn gradient(&self, u: &Vec<f64>) -> Result<Vec<f64>, Error> {
+        let mut state = self.0.borrow_mut();
+        let fit = state.derivatives(u)?;
+        let jacobian = state.in_coordinates(u, &fit);
+        let residuals = DVector::from_column_slice(&fit.residuals);
+        let gradient = jacobian.transpose() * &residuals;
+        let cost = 0.5 * fit.cost();
+        let first = *state.first.get_or_insert(cost);
+        // argmin's trust region goes on for ever: an error is its only way to end
+        let step = jacobian.svd(true, true).solve(&residuals, 1e-12).map_err(Error::msg)?;
+        if 0.5 * gradient.dot(&step) <= PROMISE * cost || cost <= EXACT * first {
+            return Err(Error::msg("converged"));
+        }
+        Ok(gradient.as_slice().to_vec())
+    }
+}
+
+impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> Hessian for Problem<F, E> {
+    type Param = Vec<f64>;
+    type Hessian = Vec<Vec<f64>>;
+    fn hessian(&self, u: &Vec<f64>) -> Result<Vec<Vec<f64>>, Error> {
+        let mut state = self.0.borrow_mut();
+        let fit = state.derivatives(u)?;
+        let jacobian = state.in_coordinates(u, &fit);
+        let h = jacobian.transpose() * &jacobian;
+        Ok(h.row_iter().map(|r| r.iter().copied().collect()).collect())
+    }
+}
+
+/// Minimises half the sum of the squared `residuals` over parameters between their `bounds`, from one start. Derivatives by central
+/// differences.
+///
+/// # Errors
+/// The error of `residuals` where they cannot be computed at the start; one met on the way ends the search at the best point so far.
+pub fn fit<F, E>(residuals: F, bounds: &[(f64, f64)], start: &[f64]) -> Result<Fit, E>
+where
+    F: FnMut(&[f64]) -> Result<Vec<f64>, E>,
+{
+    let coordinate =
+        |(x, (low, high)): (&f64, &(f64, f64))| (2.0 * (x - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).asin();
+    let first: Vec<f64> = start.iter().zip(bounds).map(coordinate).collect();
+    let state = State { residuals, bounds: bounds.to_vec(), error: None, evaluations: 0, first: None, best: None, known: None };
+    let shared = Rc::new(RefCell::new(state));
+    let begun = shared.borrow_mut().derivatives(&first);
+    if let (Err(_), Some(error)) = (begun, shared.borrow_mut().error.take()) {
+        return Err(error);
+    }
+    let region = TrustRegion::new(Steihaug::<Vec<f64>, f64>::new().with_max_iters(2 * bounds.len() as u64)).with_radius(0.5);
+    if let Ok(region) = region.and_then(|r| r.with_max_radius(1.5)) {
+        let run = Executor::new(Problem(shared.clone()), region).configure(|s| s.param(first.clone()).max_iters(MOST_ITERATIONS));
+        let _stopped = run.timer(false).run();
+    }
+    let mut state = shared.borrow_mut();
+    let evaluations = state.evaluations;
+    match state.best.take() {
+        Some((_, fit)) => Ok(Fit { evaluations, ..fit }),
+        None => unreachable!("the start was evaluated"),
+    }
+}

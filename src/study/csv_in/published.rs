@@ -1,0 +1,154 @@
+//! Published tables. Columns `table` and `engine` may be left out; with `engine`, only the rows of one engine count.
+
+use super::Table;
+use crate::engine::Order;
+use crate::study::input_error::InputError;
+use crate::study::published::{PublishedAbsorber, PublishedAmplitude, PublishedFrequency, PublishedQuantity};
+use crate::units::RAD_PER_DEG;
+use std::path::Path;
+
+/// Rows of one engine, with what all published tables share.
+struct Rows<'a> {
+    table: &'a Table,
+    of_engine: Vec<&'a (u64, Vec<String>)>,
+    number: Option<usize>,
+}
+
+impl<'a> Rows<'a> {
+    fn new(table: &'a Table, engine: &str) -> Result<Self, InputError> {
+        let column = table.optional("engine");
+        let of_engine: Vec<_> = table.rows.iter().filter(|r| column.is_none_or(|c| r.1[c] == engine)).collect();
+        if of_engine.is_empty() {
+            return Err(table.whole(format!("found no row of engine `{engine}`, expected at least one")));
+        }
+        Ok(Self { table, of_engine, number: table.optional("table") })
+    }
+
+    /// Number of the table a row was copied from.
+    fn source(&self, cells: &[String]) -> String {
+        self.number.map_or_else(String::new, |c| cells[c].clone())
+    }
+
+    fn only(&self, known: &[&str]) -> Result<(), InputError> {
+        let found = self.table.header.iter().position(|h| !known.contains(&h.as_str()));
+        found.map_or(Ok(()), |i| {
+            Err(self.table.at(1, i, format!("found column `{}`, expected only {}", self.table.header[i], known.join(", "))))
+        })
+    }
+
+    fn positive(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
+        let x = self.table.filled(line, column, cell)?;
+        if x > 0.0 { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a number above zero"))) }
+    }
+
+    fn not_negative(&self, line: u64, column: usize, cell: &str) -> Result<Option<f64>, InputError> {
+        match self.table.number(line, column, cell)? {
+            Some(x) if x < 0.0 => Err(self.table.at(line, column, format!("found {x}, expected at least zero"))),
+            other => Ok(other),
+        }
+    }
+}
+
+/// `torsional_mode, frequency_hz` and optionally `source`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let (mode, hz, source) = (table.column("torsional_mode")?, table.column("frequency_hz")?, table.optional("source"));
+    rows.only(&["table", "engine", "source", "torsional_mode", "frequency_hz"])?;
+    let row = |(line, cells): &&(u64, Vec<String>)| -> Result<PublishedFrequency, InputError> {
+        let number = table.filled(*line, mode, &cells[mode])?;
+        if !(number.fract() == 0.0 && (1.0..=1e6).contains(&number)) {
+            return Err(table.at(*line, mode, format!("found {number}, expected a number of a mode from 1")));
+        }
+        Ok(PublishedFrequency {
+            table: rows.source(cells),
+            source: source.map_or_else(String::new, |s| cells[s].clone()),
+            mode: number as usize,
+            frequency_hz: rows.positive(*line, hz, &cells[hz])?,
+        })
+    };
+    rows.of_engine.iter().map(row).collect()
+}
+
+/// `design, stiffness_n_m_per_rad, ring_inertia_kg_m2, damping_n_m_s_per_rad, f1_hz, f2_hz, f3_hz`; cells may be empty.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn absorbers(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedAbsorber>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let design = table.column("design")?;
+    let values = ["ring_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s_per_rad", "f1_hz", "f2_hz", "f3_hz"];
+    let mut columns = Vec::new();
+    for name in values {
+        columns.push(table.column(name)?);
+    }
+    rows.only(&[&["table", "engine", "design"], values.as_slice()].concat())?;
+    let row = |(line, cells): &&(u64, Vec<String>)| -> Result<PublishedAbsorber, InputError> {
+        let mut numbers = Vec::new();
+        for &c in &columns {
+            numbers.push(rows.not_negative(*line, c, &cells[c])?);
+        }
+        let name = designs[known_design(&table, *line, design, &cells[design], designs)?].clone();
+        let (table, frequencies_hz) = (rows.source(cells), numbers.split_off(3));
+        Ok(PublishedAbsorber { table, design: name, ring_inertia: numbers[0], stiffness: numbers[1], damping: numbers[2], frequencies_hz })
+    };
+    rows.of_engine.iter().map(row).collect()
+}
+
+fn known_design(table: &Table, line: u64, column: usize, cell: &str, designs: &[String]) -> Result<usize, InputError> {
+    designs
+        .iter()
+        .position(|d| d == cell)
+        .ok_or_else(|| table.at(line, column, format!("found design `{cell}`, expected one of the study: {}", designs.join(", "))))
+}
+
+/// `design, order, speed_rpm, hub_amplitude_deg`; the amplitude may be empty.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn amplitudes(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedAmplitude>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let (design, order) = (table.column("design")?, table.column("order")?);
+    let (speed, amplitude) = (table.column("speed_rpm")?, table.column("hub_amplitude_deg")?);
+    rows.only(&["table", "engine", "design", "order", "speed_rpm", "hub_amplitude_deg"])?;
+    let mut list: Vec<PublishedAmplitude> = Vec::new();
+    for (line, cells) in &rows.of_engine {
+        let twice = 2.0 * rows.positive(*line, order, &cells[order])?;
+        if twice.fract() != 0.0 || twice > 2000.0 {
+            return Err(table.at(*line, order, format!("found {}, expected a half or whole order", cells[order])));
+        }
+        let row = PublishedAmplitude {
+            table: rows.source(cells),
+            design: known_design(&table, *line, design, &cells[design], designs)?,
+            order: Order::from_twice(twice as u32),
+            speed_rpm: rows.positive(*line, speed, &cells[speed])?,
+            amplitude: rows.not_negative(*line, amplitude, &cells[amplitude])?.map(|deg| deg * RAD_PER_DEG),
+        };
+        if list.iter().any(|r| (r.design, r.order, r.speed_rpm) == (row.design, row.order, row.speed_rpm)) {
+            return Err(table.at(*line, design, format!("found order {} of `{}` at this speed a second time", row.order, cells[design])));
+        }
+        list.push(row);
+    }
+    Ok(list)
+}
+
+/// `quantity, unit` and a column for each engine; what is no number is kept as words.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn engines(path: &Path, engine: &str) -> Result<Vec<PublishedQuantity>, InputError> {
+    let table = Table::read(path)?;
+    let (name, unit, value) = (table.column("quantity")?, table.column("unit")?, table.column(engine)?);
+    let filled = table.rows.iter().filter(|(_, cells)| !cells[value].is_empty());
+    let row = |(_, cells): &(u64, Vec<String>)| PublishedQuantity {
+        name: cells[name].clone(),
+        unit: cells[unit].clone(),
+        value: cells[value].parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| cells[value].clone()),
+    };
+    Ok(filled.map(row).collect())
+}

@@ -1,0 +1,95 @@
+//! Published or measured numbers to compare with and to calibrate against.
+
+use crate::engine::Order;
+
+/// A natural frequency of the chain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedFrequency {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Who computed or measured it.
+    pub source: String,
+    /// Elastic mode, from 1.
+    pub mode: usize,
+    /// Hz.
+    pub frequency_hz: f64,
+}
+
+/// An absorber with the natural frequencies of chain and absorber; `None`: not printed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedAbsorber {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Design of the study.
+    pub design: String,
+    /// kg m².
+    pub ring_inertia: Option<f64>,
+    /// N m/rad.
+    pub stiffness: Option<f64>,
+    /// N m s/rad.
+    pub damping: Option<f64>,
+    /// Elastic modes in order, Hz.
+    pub frequencies_hz: Vec<Option<f64>>,
+}
+
+/// Amplitude of one order at the hub.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedAmplitude {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Index of the design of the study.
+    pub design: usize,
+    /// The order.
+    pub order: Order,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Zero to peak, rad; `None`: not printed.
+    pub amplitude: Option<f64>,
+}
+
+/// A number of the text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedQuantity {
+    /// What it is.
+    pub name: String,
+    /// Its unit as printed.
+    pub unit: String,
+    /// The number, or the words in its place.
+    pub value: Result<f64, String>,
+}
+
+/// Largest deviations that a comparison is asked to hold, per cent; `None`: nothing asked.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Tolerances {
+    /// Natural frequencies.
+    pub frequency: Option<f64>,
+    /// Critical speeds.
+    pub critical_speed: Option<f64>,
+    /// Absorber stiffness by the procedure of the source.
+    pub stiffness: Option<f64>,
+    /// Absorber damping by the procedure of the source.
+    pub damping: Option<f64>,
+    /// Median of the predicted amplitudes.
+    pub amplitude_median: Option<f64>,
+    /// Worst predicted amplitude.
+    pub amplitude_worst: Option<f64>,
+}
+
+/// Tables of one engine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Published {
+    /// Its word in the tables.
+    pub engine: String,
+    /// Natural frequencies of the chain.
+    pub frequencies: Vec<PublishedFrequency>,
+    /// Absorbers.
+    pub absorbers: Vec<PublishedAbsorber>,
+    /// Amplitudes.
+    pub amplitudes: Vec<PublishedAmplitude>,
+    /// Numbers of the text.
+    pub quantities: Vec<PublishedQuantity>,
+    /// Predicted amplitudes below this are too small for a percentage, rad.
+    pub least_amplitude: f64,
+    /// What is to hold.
+    pub tolerances: Tolerances,
+}

@@ -1,0 +1,55 @@
+//! Published tables of a study.
+
+use super::{DesignSpec, table};
+use crate::study::csv_in;
+use crate::study::input_error::{At, Check};
+use crate::study::published::{Published, Tolerances};
+use crate::study::raw::study::{RawPublished, RawTolerances};
+use crate::units::RAD_PER_DEG;
+use std::path::Path;
+
+/// Amplitudes below this are printed with too few digits for a percentage, degrees.
+const LEAST_AMPLITUDE_DEG: f64 = 0.1;
+
+pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, designs: &[DesignSpec]) -> Published {
+    let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
+    let engine = raw.engine.get_ref().clone();
+    let mut published = Published {
+        frequencies: Vec::new(),
+        absorbers: Vec::new(),
+        amplitudes: Vec::new(),
+        quantities: Vec::new(),
+        least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
+        tolerances: tolerances(check, &raw.tolerance_percent),
+        engine,
+    };
+    let e = &published.engine;
+    if let Some(file) = &raw.frequencies {
+        published.frequencies = table(check, file, folder, |p| csv_in::frequencies(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.absorbers {
+        published.absorbers = table(check, file, folder, |p| csv_in::absorbers(p, e, &names)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.amplitudes {
+        published.amplitudes = table(check, file, folder, |p| csv_in::amplitudes(p, e, &names)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.engines {
+        published.quantities = table(check, file, folder, |p| csv_in::engines(p, e)).unwrap_or_default();
+    }
+    if [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines].iter().all(|f| f.is_none()) {
+        check.wrong(&raw.engine, "found no table, expected at least one of `frequencies`, `absorbers`, `amplitudes`, `engines`");
+    }
+    published
+}
+
+fn tolerances(check: &mut Check, raw: &RawTolerances) -> Tolerances {
+    let mut percent = |value: &Option<At<f64>>| value.as_ref().map(|v| check.positive(v));
+    Tolerances {
+        frequency: percent(&raw.frequency),
+        critical_speed: percent(&raw.critical_speed),
+        stiffness: percent(&raw.stiffness),
+        damping: percent(&raw.damping),
+        amplitude_median: percent(&raw.amplitude_median),
+        amplitude_worst: percent(&raw.amplitude_worst),
+    }
+}

@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::command::{check, run};
+use hartog::command::{check, compare, run};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -10,7 +10,7 @@ use std::process::ExitCode;
     version,
     about,
     max_term_width = 120,
-    after_help = "Examples:\n  hartog check studies/villalva_i6.toml\n  hartog run studies/villalva_i6.toml"
+    after_help = "Examples:\n  hartog check studies/villalva_i6.toml\n  hartog run studies/villalva_i6.toml\n  hartog compare"
 )]
 struct Cli {
     #[command(subcommand)]
@@ -23,11 +23,14 @@ enum Command {
     Run(run::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
     Check(check::Arguments),
+    /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, misprint.
+    Compare(compare::Arguments),
 }
 
 fn main() -> ExitCode {
     ExitCode::from(match Cli::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
     })
 }

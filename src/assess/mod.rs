@@ -3,12 +3,14 @@
 pub mod amplitude;
 pub mod audit;
 pub mod calibrate;
+pub mod comparison;
 pub mod evaluate;
 pub mod families;
 pub mod probe;
 pub mod run;
 
 pub use calibrate::{Calibration, calibrate};
+pub use comparison::{Comparison, compare};
 pub use evaluate::{ConditionResult, DesignResult, Nature, PeakKind, Sweeps};
 pub use run::{FrontResult, OptimumResult, Results, Timing, run};
 

@@ -7,7 +7,7 @@ use super::{families, probe};
 use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
 use crate::design::{Condition, Limit, PeakFinder, Problem, Row, Scene, Space};
-use crate::engine::Excitation;
+use crate::engine::{Excitation, Order};
 use crate::optimise::{Front, Optimum, front, search, starts};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
 use crate::study::{OptimiseSpec, Study};
@@ -64,6 +64,8 @@ pub struct Results {
     pub forced_floor: Option<f64>,
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
+    /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
+    pub appearing: Vec<Order>,
     /// Times.
     pub timing: Vec<Timing>,
 }
@@ -74,6 +76,9 @@ impl Results {
         self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))
     }
 }
+
+/// A sum of torques below this share of one of them is rounding.
+const SILENT: f64 = 1e-9;
 
 struct Clock {
     timing: Vec<Timing>,
@@ -173,12 +178,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         [q] if study.objective.is_twist => Some(Classifier::new(&systems[0], *q).floor(&finders[0], study.objective.measure.over)),
         _ => None,
     };
+    let appearing = systems.get(1).map_or_else(Vec::new, |misfiring| appearing(&systems[0].excitation, &misfiring.excitation));
     let method = methods[0].name();
     drop(scenes);
     drop(finders);
     drop(methods);
     let system = systems.swap_remove(0);
-    Ok(Results { method, designs, optima, fronts, forced_floor, sweeps, timing: clock.timing, system })
+    Ok(Results { method, designs, optima, fronts, forced_floor, sweeps, appearing, timing: clock.timing, system })
 }
 
 /// The engine as it should be, then with each cylinder misfiring where the study asks for it.
@@ -192,6 +198,15 @@ fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
         .filter_map(|(c, change)| change.as_ref().map(|change| with(excitation.misfiring(&study.engine, c, change))));
     let misfiring: Vec<System> = misfiring.collect();
     std::iter::once(with(excitation)).chain(misfiring).collect()
+}
+
+/// Orders whose torques of all throws together cancel while every cylinder fires, and do not with one that misfires.
+fn appearing(firing: &Excitation, misfiring: &Excitation) -> Vec<Order> {
+    let speed = firing.tabulated_rpm.first().copied().unwrap_or(1.0);
+    let whole = |e: &Excitation, n: usize| (0..e.throws()).map(|t| e.throw_torque(t, n, speed)).sum::<crate::numerics::C64>().norm();
+    let unit = |n: usize| firing.unit_torque(n, speed).norm();
+    let silent = |n: &usize| whole(firing, *n) < SILENT * unit(*n) && whole(misfiring, *n) > SILENT * unit(*n);
+    (0..firing.orders.len()).filter(silent).map(|n| firing.orders[n]).collect()
 }
 
 /// A condition as scenes of a design problem: one for each cylinder that may misfire.

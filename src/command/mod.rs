@@ -1,6 +1,7 @@
 //! One file a command: arguments in, exit code out.
 
 pub mod check;
+pub mod compare;
 pub mod progress;
 pub mod run;
 

@@ -2,7 +2,7 @@
 
 use super::progress::Bar;
 use super::{DONE, FAILED, fail, say};
-use crate::assess::{self, Progress, Results, Timing};
+use crate::assess::{self, Calibration, Progress, Results, Timing};
 use crate::report::{Folder, csv, plot, text};
 use crate::response::Work;
 use crate::study::{self, Study};
@@ -42,8 +42,12 @@ pub fn run(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&error),
     };
     let bar = Bar::default();
-    let results = match assess::run(&study, &bar) {
-        Ok(results) => results,
+    let done = assess::calibrate(&study, &bar).and_then(|(study, calibration)| {
+        let calibrated = start.elapsed().as_secs_f64();
+        assess::run(&study, &bar).map(|results| (study, calibration, calibrated, results))
+    });
+    let (study, calibration, calibrated, results) = match done {
+        Ok(done) => done,
         Err(error) => {
             drop(bar);
             return fail(&format!("error: {error}"));
@@ -51,27 +55,37 @@ pub fn run(arguments: &Arguments) -> u8 {
     };
     let before_files = start.elapsed().as_secs_f64();
     bar.stage("tables and plots", 1 + plot::count(&results));
-    let written = crate::report::write_run(&study, &results, &folder, &|| bar.step());
+    let written = crate::report::write_run(&study, calibration.as_ref(), &results, &folder, &|| bar.step());
     drop(bar);
     if let Err(error) = written {
         return fail(&error);
     }
     let total = start.elapsed().as_secs_f64();
     let mut timing = results.timing.clone();
+    if calibration.is_some() {
+        timing.insert(0, Timing { stage: "calibration".into(), seconds: calibrated, work: Work::default() });
+    }
     timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
     if let Err(error) = csv::timing(&timing, &folder) {
         return fail(&error);
     }
-    print(&study, &results, &folder, &timing);
+    print(&study, calibration.as_ref(), &results, &folder, &timing);
     if results.limits_hold() { DONE } else { FAILED }
 }
 
-fn print(study: &Study, results: &Results, folder: &Folder, timing: &[Timing]) {
+fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, folder: &Folder, timing: &[Timing]) {
     let chain = study.modes.frequencies_hz();
     let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
     say(&format!("{}: natural frequencies {} Hz\n\n", study.engine.name, frequencies.join(", ")));
+    if let Some(calibration) = calibration {
+        say(&format!("{}\n", text::calibration::calibration(study, calibration)));
+    }
     say(&text::designs(study, results));
+    let conditions = text::conditions(study, results);
+    if !conditions.is_empty() {
+        say(&format!("\n{conditions}"));
+    }
     for optimum in results.optima.iter().filter(|o| o.main) {
         say(&format!("\n{}", text::optimum(study, results, optimum)));
     }

@@ -1,5 +1,6 @@
 //! From cylinder pressure to the torque of every throw, as complex amplitudes of engine orders.
 
+pub mod cycle;
 pub mod excitation;
 pub mod forces;
 pub mod kinematics;

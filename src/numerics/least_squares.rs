@@ -11,7 +11,7 @@ const STEP: f64 = 1e-4;
 /// Starts keep this share of the width from the bounds, where the coordinates stand still.
 const INSIDE: f64 = 0.02;
 /// A full step that promises less than this share of the cost ends the search.
-const PROMISE: f64 = 1e-13;
+const PROMISE: f64 = 1e-10;
 /// A cost this much below the first one is rounding.
 const EXACT: f64 = 1e-26;
 const MOST_ITERATIONS: u64 = 60;

@@ -2,8 +2,8 @@
 
 use super::files::{Folder, WriteError};
 use crate::absorber::Ring;
-use crate::assess::{DesignResult, Results, Timing};
-use crate::design::Peak;
+use crate::assess::{Calibration, Comparison, ConditionResult, DesignResult, Results, Timing};
+use crate::design::{Condition, Peak};
 use crate::response::Quantity;
 use crate::study::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
@@ -74,6 +74,32 @@ pub fn in_unit(study: &Study, value: f64) -> f64 {
     }
 }
 
+fn shaft_of(results: &Results, torque: Option<Peak>) -> String {
+    match torque.map(|p| p.quantity) {
+        Some(Quantity::ShaftTorque(s)) => results.system.chain.shaft_name(s),
+        _ => String::new(),
+    }
+}
+
+/// Cells of one condition: empty where it makes no difference to the design.
+fn condition_cells(study: &Study, results: &Results, condition: Condition, c: Option<&ConditionResult>) -> Vec<String> {
+    let twist = c.and_then(|c| c.twist);
+    let torque = c.and_then(|c| c.torque);
+    let mut cells = Vec::new();
+    if condition == Condition::Misfire {
+        cells.push(c.and_then(|c| c.cylinder).map_or_else(String::new, |c| (c + 1).to_string()));
+    }
+    cells.extend([
+        optional(twist.map(|p| p.value * DEG_PER_RAD)),
+        optional(twist.map(|p| p.speed_rpm)),
+        twist.map_or_else(String::new, |p| results.system.excitation.orders[p.order].to_string()),
+        optional(torque.map(|p| p.value)),
+        shaft_of(results, torque),
+        optional(c.map(|c| in_unit(study, c.objective))),
+    ]);
+    cells
+}
+
 fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
     let kinds: Vec<&str> = d.absorbers.iter().map(|a| a.absorber.kind().name()).collect();
     let one = d.absorbers.first().filter(|_| d.absorbers.len() == 1).map(|a| a.absorber);
@@ -82,10 +108,6 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
     let order = |p: &Option<Peak>| p.map_or_else(String::new, |p| results.system.excitation.orders[p.order].to_string());
     let degrees = |p: &Option<Peak>| optional(p.map(|p| p.value * DEG_PER_RAD));
     let speed = |p: &Option<Peak>| optional(p.map(|p| p.speed_rpm));
-    let shaft = d.torque.and_then(|p| match p.quantity {
-        Quantity::ShaftTorque(s) => Some(results.system.chain.shaft_name(s)),
-        _ => None,
-    });
     vec![
         d.name.clone(),
         if kinds.is_empty() { "none".into() } else { kinds.join("+") },
@@ -104,7 +126,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
         order(&d.order_hub),
         speed(&d.order_hub),
         optional(d.torque.map(|p| p.value)),
-        shaft.unwrap_or_default(),
+        shaft_of(results, d.torque),
         optional(d.power),
         optional(d.ring_twist.map(|t| t * DEG_PER_RAD)),
         study.objective.column.to_owned(),
@@ -117,9 +139,23 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn designs(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let mut table = Table::new(&DESIGN_COLUMNS);
+    let others: Vec<Condition> = study.conditions.iter().copied().filter(|c| *c != Condition::Firing).collect();
+    let mut header: Vec<String> = DESIGN_COLUMNS.map(str::to_owned).to_vec();
+    for condition in &others {
+        if *condition == Condition::Misfire {
+            header.push("misfire_cylinder".into());
+        }
+        let columns =
+            ["peak_twist_deg", "peak_twist_speed_rpm", "peak_twist_order", "peak_torque_n_m", "peak_torque_shaft", "objective_value"];
+        header.extend(columns.map(|c| format!("{}_{c}", condition.name())));
+    }
+    let mut table = Table::new(&header.iter().map(String::as_str).collect::<Vec<_>>());
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
-        table.row(design_row(study, results, d));
+        let mut row = design_row(study, results, d);
+        for condition in &others {
+            row.extend(condition_cells(study, results, *condition, d.conditions.iter().find(|c| c.condition == *condition)));
+        }
+        table.row(row);
     }
     table.save(folder, "designs.csv")
 }
@@ -176,6 +212,55 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         }
     }
     table.save(folder, "pareto.csv")
+}
+
+/// `calibration.csv`: a row a fitted or held input.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn calibration(calibration: &Calibration, folder: &Folder) -> Result<(), WriteError> {
+    let header = ["input", "in_file", "fitted", "standard_error", "lower", "upper", "note"];
+    let mut table = Table::new(&header);
+    for i in &calibration.inputs {
+        let cells = [i.free.start, i.value].map(number);
+        let error = optional(i.standard_error.filter(|e| e.is_finite()));
+        let note = super::text::calibration::known(i.known).to_owned();
+        table.row([i.free.input.key().to_owned()].into_iter().chain(cells).chain([
+            error,
+            number(i.free.lower),
+            number(i.free.upper),
+            note,
+        ]));
+    }
+    for (input, value) in &calibration.by_hand {
+        let empty = || String::new();
+        table.row([input.key().to_owned(), number(*value), empty(), empty(), empty(), empty(), "tuned by hand, held".into()]);
+    }
+    table.save(folder, "calibration.csv")
+}
+
+/// `comparison.csv`.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Result<(), WriteError> {
+    let header = ["table", "engine", "design", "quantity", "unit", "published", "computed", "deviation_percent", "role", "note"];
+    let mut table = Table::new(&header);
+    for e in &comparison.entries {
+        table.row([
+            e.table.clone(),
+            engine.to_owned(),
+            e.design.clone(),
+            e.quantity.clone(),
+            e.unit.clone(),
+            optional(e.published),
+            optional(e.computed),
+            optional(e.deviation_percent()),
+            e.role.name().to_owned(),
+            e.note.clone(),
+        ]);
+    }
+    table.save(folder, "comparison.csv")
 }
 
 /// `timing.csv`: the only table that differs from run to run.

@@ -7,14 +7,21 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 
-use crate::assess::Results;
+use crate::assess::{Calibration, Comparison, Results};
 use crate::study::Study;
 
 /// Writes everything a run gives.
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn write_run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()) -> Result<(), WriteError> {
+pub fn write_run(
+    study: &Study,
+    calibration: Option<&Calibration>,
+    results: &Results,
+    folder: &Folder,
+    written: &dyn Fn(),
+) -> Result<(), WriteError> {
+    write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
     csv::response(study, results, folder)?;
     if results.fronts.is_empty() {
@@ -24,4 +31,33 @@ pub fn write_run(study: &Study, results: &Results, folder: &Folder, written: &dy
     }
     written();
     plot::run(study, results, folder, written)
+}
+
+/// Writes a calibration, or removes that of an earlier run.
+fn write_calibration(study: &Study, calibration: Option<&Calibration>, folder: &Folder) -> Result<(), WriteError> {
+    let Some(calibration) = calibration else { return folder.remove(&["calibration.csv", "calibration.svg", "calibration.png"]) };
+    csv::calibration(calibration, folder)?;
+    plot::comparison::calibration(study, calibration, folder)
+}
+
+/// Writes the page of one engine: table and plots of a comparison.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub fn write_comparison(
+    study: &Study,
+    calibration: Option<&Calibration>,
+    comparison: &Comparison,
+    results: &Results,
+    folder: &Folder,
+) -> Result<(), WriteError> {
+    let engine = study.published.as_ref().map_or("", |p| &p.engine);
+    csv::comparison(engine, comparison, folder)?;
+    write_calibration(study, calibration, folder)?;
+    if comparison.amplitudes.iter().any(|a| a.published.is_some() && a.computed.is_some()) {
+        plot::comparison::amplitudes(study, comparison, folder)?;
+        plot::comparison::orders(study, comparison, results, folder)
+    } else {
+        folder.remove(&["comparison.svg", "comparison.png", "orders.svg", "orders.png"])
+    }
 }

@@ -102,6 +102,40 @@ pub fn round_up(x: f64) -> f64 {
     [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].iter().map(|f| f * unit).find(|v| *v >= x).unwrap_or(10.0 * unit)
 }
 
+/// 1, 2 and 5 times the powers of ten between two values.
+pub fn ticks(left: f64, right: f64) -> Vec<f64> {
+    let decades = left.log10().floor() as i32..=right.log10().ceil() as i32;
+    decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d))).filter(|t| (left..right).contains(t)).collect()
+}
+
+/// Stretches of a curve below `top`, each ending on it where the curve leaves.
+pub fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+    let mut before: Option<(f64, f64)> = None;
+    for (x, y) in points {
+        if let Some((x0, y0)) = before
+            && (y0 > top) != (y > top)
+        {
+            let crossing = x0 + (x - x0) * (top - y0) / (y - y0);
+            if y > top {
+                if let Some(piece) = pieces.last_mut() {
+                    piece.push((crossing, top));
+                }
+                pieces.push(Vec::new());
+            } else {
+                pieces.push(vec![(crossing, top)]);
+            }
+        }
+        if y <= top
+            && let Some(piece) = pieces.last_mut()
+        {
+            piece.push((x, y));
+        }
+        before = Some((x, y));
+    }
+    pieces
+}
+
 /// Entries of a legend in a column of its own, so that it covers no curve.
 pub fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
     for (i, (label, style)) in entries.iter().enumerate() {

@@ -18,12 +18,6 @@ fn colour(kind: Kind) -> RGBColor {
     }
 }
 
-/// 1, 2 and 5 times the powers of ten between two values.
-fn ticks(left: f64, right: f64) -> Vec<f64> {
-    let decades = left.log10().floor() as i32..=right.log10().ceil() as i32;
-    decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d))).filter(|t| (left * 0.93..right * 1.08).contains(t)).collect()
-}
-
 pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let front = |kind: &crate::assess::FrontResult| -> Vec<(f64, f64)> {
         kind.front.points.iter().map(|p| (p.design.absorber.ring_inertia(), in_unit(study, p.value))).collect()
@@ -53,7 +47,10 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             .margin(px(8))
             .x_label_area_size(px(36))
             .y_label_area_size(px(58))
-            .build_cartesian_2d((left * 0.93..right * 1.08).log_scale().with_key_points(ticks(left, right)), 0.0..top)?;
+            .build_cartesian_2d(
+                (left * 0.93..right * 1.08).log_scale().with_key_points(canvas::ticks(left * 0.93, right * 1.08)),
+                0.0..top,
+            )?;
         canvas::mesh!(chart, "ring inertia / kg m²", format!("{} / {unit}", study.objective.label.replace('_', " ")), 20, 9);
         let mut entries = Vec::new();
         for (kind, points) in &lines {

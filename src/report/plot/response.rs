@@ -32,40 +32,12 @@ fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &
     for curve in curves {
         // plotters draws what lies outside as well: the curve is cut at the frame
         let points = speeds.iter().zip(curve.values).map(|(x, y)| (*x, *y));
-        for piece in clipped(points, top) {
+        for piece in canvas::clipped(points, top) {
             chart.draw_series(LineSeries::new(piece, curve.style))?;
         }
     }
     let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.label.clone(), c.style)).collect();
     canvas::legend(&right, &entries)
-}
-
-/// Stretches of a curve below `top`, each ending on it where the curve leaves.
-fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f64, f64)>> {
-    let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
-    let mut before: Option<(f64, f64)> = None;
-    for (x, y) in points {
-        if let Some((x0, y0)) = before
-            && (y0 > top) != (y > top)
-        {
-            let crossing = x0 + (x - x0) * (top - y0) / (y - y0);
-            if y > top {
-                if let Some(piece) = pieces.last_mut() {
-                    piece.push((crossing, top));
-                }
-                pieces.push(Vec::new());
-            } else {
-                pieces.push(vec![(crossing, top)]);
-            }
-        }
-        if y <= top
-            && let Some(piece) = pieces.last_mut()
-        {
-            piece.push((x, y));
-        }
-        before = Some((x, y));
-    }
-    pieces
 }
 
 fn largest(values: &[f64]) -> f64 {
@@ -98,9 +70,26 @@ pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -
     let top = canvas::round_up(largest(&twist.total));
     let hub_top = canvas::round_up(largest(&hub.total).min(CUT * largest(&twist.total)));
     let cut = if hub_top < largest(&hub.total) { " (rigid rolling at low speed cut off)" } else { "" };
-    canvas::save(folder, &format!("response_{}", sweep.design), (900, 760), |area| {
+    // the twist again, with a cylinder misfiring, the absorber locked, the absorber lost
+    let others: Vec<Curve> = sweep
+        .quantities
+        .iter()
+        .filter_map(|q| Some((q, q.name.strip_prefix("twist_")?.strip_suffix("_deg")?)))
+        .enumerate()
+        .map(|(i, (q, name))| Curve { label: name.replace('_', " "), values: &q.total, style: line(COLOURS[i % COLOURS.len()], 16) })
+        .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, style: line(BLACK, 22) }))
+        .collect();
+    let panels = if others.len() > 1 { 3 } else { 2 };
+    canvas::save(folder, &format!("response_{}", sweep.design), (900, 30 + 365 * panels), |area| {
         let titled = canvas::titled(area, &format!("{}: {}", study.engine.name, sweep.design.replace('_', " ")))?;
-        let (upper, lower) = titled.split_vertically((titled.dim_in_pixel().1) / 2);
+        let height = titled.dim_in_pixel().1 / panels;
+        let (upper, rest) = titled.split_vertically(height);
+        let (lower, bottom) = rest.split_vertically(height);
+        if panels == 3 {
+            let top = canvas::round_up(others.iter().map(|c| largest(c.values)).fold(0.0, f64::max));
+            let title = format!("twist, {between}, all orders, in each condition");
+            panel(&bottom, &title, "half peak-to-peak / °", &study.speeds_rpm, &others, top)?;
+        }
         panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &curves(results, twist, &orders), top)?;
         let title = format!("amplitude of {}{cut}", name(study.hub));
         panel(&lower, &title, "half peak-to-peak / °", &study.speeds_rpm, &curves(results, hub, &orders), hub_top)

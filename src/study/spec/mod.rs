@@ -120,7 +120,12 @@ pub(super) fn resolve(
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(&mut check, c, &engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
     let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &designs));
-    let calibrate = study.calibrate.as_ref().and_then(|c| calibrate::resolve(&mut check, c, published.as_ref(), &designs, &engine, &chain));
+    let read = check.mistakes.is_empty();
+    let calibrate = study
+        .calibrate
+        .as_ref()
+        .filter(|_| read)
+        .and_then(|c| calibrate::resolve(&mut check, c, published.as_ref(), &designs, &engine, &chain));
     if study.design.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
     }

@@ -1,38 +1,13 @@
-//! What is printed: tables that line up, and sentences.
+//! What a run prints: designs, optima, conditions, summary.
 
-use super::csv::in_unit;
+use super::{dash, significant, table};
 use crate::absorber::Ring;
 use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
+use crate::report::csv::in_unit;
 use crate::response::Quantity;
 use crate::study::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
-
-/// A table whose columns line up: the first to the left, the others to the right.
-pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
-    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).chain([header[c].chars().count()]).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let line = |cells: &[String]| {
-        let padded = cells.iter().zip(&widths).enumerate().map(|(i, (c, w))| if i == 0 { format!("{c:<w$}") } else { format!("{c:>w$}") });
-        format!("  {}\n", padded.collect::<Vec<_>>().join("  ").trim_end())
-    };
-    let head: Vec<String> = header.iter().map(|h| (*h).to_owned()).collect();
-    let rule = "-".repeat(widths.iter().sum::<usize>() + 2 * (widths.len() - 1));
-    rows.iter().fold(format!("{}  {rule}\n", line(&head)), |text, row| text + &line(row))
-}
-
-/// A number with about `digits` significant digits, without exponent where it is short.
-pub fn significant(x: f64, digits: i32) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let decimals = (digits - 1 - x.abs().log10().floor() as i32).max(0) as usize;
-    if x.abs() < 1e-4 || x.abs() >= 1e8 { format!("{x:.*e}", digits as usize - 1) } else { format!("{x:.decimals$}") }
-}
-
-fn dash(text: Option<String>) -> String {
-    text.unwrap_or_else(|| "-".into())
-}
 
 fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
     let one = d.absorbers.first().map(|a| a.absorber);
@@ -172,7 +147,6 @@ pub fn summary(study: &Study, results: &Results) -> String {
             let _ = writeln!(text, "Limit {words}: broken by the given {}.", list.join(", "));
         }
     }
-    let objective = |d: &DesignResult| d.objective.unwrap_or(0.0);
     if let Some(floor) = results.forced_floor {
         let none = results.designs.iter().find(|d| d.absorbers.is_empty());
         let beside = none.map_or_else(String::new, |d| format!("; without absorber it is {}", value(study, objective(d))));
@@ -203,4 +177,73 @@ pub fn summary(study: &Study, results: &Results) -> String {
         );
     }
     text
+}
+
+/// Designs in the conditions of the study: what each comes to, and what the best optimum costs or saves against the best given design.
+pub fn conditions(study: &Study, results: &Results) -> String {
+    let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
+    let mut rows = Vec::new();
+    for d in &all {
+        for c in &d.conditions {
+            let share = |x: f64, of: Option<f64>| dash(of.filter(|o| *o > 0.0).map(|o| format!("{:+.0}", 100.0 * (x / o - 1.0))));
+            let without = all.iter().find(|d| d.absorbers.is_empty());
+            let none = without.and_then(|n| n.conditions.iter().find(|o| o.condition == c.condition)?.twist);
+            // a lost or locked absorber is set against the engine that never had one
+            let none = none.or_else(|| without.and_then(|n| n.twist)).map(|p| p.value);
+            let twist = c.twist.map_or(0.0, |p| p.value);
+            rows.push(vec![
+                d.name.clone(),
+                c.condition.name().replace('_', " "),
+                dash(c.cylinder.map(|c| (c + 1).to_string())),
+                dash(c.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),
+                dash(c.twist.map(|p| format!("{:.0}", p.speed_rpm))),
+                dash(c.twist.map(|p| results.system.excitation.orders[p.order].to_string())),
+                dash(c.torque.map(|p| format!("{:.0}", p.value))),
+                share(twist, d.twist.map(|p| p.value)),
+                if d.absorbers.is_empty() { "-".into() } else { share(twist, none) },
+            ]);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let header = ["design", "condition", "cylinder", "twist/°", "at/rpm", "order", "torque/N m", "% over firing", "% over none"];
+    let mut text = format!(
+        "Conditions:\n{}  cylinder: the one whose misfire is worst; order: the largest in the peak; % over firing: against the same design when all\n  \
+         cylinders fire and the absorber works; % over none: against the engine without absorber in the same condition\n",
+        table(&header, &rows)
+    );
+    if !results.appearing.is_empty() {
+        let list: Vec<String> = results.appearing.iter().map(ToString::to_string).collect();
+        let _ = writeln!(
+            text,
+            "  A misfire brings orders that are silent in the torque of the whole engine while all cylinders fire: {}.",
+            list.join(", ")
+        );
+    }
+    let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
+    let own = results.optima.iter().filter(|o| o.main).min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
+    if let (Some(best), Some(own)) = (given.min_by(|a, b| objective(a).total_cmp(&objective(b))), own) {
+        for (own, given) in own.design.conditions.iter().zip(&best.conditions) {
+            let change = 100.0 * (own.objective / given.objective - 1.0);
+            let words = if change.abs() < 0.05 {
+                "changes nothing".to_owned()
+            } else {
+                format!("{} {:.1} %", if change < 0.0 { "saves" } else { "costs" }, change.abs())
+            };
+            let _ = writeln!(
+                text,
+                "  {}: the best optimum {words} against {}: {} and {}.",
+                own.condition.name().replace('_', " "),
+                best.name,
+                value(study, own.objective),
+                value(study, given.objective)
+            );
+        }
+    }
+    text
+}
+
+fn objective(d: &DesignResult) -> f64 {
+    d.objective.unwrap_or(0.0)
 }

@@ -1,0 +1,118 @@
+//! Published tables against our own numbers, each with its role: given to the model, fitted, predicted, a misprint, or without explanation.
+
+mod absorbers;
+mod amplitudes;
+mod frequencies;
+mod text_values;
+pub mod verdict;
+
+pub use amplitudes::AmplitudeRow;
+pub use verdict::{Check, Ranked, Spread, Verdict};
+
+use super::{Calibration, Results, RunError};
+use crate::study::{Published, Study};
+
+/// What a published number is to the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// An input.
+    Given,
+    /// Fitted to.
+    Calibrated,
+    /// Computed without having seen it.
+    Predicted,
+    /// Contradicts the rest of its source, as our own computation shows.
+    Erratum,
+    /// No model comes near it; set aside.
+    Unexplained,
+}
+
+impl Role {
+    /// The word in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Calibrated => "calibrated",
+            Self::Predicted => "predicted",
+            Self::Erratum => "erratum",
+            Self::Unexplained => "unexplained",
+        }
+    }
+}
+
+/// What kind of quantity a number is: those of one kind share a tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Natural frequency of chain or chain with absorber, Hz.
+    Frequency,
+    /// Natural frequency that another model gave, Hz.
+    OtherModel,
+    /// Critical speed, rpm.
+    CriticalSpeed,
+    /// Absorber stiffness, N m/rad.
+    Stiffness,
+    /// Absorber damping, N m s/rad.
+    Damping,
+    /// Amplitude of an order at the hub, degrees.
+    Amplitude,
+    /// Anything else.
+    Other,
+}
+
+/// A published number beside ours.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// Number of the table, or `text`.
+    pub table: String,
+    /// Design; empty for what belongs to the engine.
+    pub design: String,
+    /// What it is.
+    pub quantity: String,
+    /// Its kind.
+    pub kind: Kind,
+    /// Its unit.
+    pub unit: String,
+    /// As printed.
+    pub published: Option<f64>,
+    /// Ours.
+    pub computed: Option<f64>,
+    /// Its role.
+    pub role: Role,
+    /// What a reader should know.
+    pub note: String,
+}
+
+impl Entry {
+    /// (computed - published)/published, per cent; nothing where either is missing or the published one is zero.
+    pub fn deviation_percent(&self) -> Option<f64> {
+        let (published, computed) = (self.published?, self.computed?);
+        (published != 0.0).then(|| 100.0 * (computed / published - 1.0))
+    }
+}
+
+/// All tables of one engine beside our numbers.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// In the order of the tables.
+    pub entries: Vec<Entry>,
+    /// Amplitudes, for plots and summaries.
+    pub amplitudes: Vec<AmplitudeRow>,
+    /// What follows from them.
+    pub verdict: Verdict,
+}
+
+/// Compares a study, as fitted, with its published tables. `results`: of the same study, optima included where it has any.
+///
+/// # Errors
+/// [`RunError`] where a design has no finite response.
+pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibration>, results: &Results) -> Result<Comparison, RunError> {
+    let conventions = absorbers::conventions(study, published);
+    let mut entries = text_values::inputs(study, published);
+    entries.extend(frequencies::entries(study, published));
+    entries.extend(absorbers::entries(study, published, &conventions));
+    let amplitudes = amplitudes::rows(study, published, calibration, &results.system)?;
+    entries.extend(amplitudes::entries(study, published, &conventions, &amplitudes));
+    entries.extend(text_values::peaks(study, published, &results.system)?);
+    let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
+    Ok(Comparison { entries, amplitudes, verdict })
+}

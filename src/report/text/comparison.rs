@@ -1,0 +1,140 @@
+//! What is printed of a comparison: a table that lines up, and a paragraph generated from the numbers.
+
+use super::{aligned, dash, significant};
+use crate::assess::Comparison;
+use crate::assess::comparison::{Entry, Kind, Ranked, Role, Spread};
+use crate::study::{Study, UnitOf};
+use crate::units::DEG_PER_RAD;
+use std::fmt::Write;
+
+fn row(e: &Entry) -> Vec<String> {
+    let number = |x: Option<f64>| dash(x.map(|x| significant(x, 4)));
+    vec![
+        e.table.clone(),
+        e.design.clone(),
+        e.quantity.clone(),
+        number(e.published),
+        number(e.computed),
+        e.unit.clone(),
+        dash(e.deviation_percent().map(|d| format!("{d:+.1}"))),
+        e.role.name().to_owned(),
+    ]
+}
+
+/// Every number that is not an input. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
+pub fn entries(c: &Comparison) -> String {
+    let rows: Vec<Vec<String>> = c.entries.iter().filter(|e| e.role != Role::Given).map(row).collect();
+    aligned(&["table", "design", "quantity", "published", "computed", "unit", "off/%", "role"], &rows, |c| c < 3 || c == 5 || c == 7)
+}
+
+fn spread(words: &str, s: &Spread) -> String {
+    match (s.median(), s.worst()) {
+        (Some(median), Some(worst)) => format!("{words}: {} rows, median {median:.1} %, worst {worst:.1} %", s.deviations.len()),
+        _ => format!("{words}: no row"),
+    }
+}
+
+fn value(study: &Study, v: f64) -> String {
+    match study.objective.unit {
+        UnitOf::Angle => format!("{:.3}°", v * DEG_PER_RAD),
+        UnitOf::Torque => format!("{v:.0} N m"),
+    }
+}
+
+/// Where a number stands, what it is, as printed and as computed.
+fn named(e: &Entry) -> String {
+    let design = if e.design.is_empty() { String::new() } else { format!(" of {}", e.design) };
+    let number = |x: Option<f64>| dash(x.map(|x| significant(x, 4)));
+    format!("{} {}{design} ({} printed, {} computed, {})", e.table, e.quantity, number(e.published), number(e.computed), e.unit)
+}
+
+/// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
+pub fn paragraph(study: &Study, c: &Comparison) -> String {
+    let mut text = String::new();
+    // writing to a string cannot fail
+    let mut put = |line: String| {
+        let _ = writeln!(text, "  {line}");
+    };
+    let v = &c.verdict;
+    let plain: Vec<&Ranked> = v.designs.iter().filter(|d| d.ring_inertia > 0.0).collect();
+    if let (Some(best), none) = (plain.first(), v.designs.iter().find(|d| d.ring_inertia == 0.0)) {
+        let beside = none.map_or_else(String::new, |n| format!(" (without absorber {})", value(study, n.objective)));
+        let others: Vec<String> = plain[1..].iter().map(|d| format!("{} {}", d.name, value(study, d.objective))).collect();
+        let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
+        put(format!("Best published: {} with a {} of {}{beside}{others}.", best.name, study.objective.label, value(study, best.objective)));
+        for same_ring in [true, false] {
+            let found = v.optima.iter().find(|o| (o.ring_inertia / best.ring_inertia - 1.0).abs() < 1e-9 || !same_ring);
+            let Some(own) = found else { continue };
+            let already =
+                same_ring || v.optima.iter().any(|o| (o.ring_inertia / best.ring_inertia - 1.0).abs() < 1e-9 && o.name == own.name);
+            if !same_ring && already {
+                continue;
+            }
+            put(format!(
+                "Possible with {}: {} by {}, {:.1} % below.",
+                if same_ring { "the same ring".to_owned() } else { format!("a ring of {} kg m²", significant(own.ring_inertia, 4)) },
+                value(study, own.objective),
+                own.name,
+                100.0 * (1.0 - own.objective / best.objective)
+            ));
+        }
+    }
+    let fitted = c.entries.iter().filter(|e| e.kind == Kind::Amplitude && e.role == Role::Calibrated).count();
+    if !v.all.deviations.is_empty() {
+        put(format!(
+            "Amplitudes: {fitted} fitted. Predicted: {}. {}; {}.",
+            spread("all", &v.all),
+            spread("tuned", &v.tuned),
+            spread("viscous", &v.viscous)
+        ));
+    }
+    let sure =
+        |kind: Kind| c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted).filter_map(Entry::deviation_percent);
+    let worst = |kind: Kind| sure(kind).map(f64::abs).reduce(f64::max).map(|w| format!("{w:.2} %"));
+    let trusted = [
+        ("natural frequencies", Kind::Frequency),
+        ("critical speeds", Kind::CriticalSpeed),
+        ("absorber stiffness", Kind::Stiffness),
+        ("absorber damping", Kind::Damping),
+    ];
+    let trusted: Vec<String> = trusted.iter().filter_map(|(words, kind)| worst(*kind).map(|w| format!("{words} {w}"))).collect();
+    if !trusted.is_empty() {
+        put(format!("Reproduced, at worst: {}.", trusted.join(", ")));
+    }
+    for (role, words) in [(Role::Erratum, "Misprint"), (Role::Unexplained, "Unexplained")] {
+        let of_role: Vec<&Entry> = c.entries.iter().filter(|e| e.role == role).collect();
+        for (i, e) in of_role.iter().enumerate() {
+            // entries with the same note share a sentence
+            if of_role[..i].iter().any(|before| before.note == e.note) {
+                continue;
+            }
+            let alike: Vec<String> = of_role[i..].iter().filter(|o| o.note == e.note).map(|o| named(o)).collect();
+            put(format!("{words}: {}{}: {}.", if e.table == "text" { "" } else { "table " }, alike.join(", "), e.note));
+        }
+    }
+    let counted = c.amplitudes.iter().filter(|r| r.role == Role::Predicted && r.counts);
+    let worst = counted.filter_map(|r| r.deviation_percent().map(|d| (d, r))).max_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((d, r)) = worst.filter(|w| w.0 > 15.0) {
+        put(format!("Trust least: order {} of {}, off by {d:.0} %.", r.order, study.designs[r.design].name));
+    }
+    for check in &v.checks {
+        let word = if check.holds() { "holds" } else { "FAILS" };
+        put(format!("Tolerance, {}: {:.2} % of {} %: {word}.", check.what, check.found, check.tolerance));
+    }
+    text
+}
+
+/// The predicted amplitudes of several engines together.
+pub fn pooled(all: &[&Comparison]) -> String {
+    let pool = |of: fn(&Comparison) -> &Spread| {
+        let mut deviations: Vec<f64> = all.iter().flat_map(|c| of(c).deviations.iter().copied()).collect();
+        deviations.sort_by(f64::total_cmp);
+        Spread { deviations }
+    };
+    format!(
+        "Predicted amplitudes of all engines together. {}; {}; {}.\n",
+        spread("All", &pool(|c| &c.verdict.all)),
+        spread("tuned", &pool(|c| &c.verdict.tuned)),
+        spread("viscous", &pool(|c| &c.verdict.viscous))
+    )
+}

@@ -56,6 +56,8 @@
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
 //! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2 and 3.3.
+//! - \[Dennis, Gay & Welsch 1981\] J. E. Dennis, D. M. Gay, R. E. Welsch, An adaptive nonlinear least-squares algorithm, *ACM Trans. Math.
+//!   Softw.* 7, 348.
 //! - \[Golub & Van Loan 2013\] G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed.
 //! - \[Heywood 1988\] J. B. Heywood, *Internal Combustion Engine Fundamentals*.
 //! - \[Nelder & Mead 1965\] J. A. Nelder, R. Mead, A simplex method for function minimization, *Computer J.* 7, 308.

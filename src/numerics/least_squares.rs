@@ -1,4 +1,7 @@
 //! Nonlinear least squares within bounds: the model of Gauss and Newton in a trust region (argmin), in coordinates that keep the bounds.
+//!
+//! Where residuals stay large at the minimum and curve, Gauss and Newton's matrix alone converges slowly or swings about it: the rest of the
+//! curvature is learnt from the steps, by the secant update of \[Dennis, Gay & Welsch 1981\].
 
 use argmin::core::{CostFunction, Error, Executor, Gradient, Hessian};
 use argmin::solver::trustregion::{Steihaug, TrustRegion};
@@ -46,10 +49,13 @@ struct State<F, E> {
     bounds: Vec<(f64, f64)>,
     error: Option<E>,
     evaluations: u64,
-    first: Option<f64>,
+    /// One over the sum of squares at the start: argmin's tolerances are absolute.
+    unit: f64,
     best: Option<(f64, Fit)>,
     /// Where derivatives were last computed, with them and the residuals.
     known: Option<(Vec<f64>, Fit)>,
+    /// The part of the second derivatives that Gauss and Newton leave out, in coordinates.
+    curvature: DMatrix<f64>,
 }
 
 impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
@@ -64,7 +70,7 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
     fn cost(&mut self, u: &[f64]) -> Result<f64, Error> {
         let x: Vec<f64> = u.iter().zip(&self.bounds).map(|(u, b)| parameter(*u, *b)).collect();
         let cost = 0.5 * self.at(&x)?.iter().map(|r| r * r).sum::<f64>();
-        if cost.is_finite() { Ok(cost) } else { Err(Error::msg("the residuals are not finite")) }
+        if cost.is_finite() { Ok(cost * self.unit) } else { Err(Error::msg("the residuals are not finite")) }
     }
 
     /// Residuals and derivatives at the coordinates `u`.
@@ -90,8 +96,32 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
         if self.best.as_ref().is_none_or(|b| fit.cost() < b.0) {
             self.best = Some((fit.cost(), fit.clone()));
         }
+        if let Some((from, before)) = self.known.take() {
+            self.learn((&from, &before), (u, &fit));
+        }
         self.known = Some((u.to_vec(), fit.clone()));
         Ok(fit)
+    }
+
+    /// Secant update of the curvature from one point to the next.
+    fn learn(&mut self, (from, before): (&[f64], &Fit), (to, after): (&[f64], &Fit)) {
+        let (old, new) = (self.in_coordinates(from, before), self.in_coordinates(to, after));
+        let residuals = DVector::from_column_slice(&after.residuals);
+        let step = DVector::from_column_slice(to) - DVector::from_column_slice(from);
+        let gradients = new.transpose() * &residuals - old.transpose() * DVector::from_column_slice(&before.residuals);
+        let wanted = (new - old).transpose() * &residuals;
+        let along = gradients.dot(&step);
+        if along <= 0.0 {
+            return;
+        }
+        // what was learnt far away is scaled down where it is too large for this step
+        let known = step.dot(&(&self.curvature * &step)).abs();
+        if known > 0.0 {
+            self.curvature *= (step.dot(&wanted).abs() / known).min(1.0);
+        }
+        let missing = wanted - &self.curvature * &step;
+        let both = &missing * gradients.transpose() + &gradients * missing.transpose();
+        self.curvature += both / along - &gradients * gradients.transpose() * (missing.dot(&step) / (along * along));
     }
 
     /// Derivatives with respect to the coordinates.
@@ -124,13 +154,12 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> Gradient for Problem<F, E> {
         let residuals = DVector::from_column_slice(&fit.residuals);
         let gradient = jacobian.transpose() * &residuals;
         let cost = 0.5 * fit.cost();
-        let first = *state.first.get_or_insert(cost);
         // argmin's trust region goes on for ever: an error is its only way to end
         let step = jacobian.svd(true, true).solve(&residuals, 1e-12).map_err(Error::msg)?;
-        if 0.5 * gradient.dot(&step) <= PROMISE * cost || cost <= EXACT * first {
+        if 0.5 * gradient.dot(&step) <= PROMISE * cost || cost * state.unit <= EXACT {
             return Err(Error::msg("converged"));
         }
-        Ok(gradient.as_slice().to_vec())
+        Ok((gradient * state.unit).as_slice().to_vec())
     }
 }
 
@@ -141,7 +170,7 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> Hessian for Problem<F, E> {
         let mut state = self.0.borrow_mut();
         let fit = state.derivatives(u)?;
         let jacobian = state.in_coordinates(u, &fit);
-        let h = jacobian.transpose() * &jacobian;
+        let h = (jacobian.transpose() * &jacobian + &state.curvature) * state.unit;
         Ok(h.row_iter().map(|r| r.iter().copied().collect()).collect())
     }
 }
@@ -158,11 +187,25 @@ where
     let coordinate =
         |(x, (low, high)): (&f64, &(f64, f64))| (2.0 * (x - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).asin();
     let first: Vec<f64> = start.iter().zip(bounds).map(coordinate).collect();
-    let state = State { residuals, bounds: bounds.to_vec(), error: None, evaluations: 0, first: None, best: None, known: None };
+    let state = State {
+        residuals,
+        bounds: bounds.to_vec(),
+        error: None,
+        evaluations: 0,
+        unit: 1.0,
+        best: None,
+        known: None,
+        curvature: DMatrix::zeros(bounds.len(), bounds.len()),
+    };
     let shared = Rc::new(RefCell::new(state));
     let begun = shared.borrow_mut().derivatives(&first);
-    if let (Err(_), Some(error)) = (begun, shared.borrow_mut().error.take()) {
-        return Err(error);
+    match begun {
+        Ok(fit) => shared.borrow_mut().unit = 1.0 / fit.cost().max(f64::MIN_POSITIVE),
+        Err(_) => {
+            if let Some(error) = shared.borrow_mut().error.take() {
+                return Err(error);
+            }
+        }
     }
     let region = TrustRegion::new(Steihaug::<Vec<f64>, f64>::new().with_max_iters(2 * bounds.len() as u64)).with_radius(0.5);
     if let Ok(region) = region.and_then(|r| r.with_max_radius(1.5)) {

@@ -2,8 +2,11 @@
 
 mod absorbers;
 mod bad_input;
+mod calibration;
 mod chains;
 mod commands;
+mod comparison;
+mod conditions;
 mod engines;
 mod layering;
 mod long;

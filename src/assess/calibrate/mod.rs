@@ -14,6 +14,7 @@ use crate::numerics::least_squares::{Fit, fit};
 use crate::response::{Direct, Grid, ResponseError, System, Work};
 use crate::study::{CalibrateSpec, FreeInput, Input, Study};
 use rayon::prelude::*;
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// Two inputs with a correlation beyond this cannot be told apart.
@@ -178,7 +179,15 @@ pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Optio
     let agreeing = (fits.iter().filter(same).count(), fits.len());
     let Some(best) = fits.iter().find(same) else { return Ok((study.clone(), None)) };
     let widths: Vec<f64> = bounds.iter().map(|(low, high)| high - low).collect();
-    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &widths);
+    let model = RefCell::new(Model::new(study, spec));
+    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &widths, |one, variance| {
+        statistics::stretch(variance, |t| {
+            let x: Vec<f64> = best.point.iter().zip(one).map(|(x, d)| x + t * d).collect();
+            let inside = x.iter().zip(&bounds).all(|(x, (low, high))| (*low..=*high).contains(x));
+            let there = if inside { model.borrow_mut().amplitudes(&x).ok()? } else { return None };
+            Some(there.iter().zip(&measured).map(|(a, b)| (a - b).powi(2)).sum::<f64>() - best.cost())
+        })
+    });
     let inputs: Vec<Calibrated> = spec
         .inputs
         .iter()

@@ -1,4 +1,8 @@
 //! What least squares says about its parameters: standard errors, correlations, and which ones the data do not determine.
+//!
+//! Linear theory holds where the residuals are linear over the reach of the noise. Amplitudes are not: one that nearly vanishes has a kink,
+//! and a minimum on it looks sharper than it is. So each direction is tried at some distance, and widened where the sum of squares rises more
+//! slowly than the theory says.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,9 +24,10 @@ pub struct Statistics {
     pub degrees_of_freedom: usize,
 }
 
-/// Linear theory at the minimum: covariance = s² (J'J)^-1. `jacobian`: a row a residual, a column a parameter; `widths`: what each
-/// parameter can change at all, to compare parameters of different units.
-pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) -> Statistics {
+/// Covariance = s² (J'J)^-1 at the minimum, each of its directions times the square of the `stretch` that belongs to it. `jacobian`: a row a
+/// residual, a column a parameter; `widths`: what each parameter can change at all, to compare parameters of different units. `stretch` is
+/// given one standard deviation along a direction and s², see [`stretch`]; one where linear theory is enough.
+pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64], mut stretch: impl FnMut(&[f64], f64) -> f64) -> Statistics {
     let (m, p) = jacobian.shape();
     let degrees_of_freedom = m.saturating_sub(p);
     let sum: f64 = residuals.iter().map(|r| r * r).sum();
@@ -38,7 +43,11 @@ pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) ->
     for (value, vector) in decomposed.eigenvalues.iter().zip(decomposed.eigenvectors.column_iter()) {
         if *value > SINGULAR * SINGULAR * largest {
             let v: DVector<f64> = vector.into_owned();
-            covariance += &v * v.transpose() / *value;
+            let factor = deviation.map_or(1.0, |s| {
+                let one: Vec<f64> = v.iter().zip(widths).map(|(v, w)| s * v * w / value.sqrt()).collect();
+                stretch(&one, s * s)
+            });
+            covariance += &v * v.transpose() * (factor * factor / *value);
         } else {
             (0..p).filter(|j| vector[*j].abs() > PART).for_each(|j| undetermined[j] = true);
         }
@@ -58,4 +67,29 @@ pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) ->
         deviation,
         degrees_of_freedom,
     }
+}
+
+/// Distances along a direction at which the sum of squares is looked at, in standard deviations; three are what linear theory vouches for.
+const DISTANCES: [f64; 6] = [3.0, 4.0, 6.0, 9.0, 13.0, 20.0];
+
+/// How many times wider than linear theory a direction is: the furthest distance, either way, at which the sum of squares has risen by no
+/// more than nine times s², over three. `rise(t)`: the rise at `t` standard deviations, nothing outside the bounds.
+pub fn stretch(variance: f64, rise: impl Fn(f64) -> Option<f64>) -> f64 {
+    let limit = 9.0 * variance;
+    let reach = |sign: f64| {
+        let (mut furthest, mut before) = (3.0, (0.0, 0.0));
+        for t in DISTANCES {
+            let Some(now) = rise(sign * t) else { break };
+            if now <= limit {
+                furthest = t;
+            } else if before.1 <= limit {
+                // where the limit lies between
+                let crossing: f64 = before.0 + (t - before.0) * (limit - before.1) / (now - before.1);
+                furthest = crossing.max(furthest);
+            }
+            before = (t, now);
+        }
+        furthest
+    };
+    (reach(1.0).max(reach(-1.0)) / 3.0).max(1.0)
 }

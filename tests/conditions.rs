@@ -1,0 +1,209 @@
+//! Misfire, absorber locked, absorber lost: against theory, limits, and an independent sum in time.
+
+use crate::support::{assert_close, on, study, system};
+use hartog::absorber::{Absorber, Kind, Locked, Mounted, Ring};
+use hartog::assess::{self, Silent};
+use hartog::design::{Condition, Measure, Over, PeakFinder, Problem, Scene};
+use hartog::engine::forces::gas_torque;
+use hartog::engine::pressure::{sample_angle, samples};
+use hartog::engine::{Excitation, Source};
+use hartog::numerics::{C64, harmonics};
+use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, System, Work, natural};
+use hartog::study::{Size, Study};
+use hartog::units::RAD_PER_S_PER_RPM;
+
+fn misfiring(study: &Study, cylinder: usize) -> Excitation {
+    let e = Excitation::new(&study.engine, study.order_limit);
+    let change = e.motored_change(&study.engine).expect("a cylinder");
+    e.misfiring(&study.engine, cylinder, &change)
+}
+
+/// Independent: the torque of every throw summed in time from one motored and otherwise firing cylinders has the order amplitudes of the
+/// excitation. Firing angles are multiples of the sampling, so the sum is exact.
+#[test]
+fn misfire_is_a_motored_cylinder() {
+    for name in ["villalva_i6", "villalva_v10"] {
+        let s = study(name);
+        let Source::Cylinder { geometry, pressure } = &s.engine.source else { panic!("a cylinder") };
+        let (n, cylinders) = (samples(4), s.engine.layout.firing_deg.len());
+        let (index, cylinder) = (1, 3);
+        let speed = pressure.speeds_rpm()[index];
+        let omega2 = (speed * RAD_PER_S_PER_RPM).powi(2);
+        let torque = |trace: Vec<f64>| -> Vec<f64> {
+            let inertia = |theta| hartog::engine::forces::inertia_torque_per_omega2(geometry, theta) * omega2;
+            trace.iter().enumerate().map(|(j, p)| gas_torque(geometry, *p, sample_angle(j)) + inertia(sample_angle(j))).collect()
+        };
+        let fired = torque(pressure.trace(index, geometry, 4, cylinders));
+        let motored = torque(pressure.motored(index, geometry, 4));
+        let e = misfiring(&s, cylinder);
+        for throw in 0..s.engine.layout.throws() {
+            let mut sum = vec![0.0; n];
+            for unit in throw * s.engine.layout.rods_per_throw..(throw + 1) * s.engine.layout.rods_per_throw {
+                let shift = (s.engine.layout.firing_deg[unit] * 10.0).round() as usize;
+                let own = if unit == cylinder { &motored } else { &fired };
+                (0..n).for_each(|j| sum[(j + shift) % n] += own[j]);
+            }
+            for (o, c) in harmonics::analyse(&sum, &e.harmonics).iter().enumerate() {
+                assert!((e.throw_torque(throw, o, speed) - c).norm() < 1e-8 * fired[400].abs(), "{name} throw {throw} {}", e.orders[o]);
+            }
+        }
+    }
+}
+
+/// Theory: the torque of the whole engine has the orders at which all firing phases add up, multiples of 3 in the six and of 2.5 in the V10
+/// (but 10, where its banks cancel); with one cylinder misfiring every half order is there, as large as that cylinder's loss, whichever it is.
+#[test]
+fn misfire_brings_the_half_orders() {
+    for (name, spacing, cancelled) in [("villalva_i6", 3.0, None), ("villalva_v10", 2.5, Some(10.0))] {
+        let mut s = study(name);
+        (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::Misfire]);
+        let appearing: Vec<f64> = assess::run(&s, &Silent).expect("damped").appearing.iter().map(|o| o.value()).collect();
+        let silent = |o: &f64| o % spacing != 0.0 || Some(*o) == cancelled;
+        let theory: Vec<f64> = (1..=24).map(|i| 0.5 * f64::from(i)).filter(silent).collect();
+        assert_eq!(appearing, theory, "{name}");
+        let firing = Excitation::new(&s.engine, 12.0);
+        let whole = |e: &Excitation, n| (0..e.throws()).map(|t| e.throw_torque(t, n, 2000.0)).sum::<C64>();
+        for n in 0..4 {
+            let loss = |c| (whole(&misfiring(&s, c), n) - whole(&firing, n)).norm();
+            assert!(loss(0) > 10.0, "{name}: {}", loss(0));
+            for c in 1..s.engine.layout.firing_deg.len() {
+                assert_close(loss(c), loss(0), 1e-9, 0.0, &format!("{name}, order {}, cylinder {}", firing.orders[n], c + 1));
+            }
+        }
+    }
+}
+
+/// Limits: a locked ring is a very stiff one and an inertia on the hub; a lost one is a lighter chain's. By both methods, with frequencies.
+#[test]
+fn locked_and_lost_are_limits() {
+    let s = study("villalva_i6");
+    let sys = system(&s);
+    let grid = Grid::new(&s.speeds_rpm, &[]);
+    let direct = Direct::new(&sys, &grid);
+    let receptance = Receptance::new(&sys, &grid, 0, &[s.twist]);
+    let sweep = |method: &dyn Response, design: &[Mounted]| {
+        let mut out = Vec::new();
+        method.sweep(design, s.twist, &mut out, &mut Work::default()).expect("damped");
+        out
+    };
+    let ring = Mounted { hub_inertia: 0.01, ..on(0, Kind::Tuned, 0.076, 1.5e5, 30.0) };
+    let locked = Condition::AbsorberLocked.absorbers(&[ring]);
+    let lost = Condition::AbsorberLost.absorbers(&[ring]);
+    let with = |inertia: f64| {
+        let mut chain = s.chain.clone();
+        chain.stations[0].inertia += inertia;
+        System::new(chain, Excitation::new(&s.engine, s.order_limit))
+    };
+    for (what, design, heavier) in [("locked", locked, with(0.086)), ("lost", lost, with(0.01))] {
+        let reference = sweep(&Direct::new(&heavier, &grid), &[]);
+        for method in [&direct as &dyn Response, &receptance] {
+            let found = sweep(method, &design);
+            let worst = found.iter().zip(&reference).map(|(a, b)| (a - b).norm() / (1e-9 + b.norm())).fold(0.0, f64::max);
+            assert!(worst < 1e-6, "{what} by {}: {worst:e}", method.name());
+        }
+        let frequencies = natural::frequencies_hz(&s.chain, &s.modes, &design);
+        for (a, b) in frequencies.iter().zip(heavier.modes.frequencies_hz()) {
+            assert_close(*a, b, 1e-9, 0.0, what);
+        }
+    }
+    let stiff = Mounted { hub_inertia: 0.01, ..on(0, Kind::Tuned, 0.076, 1e13, 0.0) };
+    let (a, b) = (sweep(&direct, &[stiff]), sweep(&direct, &Condition::AbsorberLocked.absorbers(&[ring])));
+    assert!(a.iter().zip(&b).all(|(a, b)| (a - b).norm() < 1e-5 * (1e-6 + b.norm())));
+    // its ring does not move against the hub
+    let mut twist = Vec::new();
+    direct.sweep(&Condition::AbsorberLocked.absorbers(&[ring]), Quantity::RingTwist(0), &mut twist, &mut Work::default()).expect("damped");
+    assert!(twist.iter().all(|y| *y == C64::default()));
+}
+
+/// Gradients of all rows of a problem with several conditions, a free locked ring among them, against central differences.
+#[test]
+fn gradients_in_every_condition() {
+    let s = study("villalva_i6");
+    let firing = system(&s);
+    let misfire = System::new(s.chain.clone(), misfiring(&s, 2));
+    let grid = Grid::new(&s.speeds_rpm, &[]);
+    let methods = [&firing, &misfire].map(|sys| Method::Direct(Direct::new(sys, &grid)));
+    let finders = [(&firing, &methods[0]), (&misfire, &methods[1])].map(|(sys, method)| PeakFinder::new(sys, &grid, method, true));
+    let scene = |condition, finder| Scene { condition, finder };
+    let scenes = [
+        scene(Condition::Firing, &finders[0]),
+        scene(Condition::Misfire, &finders[1]),
+        scene(Condition::AbsorberLocked, &finders[0]),
+        scene(Condition::AbsorberLost, &finders[0]),
+    ];
+    let mut spec = s.optimise.clone().expect("optimises").absorber;
+    spec.size = Size::Between(0.01, 0.1);
+    let space = hartog::assess::families::family(&spec, Kind::Tuned, None, &[]);
+    let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
+    // a locked ring is far worse than a working one: together only its rows would count
+    let problem =
+        |range: std::ops::Range<usize>| Problem { scenes: &scenes[range], space: space.clone(), objective: &measure, limits: &[] };
+    let mut seen = [0; 4];
+    let design = on(0, Kind::Tuned, 0.076, 5.5e4, 28.0);
+    for (first, problem) in [(0, problem(0..2)), (2, problem(2..4))] {
+        let w = problem.space.point(&design.absorber);
+        let rows = problem.rows(&w, &mut Work::default()).expect("damped");
+        for row in &rows.rows {
+            seen[first + row.scene] += 1;
+            for i in 0..w.len() {
+                let at = |step: f64| {
+                    let mut w = w.clone();
+                    w[i] += step;
+                    let there = problem.rows(&w, &mut Work::default()).expect("damped");
+                    let same = there.rows.into_iter().filter(|r| r.scene == row.scene);
+                    same.min_by(|a, b| {
+                        (a.peak.speed_rpm - row.peak.speed_rpm).abs().total_cmp(&(b.peak.speed_rpm - row.peak.speed_rpm).abs())
+                    })
+                    .expect("the same peak")
+                    .value
+                };
+                let difference = (at(1e-4) - at(-1e-4)) / 2e-4;
+                assert_close(row.gradient[i], difference, 1e-3, 1e-6 * row.value, &format!("scene {} variable {i}", row.scene));
+            }
+        }
+    }
+    assert!(seen[0] > 0 && seen[1] > 0 && seen[2] > 0 && seen[3] == 0, "{seen:?}");
+}
+
+/// An optimum asked to hold with any cylinder misfiring is better there than the one that was not, never better than that one while all
+/// fire, and its first-order conditions hold.
+#[test]
+fn an_optimum_that_holds_in_a_misfire() {
+    let run = |conditions: &[Condition]| {
+        let mut s = study("villalva_v10");
+        (s.front, s.conditions) = (None, vec![Condition::Misfire]);
+        let o = s.optimise.as_mut().expect("optimises");
+        (o.absorber.kinds, o.absorber.size, o.conditions) = (vec![Kind::Tuned], Size::Each(vec![0.01]), conditions.to_vec());
+        s.designs.clear();
+        assess::run(&s, &Silent).expect("damped")
+    };
+    let (plain, held) = (run(&[Condition::Firing]), run(&[Condition::Firing, Condition::Misfire]));
+    let (plain, held) = (&plain.optima[0], &held.optima[0]);
+    let misfire = |o: &assess::OptimumResult| o.design.conditions[0].objective;
+    let firing = |o: &assess::OptimumResult| o.design.twist.expect("excited").value;
+    assert!(misfire(held) < misfire(plain) * (1.0 - 1e-4), "{} {}", misfire(held), misfire(plain));
+    assert!(firing(held) >= firing(plain) * (1.0 - 1e-9));
+    assert_close(held.optimum.value(), misfire(held).max(firing(held)), 1e-9, 0.0, "the worst condition counts");
+    assert_eq!(held.design.objective, Some(misfire(held).max(firing(held))));
+    assert!(held.optimum.outcome.kkt_residual < 1e-5, "{:e}", held.optimum.outcome.kkt_residual);
+}
+
+/// Lost and locked absorbers in the table of a run: a lost ring leaves the engine that never had one; nothing is said of a design without.
+#[test]
+fn conditions_of_the_given_designs() {
+    let mut s = study("villalva_i6");
+    (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::AbsorberLocked, Condition::AbsorberLost]);
+    let results = assess::run(&s, &Silent).expect("damped");
+    assert!(results.designs[0].conditions.is_empty(), "no absorber");
+    let none = results.designs[0].twist.expect("excited").value;
+    for d in &results.designs[1..] {
+        assert_close(d.conditions[1].twist.expect("excited").value, none, 1e-9, 0.0, &d.name);
+        let heavier = Mounted { absorber: Absorber::Locked(Locked { ring_inertia: 0.076 }), ..d.absorbers[0] };
+        assert_eq!(Condition::AbsorberLocked.absorbers(&d.absorbers), [heavier]);
+        assert!(
+            heavier.absorber.ring_inertia() == 0.076 && d.conditions[0].objective > none,
+            "{}: a dead ring lowers f1 into the range",
+            d.name
+        );
+    }
+}

@@ -3,19 +3,17 @@
 //! Residuals are absolute, in the unit of the amplitude: a large peak and a small one are read off a plot with the same error. Every
 //! evaluation builds the engine anew from the changed inputs, and so does everything after the fit.
 
+mod model;
+mod search;
 pub mod statistics;
 
 pub use statistics::Statistics;
 
-use super::amplitude::near;
 use super::{Progress, RunError};
-use crate::engine::Excitation;
-use crate::numerics::least_squares::{Fit, fit};
-use crate::response::{Direct, Grid, ResponseError, System, Work};
-use crate::study::{CalibrateSpec, FreeInput, Input, Study};
-use rayon::prelude::*;
+use crate::study::{FreeInput, Input, Study};
+use model::Model;
+use search::Found;
 use std::cell::RefCell;
-use std::sync::Arc;
 
 /// Two inputs with a correlation beyond this cannot be told apart.
 pub const ALIKE: f64 = 0.98;
@@ -101,54 +99,6 @@ impl Calibration {
     }
 }
 
-/// Amplitudes of the fitted rows for inputs of given values, rad. Torques are kept while only the chain changes.
-struct Model<'a> {
-    study: &'a Study,
-    spec: &'a CalibrateSpec,
-    grid: Grid,
-    torques: Vec<(Vec<f64>, Arc<Excitation>)>,
-}
-
-/// Torques kept: those of a point and of its neighbours in the first inputs.
-const KEPT: usize = 4;
-
-impl<'a> Model<'a> {
-    fn new(study: &'a Study, spec: &'a CalibrateSpec) -> Self {
-        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new() }
-    }
-
-    fn amplitudes(&mut self, values: &[f64]) -> Result<Vec<f64>, RunError> {
-        let inputs: Vec<(Input, f64)> = self.spec.inputs.iter().map(|f| f.input).zip(values.iter().copied()).collect();
-        let study = self.study.with_inputs(&inputs);
-        let key: Vec<f64> = inputs.iter().filter(|i| i.0.changes_torque()).map(|i| i.1).collect();
-        let torque = match self.torques.iter().find(|t| t.0 == key) {
-            Some((_, torque)) => torque.clone(),
-            None => {
-                let torque = Arc::new(Excitation::new(&study.engine, study.order_limit));
-                self.torques.truncate(KEPT - 1);
-                self.torques.insert(0, (key, torque.clone()));
-                torque
-            }
-        };
-        let system = System::with_modes(study.chain.clone(), study.modes.clone(), (*torque).clone());
-        let direct = Direct::new(&system, &self.grid);
-        let Some(published) = &self.study.published else { return Ok(Vec::new()) };
-        let amplitude = |row: &usize| {
-            let row = &published.amplitudes[*row];
-            let design = &study.designs[row.design];
-            let found = near(&study, &direct, &design.absorbers, row.order, row.speed_rpm, &mut Work::default());
-            let failed = |error: ResponseError| RunError { what: format!("calibration, design `{}`", design.name), error };
-            Ok(found.map_err(failed)?.map_or(0.0, |n| n.amplitude))
-        };
-        self.spec.rows.iter().map(amplitude).collect()
-    }
-}
-
-/// Where searches start between the bounds besides the values of the engine file: alike in all inputs.
-const STARTS: [f64; 3] = [0.5, 0.2, 0.8];
-/// Sums of squares within this share are the same.
-const SAME: f64 = 1e-6;
-
 /// Fits what a study calibrates: the study with the fitted inputs, and the account of the fit. A study without `[calibrate]` comes back
 /// as it is.
 ///
@@ -158,33 +108,12 @@ pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Optio
     let (Some(spec), Some(published)) = (&study.calibrate, &study.published) else { return Ok((study.clone(), None)) };
     let measured: Vec<f64> = spec.rows.iter().filter_map(|r| published.amplitudes[*r].amplitude).collect();
     let before = Model::new(study, spec).amplitudes(&spec.inputs.iter().map(|f| f.start).collect::<Vec<_>>())?;
-    let bounds: Vec<(f64, f64)> = spec.inputs.iter().map(|f| (f.lower, f.upper)).collect();
-    let mut starts: Vec<Vec<f64>> = vec![spec.inputs.iter().map(|f| f.start.clamp(f.lower, f.upper)).collect()];
-    starts.extend(STARTS.map(|share| bounds.iter().map(|(low, high)| low + share * (high - low)).collect::<Vec<f64>>()));
-    progress.stage("calibration", starts.len());
-    let fits: Vec<Fit> = starts
-        .par_iter()
-        .map(|start| {
-            let mut model = Model::new(study, spec);
-            let residuals = |x: &[f64]| Ok(model.amplitudes(x)?.iter().zip(&measured).map(|(a, b)| a - b).collect());
-            let found = fit(residuals, &bounds, start);
-            progress.step();
-            found
-        })
-        .collect::<Result<_, RunError>>()?;
-    let evaluations = fits.iter().map(|f| f.evaluations).sum();
-    // the first of equals, so that the result does not depend on rounding between starts
-    let lowest = fits.iter().map(Fit::cost).fold(f64::INFINITY, f64::min);
-    let same = |f: &&Fit| f.cost() <= lowest * (1.0 + SAME) + f64::MIN_POSITIVE;
-    let agreeing = (fits.iter().filter(same).count(), fits.len());
-    let Some(best) = fits.iter().find(same) else { return Ok((study.clone(), None)) };
-    let widths: Vec<f64> = bounds.iter().map(|(low, high)| high - low).collect();
+    let Found { best, evaluations, agreeing } = search::search(study, spec, &measured, progress)?;
     let model = RefCell::new(Model::new(study, spec));
-    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &widths, |one, variance| {
+    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &search::widths(spec), |one, variance| {
         statistics::stretch(variance, |t| {
-            let x: Vec<f64> = best.point.iter().zip(one).map(|(x, d)| x + t * d).collect();
-            let inside = x.iter().zip(&bounds).all(|(x, (low, high))| (*low..=*high).contains(x));
-            let there = if inside { model.borrow_mut().amplitudes(&x).ok()? } else { return None };
+            let x = search::inside(spec, &best.point, one, t)?;
+            let there = model.borrow_mut().amplitudes(&x).ok()?;
             Some(there.iter().zip(&measured).map(|(a, b)| (a - b).powi(2)).sum::<f64>() - best.cost())
         })
     });

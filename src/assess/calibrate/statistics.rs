@@ -69,6 +69,20 @@ pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64], mu
     }
 }
 
+/// One standard deviation along the direction that the data determine least, in the unit of each parameter; nothing where there are no more
+/// data than parameters or nothing is determined.
+pub fn weakest(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) -> Option<Vec<f64>> {
+    let mut longest: Option<(f64, Vec<f64>)> = None;
+    let share = |one: &[f64]| one.iter().zip(widths).map(|(d, w)| (d / w).powi(2)).sum::<f64>();
+    statistics(jacobian, residuals, widths, |one, _| {
+        if longest.as_ref().is_none_or(|l| share(one) > l.0) {
+            longest = Some((share(one), one.to_vec()));
+        }
+        1.0
+    });
+    longest.map(|l| l.1)
+}
+
 /// Distances along a direction at which the sum of squares is looked at, in standard deviations; three are what linear theory vouches for.
 const DISTANCES: [f64; 6] = [3.0, 4.0, 6.0, 9.0, 13.0, 20.0];
 

@@ -37,23 +37,39 @@ impl Wiebe {
 
     /// Without heat: compression and expansion along one line.
     pub(super) fn motored(&self, geometry: &Geometry, strokes: u32) -> Vec<f64> {
-        let n = samples(strokes);
-        let clearance = 2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0);
-        let compressed = |j: usize| {
-            let height = clearance + geometry.slider_crank.motion(sample_angle(j)).travel;
-            (self.compression_ratio * clearance / height).powf(self.heat_capacity_ratio)
-        };
-        (0..n).map(|j| self.boost_pressure * if closed_part_deg(j, n).is_some() { compressed(j) } else { 1.0 }).collect()
+        let (heights, _) = self.heights(geometry, strokes);
+        let isentrope: Vec<f64> = heights.iter().map(|h| h.powf(-self.heat_capacity_ratio)).collect();
+        self.compressed(geometry, &isentrope)
+    }
+
+    /// Height of the gas over its piston area at every sample, m, and dx/dtheta, m/rad.
+    fn heights(&self, geometry: &Geometry, strokes: u32) -> (Vec<f64>, Vec<f64>) {
+        let clearance = self.clearance(geometry);
+        let motion = (0..samples(strokes)).map(|j| geometry.slider_crank.motion(sample_angle(j)));
+        motion.map(|m| (clearance + m.travel, m.slope)).unzip()
+    }
+
+    /// Clearance volume over piston area, m.
+    fn clearance(&self, geometry: &Geometry) -> f64 {
+        2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0)
+    }
+
+    /// Boost pressure compressed and expanded where the valves are closed; `isentrope`: height^-k.
+    fn compressed(&self, geometry: &Geometry, isentrope: &[f64]) -> Vec<f64> {
+        let constant = (self.compression_ratio * self.clearance(geometry)).powf(self.heat_capacity_ratio);
+        let n = isentrope.len();
+        let at = |(j, i): (usize, &f64)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * i } else { 1.0 };
+        isentrope.iter().enumerate().map(at).collect()
     }
 
     /// d(p V^k) = (k - 1) V^(k - 1) dQ is linear in the heat: the pressure is that of the motored cycle plus heat times a unit trace,
     /// and the heat follows from the area.
     pub(super) fn trace(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
         let k = self.heat_capacity_ratio;
-        let n = samples(strokes);
-        let clearance = 2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0);
-        let height = |j: usize| clearance + geometry.slider_crank.motion(sample_angle(j)).travel;
-        let motored = self.motored(geometry, strokes);
+        let (heights, slopes) = self.heights(geometry, strokes);
+        let n = heights.len();
+        let isentrope: Vec<f64> = heights.iter().map(|h| h.powf(-k)).collect();
+        let motored = self.compressed(geometry, &isentrope);
         let mut unit = vec![0.0; n];
         let mut released = 0.0;
         let half_turn = (180.0 / SAMPLE_DEG).round() as usize;
@@ -61,12 +77,14 @@ impl Wiebe {
             let (j, next) = ((n - half_turn + step) % n, (n - half_turn + step + 1) % n);
             let deg = step as f64 * SAMPLE_DEG - 180.0;
             let share = self.burnt(deg + SAMPLE_DEG) - self.burnt(deg);
-            released += share * (0.5 * (height(j) + height(next))).powf(k - 1.0);
+            if share > 0.0 {
+                released += share * (0.5 * (heights[j] + heights[next])).powf(k - 1.0);
+            }
             if closed_part_deg(next, n).is_some() {
-                unit[next] = released * height(next).powf(-k);
+                unit[next] = released * isentrope[next];
             }
         }
-        let work = |p: &[f64]| -> f64 { p.iter().enumerate().map(|(j, p)| p * geometry.slider_crank.motion(sample_angle(j)).slope).sum() };
+        let work = |p: &[f64]| -> f64 { p.iter().zip(&slopes).map(|(p, slope)| p * slope).sum() };
         let wanted = self.indicated_mean_pressure[index] * 2.0 * geometry.slider_crank.crank_radius / sample_angle(1);
         let heat = (wanted - work(&motored)) / work(&unit);
         motored.iter().zip(&unit).map(|(m, u)| m + heat * u).collect()

@@ -5,7 +5,7 @@ use hartog::assess::amplitude::near;
 use hartog::assess::calibrate::{Known, statistics::statistics};
 use hartog::assess::{Calibration, Silent, calibrate};
 use hartog::engine::{Excitation, Order, Pressure, Source};
-use hartog::numerics::least_squares::fit;
+use hartog::numerics::least_squares::{Range, fit};
 use hartog::response::{Direct, Grid, System, Work};
 use hartog::study::published::PublishedAmplitude;
 use hartog::study::{FreeInput, Input, Study};
@@ -92,7 +92,7 @@ fn standard_errors_cover_the_truth() {
 #[test]
 fn what_rows_cannot_tell_is_named() {
     let mut s = study("villalva_i6");
-    let free = |input, lower, upper, start| FreeInput { input, lower, upper, start };
+    let free = |input, lower, upper, start| FreeInput { input, lower, upper, start, varies: false };
     let spec = s.calibrate.as_mut().expect("calibrates");
     spec.inputs.push(free(Input::ShaftLossFactor, 0.0, 0.02, 0.0));
     let c = fitted(&s);
@@ -102,7 +102,7 @@ fn what_rows_cannot_tell_is_named() {
     let spec = s.calibrate.as_mut().expect("calibrates");
     spec.inputs.truncate(2);
     spec.rows.truncate(2);
-    assert!(fitted(&s).inputs.iter().all(|i| i.known == Known::NoFreedom && i.standard_error.is_none()));
+    assert!(fitted(&s).inputs.iter().all(|i| i.known != Known::Yes && i.standard_error.is_none()));
 }
 
 /// Independent: standard errors and correlation of a straight line by its textbook formulas; columns that are zero or alike are not
@@ -129,19 +129,20 @@ fn statistics_of_a_straight_line() {
 /// Rosenbrock's valley, a minimum on a bound, and a problem whose residuals stay large and curved, where Gauss and Newton alone swing.
 #[test]
 fn least_squares_finds_known_minima() {
+    let range = |lower, upper| Range { lower, upper, scale: 1.0 };
     let rosenbrock = |x: &[f64]| Ok::<_, Infallible>(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
-    let f = fit(rosenbrock, &[(-2.0, 2.0), (-1.0, 3.0)], &[-1.2, 1.0]).expect("finite");
+    let f = fit(rosenbrock, &[range(-2.0, 2.0), range(-1.0, 3.0)], &[-1.2, 1.0]).expect("finite");
     assert_close(f.point[0], 1.0, 1e-6, 0.0, "x");
     assert_close(f.point[1], 1.0, 1e-6, 0.0, "y");
-    let f = fit(|x: &[f64]| Ok::<_, Infallible>(vec![x[0] - 5.0, 0.1 * x[0]]), &[(0.0, 2.0)], &[0.5]).expect("finite");
+    let f = fit(|x: &[f64]| Ok::<_, Infallible>(vec![x[0] - 5.0, 0.1 * x[0]]), &[range(0.0, 2.0)], &[0.5]).expect("finite");
     assert_close(f.point[0], 2.0, 1e-6, 0.0, "on the bound");
     // sum of (x - 1)² and (x² + 2)²: the derivative 2 (x - 1) + 4 x (x² + 2) has one root
     let curved = |x: &[f64]| Ok::<_, Infallible>(vec![x[0] - 1.0, x[0] * x[0] + 2.0]);
-    let f = fit(curved, &[(-3.0, 3.0)], &[2.0]).expect("finite");
+    let f = fit(curved, &[range(-3.0, 3.0)], &[2.0]).expect("finite");
     let x = f.point[0];
     assert_close(2.0 * (x - 1.0) + 4.0 * x * (x * x + 2.0), 0.0, 0.0, 1e-4, "stationary");
     assert!(f.evaluations < 100, "{}", f.evaluations);
-    assert_eq!(fit(|_: &[f64]| Err::<Vec<f64>, _>("no"), &[(0.0, 1.0)], &[0.5]), Err("no"));
+    assert_eq!(fit(|_: &[f64]| Err::<Vec<f64>, _>("no"), &[range(0.0, 1.0)], &[0.5]), Err("no"));
 }
 
 /// Work is pinned: more evaluations of the six's rows than this would be a search that no longer converges.
@@ -150,4 +151,25 @@ fn evaluations_are_few() {
     let c = fitted(&study("villalva_i6"));
     assert_eq!(c.agreeing.0, c.agreeing.1);
     assert!(c.evaluations <= 400, "{}", c.evaluations);
+}
+
+/// Bounds decades apart change nothing: the same values and standard errors as with narrow ones, and a search that ends on a bound says so.
+#[test]
+fn wide_bounds_change_nothing() {
+    let with = |lower: f64, upper: f64| {
+        let mut s = study("villalva_i6");
+        let free = &mut s.calibrate.as_mut().expect("calibrates").inputs;
+        free.remove(0);
+        (free[0].lower, free[0].upper) = (lower, upper);
+        fitted(&s).inputs[0].clone()
+    };
+    let narrow = with(5.0, 15.0);
+    assert_eq!(narrow.known, Known::Yes);
+    for upper in [2e3, 1e5, 1e9] {
+        let wide = with(0.0, upper);
+        assert_close(wide.value, narrow.value, 1e-4, 0.0, &format!("to {upper}"));
+        assert_close(wide.standard_error.expect("rows"), narrow.standard_error.expect("rows"), 0.02, 0.0, &format!("error to {upper}"));
+        assert_eq!(wide.known, Known::Yes, "to {upper}");
+    }
+    assert_eq!(with(20.0, 30.0).known, Known::AtBound);
 }

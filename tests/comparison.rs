@@ -8,6 +8,7 @@ use hartog::absorber::seeds;
 use hartog::assess::comparison::{Comparison, Entry, Kind, Role, Spread};
 use hartog::assess::{self, Calibration, Silent};
 use hartog::study::Study;
+use hartog::study::published::{PublishedAbsorber, PublishedFrequency};
 
 /// Both engines, fitted, without optima.
 fn page(name: &str, change: impl FnOnce(&mut Study)) -> (Study, Option<Calibration>, Comparison) {
@@ -173,11 +174,23 @@ fn common_points_and_their_damping() {
     }
 }
 
-/// A tolerance that is stated and not held fails the comparison; one that is not stated asks nothing.
+/// A tolerance that is stated and not held fails the comparison, also where there is nothing to hold it against; one that is not stated asks
+/// nothing.
 #[test]
 fn stated_tolerances_decide() {
-    let holds = |change: fn(&mut Study)| page("villalva_v10", change).2.verdict.holds();
-    assert!(holds(|_| {}));
-    assert!(!holds(|s| s.published.as_mut().expect("tables").tolerances.amplitude_worst = Some(10.0)));
-    assert!(holds(|s| s.published.as_mut().expect("tables").tolerances = Default::default()));
+    let absorber = |s: &mut Study, f: fn(&mut PublishedAbsorber)| s.published.as_mut().expect("tables").absorbers.iter_mut().for_each(f);
+    let holds = |change: &dyn Fn(&mut Study)| page("villalva_v10", |s| change(s)).2.verdict.holds();
+    assert!(holds(&|_: &mut Study| {}));
+    assert!(!holds(&|s: &mut Study| s.published.as_mut().expect("tables").tolerances.amplitude_worst = Some(10.0)));
+    assert!(holds(&|s: &mut Study| s.published.as_mut().expect("tables").tolerances = Default::default()));
+    assert!(!holds(&|s: &mut Study| absorber(s, |a| a.stiffness = a.stiffness.map(|_| 3.0))), "no formula gives it");
+    assert!(!holds(&|s: &mut Study| absorber(s, |a| a.damping = a.damping.map(|c| 2.0 * c))), "no formula gives it");
+    assert!(!holds(&|s: &mut Study| s.published.as_mut().expect("tables").amplitudes.retain(|a| a.design < 2)), "nothing predicted");
+    assert!(
+        !holds(&|s: &mut Study| {
+            let f = PublishedFrequency { table: String::new(), source: String::new(), mode: 99, frequency_hz: 1.0 };
+            s.published.as_mut().expect("tables").frequencies = vec![f];
+        }),
+        "no such mode"
+    );
 }

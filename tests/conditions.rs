@@ -124,7 +124,7 @@ fn gradients_in_every_condition() {
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let methods = [&firing, &misfire].map(|sys| Method::Direct(Direct::new(sys, &grid)));
     let finders = [(&firing, &methods[0]), (&misfire, &methods[1])].map(|(sys, method)| PeakFinder::new(sys, &grid, method, true));
-    let scene = |condition, finder| Scene { condition, finder };
+    let scene = |condition, finder| Scene { condition, cylinder: None, finder };
     let scenes = [
         scene(Condition::Firing, &finders[0]),
         scene(Condition::Misfire, &finders[1]),

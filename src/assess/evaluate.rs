@@ -1,5 +1,6 @@
 //! Everything that is reported of one design.
 
+use super::RunError;
 use crate::absorber::Mounted;
 use crate::design::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::numerics::C64;
@@ -140,7 +141,7 @@ pub struct ConditionResult {
     pub cylinder: Option<usize>,
     /// Synthesised twist.
     pub twist: Option<Peak>,
-    /// Synthesised vibratory torque of all shafts.
+    /// Synthesised vibratory torque of all shafts; of a misfire the largest of all cylinders.
     pub torque: Option<Peak>,
     /// The study's objective.
     pub objective: f64,
@@ -168,15 +169,37 @@ pub struct Wanted<'a> {
 /// Evaluates one design. `finders`: of the engine as it should be, then with each cylinder misfiring where a condition asks for it.
 ///
 /// # Errors
-/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+/// [`RunError`] where nothing damps a resonance, with the condition.
 pub fn evaluate(
     finders: &[PeakFinder],
     name: &str,
     design: &[Mounted],
     wanted: &Wanted,
     work: &mut Work,
-) -> Result<DesignResult, ResponseError> {
-    let finder = &finders[0];
+) -> Result<DesignResult, RunError> {
+    let firing = firing(&finders[0], name, design, wanted, work);
+    let (mut result, own_limits) = firing.map_err(|error| RunError { what: name.to_owned(), error })?;
+    let conditions = in_conditions(finders, name, design, wanted, work)?;
+    let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
+    // a condition that makes no difference to the design is that of firing
+    asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
+    if !wanted.held.contains(&Condition::Firing) && asked.len() > 1 {
+        asked.remove(0);
+    }
+    result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
+    result.limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
+    result.conditions = conditions;
+    Ok(result)
+}
+
+/// The design where everything works, and each limited measure over its limit.
+fn firing(
+    finder: &PeakFinder,
+    name: &str,
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<(DesignResult, Vec<f64>), ResponseError> {
     let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure { quantities, over }, work);
     let hub = Quantity::Twist { from: wanted.hub, to: None };
     let shafts = shafts(finder);
@@ -186,17 +209,8 @@ pub fn evaluate(
     let torque = if shafts.is_empty() { None } else { peak(shafts, Over::Synthesis)? };
     let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
     let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
-    let (own, own_limits) = asked(finder, design, wanted, work)?;
-    let conditions = in_conditions(finders, design, wanted, work)?;
-    let mut asked: Vec<(f64, &Vec<f64>)> = vec![(own, &own_limits)];
-    // a condition that makes no difference to the design is that of firing
-    asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
-    if !wanted.held.contains(&Condition::Firing) && asked.len() > 1 {
-        asked.remove(0);
-    }
-    let objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
-    let limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
-    Ok(DesignResult {
+    let (objective, limits) = asked(finder, design, wanted, work)?;
+    let result = DesignResult {
         name: name.to_owned(),
         absorbers: design.to_vec(),
         frequencies_hz: natural::frequencies_hz(&finder.system.chain, &finder.system.modes, design),
@@ -206,10 +220,11 @@ pub fn evaluate(
         torque,
         power: largest_power(finder, design, work)?,
         ring_twist,
-        objective,
-        limits,
-        conditions,
-    })
+        objective: Some(objective),
+        limits: Vec::new(),
+        conditions: Vec::new(),
+    };
+    Ok((result, limits))
 }
 
 fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
@@ -225,10 +240,12 @@ fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Wo
 
 fn in_conditions(
     finders: &[PeakFinder],
+    name: &str,
     design: &[Mounted],
     wanted: &Wanted,
     work: &mut Work,
-) -> Result<Vec<ConditionResult>, ResponseError> {
+) -> Result<Vec<ConditionResult>, RunError> {
+    let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };
     let one = |condition: Condition, cylinder: Option<usize>| -> Result<(ConditionResult, Work), ResponseError> {
         let finder = &finders[cylinder.map_or(0, |c| c + 1)];
         let (design, mut work) = (condition.absorbers(design), Work::default());
@@ -242,15 +259,22 @@ fn in_conditions(
     for &condition in wanted.conditions {
         let found: Vec<(ConditionResult, Work)> = match condition {
             Condition::Firing => continue,
-            Condition::Misfire => (1..finders.len()).into_par_iter().map(|f| one(condition, Some(f - 1))).collect::<Result<_, _>>()?,
+            Condition::Misfire => (1..finders.len())
+                .into_par_iter()
+                .map(|f| one(condition, Some(f - 1)))
+                .collect::<Result<_, _>>()
+                .map_err(|e| failed(condition, e))?,
             Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
-            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None)?],
+            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None).map_err(|e| failed(condition, e))?],
         };
         found.iter().for_each(|f| *work += f.1);
         let limits = (0..wanted.limits.len()).map(|l| found.iter().map(|f| f.0.limits[l]).fold(0.0, f64::max)).collect();
+        // the torque may be largest with another cylinder than the objective
+        let torques = found.iter().filter_map(|f| f.0.torque);
+        let torque = torques.reduce(|m, t| if t.value > m.value { t } else { m });
         // the first of equals: symmetric engines have several worst cylinders
         let worst = found.into_iter().map(|f| f.0).reduce(|m, f| if f.objective > m.objective * (1.0 + 1e-9) { f } else { m });
-        results.extend(worst.map(|w| ConditionResult { limits, ..w }));
+        results.extend(worst.map(|w| ConditionResult { limits, torque, ..w }));
     }
     Ok(results)
 }

@@ -23,6 +23,8 @@ pub struct OptimumResult {
     pub design: DesignResult,
     /// What makes each row's peak (`None`: another quantity than the reported twist).
     pub natures: Vec<Option<Nature>>,
+    /// Condition of each row, and the cylinder that misfires.
+    pub scenes: Vec<(Condition, Option<usize>)>,
     /// Whether it is the main size of its type.
     pub main: bool,
 }
@@ -135,7 +137,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let mut designs = Vec::new();
     for d in &study.designs {
         let result = evaluate::evaluate(&finders, &d.name, &d.absorbers, &wanted, &mut work);
-        designs.push(result.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
+        designs.push(result.map_err(|e| RunError { what: format!("design `{}`{}", d.name, &e.what[d.name.len()..]), ..e })?);
         progress.step();
     }
     clock.lap("designs", work);
@@ -212,7 +214,8 @@ fn appearing(firing: &Excitation, misfiring: &Excitation) -> Vec<Order> {
 /// A condition as scenes of a design problem: one for each cylinder that may misfire.
 fn scenes<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<Scene<'a>> {
     let of = if condition == Condition::Misfire { &finders[1..] } else { &finders[..1] };
-    of.iter().map(|finder| Scene { condition, finder }).collect()
+    let cylinder = |i| (condition == Condition::Misfire).then_some(i);
+    of.iter().enumerate().map(|(i, finder)| Scene { condition, cylinder: cylinder(i), finder }).collect()
 }
 
 /// The study's method; receptances are tabulated for what is searched.
@@ -272,7 +275,9 @@ impl Job<'_> {
                     classifier.nature(scene.finder, &scene.condition.absorbers(mounted), &r.peak)
                 };
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
-                Ok(OptimumResult { design: design.map_err(failed)?, optimum, natures, main })
+                let scene = |r: &Row| (self.scenes[r.scene].condition, self.scenes[r.scene].cylinder);
+                let scenes = optimum.outcome.rows.rows.iter().map(scene).collect();
+                Ok(OptimumResult { design: design?, optimum, natures, scenes, main })
             })
             .collect()
     }

@@ -201,6 +201,10 @@ fn work(study: &Study, excitation: &Excitation) -> String {
         let _ = writeln!(text, "  design {}: {}", d.name, if absorbers.is_empty() { "no absorber".into() } else { absorbers.join("; ") });
     }
     let _ = writeln!(text, "  objective: {}", study.objective.label);
+    let conditions: Vec<String> = study.conditions.iter().map(|c| c.name().replace('_', " ")).collect();
+    if !conditions.is_empty() {
+        let _ = writeln!(text, "  conditions: {}", conditions.join(", "));
+    }
     for (words, _) in &study.limits {
         let _ = writeln!(text, "  limit: {words}");
     }
@@ -219,6 +223,30 @@ fn work(study: &Study, excitation: &Excitation) -> String {
             f.inertias.len(),
             significant(f.inertias[0], 5),
             significant(f.inertias[f.inertias.len() - 1], 5)
+        );
+    }
+    if let Some(p) = &study.published {
+        let _ = writeln!(
+            text,
+            "  compared with, for engine {}: {} natural frequencies, {} absorbers, {} amplitudes, {} numbers of the text",
+            p.engine,
+            p.frequencies.len(),
+            p.absorbers.len(),
+            p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count(),
+            p.quantities.len()
+        );
+    }
+    if let Some(c) = &study.calibrate {
+        let inputs: Vec<String> = c
+            .inputs
+            .iter()
+            .map(|f| format!("{} from {} to {} (in file {})", f.input.key(), f.lower, f.upper, significant(f.start, 5)))
+            .collect();
+        let _ = writeln!(
+            text,
+            "  calibrated first, against {} amplitudes: {}; what is printed above is the file as it is",
+            c.rows.len(),
+            inputs.join(", ")
         );
     }
     text

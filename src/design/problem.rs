@@ -20,6 +20,8 @@ pub const UNBOUNDED_COST: f64 = 1e30;
 pub struct Scene<'a> {
     /// State of the absorbers.
     pub condition: Condition,
+    /// The cylinder (from 0) that misfires.
+    pub cylinder: Option<usize>,
     /// Finds the peaks of the engine in this condition.
     pub finder: &'a PeakFinder<'a>,
 }

@@ -9,9 +9,9 @@ use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Step of the central differences, as a share of the width between the bounds: truncation and rounding both stay near 1e-8.
+/// Step of the central differences, relative to the parameter or its scale: truncation and rounding both stay near 1e-8.
 const STEP: f64 = 1e-4;
-/// Starts keep this share of the width from the bounds, where the coordinates stand still.
+/// Starts keep this share of the width (of the coordinate) from the bounds, where the angles stand still.
 const INSIDE: f64 = 0.02;
 /// A full step that promises less than this share of the cost ends the search.
 const PROMISE: f64 = 1e-10;
@@ -39,14 +39,48 @@ impl Fit {
     }
 }
 
-/// Parameter from its coordinate: x = middle + half width sin(u) stays between the bounds for every u.
-fn parameter(u: f64, (low, high): (f64, f64)) -> f64 {
-    0.5 * (low + high) + 0.5 * (high - low) * u.sin()
+/// A parameter: its bounds, and the size below which it acts like zero. Between bounds decades apart its logarithm counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Smallest value.
+    pub lower: f64,
+    /// Largest value, above `lower`.
+    pub upper: f64,
+    /// Positive.
+    pub scale: f64,
+}
+
+impl Range {
+    /// asinh(x/scale): linear below the scale, logarithmic above.
+    pub fn coordinate(&self, x: f64) -> f64 {
+        (x / self.scale).asinh()
+    }
+
+    /// The parameter of a coordinate, between the bounds.
+    pub fn value(&self, z: f64) -> f64 {
+        (self.scale * z.sinh()).clamp(self.lower, self.upper)
+    }
+
+    /// Bounds of the coordinate.
+    pub fn ends(&self) -> (f64, f64) {
+        (self.coordinate(self.lower), self.coordinate(self.upper))
+    }
+
+    /// What a step of one in the coordinate is in the parameter.
+    pub fn size(&self, x: f64) -> f64 {
+        x.hypot(self.scale)
+    }
+
+    /// Coordinate of an angle: z = middle + half width sin(u) stays between the ends for every u.
+    fn folded(&self, u: f64) -> f64 {
+        let (low, high) = self.ends();
+        0.5 * (low + high) + 0.5 * (high - low) * u.sin()
+    }
 }
 
 struct State<F, E> {
     residuals: F,
-    bounds: Vec<(f64, f64)>,
+    ranges: Vec<Range>,
     error: Option<E>,
     evaluations: u64,
     /// One over the sum of squares at the start: argmin's tolerances are absolute.
@@ -67,8 +101,12 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
         })
     }
 
+    fn point(&self, u: &[f64]) -> Vec<f64> {
+        u.iter().zip(&self.ranges).map(|(u, r)| r.value(r.folded(*u))).collect()
+    }
+
     fn cost(&mut self, u: &[f64]) -> Result<f64, Error> {
-        let x: Vec<f64> = u.iter().zip(&self.bounds).map(|(u, b)| parameter(*u, *b)).collect();
+        let x = self.point(u);
         let cost = 0.5 * self.at(&x)?.iter().map(|r| r * r).sum::<f64>();
         if cost.is_finite() { Ok(cost * self.unit) } else { Err(Error::msg("the residuals are not finite")) }
     }
@@ -80,14 +118,14 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
         {
             return Ok(fit.clone());
         }
-        let point: Vec<f64> = u.iter().zip(&self.bounds).map(|(u, b)| parameter(*u, *b)).collect();
+        let point = self.point(u);
         let residuals = self.at(&point)?;
         let mut jacobian = DMatrix::zeros(residuals.len(), point.len());
         for j in 0..point.len() {
-            let (low, high) = self.bounds[j];
-            let step = STEP * (high - low);
+            let range = self.ranges[j];
+            let step = STEP * range.size(point[j]);
             let (mut up, mut down) = (point.clone(), point.clone());
-            (up[j], down[j]) = ((point[j] + step).min(high), (point[j] - step).max(low));
+            (up[j], down[j]) = ((point[j] + step).min(range.upper), (point[j] - step).max(range.lower));
             let width = up[j] - down[j];
             let (above, below) = (self.at(&up)?, self.at(&down)?);
             jacobian.set_column(j, &((DVector::from_vec(above) - DVector::from_vec(below)) / width));
@@ -127,8 +165,9 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
     /// Derivatives with respect to the coordinates.
     fn in_coordinates(&self, u: &[f64], fit: &Fit) -> DMatrix<f64> {
         let mut jacobian = fit.jacobian.clone();
-        for (j, (u, (low, high))) in u.iter().zip(&self.bounds).enumerate() {
-            jacobian.column_mut(j).scale_mut(0.5 * (high - low) * u.cos());
+        for (j, (u, range)) in u.iter().zip(&self.ranges).enumerate() {
+            let (low, high) = range.ends();
+            jacobian.column_mut(j).scale_mut(0.5 * (high - low) * u.cos() * range.size(fit.point[j]));
         }
         jacobian
     }
@@ -175,27 +214,29 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> Hessian for Problem<F, E> {
     }
 }
 
-/// Minimises half the sum of the squared `residuals` over parameters between their `bounds`, from one start. Derivatives by central
+/// Minimises half the sum of the squared `residuals` over parameters in their `ranges`, from one start. Derivatives by central
 /// differences.
 ///
 /// # Errors
 /// The error of `residuals` where they cannot be computed at the start; one met on the way ends the search at the best point so far.
-pub fn fit<F, E>(residuals: F, bounds: &[(f64, f64)], start: &[f64]) -> Result<Fit, E>
+pub fn fit<F, E>(residuals: F, ranges: &[Range], start: &[f64]) -> Result<Fit, E>
 where
     F: FnMut(&[f64]) -> Result<Vec<f64>, E>,
 {
-    let coordinate =
-        |(x, (low, high)): (&f64, &(f64, f64))| (2.0 * (x - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).asin();
-    let first: Vec<f64> = start.iter().zip(bounds).map(coordinate).collect();
+    let angle = |(x, range): (&f64, &Range)| {
+        let (low, high) = range.ends();
+        (2.0 * (range.coordinate(*x) - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).asin()
+    };
+    let first: Vec<f64> = start.iter().zip(ranges).map(angle).collect();
     let state = State {
         residuals,
-        bounds: bounds.to_vec(),
+        ranges: ranges.to_vec(),
         error: None,
         evaluations: 0,
         unit: 1.0,
         best: None,
         known: None,
-        curvature: DMatrix::zeros(bounds.len(), bounds.len()),
+        curvature: DMatrix::zeros(ranges.len(), ranges.len()),
     };
     let shared = Rc::new(RefCell::new(state));
     let begun = shared.borrow_mut().derivatives(&first);
@@ -207,7 +248,7 @@ where
             }
         }
     }
-    let region = TrustRegion::new(Steihaug::<Vec<f64>, f64>::new().with_max_iters(2 * bounds.len() as u64)).with_radius(0.5);
+    let region = TrustRegion::new(Steihaug::<Vec<f64>, f64>::new().with_max_iters(2 * ranges.len() as u64)).with_radius(0.5);
     if let Ok(region) = region.and_then(|r| r.with_max_radius(1.5)) {
         let run = Executor::new(Problem(shared.clone()), region).configure(|s| s.param(first.clone()).max_iters(MOST_ITERATIONS));
         let _stopped = run.timer(false).run();

@@ -1,6 +1,6 @@
 //! Whole files or none: each is written under a temporary name and renamed.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,8 @@ pub struct WriteError {
 #[derive(Debug, Clone)]
 pub struct Folder {
     path: PathBuf,
-    written: Cell<usize>,
+    /// Names of the files written.
+    written: RefCell<Vec<String>>,
 }
 
 impl Folder {
@@ -30,7 +31,7 @@ impl Folder {
         let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
         std::fs::create_dir_all(path).map_err(failed)?;
         tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
-        Ok(Self { path: path.to_path_buf(), written: Cell::new(0) })
+        Ok(Self { path: path.to_path_buf(), written: RefCell::default() })
     }
 
     /// Where it is.
@@ -40,7 +41,7 @@ impl Folder {
 
     /// How many files were written.
     pub fn written(&self) -> usize {
-        self.written.get()
+        self.written.borrow().len()
     }
 
     /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.
@@ -55,6 +56,23 @@ impl Folder {
             }
         }
         Ok(())
+    }
+
+    /// Removes plots named `prefix…` of an earlier run that this one has not written.
+    ///
+    /// # Errors
+    /// [`WriteError`] where one is there and cannot be removed.
+    pub fn remove_other_plots(&self, prefix: &str) -> Result<(), WriteError> {
+        let failed = |e: std::io::Error| WriteError { path: self.path.clone(), reason: reason(&e) };
+        let mut old = Vec::new();
+        for entry in std::fs::read_dir(&self.path).map_err(failed)? {
+            let name = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
+            let plot = name.starts_with(prefix) && (name.ends_with(".svg") || name.ends_with(".png"));
+            if plot && !self.written.borrow().contains(&name) {
+                old.push(name);
+            }
+        }
+        self.remove(&old.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
     /// Writes a file.
@@ -73,7 +91,7 @@ impl Folder {
             file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(failed)?;
         }
         file.persist(&target).map_err(|e| failed(e.error))?;
-        self.written.set(self.written.get() + 1);
+        self.written.borrow_mut().push(name.to_owned());
         Ok(())
     }
 }

@@ -30,7 +30,8 @@ pub fn write_run(
         csv::pareto(study, results, folder)?;
     }
     written();
-    plot::run(study, results, folder, written)
+    plot::run(study, results, folder, written)?;
+    folder.remove_other_plots("response_")
 }
 
 /// Writes a calibration, or removes that of an earlier run.

@@ -107,10 +107,10 @@ impl Calibration {
 pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Option<Calibration>), RunError> {
     let (Some(spec), Some(published)) = (&study.calibrate, &study.published) else { return Ok((study.clone(), None)) };
     let measured: Vec<f64> = spec.rows.iter().filter_map(|r| published.amplitudes[*r].amplitude).collect();
-    let before = Model::new(study, spec).amplitudes(&spec.inputs.iter().map(|f| f.start).collect::<Vec<_>>())?;
+    let before = Model::new(study, spec).as_in_the_file()?;
     let Found { best, evaluations, agreeing } = search::search(study, spec, &measured, progress)?;
     let model = RefCell::new(Model::new(study, spec));
-    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &search::widths(spec), |one, variance| {
+    let statistics = statistics::statistics(&best.jacobian, &best.residuals, &search::sizes(spec, &best.point), |one, variance| {
         statistics::stretch(variance, |t| {
             let x = search::inside(spec, &best.point, one, t)?;
             let there = model.borrow_mut().amplitudes(&x).ok()?;
@@ -134,15 +134,16 @@ pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Optio
     Ok((study.with_inputs(&values), Some(calibration)))
 }
 
-/// On a bound: within this share of the width.
+/// On a bound: within this share of the width of the coordinate it is searched in.
 const ON_BOUND: f64 = 1e-3;
 
 fn known(free: &FreeInput, value: f64, standard_error: Option<f64>) -> Known {
-    let width = free.upper - free.lower;
+    let range = search::range(free);
+    let ((low, high), at) = (range.ends(), range.coordinate(value));
     match standard_error {
+        _ if at - low < ON_BOUND * (high - low) || high - at < ON_BOUND * (high - low) => Known::AtBound,
         None => Known::NoFreedom,
-        Some(e) if e.is_nan() || e >= width / 12f64.sqrt() => Known::NotIdentified,
-        _ if value - free.lower < ON_BOUND * width || free.upper - value < ON_BOUND * width => Known::AtBound,
+        Some(e) if e.is_nan() || e >= (free.upper - free.lower) / 12f64.sqrt() => Known::NotIdentified,
         _ => Known::Yes,
     }
 }

@@ -9,7 +9,7 @@ use crate::response::natural;
 use crate::study::published::PublishedAbsorber;
 use crate::study::{Published, Study};
 
-/// A formula is that of the source where it gives the printed value within this share.
+/// A formula is taken for that of the source where it gives the printed value within this share.
 const FOUND: f64 = 0.02;
 /// Steps beside the common point.
 const STEPS: [f64; 2] = [1.01, 0.99];
@@ -79,12 +79,12 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
         let used = study.designs.iter().find(|d| d.name == row.design).and_then(|d| d.absorbers.first()).map(|m| m.absorber);
         if let (Some(used), Some(_)) = (used, row.ring_inertia) {
             let given = [
-                ("ring inertia", "kg m2", row.ring_inertia, used.ring_inertia()),
-                ("stiffness", "N m/rad", row.stiffness, used.stiffness()),
-                ("damping", "N m s/rad", row.damping, used.damping()),
+                ("ring inertia", "kg m2", row.ring_inertia, Some(used.ring_inertia())),
+                ("stiffness", "N m/rad", row.stiffness, Some(used.stiffness()).filter(|k| k.is_finite())),
+                ("damping", "N m s/rad", row.damping, Some(used.damping())),
             ];
             for (quantity, unit, printed, used) in given {
-                entries.push(put(quantity, Kind::Other, unit, (printed, Some(used)), Role::Given, "input of the design".into()));
+                entries.push(put(quantity, Kind::Other, unit, (printed, used), Role::Given, "input of the design".into()));
             }
         }
         for p in procedures(study, row) {
@@ -173,7 +173,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     let candidates = || inertias.into_iter().flat_map(|(inertia, words)| tunings(ring / inertia).map(|t| (ring / inertia, words, t)));
     let best = |value: &dyn Fn(f64, f64) -> Option<f64>, printed: f64| {
         let tried = candidates().filter_map(|(mu, words, t)| value(mu, t.0).map(|v| (v, mu, words, t)));
-        tried.min_by(|a, b| off(a.0, printed).total_cmp(&off(b.0, printed))).filter(|b| off(b.0, printed) < FOUND)
+        tried.min_by(|a, b| off(a.0, printed).total_cmp(&off(b.0, printed)))
     };
     let by_stiffness = row.stiffness.and_then(|k| best(&|_, t| Some(ring * omega * omega * t * t), k).map(|b| (k, b)));
     let by_damping = row.damping.and_then(|c| {
@@ -186,9 +186,10 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     if let Some((k, (computed, _, inertia, t))) = by_stiffness {
         // a tuning of one does not depend on the inertia
         let of = if t.1 == "unity" { String::new() } else { format!(", mu of the {inertia}") };
-        put("stiffness by procedure", k, computed, Role::Predicted, format!("{}{of}", t.2));
+        let nearest = if off(computed, k) < FOUND { "" } else { "; none of the formulas tried is nearer" };
+        put("stiffness by procedure", k, computed, Role::Predicted, format!("{}{of}{nearest}", t.2));
     }
-    if let Some((c, (_, mu, inertia, t))) = by_damping {
+    if let Some((c, (computed, mu, inertia, t))) = by_damping {
         for step in STEPS {
             if let Some(d) = common_point::damping(mu, t.0, Point::I, step) {
                 let note = format!("level with common point I a step away, tuning {}, mu of the {inertia}", t.1);
@@ -203,8 +204,10 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
         if let Some(exact) = exact {
             put("damping, exact", c, unit * exact, Role::Predicted, "Brock: horizontal at the common points, no step".into());
         }
-        if let Some((k, (_, _, _, used))) = by_stiffness
+        if let Some((k, (found, _, _, used))) = by_stiffness
             && used.1 != t.1
+            && off(found, k) < FOUND
+            && off(computed, c) < FOUND
         {
             let note = format!("printed as {}, but the damping is that of the tuning {}, which needs {}", used.2, t.1, t.2);
             put("stiffness, correct", k, ring * omega * omega * t.0 * t.0, Role::Erratum, note);

@@ -16,6 +16,10 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
     let computed = |f: &PublishedFrequency| own.get(f.mode - 1).copied();
     let off = |f: &PublishedFrequency| computed(f).map_or(f64::INFINITY, |own| (f.frequency_hz / own - 1.0).abs());
     let same_chain = |source: &str| {
+        // without a source it is a measurement or a computation of this very engine
+        if source.is_empty() {
+            return true;
+        }
         let mut all: Vec<f64> = published.frequencies.iter().filter(|f| f.source == source).map(off).collect();
         all.sort_by(f64::total_cmp);
         all[(all.len() - 1) / 2] < SAME_CHAIN && all[0] < AGREES + 1e-3
@@ -33,8 +37,8 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             (Some((table, hz)), Some(own)) => {
                 (Role::Erratum, format!("table {table} prints {hz} Hz for this mode, and the chain gives {own:.2} Hz"))
             }
-            _ if same => (Role::Predicted, format!("{}: the chain as given", f.source)),
-            _ => (Role::Predicted, format!("{}: another model", f.source)),
+            _ if same => (Role::Predicted, "the chain as given".into()),
+            _ => (Role::Predicted, "another model of the engine".into()),
         };
         Entry {
             table: f.table.clone(),

@@ -35,17 +35,22 @@ pub fn inputs(study: &Study, published: &Published) -> Vec<Entry> {
         _ => None,
     };
     let own = |name: &str| match name {
-        "piston_diameter" => Some(geometry.bore / M_PER_MM),
-        "crank_radius" => Some(geometry.slider_crank.crank_radius / M_PER_MM),
-        "rod_length" => Some(geometry.slider_crank.rod_length / M_PER_MM),
-        "rod_mass" => Some(geometry.rod_mass),
-        "piston_mass" => Some(geometry.piston_mass),
-        "bank_angle" => study.engine.layout.bank_angle_deg,
-        "rated_power" => torque(&|(speed, torque)| torque * speed * RAD_PER_S_PER_RPM / W_PER_KW),
-        "max_torque" => torque(&|(_, torque)| torque),
+        "piston_diameter" => Some((geometry.bore / M_PER_MM, "mm")),
+        "crank_radius" => Some((geometry.slider_crank.crank_radius / M_PER_MM, "mm")),
+        "rod_length" => Some((geometry.slider_crank.rod_length / M_PER_MM, "mm")),
+        "rod_mass" => Some((geometry.rod_mass, "kg")),
+        "piston_mass" => Some((geometry.piston_mass, "kg")),
+        "bank_angle" => study.engine.layout.bank_angle_deg.map(|b| (b, "deg")),
+        "rated_power" => torque(&|(speed, torque)| torque * speed * RAD_PER_S_PER_RPM / W_PER_KW).map(|p| (p, "kW")),
+        "max_torque" => torque(&|(_, torque)| torque).map(|t| (t, "N m")),
         _ => None,
     };
-    let given = |q: &PublishedQuantity| Some(entry(q, "", Some(own(&q.name)?), Role::Given, "input of the engine file".into()));
+    let given = |q: &PublishedQuantity| {
+        let (value, unit) = own(&q.name)?;
+        let same = q.unit == unit;
+        let note = if same { "input of the engine file".into() } else { format!("input of the engine file: {value} {unit}") };
+        Some(entry(q, "", Some(value).filter(|_| same), Role::Given, note))
+    };
     published.quantities.iter().filter_map(given).collect()
 }
 
@@ -109,9 +114,14 @@ pub fn peaks(study: &Study, published: &Published, system: &System) -> Result<Ve
         };
         let words = q.value.as_ref().err().map_or_else(String::new, |w| format!("printed: {w}; "));
         let mut made = entry(q, design.map_or("", |d| &d.name), computed, Role::Predicted, format!("{words}{note}"));
+        if design.is_some()
+            && let Some(short) = made.quantity.strip_suffix(name.design)
+        {
+            made.quantity = short.trim_end().to_owned();
+        }
         if made.deviation_percent().is_some_and(|d| d.abs() > FAR) {
             made.role = Role::Unexplained;
-            made.note.push_str("; the text does not say how it was taken");
+            made.note.push_str("; another quantity, or taken in another way");
         }
         entries.push(made);
     }

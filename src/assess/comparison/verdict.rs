@@ -51,14 +51,14 @@ pub struct Check {
     pub what: &'static str,
     /// Per cent.
     pub tolerance: f64,
-    /// Largest deviation (or the median), per cent.
-    pub found: f64,
+    /// Largest deviation (or the median), per cent; nothing where there is no number to compare, infinite where one has no counterpart.
+    pub found: Option<f64>,
 }
 
 impl Check {
-    /// Whether it holds.
+    /// Whether it holds; what cannot be looked at does not.
     pub fn holds(&self) -> bool {
-        self.found <= self.tolerance
+        self.found.is_some_and(|f| f <= self.tolerance)
     }
 }
 
@@ -77,12 +77,14 @@ pub struct Verdict {
     pub optima: Vec<Ranked>,
     /// Stated tolerances.
     pub checks: Vec<Check>,
+    /// Whether the optima hold the limits of the study.
+    pub limits_hold: bool,
 }
 
 impl Verdict {
-    /// Whether every stated tolerance holds.
+    /// Whether every stated tolerance and every limit holds.
     pub fn holds(&self) -> bool {
-        self.checks.iter().all(Check::holds)
+        self.limits_hold && self.checks.iter().all(Check::holds)
     }
 }
 
@@ -100,7 +102,8 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
     };
     let worst = |k: Kind| {
         let predicted = entries.iter().filter(|e| e.kind == k && e.role == Role::Predicted);
-        predicted.filter_map(Entry::deviation_percent).map(f64::abs).reduce(f64::max)
+        let size = |e: &Entry| if e.computed.is_none() { f64::INFINITY } else { e.deviation_percent().map_or(0.0, f64::abs) };
+        predicted.map(size).reduce(f64::max)
     };
     let t = &published.tolerances;
     let stated = [
@@ -111,14 +114,14 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         ("median of the predicted amplitudes", t.amplitude_median, all.median()),
         ("worst predicted amplitude", t.amplitude_worst, all.worst()),
     ];
-    let check =
-        |(what, tolerance, found): (&'static str, Option<f64>, Option<f64>)| Some(Check { what, tolerance: tolerance?, found: found? });
+    let check = |(what, tolerance, found): (&'static str, Option<f64>, Option<f64>)| Some(Check { what, tolerance: tolerance?, found });
     Verdict {
         tuned: Spread::of(rows.iter().filter(|r| kind(r) == Some(Type::Tuned))),
         viscous: Spread::of(rows.iter().filter(|r| kind(r) == Some(Type::Viscous))),
         designs: sorted(results.designs.iter().filter_map(ranked).collect()),
         optima: sorted(results.optima.iter().filter_map(|o| ranked(&o.design)).collect()),
         checks: stated.into_iter().filter_map(check).collect(),
+        limits_hold: results.limits_hold(),
         all,
     }
 }

@@ -30,7 +30,7 @@ pub fn calibration(study: &Study, c: &Calibration) -> String {
         .map(|i| {
             vec![
                 i.free.input.key().to_owned(),
-                significant(i.free.start, 4),
+                format!("{}{}", significant(i.free.start, 4), if i.free.varies { " (mean)" } else { "" }),
                 significant(i.value, 4),
                 error(i.standard_error),
                 format!("{} to {}", i.free.lower, i.free.upper),
@@ -40,13 +40,14 @@ pub fn calibration(study: &Study, c: &Calibration) -> String {
         .collect();
     let mut text = format!("Calibrated:\n{}", table(&["input", "in file", "fitted", "std. error", "bounds", ""], &rows));
     let (before, after) = c.rms();
+    let before = before * DEG_PER_RAD;
+    let before = if before < 90.0 { format!("{before:.4}°") } else { "beyond 90°".into() };
     let deviation = c.statistics.deviation.map_or_else(String::new, |s| format!(", standard deviation {:.4}°", s * DEG_PER_RAD));
     // writing to a string cannot fail
     let _ = writeln!(
         text,
-        "  against {} amplitudes: root mean square off by {:.4}° before, {:.4}° after{deviation}; {} of {} starts agree",
+        "  against {} amplitudes: root mean square off by {before} before, {:.4}° after{deviation}; {} of {} starts agree",
         c.rows.len(),
-        before * DEG_PER_RAD,
         after * DEG_PER_RAD,
         c.agreeing.0,
         c.agreeing.1

@@ -7,6 +7,17 @@ use crate::study::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
+/// An input that differs from the printed one by more than its digits.
+fn differs(e: &Entry) -> bool {
+    const DIGITS: f64 = 0.5;
+    e.role == Role::Given && (e.computed.is_none() && e.published.is_some() || e.deviation_percent().is_some_and(|d| d.abs() > DIGITS))
+}
+
+/// A deviation with its sign; none where it rounds to zero.
+fn percent(d: f64) -> String {
+    if d.abs() < 0.05 { "0.0".into() } else { format!("{d:+.1}") }
+}
+
 fn row(e: &Entry) -> Vec<String> {
     let number = |x: Option<f64>| dash(x.map(|x| significant(x, 4)));
     vec![
@@ -16,14 +27,14 @@ fn row(e: &Entry) -> Vec<String> {
         number(e.published),
         number(e.computed),
         e.unit.clone(),
-        dash(e.deviation_percent().map(|d| format!("{d:+.1}"))),
+        dash(e.deviation_percent().map(percent)),
         e.role.name().to_owned(),
     ]
 }
 
-/// Every number that is not an input. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
+/// Every number that is not an input, and inputs that differ from the printed ones. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
 pub fn entries(c: &Comparison) -> String {
-    let rows: Vec<Vec<String>> = c.entries.iter().filter(|e| e.role != Role::Given).map(row).collect();
+    let rows: Vec<Vec<String>> = c.entries.iter().filter(|e| e.role != Role::Given || differs(e)).map(row).collect();
     aligned(&["table", "design", "quantity", "published", "computed", "unit", "off/%", "role"], &rows, |c| c < 3 || c == 5 || c == 7)
 }
 
@@ -36,8 +47,8 @@ fn spread(words: &str, s: &Spread) -> String {
 
 fn value(study: &Study, v: f64) -> String {
     match study.objective.unit {
-        UnitOf::Angle => format!("{:.3}°", v * DEG_PER_RAD),
-        UnitOf::Torque => format!("{v:.0} N m"),
+        UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
+        UnitOf::Torque => format!("{} N m", significant(v, 4)),
     }
 }
 
@@ -82,7 +93,8 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     let fitted = c.entries.iter().filter(|e| e.kind == Kind::Amplitude && e.role == Role::Calibrated).count();
     if !v.all.deviations.is_empty() {
         put(format!(
-            "Amplitudes: {fitted} fitted. Predicted: {}. {}; {}.",
+            "Amplitudes at {}: {fitted} fitted. Predicted: {}. {}; {}.",
+            study.chain.stations[study.hub].name,
             spread("all", &v.all),
             spread("tuned", &v.tuned),
             spread("viscous", &v.viscous)
@@ -101,7 +113,7 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     if !trusted.is_empty() {
         put(format!("Reproduced, at worst: {}.", trusted.join(", ")));
     }
-    for (role, words) in [(Role::Erratum, "Misprint"), (Role::Unexplained, "Unexplained")] {
+    for (role, words) in [(Role::Erratum, "Erratum"), (Role::Unexplained, "Unexplained")] {
         let of_role: Vec<&Entry> = c.entries.iter().filter(|e| e.role == role).collect();
         for (i, e) in of_role.iter().enumerate() {
             // entries with the same note share a sentence
@@ -112,6 +124,13 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
             put(format!("{words}: {}{}: {}.", if e.table == "text" { "" } else { "table " }, alike.join(", "), e.note));
         }
     }
+    let other: Option<f64> = sure(Kind::OtherModel).map(f64::abs).reduce(f64::max);
+    if let Some(other) = other {
+        put(format!("Other models of this engine have natural frequencies up to {other:.1} % away; they are not counted above."));
+    }
+    for e in c.entries.iter().filter(|e| differs(e)) {
+        put(format!("Input differs: {}: {}.", named(e), e.note));
+    }
     let counted = c.amplitudes.iter().filter(|r| r.role == Role::Predicted && r.counts);
     let worst = counted.filter_map(|r| r.deviation_percent().map(|d| (d, r))).max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((d, r)) = worst.filter(|w| w.0 > 15.0) {
@@ -119,7 +138,15 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     }
     for check in &v.checks {
         let word = if check.holds() { "holds" } else { "FAILS" };
-        put(format!("Tolerance, {}: {:.2} % of {} %: {word}.", check.what, check.found, check.tolerance));
+        let found = match check.found {
+            Some(found) if found.is_finite() => format!("{found:.2} %"),
+            Some(_) => "a number without counterpart".into(),
+            None => "nothing to compare".into(),
+        };
+        put(format!("Tolerance, {}, {} %: {found}: {word}.", check.what, check.tolerance));
+    }
+    if !v.limits_hold {
+        put("An optimum breaks a limit of the study; `hartog run` says which: FAILS.".into());
     }
     text
 }

@@ -3,6 +3,7 @@
 use super::{dash, significant, table};
 use crate::absorber::Ring;
 use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
+use crate::design::Condition;
 use crate::report::csv::in_unit;
 use crate::response::Quantity;
 use crate::study::{Study, UnitOf};
@@ -102,13 +103,23 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         let _ = writeln!(text, "{line}");
     };
     put(format!("{}: {} {}", o.design.name, study.objective.label, value(study, best)));
-    for (row, nature) in outcome.rows.rows.iter().zip(&o.natures) {
+    for ((row, nature), scene) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.scenes) {
         let p = &row.peak;
+        let during = match scene {
+            (Condition::Firing, _) => String::new(),
+            (condition, None) => format!(", {}", condition.name().replace('_', " ")),
+            (condition, Some(cylinder)) => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
+        };
         match row.limit {
             None if p.value >= best * (1.0 - 1e-5) => {
-                put(format!("  active peak at {:.1} rpm, {}{}", p.speed_rpm, value(study, p.value), peak_words(results, nature.as_ref())));
+                put(format!(
+                    "  active peak at {:.1} rpm{during}, {}{}",
+                    p.speed_rpm,
+                    value(study, p.value),
+                    peak_words(results, nature.as_ref())
+                ));
             }
-            Some(i) if row.value > -1e-5 => put(format!("  active limit at {:.1} rpm: {}", p.speed_rpm, study.limits[i].0)),
+            Some(i) if row.value > -1e-5 => put(format!("  active limit at {:.1} rpm{during}: {}", p.speed_rpm, study.limits[i].0)),
             _ => {}
         }
     }
@@ -131,7 +142,9 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         outcome.stop.reason()
     ));
     for ((words, _), ratio) in study.limits.iter().zip(&o.design.limits) {
-        put(format!("  limit: {words}: {} ({:.1} % of it)", if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" }, 100.0 * ratio));
+        let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
+        let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
+        put(format!("  limit: {words}: {} ({:.1} % of it{worst})", if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" }, 100.0 * ratio));
     }
     text
 }
@@ -139,6 +152,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 /// What the run found, in sentences.
 pub fn summary(study: &Study, results: &Results) -> String {
     let mut text = String::new();
+    let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     for (i, (words, _)) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;
         let list: Vec<String> =
@@ -147,7 +161,8 @@ pub fn summary(study: &Study, results: &Results) -> String {
             let _ = writeln!(text, "Limit {words}: broken by the given {}.", list.join(", "));
         }
     }
-    if let Some(floor) = results.forced_floor {
+    // the floor is that of the firing engine
+    if let Some(floor) = results.forced_floor.filter(|_| *held == [Condition::Firing]) {
         let none = results.designs.iter().find(|d| d.absorbers.is_empty());
         let beside = none.map_or_else(String::new, |d| format!("; without absorber it is {}", value(study, objective(d))));
         let _ = writeln!(text, "Forced floor: {} would be left if nothing resonated{beside}.", value(study, floor));
@@ -155,9 +170,9 @@ pub fn summary(study: &Study, results: &Results) -> String {
     let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
     if let (Some(best), Some(own)) = (
         given.min_by(|a, b| objective(a).total_cmp(&objective(b))),
-        results.optima.iter().filter(|o| o.main).min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value())),
+        results.optima.iter().filter(|o| o.main).min_by(|a, b| objective(&a.design).total_cmp(&objective(&b.design))),
     ) {
-        let ratio = 100.0 * (1.0 - own.optimum.value() / objective(best));
+        let ratio = 100.0 * (1.0 - objective(&own.design) / objective(best));
         let compare = if !ratio.is_finite() {
             "not comparable".to_owned()
         } else if ratio.abs() < 1e-4 {
@@ -173,8 +188,12 @@ pub fn summary(study: &Study, results: &Results) -> String {
             best.name,
             value(study, objective(best)),
             own.design.name,
-            value(study, own.optimum.value())
+            value(study, objective(&own.design))
         );
+        if held.len() > 1 || !held.contains(&Condition::Firing) {
+            let names: Vec<String> = held.iter().map(|c| c.name().replace('_', " ")).collect();
+            let _ = writeln!(text, "  (each at its worst of: {})", names.join(", "));
+        }
     }
     text
 }
@@ -209,15 +228,15 @@ pub fn conditions(study: &Study, results: &Results) -> String {
     }
     let header = ["design", "condition", "cylinder", "twist/°", "at/rpm", "order", "torque/N m", "% over firing", "% over none"];
     let mut text = format!(
-        "Conditions:\n{}  cylinder: the one whose misfire is worst; order: the largest in the peak; % over firing: against the same design when all\n  \
-         cylinders fire and the absorber works; % over none: against the engine without absorber in the same condition\n",
+        "Conditions:\n{}  cylinder: the one whose misfire is worst; torque: the largest of any misfire; order: the largest in the peak; % over firing: against the same\n  \
+         design when all cylinders fire and the absorber works; % over none: against the engine without absorber in the same condition\n",
         table(&header, &rows)
     );
     if !results.appearing.is_empty() {
         let list: Vec<String> = results.appearing.iter().map(ToString::to_string).collect();
         let _ = writeln!(
             text,
-            "  A misfire brings orders that are silent in the torque of the whole engine while all cylinders fire: {}.",
+            "  A misfire brings orders into the net torque of all throws that cancel there while every cylinder fires: {}.",
             list.join(", ")
         );
     }

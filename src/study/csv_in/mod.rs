@@ -3,11 +3,18 @@
 mod published;
 mod torque;
 
-pub use published::{absorbers, amplitudes, engines, frequencies};
+pub use published::{Reach, absorbers, amplitudes, engines, frequencies};
 pub use torque::{pressure_traces, torque_harmonics};
 
 use super::input_error::{InputError, Mistake, Place, read_bytes};
 use std::path::{Path, PathBuf};
+
+/// A cell for a message: a quotation mark left open makes one of the rest of the file.
+fn shown(cell: &str) -> String {
+    const MOST: usize = 40;
+    let line = cell.lines().next().unwrap_or("");
+    if line.chars().count() > MOST || line.len() < cell.len() { line.chars().take(MOST).chain(['…']).collect() } else { line.to_owned() }
+}
 
 struct Table {
     path: PathBuf,
@@ -62,7 +69,7 @@ impl Table {
         match cell.parse::<f64>() {
             Ok(x) if x.abs() <= 1e20 => Ok(Some(x)),
             _ if cell.is_empty() => Ok(None),
-            _ => Err(self.at(row, column, format!("found `{cell}`, expected a number up to 1e20"))),
+            _ => Err(self.at(row, column, format!("found `{}`, expected a number up to 1e20", shown(cell)))),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Published tables. Columns `table` and `engine` may be left out; with `engine`, only the rows of one engine count.
 
-use super::Table;
+use super::{Table, shown};
 use crate::engine::Order;
 use crate::study::input_error::InputError;
 use crate::study::published::{PublishedAbsorber, PublishedAmplitude, PublishedFrequency, PublishedQuantity};
@@ -58,19 +58,24 @@ pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>,
     let rows = Rows::new(&table, engine)?;
     let (mode, hz, source) = (table.column("torsional_mode")?, table.column("frequency_hz")?, table.optional("source"));
     rows.only(&["table", "engine", "source", "torsional_mode", "frequency_hz"])?;
-    let row = |(line, cells): &&(u64, Vec<String>)| -> Result<PublishedFrequency, InputError> {
+    let mut list: Vec<PublishedFrequency> = Vec::new();
+    for (line, cells) in &rows.of_engine {
         let number = table.filled(*line, mode, &cells[mode])?;
         if !(number.fract() == 0.0 && (1.0..=1e6).contains(&number)) {
             return Err(table.at(*line, mode, format!("found {number}, expected a number of a mode from 1")));
         }
-        Ok(PublishedFrequency {
+        let row = PublishedFrequency {
             table: rows.source(cells),
             source: source.map_or_else(String::new, |s| cells[s].clone()),
             mode: number as usize,
             frequency_hz: rows.positive(*line, hz, &cells[hz])?,
-        })
-    };
-    rows.of_engine.iter().map(row).collect()
+        };
+        if list.iter().any(|r| (&r.table, &r.source, r.mode) == (&row.table, &row.source, row.mode)) {
+            return Err(table.at(*line, mode, format!("found mode {} of this table and source a second time", row.mode)));
+        }
+        list.push(row);
+    }
+    Ok(list)
 }
 
 /// `design, stiffness_n_m_per_rad, ring_inertia_kg_m2, damping_n_m_s_per_rad, f1_hz, f2_hz, f3_hz`; cells may be empty.
@@ -87,30 +92,46 @@ pub fn absorbers(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
         columns.push(table.column(name)?);
     }
     rows.only(&[&["table", "engine", "design"], values.as_slice()].concat())?;
-    let row = |(line, cells): &&(u64, Vec<String>)| -> Result<PublishedAbsorber, InputError> {
+    let mut list: Vec<PublishedAbsorber> = Vec::new();
+    for (line, cells) in &rows.of_engine {
         let mut numbers = Vec::new();
         for &c in &columns {
             numbers.push(rows.not_negative(*line, c, &cells[c])?);
         }
         let name = designs[known_design(&table, *line, design, &cells[design], designs)?].clone();
-        let (table, frequencies_hz) = (rows.source(cells), numbers.split_off(3));
-        Ok(PublishedAbsorber { table, design: name, ring_inertia: numbers[0], stiffness: numbers[1], damping: numbers[2], frequencies_hz })
-    };
-    rows.of_engine.iter().map(row).collect()
+        if list.iter().any(|r| r.design == name && r.table == rows.source(cells)) {
+            return Err(table.at(*line, design, format!("found design `{name}` of this table a second time")));
+        }
+        let frequencies_hz = numbers.split_off(3);
+        let (ring_inertia, stiffness, damping) = (numbers[0], numbers[1], numbers[2]);
+        list.push(PublishedAbsorber { table: rows.source(cells), design: name, ring_inertia, stiffness, damping, frequencies_hz });
+    }
+    Ok(list)
 }
 
 fn known_design(table: &Table, line: u64, column: usize, cell: &str, designs: &[String]) -> Result<usize, InputError> {
-    designs
-        .iter()
-        .position(|d| d == cell)
-        .ok_or_else(|| table.at(line, column, format!("found design `{cell}`, expected one of the study: {}", designs.join(", "))))
+    designs.iter().position(|d| d == cell).ok_or_else(|| {
+        let known = if designs.is_empty() { "which has none".into() } else { designs.join(", ") };
+        table.at(line, column, format!("found design `{}`, expected one of the study: {known}", shown(cell)))
+    })
 }
 
-/// `design, order, speed_rpm, hub_amplitude_deg`; the amplitude may be empty.
+/// What a study computes: amplitudes elsewhere cannot be compared.
+pub struct Reach<'a> {
+    /// Names of its designs.
+    pub designs: &'a [String],
+    /// Lowest and highest speed, rpm.
+    pub speeds_rpm: (f64, f64),
+    /// Orders of the torque.
+    pub orders: &'a [Order],
+}
+
+/// `design, order, speed_rpm, hub_amplitude_deg`; the amplitude may be empty, and must be where order or speed lie outside the study.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-pub fn amplitudes(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedAmplitude>, InputError> {
+pub fn amplitudes(path: &Path, engine: &str, reach: &Reach) -> Result<Vec<PublishedAmplitude>, InputError> {
+    let designs = reach.designs;
     let table = Table::read(path)?;
     let rows = Rows::new(&table, engine)?;
     let (design, order) = (table.column("design")?, table.column("order")?);
@@ -129,6 +150,16 @@ pub fn amplitudes(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<P
             speed_rpm: rows.positive(*line, speed, &cells[speed])?,
             amplitude: rows.not_negative(*line, amplitude, &cells[amplitude])?.map(|deg| deg * RAD_PER_DEG),
         };
+        if row.amplitude.is_some() {
+            let (low, high) = reach.speeds_rpm;
+            if !(low..=high).contains(&row.speed_rpm) {
+                let message = format!("found an amplitude at {} rpm, expected a speed of the study, {low} to {high} rpm", row.speed_rpm);
+                return Err(table.at(*line, speed, message));
+            }
+            if !reach.orders.contains(&row.order) {
+                return Err(table.at(*line, order, format!("found an amplitude of order {}, expected an order of the study", row.order)));
+            }
+        }
         if list.iter().any(|r| (r.design, r.order, r.speed_rpm) == (row.design, row.order, row.speed_rpm)) {
             return Err(table.at(*line, design, format!("found order {} of `{}` at this speed a second time", row.order, cells[design])));
         }

@@ -5,7 +5,7 @@ use crate::chain::{Chain, Modes};
 use crate::engine::{Engine, Pressure, Source};
 use crate::study::input_error::{At, Check};
 use crate::study::published::Published;
-use crate::study::raw::study::{RawCalibrate, RawRange};
+use crate::study::raw::study::{RawCalibrate, RawExcluded, RawRange};
 use crate::units::PA_PER_BAR;
 
 /// An input of the model that can be fitted; values are in the unit of its key.
@@ -114,6 +114,21 @@ impl Input {
         }
     }
 
+    /// Whether the chain has values of this input other than their mean.
+    fn varies(self, chain: &Chain, mean: f64) -> bool {
+        let links = &chain.stations[..chain.len() - 1];
+        let differs = |x: f64| (x - mean).abs() > 1e-9 * mean.abs();
+        match self {
+            Self::ThrowDamping => {
+                let throws = chain.stations.iter().filter(|s| !s.throws.is_empty());
+                throws.map(|s| s.damping_to_ground / s.throws.len() as f64).any(differs)
+            }
+            Self::ShaftDamping => links.iter().map(|s| s.damping_to_next).any(differs),
+            Self::ShaftLossFactor => links.iter().map(|s| s.loss_factor_to_next).any(differs),
+            _ => false,
+        }
+    }
+
     /// Puts a value into a model that has this input.
     fn apply(self, engine: &mut Engine, chain: &mut Chain, value: f64) {
         let shafts = chain.len() - 1;
@@ -171,8 +186,10 @@ pub struct FreeInput {
     pub lower: f64,
     /// Above `lower`.
     pub upper: f64,
-    /// Value in the engine file.
+    /// Value in the engine file; of dampings the mean.
     pub start: f64,
+    /// Whether that is a mean of different values.
+    pub varies: bool,
 }
 
 /// What to calibrate, against which rows of the published amplitudes.
@@ -197,6 +214,7 @@ pub fn resolve(
     chain: &Chain,
 ) -> Option<CalibrateSpec> {
     let raw = at.get_ref();
+    let before = check.mistakes.len();
     let amplitudes = published.map_or(&[][..], |p| &p.amplitudes);
     if amplitudes.iter().all(|a| a.amplitude.is_none()) {
         check.wrong(&raw.designs, "found [calibrate] without published amplitudes, expected `amplitudes` in [published]");
@@ -216,13 +234,19 @@ pub fn resolve(
     let excluded = raw
         .exclude
         .iter()
-        .filter_map(|e| {
+        .enumerate()
+        .filter_map(|(i, e)| {
             let x = e.get_ref();
+            let key = |e: &RawExcluded| (e.design.get_ref().clone(), e.order.get_ref().to_bits(), e.speed_rpm.get_ref().to_bits());
+            let repeated = raw.exclude[..i].iter().any(|o| key(o.get_ref()) == key(x));
             let found = amplitudes.iter().position(|a| {
                 designs[a.design].name == *x.design.get_ref()
                     && a.order.value() == *x.order.get_ref()
                     && a.speed_rpm == *x.speed_rpm.get_ref()
             });
+            if repeated {
+                check.wrong(e, "found an amplitude to exclude a second time, expected each once");
+            }
             if found.is_none() {
                 check.wrong(e, "found no published amplitude with this design, order and speed, expected one to exclude");
             }
@@ -233,6 +257,10 @@ pub fn resolve(
     let by_hand = by_hand(check, raw, &inputs, engine, chain);
     let fitted = |i: &usize| chosen.contains(&amplitudes[*i].design) && amplitudes[*i].amplitude.is_some() && !excluded.contains(i);
     let rows: Vec<usize> = (0..amplitudes.len()).filter(fitted).collect();
+    if check.mistakes.len() > before {
+        // what follows from a mistake is not another one
+        return None;
+    }
     if inputs.is_empty() {
         let known: Vec<&str> = Input::ALL.iter().map(|i| i.key()).collect();
         check.wrong(
@@ -240,7 +268,14 @@ pub fn resolve(
             format!("found no input to calibrate, expected at least one of {}, each with `between`", known.join(", ")),
         );
     } else if rows.len() < inputs.len() {
-        check.wrong(&raw.designs, format!("found {} amplitudes for {} inputs, expected at least as many", rows.len(), inputs.len()));
+        check.wrong(
+            &raw.designs,
+            format!(
+                "found {} inputs for {} published amplitude(s) of these designs, expected at least as many amplitudes",
+                inputs.len(),
+                rows.len()
+            ),
+        );
     }
     Some(CalibrateSpec { inputs, rows, excluded, by_hand })
 }
@@ -282,7 +317,7 @@ fn free_inputs(check: &mut Check, raw: &RawCalibrate, engine: &Engine, chain: &C
         if upper <= lower {
             check.wrong(bounds, format!("found bounds {lower} and {upper}, expected the lower one first and below the upper one"));
         }
-        inputs.push(FreeInput { input, lower, upper, start });
+        inputs.push(FreeInput { input, lower, upper, start, varies: input.varies(chain, start) });
     }
     let last = |input: Input| {
         let free = inputs.iter().find(|f| f.input == input).map(|f| f.upper);
@@ -307,6 +342,9 @@ fn by_hand(check: &mut Check, raw: &RawCalibrate, free: &[FreeInput], engine: &E
             }
             Some((i, _)) if free.iter().any(|f| f.input == i) => {
                 check.wrong(key, format!("found `{}` among the fitted inputs as well, expected it in one place", key.get_ref()));
+            }
+            Some((i, _)) if list.iter().any(|(other, _)| *other == i) => {
+                check.wrong(key, "found an input a second time, expected each once")
             }
             Some(held) => list.push(held),
         }

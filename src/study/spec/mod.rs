@@ -12,6 +12,7 @@ pub use calibrate::{CalibrateSpec, FreeInput, Input};
 pub use objectives::{ObjectiveSpec, UnitOf};
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
+use super::csv_in::Reach;
 use super::input_error::{At, Check, InputError, Source};
 use super::published::Published;
 use super::raw;
@@ -119,7 +120,13 @@ pub(super) fn resolve(
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(&mut check, c, &engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
-    let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &designs));
+    let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
+    let orders = match &engine.source {
+        TorqueSource::Cylinder { .. } => Order::up_to(order_limit, engine.strokes),
+        TorqueSource::Harmonics(table) => table.harmonics.iter().map(|h| h.0).filter(|o| o.value() <= order_limit).collect(),
+    };
+    let reach = Reach { designs: &names, speeds_rpm: (speeds_rpm[0], speeds_rpm[speeds_rpm.len() - 1]), orders: &orders };
+    let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &reach));
     let read = check.mistakes.is_empty();
     let calibrate = study
         .calibrate

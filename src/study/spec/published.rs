@@ -1,7 +1,7 @@
 //! Published tables of a study.
 
-use super::{DesignSpec, table};
-use crate::study::csv_in;
+use super::table;
+use crate::study::csv_in::{self, Reach};
 use crate::study::input_error::{At, Check};
 use crate::study::published::{Published, Tolerances};
 use crate::study::raw::study::{RawPublished, RawTolerances};
@@ -11,8 +11,7 @@ use std::path::Path;
 /// Amplitudes below this are printed with too few digits for a percentage, degrees.
 const LEAST_AMPLITUDE_DEG: f64 = 0.1;
 
-pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, designs: &[DesignSpec]) -> Published {
-    let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
+pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach) -> Published {
     let engine = raw.engine.get_ref().clone();
     let mut published = Published {
         frequencies: Vec::new(),
@@ -28,10 +27,10 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, designs: &[
         published.frequencies = table(check, file, folder, |p| csv_in::frequencies(p, e)).unwrap_or_default();
     }
     if let Some(file) = &raw.absorbers {
-        published.absorbers = table(check, file, folder, |p| csv_in::absorbers(p, e, &names)).unwrap_or_default();
+        published.absorbers = table(check, file, folder, |p| csv_in::absorbers(p, e, reach.designs)).unwrap_or_default();
     }
     if let Some(file) = &raw.amplitudes {
-        published.amplitudes = table(check, file, folder, |p| csv_in::amplitudes(p, e, &names)).unwrap_or_default();
+        published.amplitudes = table(check, file, folder, |p| csv_in::amplitudes(p, e, reach)).unwrap_or_default();
     }
     if let Some(file) = &raw.engines {
         published.quantities = table(check, file, folder, |p| csv_in::engines(p, e)).unwrap_or_default();

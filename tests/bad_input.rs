@@ -1,7 +1,7 @@
 //! Bad input: each file of `bad_input/` beside the error it must give, word for word, with exit code 2.
 //!
 //! `engine/*.toml` are engine files for `study.toml`, `study/*.toml` are studies of `engine.toml`, `csv/pressure_*.csv` and
-//! `csv/harmonics_*.csv` tables for `engine.toml`. To write the expected messages anew, set HARTOG_WRITE_EXPECTED and read the change.
+//! `csv/harmonics_*.csv` tables for `engine.toml`, the other tables published ones for `study.toml`. To write the expected messages anew, set HARTOG_WRITE_EXPECTED and read the change.
 
 use assert_cmd::Command;
 use std::fs;
@@ -65,9 +65,10 @@ fn engines() {
 
 #[test]
 fn studies() {
-    let engine = read(&folder().join("engine.toml"));
+    let (engine, amplitudes) = (read(&folder().join("engine.toml")), read(&folder().join("amplitudes.csv")));
     for case in cases("study", "toml") {
-        compare(&case, &error(&[("engine.toml", engine.as_bytes()), ("study.toml", read(&case).as_bytes())]));
+        let files = [("engine.toml", &engine), ("amplitudes.csv", &amplitudes), ("study.toml", &read(&case))];
+        compare(&case, &error(&files.map(|(name, text)| (name, text.as_bytes()))));
     }
 }
 
@@ -76,7 +77,16 @@ fn tables() {
     let (study, engine) = (read(&folder().join("study.toml")), read(&folder().join("engine.toml")));
     let (start, end) = (engine.find("[pressure.wiebe]").expect("a cycle"), engine.find("[[station]]").expect("a station"));
     let geometry = engine.find("[geometry]").expect("a geometry")..engine.find("[layout").expect("a layout");
+    let published = ["amplitudes", "absorbers", "frequencies", "engines"];
     for case in cases("csv", "csv") {
+        let stem = case.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        if let Some(kind) = published.iter().find(|k| stem.starts_with(*k)) {
+            let with_table = format!("{study}[published]\nengine = \"two\"\n{kind} = \"table.csv\"\n");
+            let table = fs::read(&case).expect("a table");
+            let files = [("study.toml", with_table.as_bytes()), ("engine.toml", engine.as_bytes()), ("table.csv", &table)];
+            compare(&case, &error(&files));
+            continue;
+        }
         let harmonics = case.file_stem().is_some_and(|s| s.to_string_lossy().starts_with("harmonics"));
         let kind = if harmonics { "harmonics" } else { "measured" };
         let mut with_table = format!("{}[pressure.{kind}]\nfile = \"table.csv\"\n{}", &engine[..start], &engine[end..]);

@@ -155,3 +155,70 @@ fn output_folder_in_the_way() {
     let text = String::from_utf8_lossy(&output);
     assert!(text.contains("cannot write") && text.contains("taken") && text.contains("a file is in the way"), "{text}");
 }
+
+/// `compare` without arguments takes every study of ./studies with tables, exits 0, writes one page an engine with the columns of the contract,
+/// and says what a reader wants first.
+#[test]
+fn compare_writes_a_page_an_engine() {
+    let folder = tempfile::tempdir().expect("folder");
+    let output = hartog().args(["compare", "--out"]).arg(folder.path()).assert().code(0).get_output().stdout.clone();
+    let text = String::from_utf8_lossy(&output);
+    for words in
+        ["Best published: viscous_untuned", "Possible with the same ring", "Erratum", "Unexplained", "std. error", "correlation", "holds"]
+    {
+        assert!(text.contains(words), "{words}");
+    }
+    assert!(text.contains("tuned by hand beforehand, and held: boost_bar") && !text.contains("Den Hartog"));
+    for engine in ["villalva_i6", "villalva_v10"] {
+        let page = folder.path().join(engine);
+        let table = read(&page, "comparison.csv");
+        assert!(table.starts_with("table,engine,design,quantity,unit,published,computed,deviation_percent,role,note\n"));
+        for role in ["given", "calibrated", "predicted", "erratum", "unexplained"] {
+            assert!(table.contains(&format!(",{role},")), "{engine}: {role}");
+        }
+        assert!(!table.contains("NaN") && !table.contains("inf,"));
+        assert!(read(&page, "calibration.csv").starts_with("input,in_file,fitted,standard_error,lower,upper,note\npressure_scale,"));
+        for plot in ["comparison", "orders", "calibration"] {
+            assert!(read(&page, &format!("{plot}.svg")).starts_with("<svg") && page.join(format!("{plot}.png")).is_file(), "{plot}");
+        }
+    }
+}
+
+/// A tolerance that fails is exit code 1, a study without tables exit code 2, each said in words.
+#[test]
+fn compare_that_fails() {
+    let folder = tempfile::tempdir().expect("folder");
+    let study = variant(folder.path(), "villalva_v10", &[("amplitude_worst = 30", "amplitude_worst = 3")]);
+    let output = hartog().arg("compare").arg(&study).arg("--out").arg(folder.path().join("o")).assert().code(1).get_output().stdout.clone();
+    assert!(String::from_utf8_lossy(&output).contains("worst predicted amplitude, 3 %: 16.47 %: FAILS"));
+    let output = hartog().args(["compare", "studies/den_hartog.toml"]).assert().code(2).get_output().stderr.clone();
+    assert!(String::from_utf8_lossy(&output).contains("has no [published] table"));
+}
+
+/// Columns of the conditions follow those of the contract; files of an earlier run that this one does not make are gone.
+#[test]
+fn conditions_in_tables_and_no_stale_plots() {
+    let folder = tempfile::tempdir().expect("folder");
+    let small = [("step = 10", "step = 50"), ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"), ("points = 100", "points = 2")];
+    let study = variant(folder.path(), "villalva_i6", &small);
+    let out = folder.path().join("o");
+    hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
+    let table = read(&out, "designs.csv");
+    let header = table.lines().next().expect("a header");
+    assert!(
+        header.contains("objective_value,misfire_cylinder,misfire_peak_twist_deg,misfire_peak_twist_speed_rpm,misfire_peak_twist_order")
+    );
+    assert!(header.contains("absorber_locked_peak_twist_deg") && header.ends_with("absorber_lost_objective_value"));
+    let none = table.lines().find(|l| l.starts_with("none,")).expect("a row");
+    assert_eq!(none.split(',').count(), header.split(',').count());
+    assert!(none.ends_with(",,,,,,,,,,,,"), "nothing to lock or lose: {none}");
+    assert!(read(&out, "response.csv").contains("viscous_untuned,twist_misfire_deg,0.5,"));
+    assert!(out.join("response_viscous_untuned.svg").is_file() && out.join("calibration.csv").is_file());
+    let text = fs::read_to_string(&study).expect("study");
+    let (start, end) = (text.find("[[design]]\nname = \"viscous").expect("a design"), text.find("[[objective]]").expect("an objective"));
+    let published = text.find("[published]").expect("tables");
+    fs::write(&study, format!("{}{}", &text[..start], &text[end..published])).expect("written");
+    hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
+    assert!(!out.join("response_viscous_untuned.svg").is_file() && !out.join("calibration.csv").is_file());
+    assert!(out.join("response_tuned_unity.svg").is_file());
+}

@@ -1,9 +1,10 @@
 //! Engine: kinematics, pressure, orders, layout.
 
 use crate::support::{assert_close, study};
+use hartog::engine::cycle::throw_loads;
 use hartog::engine::pressure::{sample_angle, samples};
 use hartog::engine::{Excitation, Geometry, Kinematics, Order, Pressure, SliderCrank, Source};
-use hartog::numerics::C64;
+use hartog::numerics::{C64, harmonics};
 use hartog::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 use std::f64::consts::{PI, TAU};
 
@@ -234,4 +235,35 @@ fn sampling_is_fine_enough() {
         assert_close((a - b).norm() / 3.0, 0.0, 0.0, 1e-5 * largest, "order");
     }
     assert_close(TAU * 2.0, samples(4) as f64 * sample_angle(1), 1e-12, 0.0, "a cycle");
+}
+
+/// Independent: the torque of every throw in time has the order amplitudes of the excitation, between tabulated speeds too, and order zero of
+/// the audit; in dead centre the rod's force is gas less oscillating mass less rotating mass.
+#[test]
+fn loads_over_the_cycle() {
+    for (name, speed) in [("villalva_i6", 1600.0), ("villalva_v10", 7400.0)] {
+        let s = study(name);
+        let e = Excitation::new(&s.engine, 12.0);
+        let loads = throw_loads(&s.engine, speed).expect("a cylinder");
+        for (throw, torque) in loads.torque.iter().enumerate() {
+            let scale = torque.iter().copied().fold(0.0, f64::max);
+            for (n, c) in harmonics::analyse(torque, &e.harmonics).iter().enumerate() {
+                assert!((e.throw_torque(throw, n, speed) - c).norm() < 1e-9 * scale, "{name} throw {throw} order {}", e.orders[n]);
+            }
+        }
+        // every throw of an engine of equal cylinders is loaded alike
+        let largest = |row: &Vec<f64>| row.iter().copied().fold(0.0, f64::max);
+        for row in &loads.compression {
+            assert_close(largest(row), largest(&loads.compression[0]), 1e-9, 0.0, name);
+        }
+    }
+    let s = study("villalva_i6");
+    let Source::Cylinder { geometry, pressure } = &s.engine.source else { panic!("a cylinder") };
+    let (r, l) = (geometry.slider_crank.crank_radius, geometry.slider_crank.rod_length);
+    let omega = 3200.0 * RAD_PER_S_PER_RPM;
+    let gas = (pressure.trace(1, geometry, 4, 6)[0] - geometry.crankcase_pressure) * geometry.piston_area();
+    let oscillating = geometry.oscillating_mass() * r * omega * omega * (1.0 + r / l);
+    let rotating = geometry.rod_rotating_fraction * geometry.rod_mass * r * omega * omega;
+    let loads = throw_loads(&s.engine, 3200.0).expect("a cylinder");
+    assert_close(loads.compression[0][0], gas - oscillating - rotating, 1e-12, 0.0, "dead centre");
 }

@@ -44,10 +44,10 @@
 //! | [`chain`] | stations, matrices, modes |
 //! | [`absorber`] | types and closed-form optima |
 //! | [`response`] | direct and receptance methods, natural frequencies with absorbers |
-//! | [`design`] | variables, measures, peaks and their gradients |
+//! | [`design`] | conditions, variables, measures, peaks and their gradients |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
-//! | [`assess`] | a whole study |
+//! | [`assess`] | a whole study, calibration, comparison with published tables |
 //! | [`report`] | the only place that writes files |
 //! | [`command`] | one file a command |
 //!

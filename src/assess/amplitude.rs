@@ -10,7 +10,7 @@ use crate::study::Study;
 /// from the curves, and a damped peak lies below.
 pub const WINDOW: f64 = 0.03;
 /// Points over the window before the largest is refined.
-const POINTS: usize = 24;
+const POINTS: usize = 12;
 
 /// A peak near a speed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,11 @@
 //! Everything that is reported of one design.
 
-use super::RunError;
+use super::{ConditionResult, RunError, conditions};
 use crate::absorber::Mounted;
 use crate::design::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
-use crate::response::{Direct, Grid, Quantity, Response, ResponseError, System, Work, natural, quasi_static};
-use crate::units::DEG_PER_RAD;
-use rayon::prelude::*;
+use crate::response::{Quantity, ResponseError, System, Work, natural, quasi_static};
 
 /// What makes a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,23 +130,6 @@ pub struct DesignResult {
     pub conditions: Vec<ConditionResult>,
 }
 
-/// Numbers of a design where not everything works, SI.
-#[derive(Debug, Clone)]
-pub struct ConditionResult {
-    /// The condition.
-    pub condition: Condition,
-    /// Of a misfire: the cylinder (from 0) with the largest objective.
-    pub cylinder: Option<usize>,
-    /// Synthesised twist.
-    pub twist: Option<Peak>,
-    /// Synthesised vibratory torque of all shafts; of a misfire the largest of all cylinders.
-    pub torque: Option<Peak>,
-    /// The study's objective.
-    pub objective: f64,
-    /// Value of each limited measure over its limit; of a misfire the largest of all cylinders.
-    pub limits: Vec<f64>,
-}
-
 /// What to evaluate.
 #[derive(Debug)]
 pub struct Wanted<'a> {
@@ -179,7 +160,7 @@ pub fn evaluate(
 ) -> Result<DesignResult, RunError> {
     let firing = firing(&finders[0], name, design, wanted, work);
     let (mut result, own_limits) = firing.map_err(|error| RunError { what: name.to_owned(), error })?;
-    let conditions = in_conditions(finders, name, design, wanted, work)?;
+    let conditions = conditions::in_conditions(finders, name, design, wanted, work)?;
     let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
     // a condition that makes no difference to the design is that of firing
     asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
@@ -227,56 +208,16 @@ fn firing(
     Ok((result, limits))
 }
 
-fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
+/// All shafts.
+pub(super) fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
     (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect()
 }
 
 /// Objective, and each limited measure over its limit.
-fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
+pub(super) fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
     let mut largest = |m: &Measure| Ok(finder.peak(design, m, work)?.map_or(0.0, |p| p.value));
     let limits = wanted.limits.iter().map(|l| Ok(largest(&l.measure)? / l.limit)).collect::<Result<_, _>>()?;
     Ok((largest(wanted.objective)?, limits))
-}
-
-fn in_conditions(
-    finders: &[PeakFinder],
-    name: &str,
-    design: &[Mounted],
-    wanted: &Wanted,
-    work: &mut Work,
-) -> Result<Vec<ConditionResult>, RunError> {
-    let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };
-    let one = |condition: Condition, cylinder: Option<usize>| -> Result<(ConditionResult, Work), ResponseError> {
-        let finder = &finders[cylinder.map_or(0, |c| c + 1)];
-        let (design, mut work) = (condition.absorbers(design), Work::default());
-        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure { quantities, over: Over::Synthesis }, &mut work);
-        let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
-        let torque = if shafts.is_empty() { None } else { peak(shafts)? };
-        let (objective, limits) = asked(finder, &design, wanted, &mut work)?;
-        Ok((ConditionResult { condition, cylinder, twist, torque, objective, limits }, work))
-    };
-    let mut results = Vec::new();
-    for &condition in wanted.conditions {
-        let found: Vec<(ConditionResult, Work)> = match condition {
-            Condition::Firing => continue,
-            Condition::Misfire => (1..finders.len())
-                .into_par_iter()
-                .map(|f| one(condition, Some(f - 1)))
-                .collect::<Result<_, _>>()
-                .map_err(|e| failed(condition, e))?,
-            Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
-            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None).map_err(|e| failed(condition, e))?],
-        };
-        found.iter().for_each(|f| *work += f.1);
-        let limits = (0..wanted.limits.len()).map(|l| found.iter().map(|f| f.0.limits[l]).fold(0.0, f64::max)).collect();
-        // the torque may be largest with another cylinder than the objective
-        let torques = found.iter().filter_map(|f| f.0.torque);
-        let torque = torques.reduce(|m, t| if t.value > m.value { t } else { m });
-        // the first of equals: symmetric engines have several worst cylinders
-        let worst = found.into_iter().map(|f| f.0).reduce(|m, f| if f.objective > m.objective * (1.0 + 1e-9) { f } else { m });
-        results.extend(worst.map(|w| ConditionResult { limits, torque, ..w }));
-    }
-    Ok(results)
 }
 
 /// A power this share of the largest known one is refined between speeds.
@@ -312,73 +253,4 @@ fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Re
         }
     }
     Ok(Some(largest))
-}
-
-/// Amplitudes of one quantity over the speeds of the study.
-#[derive(Debug, Clone)]
-pub struct QuantitySweep {
-    /// Name with unit, as in `response.csv`.
-    pub name: String,
-    /// Per order (one row an order, in the unit of the name), empty where only the total is kept.
-    pub orders: Vec<Vec<f64>>,
-    /// Half peak-to-peak of all orders together (power: the sum).
-    pub total: Vec<f64>,
-}
-
-/// Response of one design over the speeds of the study.
-#[derive(Debug, Clone)]
-pub struct Sweeps {
-    /// Name of the design.
-    pub design: String,
-    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, then the twist in each condition.
-    pub quantities: Vec<QuantitySweep>,
-}
-
-/// Computes the sweeps of a design on `grid` (the study's own speeds).
-///
-/// # Errors
-/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
-pub fn sweeps(
-    finders: &[PeakFinder],
-    grid: &Grid,
-    (name, conditions): (&str, &[ConditionResult]),
-    design: &[Mounted],
-    (twist, hub): (Quantity, usize),
-    work: &mut Work,
-) -> Result<Sweeps, ResponseError> {
-    let finder = &finders[0];
-    let direct = Direct::new(finder.system, grid);
-    let orders = finder.system.orders();
-    let shafts = finder.system.chain.len() - 1;
-    let which = |i: usize| if design.len() > 1 { format!("_{}", i + 1) } else { String::new() };
-    let degrees = DEG_PER_RAD;
-    let mut wanted =
-        vec![("twist_deg".to_owned(), twist, degrees), ("hub_deg".to_owned(), Quantity::Twist { from: hub, to: None }, degrees)];
-    wanted.extend((0..shafts).map(|s| (format!("torque_{}_n_m", finder.system.chain.shaft_name(s)), Quantity::ShaftTorque(s), 1.0)));
-    wanted.extend((0..design.len()).map(|i| (format!("ring_twist{}_deg", which(i)), Quantity::RingTwist(i), degrees)));
-    let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
-    let mut quantities = Vec::new();
-    for (i, ((name, quantity, factor), phasors)) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?).enumerate() {
-        let total = finder.synthesis(&phasors).iter().map(|v| v * factor).collect();
-        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
-        // single orders of twist and hub are kept; the rest would make the table many times as long
-        let kept = if i < 2 { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name, orders: kept, total });
-        if let Quantity::RingTwist(ring) = quantity {
-            let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
-            let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
-            quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), orders: Vec::new(), total });
-        }
-    }
-    for c in conditions {
-        let finder = &finders[c.cylinder.map_or(0, |c| c + 1)];
-        let mut phasors = Vec::new();
-        Direct::new(finder.system, grid).sweep(&c.condition.absorbers(design), twist, &mut phasors, work)?;
-        let total = finder.synthesis(&phasors).iter().map(|v| v * degrees).collect();
-        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
-        // a misfire brings orders of its own
-        let kept = if c.cylinder.is_some() { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name: format!("twist_{}_deg", c.condition.name()), orders: kept, total });
-    }
-    Ok(Sweeps { design: name.to_owned(), quantities })
 }

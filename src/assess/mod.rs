@@ -4,15 +4,19 @@ pub mod amplitude;
 pub mod audit;
 pub mod calibrate;
 pub mod comparison;
+pub mod conditions;
 pub mod evaluate;
 pub mod families;
 pub mod probe;
 pub mod run;
+pub mod sweeps;
 
 pub use calibrate::{Calibration, calibrate};
 pub use comparison::{Comparison, compare};
-pub use evaluate::{ConditionResult, DesignResult, Nature, PeakKind, Sweeps};
+pub use conditions::ConditionResult;
+pub use evaluate::{DesignResult, Nature, PeakKind};
 pub use run::{FrontResult, OptimumResult, Results, Timing, run};
+pub use sweeps::Sweeps;
 
 /// Told of progress.
 pub trait Progress: Sync {

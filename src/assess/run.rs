@@ -1,7 +1,8 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
 use super::audit::highest_frequency_hz;
-use super::evaluate::{self, Classifier, DesignResult, Nature, Sweeps, Wanted};
+use super::evaluate::{self, Classifier, DesignResult, Nature, Wanted};
+use super::sweeps::{self, Sweeps};
 use super::{Progress, RunError};
 use super::{families, probe};
 use crate::absorber::Kind;
@@ -166,7 +167,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         .par_iter()
         .map(|d| {
             let named = (d.name.as_str(), d.conditions.as_slice());
-            evaluate::sweeps(&finders, &own, named, &d.absorbers, (study.twist, study.hub), &mut Work::default())
+            sweeps::sweeps(&finders, &own, named, &d.absorbers, (study.twist, study.hub), &mut Work::default())
                 .map_err(|error| RunError { what: format!("design `{}`", d.name), error })
         })
         .collect::<Result<Vec<_>, _>>()?;

@@ -15,7 +15,7 @@ Every published number has a role: given (an input of the model), calibrated (fi
 contradicts its own source, as the computation shows) or unexplained (no model comes near it). Notes are in comparison.csv.\n\n\
 Exit code: 0 done, 1 a tolerance stated in a study fails, 2 bad input or no finite response.")]
 pub struct Arguments {
-    /// Study files (TOML) with a [published] table [default: those in ./studies].
+    /// Study files (TOML) with published tables [default: those in ./studies].
     pub studies: Vec<PathBuf>,
     /// Output folder; each study gets its own in it [default: out/compare].
     #[arg(long, value_name = "DIR")]

@@ -3,7 +3,8 @@
 use super::forces::{gas_torque, inertia_torque_per_omega2};
 use super::pressure::{sample_angle, samples};
 use super::{Engine, Order, Source};
-use crate::numerics::{C64, ZERO, harmonics, nearest};
+use crate::numerics::harmonics::Analyser;
+use crate::numerics::{C64, ZERO, nearest};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// Torque harmonics of a whole throw, at every speed the same.
@@ -90,10 +91,11 @@ impl Excitation {
     /// What a unit of this engine loses when it does not fire; nothing where the torque comes from a table.
     pub fn motored_change(&self, engine: &Engine) -> Option<MotoredChange> {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
+        let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
         let change = |(index, fired): (usize, &Vec<C64>)| -> Vec<C64> {
             let trace = pressure.motored(index, geometry, engine.strokes);
             let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
-            harmonics::analyse(&torque, &self.harmonics).iter().zip(fired).map(|(m, f)| m - f).collect()
+            analyser.analyse(&torque).iter().zip(fired).map(|(m, f)| m - f).collect()
         };
         Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
     }
@@ -112,13 +114,14 @@ impl Excitation {
         let orders = Order::up_to(order_limit, engine.strokes);
         let harmonics: Vec<u32> = orders.iter().map(|o| o.per_cycle(engine.strokes)).collect();
         let (n, cylinders) = (samples(engine.strokes), engine.layout.firing_deg.len());
+        let analyser = Analyser::new(n, &harmonics);
         let mut gas = Vec::new();
         let mut audit = Vec::new();
         for (index, &speed_rpm) in pressure.speeds_rpm().iter().enumerate() {
             let trace = pressure.trace(index, geometry, engine.strokes, cylinders);
             let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
             let mean = torque.iter().sum::<f64>() / n as f64;
-            gas.push(harmonics::analyse(&torque, &harmonics));
+            gas.push(analyser.analyse(&torque));
             audit.push(Audit {
                 speed_rpm,
                 indicated_mean_pressure: mean * engine.cycle_deg() * RAD_PER_DEG / geometry.displacement(),
@@ -129,7 +132,7 @@ impl Excitation {
         }
         let inertia: Vec<f64> = (0..n).map(|j| inertia_torque_per_omega2(geometry, sample_angle(j))).collect();
         Self {
-            inertia: harmonics::analyse(&inertia, &harmonics),
+            inertia: analyser.analyse(&inertia),
             phases: (0..engine.layout.throws()).map(|t| phases(engine.layout.firing_on_throw(t), &orders)).collect(),
             tabulated_rpm: pressure.speeds_rpm().to_vec(),
             orders,

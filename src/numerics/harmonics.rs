@@ -3,18 +3,35 @@
 use super::C64;
 use std::f64::consts::TAU;
 
-/// Complex amplitudes C_h of the harmonics `harmonics` of a periodic function given at equidistant points of one period,
-/// f(psi_j) = mean + sum over h of Re(C_h e^{i h psi_j}), psi_j = 2 pi j / N: the trapezoidal rule, exact for a trigonometric polynomial of
-/// degree below N/2.
+/// Analyses functions sampled at the same points; the angles of all samples and harmonics are computed once.
+#[derive(Debug, Clone)]
+pub struct Analyser<'a> {
+    /// e^{-i psi_j}: every sample and harmonic has one of these angles.
+    turn: Vec<C64>,
+    harmonics: &'a [u32],
+}
+
+impl<'a> Analyser<'a> {
+    /// For `samples` equidistant points of a period.
+    pub fn new(samples: usize, harmonics: &'a [u32]) -> Self {
+        Self { turn: (0..samples).map(|j| C64::cis(-TAU * j as f64 / samples as f64)).collect(), harmonics }
+    }
+
+    /// Complex amplitudes C_h of a periodic function given at the points psi_j = 2 pi j / N of one period,
+    /// f(psi_j) = mean + sum over h of Re(C_h e^{i h psi_j}): the trapezoidal rule, exact for a trigonometric polynomial of degree below N/2.
+    pub fn analyse(&self, samples: &[f64]) -> Vec<C64> {
+        let n = self.turn.len();
+        self.harmonics
+            .iter()
+            .map(|&h| {
+                let sum: C64 = samples.iter().enumerate().map(|(j, &f)| self.turn[(j * h as usize) % n] * f).sum();
+                sum * (if h == 0 { 1.0 } else { 2.0 } / n as f64)
+            })
+            .collect()
+    }
+}
+
+/// [`Analyser::analyse`] of one function.
 pub fn analyse(samples: &[f64], harmonics: &[u32]) -> Vec<C64> {
-    let n = samples.len();
-    // the angle of every sample and harmonic is one of n: none is computed twice
-    let turn: Vec<C64> = (0..n).map(|j| C64::cis(-TAU * j as f64 / n as f64)).collect();
-    harmonics
-        .iter()
-        .map(|&h| {
-            let sum: C64 = samples.iter().enumerate().map(|(j, &f)| turn[(j * h as usize) % n] * f).sum();
-            sum * (if h == 0 { 1.0 } else { 2.0 } / n as f64)
-        })
-        .collect()
+    Analyser::new(samples.len(), harmonics).analyse(samples)
 }

@@ -1,8 +1,8 @@
 //! Computed against published amplitudes, before and after a calibration, and the orders of each design with the published points.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, PALE, fill, line, px, text};
+use crate::assess::Sweeps;
 use crate::assess::comparison::Role;
-use crate::assess::evaluate::Sweeps;
 use crate::assess::{Calibration, Comparison, Results};
 use crate::engine::Order;
 use crate::report::files::{Folder, WriteError};

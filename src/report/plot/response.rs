@@ -2,7 +2,7 @@
 
 use super::canvas::{self, COLOURS, Drawn, line, px, text};
 use crate::assess::Results;
-use crate::assess::evaluate::{QuantitySweep, Sweeps};
+use crate::assess::sweeps::{QuantitySweep, Sweeps};
 use crate::report::files::{Folder, WriteError};
 use crate::study::Study;
 use plotters::prelude::*;

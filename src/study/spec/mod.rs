@@ -1,14 +1,16 @@
 //! Files as checked: SI, resolved, consistent.
 
-pub mod calibrate;
+mod calibrate;
 mod chain;
 mod designs;
 mod engine;
+mod inputs;
 mod objectives;
 mod optimise;
 mod published;
 
-pub use calibrate::{CalibrateSpec, FreeInput, Input};
+pub use calibrate::{CalibrateSpec, FreeInput};
+pub use inputs::Input;
 pub use objectives::{ObjectiveSpec, UnitOf};
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 

@@ -10,6 +10,7 @@ mod conditions;
 mod engines;
 mod layering;
 mod long;
+mod methods;
 mod numerics;
 mod optima;
 mod peaks;

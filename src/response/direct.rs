@@ -295,6 +295,25 @@ impl Response for Direct<'_> {
         "direct"
     }
 
+    fn grid(&self) -> &Grid {
+        self.grid
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        Direct::order_at(self, design, quantity, order, speed_rpm, work)
+    }
+
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         *out = self.sweep_each(design, &[quantity], work)?.swap_remove(0);
         Ok(())

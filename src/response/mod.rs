@@ -2,13 +2,22 @@
 //!
 //! Every method offers the same verbs ([`Response`]). Phasors of a sweep lie speed by speed, the orders of a speed together.
 
+pub mod bodies;
+pub mod closed_form;
 pub mod direct;
+pub mod holzer;
 mod kernel;
+pub mod modal;
 pub mod natural;
 pub mod receptance;
+pub mod reduced;
 
+pub use closed_form::ClosedForm;
 pub use direct::Direct;
+pub use holzer::Holzer;
+pub use modal::Modal;
 pub use receptance::Receptance;
+pub use reduced::Reduced;
 
 use crate::absorber::Mounted;
 use crate::chain::{Chain, Modes};
@@ -128,6 +137,12 @@ pub struct Work {
     pub singular_points: u64,
     /// Sums of orders with phase.
     pub syntheses: u64,
+    /// Responses of a few modes, one an order and speed.
+    pub modal_solves: u64,
+    /// Eigenproblems of chain and rings.
+    pub eigenproblems: u64,
+    /// Marches along the chain, one an order and speed.
+    pub marches: u64,
 }
 
 impl std::ops::AddAssign for Work {
@@ -137,6 +152,9 @@ impl std::ops::AddAssign for Work {
         self.receptance_points += w.receptance_points;
         self.singular_points += w.singular_points;
         self.syntheses += w.syntheses;
+        self.modal_solves += w.modal_solves;
+        self.eigenproblems += w.eigenproblems;
+        self.marches += w.marches;
     }
 }
 
@@ -156,6 +174,26 @@ pub enum ResponseError {
         /// Hz.
         frequency_hz: f64,
     },
+    /// A method cannot take this system.
+    #[error("{method} cannot be used here: {why}")]
+    NotApplicable {
+        /// Its word.
+        method: &'static str,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A method would give an answer with too few digits.
+    #[error("{method} loses digits: order {order} at {speed_rpm:.1} rpm cancels by a factor of {factor:.0e}; use the direct method")]
+    LostDigits {
+        /// Its word.
+        method: &'static str,
+        /// The order.
+        order: Order,
+        /// rpm.
+        speed_rpm: f64,
+        /// How much larger the terms are than their sum.
+        factor: f64,
+    },
 }
 
 impl ResponseError {
@@ -165,16 +203,40 @@ impl ResponseError {
     }
 }
 
+/// A modal stiffness below this share of the inertia forces is rounding: nothing damps a resonance met exactly.
+const RESONANT: f64 = 1e-14;
+
 /// A method that computes the steady response.
 pub trait Response: Sync {
     /// Its word in studies.
     fn name(&self) -> &'static str;
 
+    /// Speeds of its sweeps.
+    fn grid(&self) -> &Grid;
+
+    /// Indices of the orders.
+    fn orders(&self) -> std::ops::Range<usize>;
+
+    /// The phasor of one order (an index) at any speed.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance; others where the method cannot take the system.
+    fn order_at(&self, design: &[Mounted], quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work)
+    -> Result<C64, ResponseError>;
+
     /// Phasors of `quantity` at all grid speeds and orders (speed by speed).
     ///
     /// # Errors
-    /// [`ResponseError::Unbounded`] at an undamped resonance.
-    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError>;
+    /// Those of [`Self::order_at`].
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
+        out.clear();
+        for &speed in &self.grid().speed_rpm {
+            for order in self.orders() {
+                out.push(self.order_at(design, quantity, order, speed, work)?);
+            }
+        }
+        Ok(())
+    }
 
     /// Phasors of several quantities at once, one sweep each: costs little more than one where every point is solved anew.
     ///
@@ -215,6 +277,31 @@ impl Response for Method<'_> {
         match self {
             Self::Direct(m) => m.name(),
             Self::Receptance(m) => m.name(),
+        }
+    }
+    fn grid(&self) -> &Grid {
+        match self {
+            Self::Direct(m) => m.grid(),
+            Self::Receptance(m) => m.grid(),
+        }
+    }
+    fn orders(&self) -> std::ops::Range<usize> {
+        match self {
+            Self::Direct(m) => m.orders(),
+            Self::Receptance(m) => m.orders(),
+        }
+    }
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        match self {
+            Self::Direct(m) => m.order_at(design, quantity, order, speed_rpm, work),
+            Self::Receptance(m) => m.order_at(design, quantity, order, speed_rpm, work),
         }
     }
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {

@@ -103,6 +103,25 @@ impl Response for Receptance<'_> {
         "receptance"
     }
 
+    fn grid(&self) -> &Grid {
+        self.direct.grid()
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.direct.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        self.direct.order_at(design, quantity, order, speed_rpm, work)
+    }
+
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         let Some((t, values)) = self.table(design, quantity) else { return self.direct.sweep(design, quantity, out, work) };
         let points = &self.tables[t].1;

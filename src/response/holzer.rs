@@ -1,0 +1,109 @@
+//! Holzer's method: angle and torque carried along the chain from one end to the other (transfer matrices), absorbers condensed.
+//!
+//! Two marches, one from an angle of one at the first station without torque, one from rest with the torque; the torque behind the last
+//! station must vanish. On long chains and above the resonances of single shafts both grow and their difference loses digits: more than
+//! [`LARGEST_CANCELLATION`] is refused.
+
+use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use crate::absorber::Mounted;
+use crate::numerics::{C64, ZERO};
+use crate::units::RAD_PER_S_PER_RPM;
+
+/// Growth of the marches over the solution that is left; an error of about this many roundings remains.
+pub const LARGEST_CANCELLATION: f64 = 1e6;
+
+/// Transfer matrices along the chain.
+#[derive(Debug)]
+pub struct Holzer<'a> {
+    system: &'a System,
+    grid: &'a Grid,
+}
+
+impl<'a> Holzer<'a> {
+    /// For the speeds of `grid`.
+    pub fn new(system: &'a System, grid: &'a Grid) -> Self {
+        Self { system, grid }
+    }
+}
+
+impl Response for Holzer<'_> {
+    fn name(&self) -> &'static str {
+        "holzer"
+    }
+
+    fn grid(&self) -> &Grid {
+        self.grid
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        let (chain, n) = (&self.system.chain, self.system.chain.len());
+        let excited = self.system.excitation.orders[order];
+        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        work.marches += 1;
+        let mut torque = vec![ZERO; n];
+        self.system.torque(order, speed_rpm, &mut torque);
+        if torque.iter().all(|t| *t == ZERO) {
+            return Ok(ZERO);
+        }
+        // what each station is tied to the ground with, absorbers included
+        let mut tie: Vec<C64> = (0..n).map(|i| chain.ground_stiffness(i, omega)).collect();
+        let unbounded = || ResponseError::unbounded(excited, speed_rpm);
+        for m in design {
+            let z = m.dynamic_stiffness(omega);
+            if z.denominator == ZERO {
+                return Err(ResponseError::NotApplicable { method: "holzer", why: "an undamped ring resonates, its hub stands still" });
+            }
+            tie[m.station] += z.numerator / z.denominator;
+        }
+        // angles of both marches, and torque in the shaft behind each station
+        let (mut free, mut forced) = (vec![ZERO; n], vec![ZERO; n]);
+        free[0] = C64::from(1.0);
+        let (mut free_torque, mut forced_torque) = (ZERO, ZERO);
+        let mut largest: f64 = 0.0;
+        for i in 0..n {
+            // torque behind a station: what came in front, less what ties it, plus what acts
+            free_torque += tie[i] * free[i];
+            forced_torque += tie[i] * forced[i] - torque[i];
+            if i + 1 < n {
+                let shaft = chain.shaft_stiffness(i, omega);
+                if shaft == ZERO {
+                    return Err(ResponseError::NotApplicable { method: "holzer", why: "a link has neither stiffness nor damping" });
+                }
+                free[i + 1] = free[i] + free_torque / shaft;
+                forced[i + 1] = forced[i] + forced_torque / shaft;
+            }
+        }
+        let first = -forced_torque / free_torque;
+        let theta: Vec<C64> = free.iter().zip(&forced).map(|(a, b)| first * a + b).collect();
+        let size = theta.iter().map(|t| t.norm()).fold(0.0, f64::max);
+        for (a, b) in free.iter().zip(&forced) {
+            largest = largest.max((first * a).norm().max(b.norm()));
+        }
+        if !size.is_finite() || !largest.is_finite() {
+            return Err(unbounded());
+        }
+        if largest > LARGEST_CANCELLATION * size {
+            return Err(ResponseError::LostDigits { method: "holzer", order: excited, speed_rpm, factor: largest / size });
+        }
+        let y = match quantity {
+            Quantity::Twist { from, to } => theta[from] - to.map_or(ZERO, |to| theta[to]),
+            Quantity::ShaftTorque(s) => chain.shaft_stiffness(s, omega) * (theta[s] - theta[s + 1]),
+            Quantity::RingTwist(r) => {
+                let z = design[r].dynamic_stiffness(omega);
+                theta[design[r].station] * z.ring / z.denominator
+            }
+        };
+        if y.is_finite() { Ok(y) } else { Err(unbounded()) }
+    }
+}

@@ -1,0 +1,120 @@
+//! A few modes of the engine with the absorbers kept exact.
+//!
+//! The lowest modes of the chain without absorbers, rigid ones included, move with all the couplings of the chain's own damping; the modes left
+//! out follow as if static (residual flexibility). Absorbers act on their hubs with their exact dynamic stiffness. With all modes the method is
+//! exact.
+
+use super::{Grid, Quantity, RESONANT, Response, ResponseError, System, Work};
+use crate::absorber::Mounted;
+use crate::numerics::{C64, I, ZERO};
+use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::{DMatrix, DVector};
+
+/// Engine modes with exact absorbers.
+#[derive(Debug)]
+pub struct Reduced<'a> {
+    system: &'a System,
+    grid: &'a Grid,
+    /// Modes kept, rigid ones included.
+    kept: usize,
+    /// Elements of the modal damping matrix, viscous (1/s) and hysteretic (1/s²).
+    viscous: DMatrix<f64>,
+    hysteretic: DMatrix<f64>,
+    /// Angle of one station per torque on another through the modes left out, rad/(N m).
+    residual: DMatrix<f64>,
+}
+
+impl<'a> Reduced<'a> {
+    /// The lowest `elastic` elastic modes, and all rigid ones.
+    pub fn new(system: &'a System, grid: &'a Grid, elastic: usize) -> Self {
+        let kept = system.modes.rigid.saturating_add(elastic).min(system.modes.omega.len());
+        let bodies = super::bodies::Bodies::new(system, &[]);
+        let shapes = system.modes.shapes.columns(0, kept);
+        let viscous = shapes.transpose() * &bodies.damping * shapes;
+        let hysteretic = shapes.transpose() * &bodies.hysteresis * shapes;
+        let n = system.chain.len();
+        let mut residual = DMatrix::zeros(n, n);
+        for mode in kept..system.modes.omega.len() {
+            let shape = system.modes.shapes.column(mode);
+            residual += shape * shape.transpose() / (system.modes.omega[mode] * system.modes.omega[mode]);
+        }
+        Self { system, grid, kept, viscous, hysteretic, residual }
+    }
+
+    /// Dynamic stiffness of the modes kept at circular frequency `omega`.
+    fn stiffness(&self, omega: f64) -> DMatrix<C64> {
+        DMatrix::from_fn(self.kept, self.kept, |i, j| {
+            let own = if i == j { self.system.modes.omega[i] * self.system.modes.omega[i] - omega * omega } else { 0.0 };
+            own + I * (omega * self.viscous[(i, j)] + self.hysteretic[(i, j)])
+        })
+    }
+}
+
+impl Response for Reduced<'_> {
+    fn name(&self) -> &'static str {
+        "reduced"
+    }
+
+    fn grid(&self) -> &Grid {
+        self.grid
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        let (system, n) = (self.system, self.system.chain.len());
+        let shapes = &system.modes.shapes;
+        let excited = system.excitation.orders[order];
+        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        work.modal_solves += 1;
+        let mut torque = vec![ZERO; n];
+        system.torque(order, speed_rpm, &mut torque);
+        if torque.iter().all(|t| *t == ZERO) {
+            return Ok(ZERO);
+        }
+        // modal coordinates under the torque, then under a unit torque on each hub
+        let mut loads = DMatrix::from_element(self.kept, 1 + design.len(), ZERO);
+        for i in 0..self.kept {
+            loads[(i, 0)] = torque.iter().enumerate().map(|(s, t)| t * shapes[(s, i)]).sum();
+            for (k, m) in design.iter().enumerate() {
+                loads[(i, k + 1)] = C64::from(shapes[(m.station, i)]);
+            }
+        }
+        let unbounded = || ResponseError::unbounded(excited, speed_rpm);
+        let stiffness = self.stiffness(omega);
+        let rounding = RESONANT * omega * omega;
+        if design.is_empty() && (0..self.kept).any(|i| stiffness[(i, i)].norm() <= rounding && loads[(i, 0)] != ZERO) {
+            return Err(unbounded());
+        }
+        let moved = stiffness.lu().solve(&loads).ok_or_else(unbounded)?;
+        let through_modes = |station: usize, load: usize| (0..self.kept).map(|i| moved[(i, load)] * shapes[(station, i)]).sum::<C64>();
+        let under_torque = |station: usize| {
+            through_modes(station, 0) + torque.iter().enumerate().map(|(s, t)| t * self.residual[(station, s)]).sum::<C64>()
+        };
+        let under_hub = |station: usize, k: usize| through_modes(station, k + 1) + self.residual[(station, design[k].station)];
+        // hubs obey theta = under torque - sum of under hub z theta, written for q = theta/denominator: finite where an undamped ring resonates
+        let z: Vec<_> = design.iter().map(|m| m.dynamic_stiffness(omega)).collect();
+        let hubs = DMatrix::from_fn(design.len(), design.len(), |m, k| {
+            under_hub(design[m].station, k) * z[k].numerator + if m == k { z[k].denominator } else { ZERO }
+        });
+        let base = DVector::from_fn(design.len(), |m, _| under_torque(design[m].station));
+        let q = if design.is_empty() { base } else { hubs.lu().solve(&base).ok_or_else(unbounded)? };
+        let theta =
+            |station: usize| (0..design.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
+        let y = match quantity {
+            Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
+            Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * (theta(s) - theta(s + 1)),
+            Quantity::RingTwist(r) => q[r] * z[r].ring,
+        };
+        if y.is_finite() { Ok(y) } else { Err(unbounded()) }
+    }
+}

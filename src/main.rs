@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::command::{check, compare, run};
+use hartog::command::{chart, check, compare, run};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -23,6 +23,8 @@ enum Command {
     Run(run::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
     Check(check::Arguments),
+    /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
+    Chart(chart::Arguments),
     /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, misprint.
     Compare(compare::Arguments),
 }
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
     ExitCode::from(match Cli::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
     })
 }

@@ -7,8 +7,11 @@ pub mod comparison;
 pub mod conditions;
 pub mod evaluate;
 pub mod families;
+pub mod methods;
 pub mod probe;
 pub mod run;
+pub mod speed_accuracy;
+pub mod stability;
 pub mod sweeps;
 
 pub use calibrate::{Calibration, calibrate};

@@ -1,5 +1,6 @@
 //! One file a command: arguments in, exit code out.
 
+pub mod chart;
 pub mod check;
 pub mod compare;
 pub mod progress;

@@ -2,6 +2,8 @@
 
 use super::files::{Folder, WriteError};
 use crate::absorber::Ring;
+use crate::assess::speed_accuracy::SpeedAccuracy;
+use crate::assess::stability::{Cell, Scenario};
 use crate::assess::{Calibration, Comparison, ConditionResult, DesignResult, Results, Timing};
 use crate::design::{Condition, Peak};
 use crate::response::Quantity;
@@ -261,6 +263,42 @@ pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Res
         ]);
     }
     table.save(folder, "comparison.csv")
+}
+
+/// `speed_accuracy.csv`: methods with their settings, the growth of their cost, and what they make of the scenarios.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn speed_accuracy(measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
+    let mut table = Table::new(&["method", "setting", "seconds_per_design", "peak_error", "stable", "note"]);
+    let mut put = |method: &str, setting: String, seconds: Option<f64>, error: Option<f64>, stable: &str, note: String| {
+        let finite = |x: Option<f64>| optional(x.filter(|x| x.is_finite()));
+        table.row([method.to_owned(), setting, finite(seconds), finite(error), stable.to_owned(), note]);
+    };
+    for p in &measured.points {
+        let (error, stable, note) = match &p.error {
+            Ok(e) => (Some(*e), "yes", String::new()),
+            Err(e) => (None, "refused", e.to_string()),
+        };
+        put(&p.candidate.label(), p.search.label(), Some(p.seconds), error, stable, note);
+    }
+    for g in &measured.growth {
+        for (x, seconds) in &g.points {
+            put(&g.candidate.label(), format!("{x} {}", g.size), Some(*seconds), None, "", "one sweep of a uniform chain".into());
+        }
+        put(&g.candidate.label(), format!("exponent in {}", g.size), None, None, "", number((g.exponent * 1e3).round() / 1e3));
+    }
+    for (scenario, cells) in map {
+        for c in cells {
+            let (error, note) = match &c.found {
+                Ok(e) => (Some(*e), String::new()),
+                Err(e) => (None, e.to_string()),
+            };
+            let word = if c.as_declared() { c.word() } else { "DEFECT" };
+            put(&c.candidate.label(), format!("scenario: {}", scenario.name), None, error, word, note);
+        }
+    }
+    table.save(folder, "speed_accuracy.csv")
 }
 
 /// `timing.csv`: the only table that differs from run to run.

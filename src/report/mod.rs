@@ -7,6 +7,8 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 
+use crate::assess::speed_accuracy::SpeedAccuracy;
+use crate::assess::stability::{Cell, Scenario};
 use crate::assess::{Calibration, Comparison, Results};
 use crate::study::Study;
 
@@ -61,4 +63,15 @@ pub fn write_comparison(
     } else {
         folder.remove(&["comparison.svg", "comparison.png", "orders.svg", "orders.png"])
     }
+}
+
+/// Writes the table and plots of a chart.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub fn write_chart(study: &Study, measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
+    csv::speed_accuracy(measured, map, folder)?;
+    plot::chart::speed_accuracy(study, measured, folder)?;
+    plot::chart::growth(measured, folder)?;
+    plot::chart::stability(map, folder)
 }

@@ -4,6 +4,7 @@
 
 pub mod bodies;
 pub mod closed_form;
+pub mod dense;
 pub mod direct;
 pub mod holzer;
 mod kernel;
@@ -13,6 +14,7 @@ pub mod receptance;
 pub mod reduced;
 
 pub use closed_form::ClosedForm;
+pub use dense::Dense;
 pub use direct::Direct;
 pub use holzer::Holzer;
 pub use modal::Modal;
@@ -143,6 +145,8 @@ pub struct Work {
     pub eigenproblems: u64,
     /// Marches along the chain, one an order and speed.
     pub marches: u64,
+    /// Dense systems solved, one an order and speed.
+    pub dense_solves: u64,
 }
 
 impl std::ops::AddAssign for Work {
@@ -155,6 +159,7 @@ impl std::ops::AddAssign for Work {
         self.modal_solves += w.modal_solves;
         self.eigenproblems += w.eigenproblems;
         self.marches += w.marches;
+        self.dense_solves += w.dense_solves;
     }
 }
 

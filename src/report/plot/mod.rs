@@ -2,6 +2,7 @@
 
 mod campbell;
 mod canvas;
+pub mod chart;
 pub mod comparison;
 mod excitation;
 mod front;

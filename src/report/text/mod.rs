@@ -1,6 +1,7 @@
 //! What is printed: tables that line up, and sentences.
 
 pub mod calibration;
+pub mod chart;
 pub mod comparison;
 mod run;
 

@@ -1,0 +1,74 @@
+//! The response methods with their settings, as `chart` compares them.
+
+use crate::absorber::Mounted;
+use crate::response::{ClosedForm, Dense, Direct, Grid, Holzer, Modal, Quantity, Receptance, Reduced, Response, System};
+
+/// A method with a setting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Candidate {
+    /// Complex tridiagonal.
+    Direct,
+    /// Rank-one change of a base solved once.
+    Receptance,
+    /// One elastic mode and one absorber.
+    ClosedForm,
+    /// So many elastic modes, absorbers exact.
+    Reduced(usize),
+    /// Real modes, diagonal damping.
+    Modal,
+    /// Transfer matrices.
+    Holzer,
+    /// Dense LU.
+    Dense,
+}
+
+impl Candidate {
+    /// All that are compared.
+    pub const ALL: [Self; 9] = [
+        Self::Direct,
+        Self::Receptance,
+        Self::ClosedForm,
+        Self::Reduced(1),
+        Self::Reduced(2),
+        Self::Reduced(3),
+        Self::Modal,
+        Self::Holzer,
+        Self::Dense,
+    ];
+
+    /// Word of the method.
+    pub fn method(self) -> &'static str {
+        match self {
+            Self::Direct => "direct",
+            Self::Receptance => "receptance",
+            Self::ClosedForm => "closed_form",
+            Self::Reduced(_) => "reduced",
+            Self::Modal => "modal",
+            Self::Holzer => "holzer",
+            Self::Dense => "dense",
+        }
+    }
+
+    /// Method and setting, for labels.
+    pub fn label(self) -> String {
+        match self {
+            Self::Reduced(1) => "reduced, 1 mode".into(),
+            Self::Reduced(n) => format!("reduced, {n} modes"),
+            other => other.method().replace('_', " "),
+        }
+    }
+
+    /// The method for a system; nothing where it has none (a closed form without an elastic mode). `design`: one it is to be used for.
+    pub fn build<'a>(self, system: &'a System, grid: &'a Grid, design: &[Mounted], quantity: Quantity) -> Option<Box<dyn Response + 'a>> {
+        let station = design.first().map_or(0, |m| m.station);
+        Some(match self {
+            Self::Direct => Box::new(Direct::new(system, grid)),
+            Self::Receptance => Box::new(Receptance::new(system, grid, station, &[quantity])),
+            Self::ClosedForm => Box::new(ClosedForm::new(system, grid)?),
+            Self::Reduced(n) => Box::new(Reduced::new(system, grid, n)),
+            Self::Modal => Box::new(Modal::new(system, grid)),
+            Self::Holzer => Box::new(Holzer::new(system, grid)),
+            Self::Dense => Box::new(Dense::new(system, grid)),
+        })
+    }
+}

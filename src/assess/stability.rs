@@ -1,0 +1,299 @@
+//! Where methods fail: every method on every scenario, with the outcome each pair declares.
+//!
+//! The reference is the dense LU of the whole system. A method is right within a tolerance, refuses by name, or is known to be wrong; anything
+//! else is a defect.
+
+use super::methods::Candidate;
+use crate::absorber::{Kind, Mounted};
+use crate::chain::{Chain, Station};
+use crate::engine::excitation::HarmonicTable;
+use crate::engine::{Engine, Excitation, Layout, Order, Source};
+use crate::numerics::C64;
+use crate::response::{Dense, Grid, Quantity, Response, ResponseError, System, Work};
+use crate::units::RAD_PER_S_PER_RPM;
+
+/// What a method is declared to make of a scenario; errors are the largest difference over the largest value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outcome {
+    /// Within this error.
+    Right(f64),
+    /// An error that says this.
+    Refused(&'static str),
+    /// Off by at least this, and known to be.
+    Wrong(f64),
+}
+use Outcome::{Refused, Right, Wrong};
+
+/// A system with a known solution.
+#[derive(Debug, Clone)]
+pub struct Scenario {
+    /// In a few words.
+    pub name: &'static str,
+    /// Chain and torque.
+    pub system: System,
+    /// Absorbers.
+    pub design: Vec<Mounted>,
+    /// A twist.
+    pub quantity: Quantity,
+    /// rpm.
+    pub speeds: Vec<f64>,
+    /// Declared for each of [`Candidate::ALL`] but the reference, the last.
+    pub declared: [Outcome; 8],
+}
+
+/// What a method made of a scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// The method.
+    pub candidate: Candidate,
+    /// As declared.
+    pub declared: Outcome,
+    /// Error found, or the refusal.
+    pub found: Result<f64, ResponseError>,
+}
+
+impl Cell {
+    /// What it came to: right, refused or wrong.
+    pub fn word(&self) -> &'static str {
+        match (&self.declared, &self.found) {
+            (_, Err(_)) => "refused",
+            (Right(tolerance), Ok(e)) if e <= tolerance => "right",
+            _ => "wrong",
+        }
+    }
+
+    /// Whether it came as declared.
+    pub fn as_declared(&self) -> bool {
+        match (&self.declared, &self.found) {
+            (Right(tolerance), Ok(e)) => e <= tolerance,
+            (Wrong(least), Ok(e)) => e >= least,
+            (Refused(words), Err(e)) => e.to_string().contains(words),
+            _ => false,
+        }
+    }
+}
+
+impl Scenario {
+    /// Every method on it.
+    pub fn cells(&self) -> Vec<Cell> {
+        let grid = Grid::new(&self.speeds, &[]);
+        let mut exact = Vec::new();
+        let reference = Dense::new(&self.system, &grid).sweep(&self.design, self.quantity, &mut exact, &mut Work::default());
+        let largest = exact.iter().map(|y| y.norm()).fold(0.0, f64::max);
+        let error = |candidate: Candidate| -> Result<f64, ResponseError> {
+            let Some(method) = candidate.build(&self.system, &grid, &self.design, self.quantity) else {
+                return Err(ResponseError::NotApplicable { method: candidate.method(), why: "there is no elastic mode" });
+            };
+            let mut found = Vec::new();
+            method.sweep(&self.design, self.quantity, &mut found, &mut Work::default())?;
+            reference?;
+            let difference = found.iter().zip(&exact).map(|(a, b)| (a - b).norm());
+            // the largest that is not a number is not a number
+            Ok(difference.fold(0.0, |m: f64, d| if d > m || d.is_nan() { d } else { m }) / largest)
+        };
+        let pairs = Candidate::ALL.into_iter().zip(self.declared);
+        pairs.map(|(candidate, declared)| Cell { candidate, declared, found: error(candidate) }).collect()
+    }
+}
+
+fn absorber(station: usize, kind: Kind, ring_inertia: f64, stiffness: f64, damping: f64) -> Mounted {
+    Mounted { station, hub_inertia: 0.0, absorber: kind.build(ring_inertia, stiffness, damping) }
+}
+
+fn uniform(n: usize, inertia: f64, stiffness: f64, damping_to_ground: f64) -> Chain {
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia,
+        stiffness_to_next: if i + 1 < n { stiffness } else { 0.0 },
+        damping_to_ground,
+        throws: if i == 0 { vec![0] } else { Vec::new() },
+        ..Station::default()
+    };
+    Chain { stations: (0..n).map(station).collect() }
+}
+
+/// One throw under given harmonics (order, torque amplitude) of a two-stroke.
+fn harmonics(list: &[(u32, f64)]) -> Excitation {
+    let table = HarmonicTable { harmonics: list.iter().map(|(o, a)| (Order::from_twice(2 * o), C64::from(*a))).collect() };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+    Excitation::new(&Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
+}
+
+/// Speeds of a scenario.
+const SPEEDS: usize = 60;
+
+fn range(from: f64, to: f64) -> Vec<f64> {
+    (0..SPEEDS).map(|i| from + (to - from) * i as f64 / (SPEEDS - 1) as f64).collect()
+}
+
+/// The chain of the in-line six of \[Villalva 2014\], Table 4.7, with 9 N m s/rad on every throw, under three orders on throws that fire evenly.
+fn six() -> System {
+    let inertia = [0.0527, 0.0334, 0.0125, 0.0326, 0.0326, 0.014, 0.0339, 1.165];
+    let stiffness = [808e3, 1.27e6, 1.27e6, 1.31e6, 1.27e6, 1.36e6, 2.1e6, 0.0];
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia: inertia[i],
+        stiffness_to_next: stiffness[i],
+        damping_to_ground: if (1..7).contains(&i) { 9.0 } else { 0.0 },
+        throws: if (1..7).contains(&i) { vec![i - 1] } else { Vec::new() },
+        ..Station::default()
+    };
+    let table = [(3, 900.0), (9, 600.0), (12, 300.0)];
+    let source = HarmonicTable { harmonics: table.iter().map(|(twice, a)| (Order::from_twice(*twice), C64::from(*a))).collect() };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0, 480.0, 240.0, 600.0, 120.0, 360.0], bank_angle_deg: None };
+    let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(source) };
+    System::new(Chain { stations: (0..8).map(station).collect() }, Excitation::new(&engine, 12.0))
+}
+
+/// All scenarios.
+pub fn scenarios() -> Vec<Scenario> {
+    // receptance is exact, but near resonances of the chain alone it may cancel up to 1e5 roundings
+    let (exact, receptance) = (Right(1e-10), Right(1e-9));
+    let hub = Quantity::Twist { from: 0, to: Some(7) };
+    let tuned = absorber(0, Kind::Tuned, 0.076, 158e3, 34.2);
+    let of_six = |name, system: System, design: Vec<Mounted>, declared| Scenario {
+        name,
+        system,
+        design,
+        quantity: hub,
+        speeds: range(600.0, 3200.0),
+        declared,
+    };
+    let changed = |change: &dyn Fn(&mut Chain)| {
+        let base = six();
+        let mut chain = base.chain.clone();
+        change(&mut chain);
+        System::new(chain, base.excitation)
+    };
+    let lossy = changed(&|c| c.stations[..7].iter_mut().for_each(|s| s.loss_factor_to_next = 0.02));
+    let damper = changed(&|c| (c.stations[6].stiffness_to_next, c.stations[6].damping_to_next) = (0.0, 500.0));
+    let cut = changed(&|c| c.stations[6].stiffness_to_next = 0.0);
+    let mut one = uniform(1, 1.0, 0.0, 2.0);
+    one.stations[0].stiffness_to_ground = 1e4;
+    let mut halves = uniform(4, 0.1, 1e6, 20.0);
+    halves.stations[1].stiffness_to_next = 1e2;
+    let mut pole = uniform(1, 1.0, 0.0, 0.0);
+    pole.stations[0].stiffness_to_ground = (1200.0 * RAD_PER_S_PER_RPM).powi(2);
+    let to_ground = Quantity::Twist { from: 0, to: None };
+    let nothing = Refused("resonance without damping");
+    let parallel = vec![absorber(0, Kind::Tuned, 0.03, 50e3, 10.0); 2];
+    vec![
+        of_six("no absorber", six(), vec![], six_alone(exact, receptance)),
+        of_six(
+            "tuned absorber",
+            six(),
+            vec![tuned],
+            [exact, receptance, Wrong(0.02), Right(0.06), Right(0.03), Right(0.02), Wrong(0.1), exact],
+        ),
+        of_six(
+            "viscous absorber",
+            six(),
+            vec![absorber(0, Kind::Viscous, 0.076, 0.0, 105.1)],
+            [exact, receptance, Wrong(0.02), Right(0.06), Right(0.03), Right(0.02), Wrong(0.3), exact],
+        ),
+        of_six(
+            "two equal rings side by side",
+            six(),
+            parallel,
+            [exact, receptance, Refused("it takes one absorber"), Right(0.06), Right(0.03), Right(0.02), Wrong(0.05), exact],
+        ),
+        of_six("loose ring, 1e-12 of an inertia", six(), vec![absorber(0, Kind::Tuned, 1e-12, 1e-7, 1e-10)], six_alone(exact, receptance)),
+        of_six(
+            "heavy ring, 1000 kg m²",
+            six(),
+            vec![absorber(0, Kind::Tuned, 1e3, 158e3, 34.2)],
+            [exact, receptance, Wrong(0.02), Right(0.2), Right(0.1), Right(0.1), Wrong(0.02), exact],
+        ),
+        of_six(
+            "spring of 1e12 N m/rad",
+            six(),
+            vec![absorber(0, Kind::Tuned, 0.076, 1e12, 0.0)],
+            [Right(1e-6), Right(1e-6), Wrong(0.02), Right(0.3), Right(0.1), Right(0.1), Wrong(0.005), Right(1e-6)],
+        ),
+        of_six(
+            "loss factors",
+            lossy,
+            vec![tuned],
+            [exact, receptance, Wrong(0.02), Right(0.06), Right(0.03), Right(0.02), Wrong(0.1), exact],
+        ),
+        Scenario {
+            quantity: Quantity::Twist { from: 0, to: Some(6) },
+            ..of_six(
+                "a damper for a link",
+                damper,
+                vec![],
+                [exact, receptance, Wrong(0.02), Wrong(0.02), Wrong(0.01), Wrong(0.002), Wrong(0.05), exact],
+            )
+        },
+        Scenario {
+            quantity: Quantity::Twist { from: 0, to: Some(6) },
+            ..of_six(
+                "a link of nothing",
+                cut,
+                vec![],
+                [
+                    exact,
+                    receptance,
+                    Wrong(0.02),
+                    Right(0.1),
+                    Right(0.05),
+                    Right(0.02),
+                    Wrong(0.05),
+                    Refused("neither stiffness nor damping"),
+                ],
+            )
+        },
+        Scenario {
+            name: "Den Hartog's two masses",
+            system: System::new(one, harmonics(&[(1, 1.0)])),
+            design: vec![absorber(0, Kind::Tuned, 0.1, 826.0, 3.0)],
+            quantity: to_ground,
+            speeds: range(500.0, 1500.0),
+            declared: [exact, receptance, exact, exact, exact, exact, Wrong(0.01), exact],
+        },
+        Scenario {
+            name: "close modes",
+            system: System::new(halves, harmonics(&[(1, 100.0), (2, 50.0)])),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(1) },
+            speeds: range(30_000.0, 60_000.0),
+            declared: [exact, receptance, Wrong(0.3), Wrong(0.3), Wrong(0.3), exact, exact, Refused("holzer loses digits")],
+        },
+        Scenario {
+            name: "300 stations, far above resonance",
+            system: System::new(uniform(300, 0.01, 1e5, 0.5), harmonics(&[(1, 100.0)])),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(299) },
+            speeds: vec![100_000.0, 120_000.0],
+            declared: [exact, receptance, Wrong(0.5), Wrong(0.5), Wrong(0.5), Wrong(0.5), Right(1e-6), Refused("holzer loses digits")],
+        },
+        Scenario {
+            name: "stiffness ratio of 1e9",
+            system: System::new(
+                Chain {
+                    stations: (0..4)
+                        .map(|i| Station { stiffness_to_next: [1e3, 1e12, 1e6, 0.0][i], ..uniform(4, 0.1, 1.0, 1.0).stations[i].clone() })
+                        .collect(),
+                },
+                harmonics(&[(1, 100.0)]),
+            ),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(3) },
+            speeds: range(500.0, 5000.0),
+            declared: [Right(1e-6); 8],
+        },
+        Scenario {
+            name: "undamped resonance, met exactly",
+            system: System::new(pole, harmonics(&[(1, 1.0)])),
+            design: vec![],
+            quantity: to_ground,
+            speeds: vec![1200.0],
+            declared: [nothing; 8],
+        },
+    ]
+}
+
+/// The six as it is.
+fn six_alone(exact: Outcome, receptance: Outcome) -> [Outcome; 8] {
+    [exact, receptance, Wrong(0.01), Right(0.03), Right(0.01), Right(0.01), Wrong(0.01), exact]
+}

@@ -1,0 +1,188 @@
+//! Speed against accuracy, growth of cost, and the stability map.
+
+use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text};
+use crate::assess::methods::Candidate;
+use crate::assess::speed_accuracy::{Point, Search, SpeedAccuracy};
+use crate::assess::stability::{Cell, Scenario};
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// Errors below this are drawn on it: rounding of the reference.
+const LEAST_ERROR: f64 = 1e-12;
+
+fn colour(candidate: Candidate) -> RGBColor {
+    let index = Candidate::ALL.iter().position(|c| *c == candidate).unwrap_or(0);
+    if index < COLOURS.len() { COLOURS[index] } else { [BLACK, GREY][index % 2] }
+}
+
+/// Powers of ten between two values.
+fn decades(low: f64, high: f64) -> Vec<f64> {
+    (low.log10().floor() as i32..=high.log10().ceil() as i32).map(|d| 10f64.powi(d)).filter(|t| (low..=high).contains(t)).collect()
+}
+
+/// Points that no other beats in both seconds and error, by seconds.
+fn best(points: &[(&Point, f64)]) -> Vec<(f64, f64)> {
+    let mut sorted: Vec<(f64, f64)> = points.iter().map(|(p, e)| (p.seconds, *e)).collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut front: Vec<(f64, f64)> = Vec::new();
+    for p in sorted {
+        if front.last().is_none_or(|f| p.1 < f.1) {
+            front.push(p);
+        }
+    }
+    front
+}
+
+/// Seconds per design against the error of the peak.
+pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) -> Result<(), WriteError> {
+    let points: Vec<(&Point, f64)> =
+        measured.points.iter().filter_map(|p| Some((p, p.error.ok()?.max(LEAST_ERROR)))).filter(|p| p.0.seconds > 0.0).collect();
+    if points.is_empty() {
+        return folder.remove(&["speed_accuracy.svg", "speed_accuracy.png"]);
+    }
+    let (fast, slow) = points.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0.seconds), b.max(p.0.seconds)));
+    let worst = points.iter().map(|p| p.1).fold(0.0, f64::max);
+    let (x, y) = ((fast / 1.5, slow * 1.5), (LEAST_ERROR / 2.0, worst * 2.0));
+    canvas::save(folder, "speed_accuracy", (980, 620), |area| {
+        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(215));
+        let mut chart = ChartBuilder::on(&main)
+            .caption(format!("{}: cost of one design against the error of its peak twist", study.engine.name), text(15))
+            .margin(px(8))
+            .x_label_area_size(px(36))
+            .y_label_area_size(px(64))
+            .build_cartesian_2d(
+                (x.0..x.1).log_scale().with_key_points(decades(x.0, x.1)),
+                (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
+            )?;
+        chart
+            .configure_mesh()
+            .x_desc("seconds per design, one thread")
+            .y_desc("largest error of the peak over the probe designs")
+            .axis_desc_style(text(13))
+            .label_style(text(12))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(line(PALE, 8))
+            .axis_style(line(GREY, 10))
+            .x_label_formatter(&|x| format!("{x:.0e}"))
+            .y_label_formatter(&|y| format!("{y:.0e}"))
+            .draw()?;
+        chart.draw_series(LineSeries::new(best(&points), line(RGBColor(200, 200, 200), 60)))?;
+        for candidate in Candidate::ALL {
+            let of = |refined: bool| -> Vec<(f64, f64)> {
+                let own = points.iter().filter(|p| p.0.candidate == candidate && matches!(p.0.search, Search::Refined(_)) == refined);
+                own.map(|(p, e)| (p.seconds, *e)).collect()
+            };
+            chart.draw_series(LineSeries::new(of(false), line(colour(candidate), 16)))?;
+            chart.draw_series(of(false).into_iter().map(|p| Circle::new(p, px(3), line(colour(candidate), 14))))?;
+            chart.draw_series(of(true).into_iter().map(|p| Circle::new(p, px(4), fill(colour(candidate), 1.0))))?;
+        }
+        let mut entries: Vec<(String, ShapeStyle)> = Candidate::ALL
+            .iter()
+            .filter(|c| points.iter().any(|p| p.0.candidate == **c))
+            .map(|c| (c.label(), line(colour(*c), 20)))
+            .collect();
+        entries.push(("best of all".into(), line(RGBColor(200, 200, 200), 60)));
+        canvas::legend(&side, &entries)?;
+        let below = (px(34) + entries.len() as u32 * px(19)) as i32;
+        let notes = [format!("open: {} to {} speeds", 14, 521), "full: refined between speeds".into(), "reference: direct, refined".into()];
+        for (i, note) in notes.into_iter().enumerate() {
+            side.draw(&Text::new(note, (px(4) as i32, below + i as i32 * px(19) as i32), text(12)))?;
+        }
+        Ok(())
+    })
+}
+
+/// Cost of a sweep against stations, orders and speeds.
+pub fn growth(measured: &SpeedAccuracy, folder: &Folder) -> Result<(), WriteError> {
+    let all = || measured.growth.iter().flat_map(|g| &g.points);
+    let (low, high) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
+    let (low, high) = (low / 2.0, high * 2.0);
+    canvas::save(folder, "growth", (1180, 470), |area| {
+        let titled = canvas::titled(area, "Cost of one sweep of one design, set-up aside")?;
+        let panels = titled.split_evenly((1, 3));
+        for (panel, size) in panels.iter().zip(["stations", "orders", "speeds"]) {
+            let own: Vec<_> = measured.growth.iter().filter(|g| g.size == size).collect();
+            let (left, right) = own.iter().flat_map(|g| &g.points).fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
+            let ticks: Vec<f64> =
+                own.iter().max_by_key(|g| g.points.len()).map_or_else(Vec::new, |g| g.points.iter().map(|p| p.0).collect());
+            let mut chart = ChartBuilder::on(panel)
+                .margin(px(8))
+                .margin_top(px(150))
+                .x_label_area_size(px(36))
+                .y_label_area_size(px(58))
+                .build_cartesian_2d(
+                (left / 1.2..right * 1.2).log_scale().with_key_points(ticks),
+                (low..high).log_scale().with_key_points(decades(low, high)),
+            )?;
+            chart
+                .configure_mesh()
+                .x_desc(size)
+                .y_desc("seconds")
+                .axis_desc_style(text(13))
+                .label_style(text(11))
+                .light_line_style(TRANSPARENT)
+                .bold_line_style(line(PALE, 8))
+                .axis_style(line(GREY, 10))
+                .x_label_formatter(&|x| canvas::tick(x))
+                .y_label_formatter(&|y| format!("{y:.0e}"))
+                .draw()?;
+            let mut entries = Vec::new();
+            for g in own {
+                chart.draw_series(LineSeries::new(g.points.iter().copied(), line(colour(g.candidate), 18)))?;
+                chart.draw_series(g.points.iter().map(|p| Circle::new(*p, px(3), fill(colour(g.candidate), 1.0))))?;
+                entries.push((format!("{}: exponent {:.2}", g.candidate.label(), g.exponent), line(colour(g.candidate), 20)));
+            }
+            let (_, corner) = panel.split_horizontally(px(60));
+            canvas::legend(&corner, &entries)?;
+        }
+        Ok(())
+    })
+}
+
+/// Method by scenario: right, refused by name, wrong and known to be, or a defect.
+pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
+    let columns = map.first().map_or(0, |m| m.1.len()) as u32;
+    let (left, top, width, height) = (250, 74, 104, 26);
+    let size = (left + columns * width + 20, top + map.len() as u32 * height + 74);
+    let (good, refused, wrong, defect) = (RGBColor(196, 230, 206), RGBColor(205, 222, 242), RGBColor(250, 222, 170), RGBColor(226, 70, 60));
+    canvas::save(folder, "stability", size, |area| {
+        let centred = |size: u32| text(size).pos(Pos::new(HPos::Center, VPos::Center));
+        let at = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
+        area.draw(&Text::new("Where methods fail: error against a dense solution", at(size.0 / 2, 18), centred(16)))?;
+        for (row, (scenario, cells)) in map.iter().enumerate() {
+            let y = top + row as u32 * height;
+            area.draw(&Text::new(scenario.name, at(8, y + 7), text(12)))?;
+            for (column, cell) in cells.iter().enumerate() {
+                let x = left + column as u32 * width;
+                if row == 0 {
+                    area.draw(&Text::new(cell.candidate.label(), at(x + width / 2, top - 14), centred(12)))?;
+                }
+                let colour = match (cell.as_declared(), cell.word()) {
+                    (false, _) => defect,
+                    (true, "right") => good,
+                    (true, "refused") => refused,
+                    _ => wrong,
+                };
+                let words = match &cell.found {
+                    Ok(e) if *e < 1e-9 => "exact".into(),
+                    Ok(e) if *e < 1e-4 => format!("{e:.0e}"),
+                    Ok(e) => format!("{:.2} %", 100.0 * e),
+                    Err(_) => "refused".into(),
+                };
+                area.draw(&Rectangle::new([at(x + 1, y + 1), at(x + width - 1, y + height - 1)], fill(colour, 1.0)))?;
+                area.draw(&Text::new(words, at(x + width / 2, y + height / 2), centred(11)))?;
+            }
+        }
+        let y = top + map.len() as u32 * height + 24;
+        let legend =
+            [(good, "right, as declared"), (refused, "refused by name"), (wrong, "wrong, and known to be"), (defect, "not as declared")];
+        for (i, (colour, words)) in legend.into_iter().enumerate() {
+            let x = 20 + 220 * i as u32;
+            area.draw(&Rectangle::new([at(x, y), at(x + 24, y + 16)], fill(colour, 1.0)))?;
+            area.draw(&Text::new(words, at(x + 32, y + 1), text(12)))?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,77 @@
+//! Dense complex LU of the whole system, rings as bodies of their own: slow, and independent of every other method.
+
+use super::bodies::Bodies;
+use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use crate::absorber::Mounted;
+use crate::numerics::{C64, I, ZERO};
+use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::{DMatrix, DVector};
+
+/// Dense solution with full pivoting.
+#[derive(Debug)]
+pub struct Dense<'a> {
+    system: &'a System,
+    grid: &'a Grid,
+}
+
+impl<'a> Dense<'a> {
+    /// For the speeds of `grid`.
+    pub fn new(system: &'a System, grid: &'a Grid) -> Self {
+        Self { system, grid }
+    }
+
+    /// Angles of all bodies, stations first, rad.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where the system is singular.
+    pub fn angles(&self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(Bodies, DVector<C64>), ResponseError> {
+        let excited = self.system.excitation.orders[order];
+        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let bodies = Bodies::new(self.system, design);
+        let n = bodies.len();
+        let mut torque = DVector::from_element(n, ZERO);
+        self.system.torque(order, speed_rpm, &mut torque.as_mut_slice()[..self.system.chain.len()]);
+        let matrix = DMatrix::from_fn(n, n, |i, j| {
+            let inertia = if i == j { omega * omega * bodies.inertia[i] } else { 0.0 };
+            bodies.stiffness[(i, j)] - inertia + I * (omega * bodies.damping[(i, j)] + bodies.hysteresis[(i, j)])
+        });
+        if torque.iter().all(|t| *t == ZERO) {
+            return Ok((bodies, torque));
+        }
+        let angles = matrix.full_piv_lu().solve(&torque).filter(|x| x.iter().all(|y| y.is_finite()));
+        angles.map(|x| (bodies, x)).ok_or_else(|| ResponseError::unbounded(excited, speed_rpm))
+    }
+}
+
+impl Response for Dense<'_> {
+    fn name(&self) -> &'static str {
+        "dense"
+    }
+
+    fn grid(&self) -> &Grid {
+        self.grid
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        work.dense_solves += 1;
+        let (bodies, x) = self.angles(design, order, speed_rpm)?;
+        let (from, to) = bodies.between(quantity);
+        let twist = x[from] - to.map_or(ZERO, |to| x[to]);
+        let omega = self.system.excitation.orders[order].value() * speed_rpm * RAD_PER_S_PER_RPM;
+        Ok(match quantity {
+            Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, omega),
+            _ => twist,
+        })
+    }
+}

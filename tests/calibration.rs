@@ -93,7 +93,7 @@ fn standard_errors_cover_the_truth() {
 #[test]
 fn what_rows_cannot_tell_is_named() {
     let mut s = study("villalva_i6");
-    let free = |input, lower, upper, start| FreeInput { input, lower, upper, start, varies: false };
+    let free = |input, lower, upper, start| FreeInput { input, lower, upper, start, varies: false, scale: 0.01 };
     let spec = s.calibrate.as_mut().expect("calibrates");
     spec.inputs.push(free(Input::ShaftLossFactor, 0.0, 0.02, 0.0));
     let c = fitted(&s);

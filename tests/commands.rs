@@ -222,3 +222,46 @@ fn conditions_in_tables_and_no_stale_plots() {
     assert!(!out.join("response_viscous_untuned.svg").is_file() && !out.join("calibration.csv").is_file());
     assert!(out.join("response_tuned_unity.svg").is_file());
 }
+
+/// `compare` finds the optimum in the conditions it is to hold in, as `run` does.
+#[test]
+fn compare_holds_the_conditions_of_the_optimum() {
+    let folder = tempfile::tempdir().expect("folder");
+    let changes = [
+        ("step = 10", "step = 50"),
+        ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"),
+        ("[pareto]\npoints = 100\nagainst.ring_inertia_kg_m2 = [0.0038, 0.152]", ""),
+        ("seed = 1", "seed = 1\nconditions = [\"misfire\"]"),
+        ("types = [\"tuned\", \"viscous\"]", "types = [\"tuned\"]"),
+    ];
+    let study = variant(folder.path(), "villalva_i6", &changes);
+    let out = folder.path().join("o");
+    hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
+    let designs = read(&out, "designs.csv");
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    let column = cells(designs.lines().next().expect("header")).iter().position(|c| c == "objective_value").expect("a column");
+    let optimum = designs.lines().find(|l| l.starts_with("optimum_tuned,")).map(|l| cells(l)[column].clone()).expect("a row");
+    let output = hartog().arg("compare").arg(&study).arg("--out").arg(&out).assert().code(0).get_output().stdout.clone();
+    let words = format!("Possible with the same ring: {:.4}°", optimum.parse::<f64>().expect("a number"));
+    assert!(String::from_utf8_lossy(&output).contains(&words), "{words}");
+}
+
+/// `chart` writes the table of the contract and its plots, finds no defect, and a coarse grid errs where a refined peak does not.
+#[test]
+fn chart_writes_speed_and_accuracy() {
+    let folder = tempfile::tempdir().expect("folder");
+    let output =
+        hartog().args(["chart", "studies/den_hartog.toml", "--out"]).arg(folder.path()).assert().code(0).get_output().stdout.clone();
+    let text = String::from_utf8_lossy(&output);
+    assert!(text.contains("Stability: 15 scenarios") && !text.contains("DEFECT"), "{text}");
+    let table = read(folder.path(), "speed_accuracy.csv");
+    assert!(table.starts_with("method,setting,seconds_per_design,peak_error,stable,note\n"));
+    let error = |method: &str, setting: &str| -> f64 {
+        let line = table.lines().find(|l| l.starts_with(&format!("{method},")) && l.contains(setting)).expect("a row");
+        line.rsplit(',').nth(2).and_then(|c| c.parse().ok()).expect("an error")
+    };
+    assert!(error("direct", ",14 speeds,") > 1e-3 && error("direct", ",53 speeds refined,") < 1e-9);
+    for plot in ["speed_accuracy", "growth", "stability"] {
+        assert!(read(folder.path(), &format!("{plot}.svg")).starts_with("<svg") && folder.path().join(format!("{plot}.png")).is_file());
+    }
+}

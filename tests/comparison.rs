@@ -186,6 +186,7 @@ fn stated_tolerances_decide() {
     assert!(!holds(&|s: &mut Study| absorber(s, |a| a.stiffness = a.stiffness.map(|_| 3.0))), "no formula gives it");
     assert!(!holds(&|s: &mut Study| absorber(s, |a| a.damping = a.damping.map(|c| 2.0 * c))), "no formula gives it");
     assert!(!holds(&|s: &mut Study| s.published.as_mut().expect("tables").amplitudes.retain(|a| a.design < 2)), "nothing predicted");
+    assert!(!holds(&|s: &mut Study| absorber(s, |a| a.damping = a.damping.map(|_| 0.0))), "a printed zero");
     assert!(
         !holds(&|s: &mut Study| {
             let f = PublishedFrequency { table: String::new(), source: String::new(), mode: 99, frequency_hz: 1.0 };

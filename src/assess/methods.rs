@@ -49,13 +49,19 @@ impl Candidate {
         }
     }
 
+    /// Its setting, where it has one.
+    pub fn setting(self) -> Option<String> {
+        match self {
+            Self::Reduced(1) => Some("1 mode".into()),
+            Self::Reduced(n) => Some(format!("{n} modes")),
+            _ => None,
+        }
+    }
+
     /// Method and setting, for labels.
     pub fn label(self) -> String {
-        match self {
-            Self::Reduced(1) => "reduced, 1 mode".into(),
-            Self::Reduced(n) => format!("reduced, {n} modes"),
-            other => other.method().replace('_', " "),
-        }
+        let method = self.method().replace('_', " ");
+        self.setting().map_or_else(|| method.clone(), |s| format!("{method}, {s}"))
     }
 
     /// The method for a system; nothing where it has none (a closed form without an elastic mode). `design`: one it is to be used for.

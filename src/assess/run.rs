@@ -82,6 +82,8 @@ impl Results {
 
 /// A sum of torques below this share of one of them is rounding.
 const SILENT: f64 = 1e-9;
+/// An order appears where it is at least this share.
+const LOUD: f64 = 1e-6;
 
 struct Clock {
     timing: Vec<Timing>,
@@ -207,8 +209,8 @@ fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
 fn appearing(firing: &Excitation, misfiring: &Excitation) -> Vec<Order> {
     let speed = firing.tabulated_rpm.first().copied().unwrap_or(1.0);
     let whole = |e: &Excitation, n: usize| (0..e.throws()).map(|t| e.throw_torque(t, n, speed)).sum::<crate::numerics::C64>().norm();
-    let unit = |n: usize| firing.unit_torque(n, speed).norm();
-    let silent = |n: &usize| whole(firing, *n) < SILENT * unit(*n) && whole(misfiring, *n) > SILENT * unit(*n);
+    let unit = (0..firing.orders.len()).map(|n| firing.unit_torque(n, speed).norm()).fold(0.0, f64::max);
+    let silent = |n: &usize| whole(firing, *n) < SILENT * unit && whole(misfiring, *n) > LOUD * unit;
     (0..firing.orders.len()).filter(silent).map(|n| firing.orders[n]).collect()
 }
 

@@ -28,7 +28,7 @@ impl Search {
     pub fn label(self) -> String {
         match self {
             Self::Grid(n) => format!("{n} speeds"),
-            Self::Refined(n) => format!("{n} speeds, refined"),
+            Self::Refined(n) => format!("{n} speeds refined"),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::files::{Folder, WriteError};
 use crate::absorber::Ring;
+use crate::assess::methods::Candidate;
 use crate::assess::speed_accuracy::SpeedAccuracy;
 use crate::assess::stability::{Cell, Scenario};
 use crate::assess::{Calibration, Comparison, ConditionResult, DesignResult, Results, Timing};
@@ -271,22 +272,23 @@ pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Res
 /// [`WriteError`] where it cannot be written.
 pub fn speed_accuracy(measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
     let mut table = Table::new(&["method", "setting", "seconds_per_design", "peak_error", "stable", "note"]);
-    let mut put = |method: &str, setting: String, seconds: Option<f64>, error: Option<f64>, stable: &str, note: String| {
+    let mut put = |candidate: Candidate, setting: &str, seconds: Option<f64>, error: Option<f64>, stable: &str, note: String| {
         let finite = |x: Option<f64>| optional(x.filter(|x| x.is_finite()));
-        table.row([method.to_owned(), setting, finite(seconds), finite(error), stable.to_owned(), note]);
+        let setting = candidate.setting().map_or_else(|| setting.to_owned(), |own| format!("{own}; {setting}"));
+        table.row([candidate.method().to_owned(), setting, finite(seconds), finite(error), stable.to_owned(), note]);
     };
     for p in &measured.points {
         let (error, stable, note) = match &p.error {
             Ok(e) => (Some(*e), "yes", String::new()),
             Err(e) => (None, "refused", e.to_string()),
         };
-        put(&p.candidate.label(), p.search.label(), Some(p.seconds), error, stable, note);
+        put(p.candidate, &p.search.label(), Some(p.seconds), error, stable, note);
     }
     for g in &measured.growth {
         for (x, seconds) in &g.points {
-            put(&g.candidate.label(), format!("{x} {}", g.size), Some(*seconds), None, "", "one sweep of a uniform chain".into());
+            put(g.candidate, &format!("{x} {}", g.size), Some(*seconds), None, "", "one sweep of a uniform chain".into());
         }
-        put(&g.candidate.label(), format!("exponent in {}", g.size), None, None, "", number((g.exponent * 1e3).round() / 1e3));
+        put(g.candidate, &format!("exponent in {}", g.size), None, None, "", number((g.exponent * 1e3).round() / 1e3));
     }
     for (scenario, cells) in map {
         for c in cells {
@@ -295,7 +297,7 @@ pub fn speed_accuracy(measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)], f
                 Err(e) => (None, e.to_string()),
             };
             let word = if c.as_declared() { c.word() } else { "DEFECT" };
-            put(&c.candidate.label(), format!("scenario: {}", scenario.name), None, error, word, note);
+            put(c.candidate, &format!("scenario: {}", scenario.name), None, error, word, note);
         }
     }
     table.save(folder, "speed_accuracy.csv")

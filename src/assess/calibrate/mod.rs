@@ -25,8 +25,8 @@ pub enum Known {
     Yes,
     /// It ends on a bound: its standard error says nothing.
     AtBound,
-    /// The rows say no more about it than its bounds do: its standard error is not below the standard deviation of a value that may lie
-    /// anywhere between them.
+    /// Its standard error is as large as the input itself, or not below the standard deviation of a value that may lie anywhere between the
+    /// bounds: the rows say nothing about it.
     NotIdentified,
     /// There are as many inputs as rows: any value could be exact.
     NoFreedom,
@@ -135,7 +135,7 @@ pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Optio
 }
 
 /// On a bound: within this share of the width of the coordinate it is searched in.
-const ON_BOUND: f64 = 1e-3;
+const ON_BOUND: f64 = 1e-4;
 
 fn known(free: &FreeInput, value: f64, standard_error: Option<f64>) -> Known {
     let range = search::range(free);
@@ -143,7 +143,7 @@ fn known(free: &FreeInput, value: f64, standard_error: Option<f64>) -> Known {
     match standard_error {
         _ if at - low < ON_BOUND * (high - low) || high - at < ON_BOUND * (high - low) => Known::AtBound,
         None => Known::NoFreedom,
-        Some(e) if e.is_nan() || e >= (free.upper - free.lower) / 12f64.sqrt() => Known::NotIdentified,
+        Some(e) if e.is_nan() || e >= (free.upper - free.lower) / 12f64.sqrt() || e >= range.size(value) => Known::NotIdentified,
         _ => Known::Yes,
     }
 }

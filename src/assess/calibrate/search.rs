@@ -23,11 +23,9 @@ pub struct Found {
     pub agreeing: (usize, usize),
 }
 
-/// An input as least squares sees it: where its value in the engine file is small against its bounds, it is searched by its logarithm.
+/// An input as least squares sees it: where its size is small against its bounds, it is searched by its logarithm.
 pub fn range(f: &FreeInput) -> Range {
-    const LEAST: f64 = 1e-3;
-    let scale = f.start.clamp(f.lower, f.upper).abs();
-    Range { lower: f.lower, upper: f.upper, scale: if scale > 0.0 { scale } else { LEAST * (f.upper - f.lower) } }
+    Range { lower: f.lower, upper: f.upper, scale: f.scale }
 }
 
 /// What each input may change by at a point, to compare inputs of different units.

@@ -102,7 +102,12 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
     };
     let worst = |k: Kind| {
         let predicted = entries.iter().filter(|e| e.kind == k && e.role == Role::Predicted);
-        let size = |e: &Entry| if e.computed.is_none() { f64::INFINITY } else { e.deviation_percent().map_or(0.0, f64::abs) };
+        // a number without counterpart, or a printed zero that ours is not, is off by any share
+        let size = |e: &Entry| match e.deviation_percent() {
+            Some(d) => d.abs(),
+            None if e.published.is_some() && e.published == e.computed => 0.0,
+            None => f64::INFINITY,
+        };
         predicted.map(size).reduce(f64::max)
     };
     let t = &published.tolerances;

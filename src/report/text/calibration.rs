@@ -63,7 +63,7 @@ pub fn calibration(study: &Study, c: &Calibration) -> String {
         let _ = writeln!(text, "  {} and {} cannot be told apart by these rows: hold one of them", a.key(), b.key());
     }
     for i in c.inputs.iter().filter(|i| i.known == Known::NotIdentified) {
-        let _ = writeln!(text, "  {} is not identified: the rows say no more about it than its bounds", i.free.input.key());
+        let _ = writeln!(text, "  {} is not identified: its standard error is as large as itself or its bounds", i.free.input.key());
     }
     if !c.by_hand.is_empty() {
         let held: Vec<String> = c.by_hand.iter().map(|(i, v)| format!("{} {}", i.key(), significant(*v, 4))).collect();

@@ -103,6 +103,14 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         let _ = writeln!(text, "{line}");
     };
     put(format!("{}: {} {}", o.design.name, study.objective.label, value(study, best)));
+    let worst = o.design.conditions.iter().max_by(|a, b| a.objective.total_cmp(&b.objective));
+    if let (Some(all), Some(c)) = (o.design.objective.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
+        put(format!(
+            "  {}: {}, whatever the spring and damper; the rest is optimised",
+            c.condition.name().replace('_', " "),
+            value(study, all)
+        ));
+    }
     for ((row, nature), scene) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.scenes) {
         let p = &row.peak;
         let during = match scene {
@@ -119,7 +127,8 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
                     peak_words(results, nature.as_ref())
                 ));
             }
-            Some(i) if row.value > -1e-5 => put(format!("  active limit at {:.1} rpm{during}: {}", p.speed_rpm, study.limits[i].0)),
+            // what is broken by more is said below, once
+            Some(i) if row.value.abs() < 1e-5 => put(format!("  active limit at {:.1} rpm{during}: {}", p.speed_rpm, study.limits[i].0)),
             _ => {}
         }
     }
@@ -168,10 +177,9 @@ pub fn summary(study: &Study, results: &Results) -> String {
         let _ = writeln!(text, "Forced floor: {} would be left if nothing resonated{beside}.", value(study, floor));
     }
     let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
-    if let (Some(best), Some(own)) = (
-        given.min_by(|a, b| objective(a).total_cmp(&objective(b))),
-        results.optima.iter().filter(|o| o.main).min_by(|a, b| objective(&a.design).total_cmp(&objective(&b.design))),
-    ) {
+    if let (Some(best), Some(own)) =
+        (given.min_by(|a, b| better(a, b)), results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design)))
+    {
         let ratio = 100.0 * (1.0 - objective(&own.design) / objective(best));
         let compare = if !ratio.is_finite() {
             "not comparable".to_owned()
@@ -204,7 +212,10 @@ pub fn conditions(study: &Study, results: &Results) -> String {
     let mut rows = Vec::new();
     for d in &all {
         for c in &d.conditions {
-            let share = |x: f64, of: Option<f64>| dash(of.filter(|o| *o > 0.0).map(|o| format!("{:+.0}", 100.0 * (x / o - 1.0))));
+            let share = |x: f64, of: Option<f64>| {
+                let percent = |o: f64| (100.0 * (x / o - 1.0)).round();
+                dash(of.filter(|o| *o > 0.0).map(percent).map(|p| if p == 0.0 { "0".into() } else { format!("{p:+.0}") }))
+            };
             let without = all.iter().find(|d| d.absorbers.is_empty());
             let none = without.and_then(|n| n.conditions.iter().find(|o| o.condition == c.condition)?.twist);
             // a lost or locked absorber is set against the engine that never had one
@@ -241,8 +252,8 @@ pub fn conditions(study: &Study, results: &Results) -> String {
         );
     }
     let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
-    let own = results.optima.iter().filter(|o| o.main).min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
-    if let (Some(best), Some(own)) = (given.min_by(|a, b| objective(a).total_cmp(&objective(b))), own) {
+    let own = results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design));
+    if let (Some(best), Some(own)) = (given.min_by(|a, b| better(a, b)), own) {
         for (own, given) in own.design.conditions.iter().zip(&best.conditions) {
             let change = 100.0 * (own.objective / given.objective - 1.0);
             let words = if change.abs() < 0.05 {
@@ -261,6 +272,17 @@ pub fn conditions(study: &Study, results: &Results) -> String {
         }
     }
     text
+}
+
+/// Order of designs by objective; what is level (a lost absorber is the same for all) by the twist while all works.
+fn better(a: &DesignResult, b: &DesignResult) -> std::cmp::Ordering {
+    const LEVEL: f64 = 1e-9;
+    let (x, y) = (objective(a), objective(b));
+    if (x - y).abs() <= LEVEL * x.abs() {
+        let twist = |d: &DesignResult| d.twist.map_or(0.0, |p| p.value);
+        return twist(a).total_cmp(&twist(b));
+    }
+    x.total_cmp(&y)
 }
 
 fn objective(d: &DesignResult) -> f64 {

@@ -96,7 +96,11 @@ pub fn absorbers(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
     for (line, cells) in &rows.of_engine {
         let mut numbers = Vec::new();
         for &c in &columns {
-            numbers.push(rows.not_negative(*line, c, &cells[c])?);
+            let number = rows.not_negative(*line, c, &cells[c])?;
+            if table.header[c].ends_with("_hz") && number == Some(0.0) {
+                return Err(table.at(*line, c, "found 0, expected a frequency above zero, or an empty cell".into()));
+            }
+            numbers.push(number);
         }
         let name = designs[known_design(&table, *line, design, &cells[design], designs)?].clone();
         if list.iter().any(|r| r.design == name && r.table == rows.source(cells)) {

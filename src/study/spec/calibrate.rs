@@ -1,7 +1,7 @@
 //! Inputs to be fitted to published or measured amplitudes.
 
 use super::{DesignSpec, Input};
-use crate::chain::Chain;
+use crate::chain::{Chain, Modes};
 use crate::engine::Engine;
 use crate::study::input_error::{At, Check};
 use crate::study::published::Published;
@@ -20,6 +20,8 @@ pub struct FreeInput {
     pub start: f64,
     /// Whether that is a mean of different values.
     pub varies: bool,
+    /// Size below which it hardly acts.
+    pub scale: f64,
 }
 
 /// What to calibrate, against which rows of the published amplitudes.
@@ -41,7 +43,7 @@ pub fn resolve(
     published: Option<&Published>,
     designs: &[DesignSpec],
     engine: &Engine,
-    chain: &Chain,
+    (chain, modes): (&Chain, &Modes),
 ) -> Option<CalibrateSpec> {
     let raw = at.get_ref();
     let before = check.mistakes.len();
@@ -83,7 +85,7 @@ pub fn resolve(
             found
         })
         .collect::<Vec<_>>();
-    let inputs = free_inputs(check, raw, engine, chain);
+    let inputs = free_inputs(check, raw, engine, (chain, modes));
     let by_hand = by_hand(check, raw, &inputs, engine, chain);
     let fitted = |i: &usize| chosen.contains(&amplitudes[*i].design) && amplitudes[*i].amplitude.is_some() && !excluded.contains(i);
     let rows: Vec<usize> = (0..amplitudes.len()).filter(fitted).collect();
@@ -110,7 +112,7 @@ pub fn resolve(
     Some(CalibrateSpec { inputs, rows, excluded, by_hand })
 }
 
-fn free_inputs(check: &mut Check, raw: &RawCalibrate, engine: &Engine, chain: &Chain) -> Vec<FreeInput> {
+fn free_inputs(check: &mut Check, raw: &RawCalibrate, engine: &Engine, (chain, modes): (&Chain, &Modes)) -> Vec<FreeInput> {
     let ranges = [
         &raw.pressure_scale,
         &raw.compression_ratio,
@@ -147,7 +149,14 @@ fn free_inputs(check: &mut Check, raw: &RawCalibrate, engine: &Engine, chain: &C
         if upper <= lower {
             check.wrong(bounds, format!("found bounds {lower} and {upper}, expected the lower one first and below the upper one"));
         }
-        inputs.push(FreeInput { input, lower, upper, start, varies: input.varies(chain, start) });
+        inputs.push(FreeInput {
+            input,
+            lower,
+            upper,
+            start,
+            varies: input.varies(chain, start),
+            scale: if start == 0.0 { input.typical(chain, modes) } else { start.abs() },
+        });
     }
     let last = |input: Input| {
         let free = inputs.iter().find(|f| f.input == input).map(|f| f.upper);

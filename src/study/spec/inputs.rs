@@ -111,6 +111,20 @@ impl Input {
         }
     }
 
+    /// A size of this input below which it hardly acts: where the file has zero, searches go by it.
+    pub(super) fn typical(self, chain: &Chain, modes: &Modes) -> f64 {
+        const LIGHT: f64 = 0.01;
+        let omega = modes.elastic().next().map_or(1.0, |m| modes.omega[m]);
+        let mean = |sum: f64, n: usize| sum / n.max(1) as f64;
+        match self {
+            Self::ThrowDamping => LIGHT * omega * mean(chain.total_inertia(), chain.len()),
+            Self::ShaftDamping => LIGHT / omega * mean(chain.stations.iter().map(|s| s.stiffness_to_next).sum(), chain.len()),
+            Self::ShaftLossFactor => LIGHT,
+            Self::BurnStart => 1.0,
+            _ => 1e-3,
+        }
+    }
+
     /// Whether the chain has values of this input other than their mean.
     pub(super) fn varies(self, chain: &Chain, mean: f64) -> bool {
         let links = &chain.stations[..chain.len() - 1];

@@ -134,7 +134,7 @@ pub(super) fn resolve(
         .calibrate
         .as_ref()
         .filter(|_| read)
-        .and_then(|c| calibrate::resolve(&mut check, c, published.as_ref(), &designs, &engine, &chain));
+        .and_then(|c| calibrate::resolve(&mut check, c, published.as_ref(), &designs, &engine, (&chain, &modes)));
     if study.design.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
     }

@@ -43,7 +43,7 @@
 //! | [`engine`] | kinematics, pressure, forces, orders, layout |
 //! | [`chain`] | stations, matrices, modes |
 //! | [`absorber`] | types and closed-form optima |
-//! | [`response`] | direct and receptance methods, natural frequencies with absorbers |
+//! | [`response`] | response methods, one file each, in frequency and in time; natural frequencies with absorbers |
 //! | [`design`] | conditions, variables, measures, peaks and their gradients |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
@@ -61,6 +61,7 @@
 //! - \[Golub & Van Loan 2013\] G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed.
 //! - \[Heywood 1988\] J. B. Heywood, *Internal Combustion Engine Fundamentals*.
 //! - \[Nelder & Mead 1965\] J. A. Nelder, R. Mead, A simplex method for function minimization, *Computer J.* 7, 308.
+//! - \[Newmark 1959\] N. M. Newmark, A method of computation for structural dynamics, *J. Eng. Mech. Div. ASCE* 85, EM3, 67.
 //! - \[Nishihara & Asami 2002\] O. Nishihara, T. Asami, Closed-form solutions to the exact optimizations of dynamic vibration absorbers,
 //!   *J. Vib. Acoust.* 124, 576.
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.

@@ -1,7 +1,9 @@
 //! The response methods with their settings, as `chart` compares them.
 
 use crate::absorber::Mounted;
-use crate::response::{ClosedForm, Dense, Direct, Grid, Holzer, Modal, Quantity, Receptance, Reduced, Response, System};
+use crate::response::{
+    ClosedForm, Dense, Direct, Exponential, Grid, Holzer, Modal, Newmark, Quantity, Receptance, Reduced, Response, System,
+};
 
 /// A method with a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,13 +20,24 @@ pub enum Candidate {
     Modal,
     /// Transfer matrices.
     Holzer,
+    /// Newmark, average acceleration, so many steps a cycle.
+    Average(usize),
+    /// Newmark, linear acceleration.
+    Linear(usize),
+    /// Newmark, central difference.
+    Central(usize),
+    /// Matrix exponential, so many steps a cycle.
+    Exponential(usize),
     /// Dense LU.
     Dense,
 }
 
+/// Steps a cycle of the methods in time.
+const STEPS: usize = 720;
+
 impl Candidate {
     /// All that are compared.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::Direct,
         Self::Receptance,
         Self::ClosedForm,
@@ -33,8 +46,17 @@ impl Candidate {
         Self::Reduced(3),
         Self::Modal,
         Self::Holzer,
+        Self::Average(STEPS),
+        Self::Linear(STEPS),
+        Self::Central(STEPS),
+        Self::Exponential(STEPS),
         Self::Dense,
     ];
+
+    /// Whether it marches in time.
+    pub fn in_time(self) -> bool {
+        matches!(self, Self::Average(_) | Self::Linear(_) | Self::Central(_) | Self::Exponential(_))
+    }
 
     /// Word of the method.
     pub fn method(self) -> &'static str {
@@ -45,6 +67,8 @@ impl Candidate {
             Self::Reduced(_) => "reduced",
             Self::Modal => "modal",
             Self::Holzer => "holzer",
+            Self::Average(_) | Self::Linear(_) | Self::Central(_) => "newmark",
+            Self::Exponential(_) => "exponential",
             Self::Dense => "dense",
         }
     }
@@ -54,6 +78,9 @@ impl Candidate {
         match self {
             Self::Reduced(1) => Some("1 mode".into()),
             Self::Reduced(n) => Some(format!("{n} modes")),
+            Self::Average(_) => Some("average".into()),
+            Self::Linear(_) => Some("linear".into()),
+            Self::Central(_) => Some("central".into()),
             _ => None,
         }
     }
@@ -74,6 +101,10 @@ impl Candidate {
             Self::Reduced(n) => Box::new(Reduced::new(system, grid, n)),
             Self::Modal => Box::new(Modal::new(system, grid)),
             Self::Holzer => Box::new(Holzer::new(system, grid)),
+            Self::Average(steps) => Box::new(Newmark::new(system, grid, (0.25, 0.5), steps)),
+            Self::Linear(steps) => Box::new(Newmark::new(system, grid, (1.0 / 6.0, 0.5), steps)),
+            Self::Central(steps) => Box::new(Newmark::new(system, grid, (0.0, 0.5), steps)),
+            Self::Exponential(steps) => Box::new(Exponential::new(system, grid, steps)),
             Self::Dense => Box::new(Dense::new(system, grid)),
         })
     }

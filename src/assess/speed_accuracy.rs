@@ -133,8 +133,7 @@ fn peak(
     let mut best = largest;
     for &i in tops.iter().take(REFINED) {
         let value = |speed: f64| -> Result<f64, ResponseError> {
-            let y: Vec<C64> =
-                method.orders().map(|n| method.order_at(design, quantity, n, speed, &mut Work::default())).collect::<Result<_, _>>()?;
+            let y = method.all_orders_at(design, quantity, speed, &mut Work::default())?;
             Ok(synthesiser.extremes(&y).half_peak_to_peak)
         };
         for (a, b) in [(i.saturating_sub(1), i), (i, (i + 1).min(last))].into_iter().filter(|(a, b)| a < b) {
@@ -167,7 +166,9 @@ pub fn measure(study: &Study, progress: &dyn Progress) -> Result<SpeedAccuracy, 
     progress.stage("speed against accuracy", Candidate::ALL.len());
     let mut points = Vec::new();
     for candidate in Candidate::ALL {
-        let searches = SPEEDS.map(Search::Grid).into_iter().chain(SPEEDS[1..4].iter().map(|n| Search::Refined(*n)));
+        // what takes long enough at few speeds is not asked for many
+        let (grids, refined) = if candidate.in_time() { (4, 2) } else { (SPEEDS.len(), 4) };
+        let searches = SPEEDS[..grids].iter().map(|n| Search::Grid(*n)).chain(SPEEDS[1..refined].iter().map(|n| Search::Refined(*n)));
         for search in searches.filter(|_| !probes.is_empty()) {
             points.extend(point(study, &system, &synthesiser, (&probes, &exact), candidate, search));
         }

@@ -6,18 +6,23 @@ pub mod bodies;
 pub mod closed_form;
 pub mod dense;
 pub mod direct;
+pub mod exponential;
 pub mod holzer;
 mod kernel;
 pub mod modal;
 pub mod natural;
+pub mod newmark;
+pub mod periodic;
 pub mod receptance;
 pub mod reduced;
 
 pub use closed_form::ClosedForm;
 pub use dense::Dense;
 pub use direct::Direct;
+pub use exponential::Exponential;
 pub use holzer::Holzer;
 pub use modal::Modal;
+pub use newmark::Newmark;
 pub use receptance::Receptance;
 pub use reduced::Reduced;
 
@@ -147,6 +152,8 @@ pub struct Work {
     pub marches: u64,
     /// Dense systems solved, one an order and speed.
     pub dense_solves: u64,
+    /// Steps in time.
+    pub time_steps: u64,
 }
 
 impl std::ops::AddAssign for Work {
@@ -160,6 +167,7 @@ impl std::ops::AddAssign for Work {
         self.eigenproblems += w.eigenproblems;
         self.marches += w.marches;
         self.dense_solves += w.dense_solves;
+        self.time_steps += w.time_steps;
     }
 }
 
@@ -186,6 +194,21 @@ pub enum ResponseError {
         method: &'static str,
         /// Why not.
         why: &'static str,
+    },
+    /// A step in time is too long for the highest mode.
+    #[error(
+        "{method} is unstable at {speed_rpm:.1} rpm: the highest frequency times the step is {product:.2}, expected below {limit:.3}; take \
+         more steps or average acceleration"
+    )]
+    UnstableStep {
+        /// Its word.
+        method: &'static str,
+        /// Highest circular frequency times the step.
+        product: f64,
+        /// Where stability ends.
+        limit: f64,
+        /// rpm.
+        speed_rpm: f64,
     },
     /// A method would give an answer with too few digits.
     #[error("{method} loses digits: order {order} at {speed_rpm:.1} rpm cancels by a factor of {factor:.0e}; use the direct method")]
@@ -229,6 +252,14 @@ pub trait Response: Sync {
     fn order_at(&self, design: &[Mounted], quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work)
     -> Result<C64, ResponseError>;
 
+    /// Phasors of `quantity` for all orders at any speed.
+    ///
+    /// # Errors
+    /// Those of [`Self::order_at`].
+    fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
+        self.orders().map(|order| self.order_at(design, quantity, order, speed_rpm, work)).collect()
+    }
+
     /// Phasors of `quantity` at all grid speeds and orders (speed by speed).
     ///
     /// # Errors
@@ -236,9 +267,7 @@ pub trait Response: Sync {
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         out.clear();
         for &speed in &self.grid().speed_rpm {
-            for order in self.orders() {
-                out.push(self.order_at(design, quantity, order, speed, work)?);
-            }
+            out.extend(self.all_orders_at(design, quantity, speed, work)?);
         }
         Ok(())
     }

@@ -93,6 +93,11 @@ impl Response for Modal<'_> {
         self.with(&self.modes(design, work), quantity, order, speed_rpm, work)
     }
 
+    fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
+        let modes = self.modes(design, work);
+        self.orders().map(|order| self.with(&modes, quantity, order, speed_rpm, work)).collect()
+    }
+
     /// The modes are those of the design: one eigenproblem for all speeds.
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         let modes = self.modes(design, work);

@@ -14,7 +14,8 @@ const LEAST_ERROR: f64 = 1e-12;
 
 fn colour(candidate: Candidate) -> RGBColor {
     let index = Candidate::ALL.iter().position(|c| *c == candidate).unwrap_or(0);
-    if index < COLOURS.len() { COLOURS[index] } else { [BLACK, GREY][index % 2] }
+    let more = [BLACK, RGBColor(150, 0, 60), RGBColor(0, 90, 80), RGBColor(90, 60, 160), RGBColor(190, 160, 0), GREY];
+    COLOURS.iter().chain(&more).nth(index).copied().unwrap_or(GREY)
 }
 
 /// Powers of ten between two values.

@@ -1,0 +1,96 @@
+//! State space, exact between samples: the torque is a straight line from sample to sample, and the step is the matrix exponential.
+//!
+//! The convolution of \[Villalva 2014\] section 5.3 without its transient. Stable for any step; the only error is that of the torque's
+//! straight lines, of second order in the step.
+
+use super::bodies::Bodies;
+use super::periodic::{self, Step};
+use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use crate::absorber::Mounted;
+use crate::numerics::C64;
+use nalgebra::DMatrix;
+
+/// Exact steps at a number of steps a cycle.
+#[derive(Debug)]
+pub struct Exponential<'a> {
+    system: &'a System,
+    grid: &'a Grid,
+    steps: usize,
+}
+
+impl<'a> Exponential<'a> {
+    /// For the speeds of `grid`; `steps` in a working cycle.
+    pub fn new(system: &'a System, grid: &'a Grid, steps: usize) -> Self {
+        Self { system, grid, steps }
+    }
+
+    fn bodies(&self, design: &[Mounted]) -> Result<Bodies, ResponseError> {
+        let bodies = Bodies::new(self.system, design);
+        periodic::check("exponential", self.system, &bodies, self.steps)?;
+        Ok(bodies)
+    }
+
+    fn cycle(&self, bodies: &Bodies, quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
+        work.time_steps += 2 * self.steps as u64;
+        let step = step(bodies, periodic::cycle_seconds(self.system, speed_rpm) / self.steps as f64);
+        periodic::phasors("exponential", self.system, bodies, quantity, speed_rpm, self.steps, &step)
+    }
+}
+
+/// exp of the step of (state, torque, change of torque over the step): its first rows take all three to the next state.
+fn step(bodies: &Bodies, dt: f64) -> Step {
+    let n = bodies.len();
+    let mut whole = DMatrix::zeros(4 * n, 4 * n);
+    for i in 0..n {
+        whole[(i, n + i)] = dt;
+        for j in 0..n {
+            whole[(n + i, j)] = -dt * bodies.stiffness[(i, j)] / bodies.inertia[i];
+            whole[(n + i, n + j)] = -dt * bodies.damping[(i, j)] / bodies.inertia[i];
+        }
+        whole[(n + i, 2 * n + i)] = dt / bodies.inertia[i];
+        whole[(2 * n + i, 3 * n + i)] = 1.0;
+    }
+    let exact = whole.exp();
+    let block = |from: usize, width: usize| exact.view((0, from), (2 * n, width)).into_owned();
+    let (held, ramp) = (block(2 * n, n), block(3 * n, n));
+    Step { state: block(0, 2 * n), now: held - &ramp, next: ramp }
+}
+
+impl Response for Exponential<'_> {
+    fn name(&self) -> &'static str {
+        "exponential"
+    }
+
+    fn grid(&self) -> &Grid {
+        self.grid
+    }
+
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system.orders()
+    }
+
+    fn order_at(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        order: usize,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<C64, ResponseError> {
+        Ok(self.all_orders_at(design, quantity, speed_rpm, work)?[order])
+    }
+
+    fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
+        self.cycle(&self.bodies(design)?, quantity, speed_rpm, work)
+    }
+
+    /// A cycle gives all orders at once.
+    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
+        let bodies = self.bodies(design)?;
+        out.clear();
+        for &speed in &self.grid.speed_rpm {
+            out.extend(self.cycle(&bodies, quantity, speed, work)?);
+        }
+        Ok(())
+    }
+}

@@ -53,7 +53,7 @@ fn stability_limits_of_newmark() {
         let speed_rpm = 60.0 * omega / (product * f64::from(steps));
         let grid = Grid::new(&[speed_rpm], &[]);
         let method = Newmark::new(&system, &grid, (beta, gamma), steps as usize);
-        method.order_at(&[], Quantity::Twist { from: 0, to: None }, 0, speed_rpm, &mut Work::default())
+        method.phasor(&[], Quantity::Twist { from: 0, to: None }, (0, speed_rpm), &mut Work::default())
     };
     for (beta, limit) in [(1.0 / 6.0, 12f64.sqrt()), (0.0, 2.0)] {
         assert!(at(beta, 0.5, 0.99 * limit).is_ok_and(|y| y.is_finite()), "below {limit}");

@@ -37,18 +37,12 @@ impl Response for ClosedForm<'_> {
         self.grid
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.system.orders()
+    fn system(&self) -> &System {
+        self.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
         let system = self.system;
         let shape = |station: usize| system.modes.shapes[(station, self.mode)];
         let excited = system.excitation.orders[order];

@@ -52,18 +52,12 @@ impl Response for Dense<'_> {
         self.grid
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.system.orders()
+    fn system(&self) -> &System {
+        self.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
         work.dense_solves += 1;
         let (bodies, x) = self.angles(design, order, speed_rpm)?;
         let (from, to) = bodies.between(quantity);

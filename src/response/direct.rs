@@ -299,19 +299,13 @@ impl Response for Direct<'_> {
         self.grid
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.system.orders()
+    fn system(&self) -> &System {
+        self.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
-        Direct::order_at(self, design, quantity, order, speed_rpm, work)
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
+        self.order_at(design, quantity, order, speed_rpm, work)
     }
 
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {

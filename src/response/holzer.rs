@@ -35,18 +35,12 @@ impl Response for Holzer<'_> {
         self.grid
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.system.orders()
+    fn system(&self) -> &System {
+        self.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
         let (chain, n) = (&self.system.chain, self.system.chain.len());
         let excited = self.system.excitation.orders[order];
         let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;

@@ -242,28 +242,32 @@ pub trait Response: Sync {
     /// Speeds of its sweeps.
     fn grid(&self) -> &Grid;
 
-    /// Indices of the orders.
-    fn orders(&self) -> std::ops::Range<usize>;
+    /// What it computes the response of.
+    fn system(&self) -> &System;
 
-    /// The phasor of one order (an index) at any speed.
+    /// Indices of the orders.
+    fn orders(&self) -> std::ops::Range<usize> {
+        0..self.system().orders()
+    }
+
+    /// The phasor of one order (an index) at any speed (rpm).
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance; others where the method cannot take the system.
-    fn order_at(&self, design: &[Mounted], quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work)
-    -> Result<C64, ResponseError>;
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError>;
 
     /// Phasors of `quantity` for all orders at any speed.
     ///
     /// # Errors
-    /// Those of [`Self::order_at`].
+    /// Those of [`Self::phasor`].
     fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
-        self.orders().map(|order| self.order_at(design, quantity, order, speed_rpm, work)).collect()
+        self.orders().map(|order| self.phasor(design, quantity, (order, speed_rpm), work)).collect()
     }
 
     /// Phasors of `quantity` at all grid speeds and orders (speed by speed).
     ///
     /// # Errors
-    /// Those of [`Self::order_at`].
+    /// Those of [`Self::phasor`].
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
         out.clear();
         for &speed in &self.grid().speed_rpm {
@@ -319,23 +323,16 @@ impl Response for Method<'_> {
             Self::Receptance(m) => m.grid(),
         }
     }
-    fn orders(&self) -> std::ops::Range<usize> {
+    fn system(&self) -> &System {
         match self {
-            Self::Direct(m) => m.orders(),
-            Self::Receptance(m) => m.orders(),
+            Self::Direct(m) => m.system(),
+            Self::Receptance(m) => m.system(),
         }
     }
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         match self {
-            Self::Direct(m) => m.order_at(design, quantity, order, speed_rpm, work),
-            Self::Receptance(m) => m.order_at(design, quantity, order, speed_rpm, work),
+            Self::Direct(m) => m.phasor(design, quantity, at, work),
+            Self::Receptance(m) => m.phasor(design, quantity, at, work),
         }
     }
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {

@@ -78,18 +78,12 @@ impl Response for Modal<'_> {
         self.grid
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.system.orders()
+    fn system(&self) -> &System {
+        self.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
         self.with(&self.modes(design, work), quantity, order, speed_rpm, work)
     }
 

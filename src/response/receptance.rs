@@ -107,18 +107,12 @@ impl Response for Receptance<'_> {
         self.direct.grid()
     }
 
-    fn orders(&self) -> std::ops::Range<usize> {
-        0..self.direct.system.orders()
+    fn system(&self) -> &System {
+        self.direct.system
     }
 
-    fn order_at(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        order: usize,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<C64, ResponseError> {
+    fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
+        let (order, speed_rpm) = at;
         self.direct.order_at(design, quantity, order, speed_rpm, work)
     }
 

@@ -25,7 +25,7 @@ enum Command {
     Check(check::Arguments),
     /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
     Chart(chart::Arguments),
-    /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, misprint.
+    /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, erratum or unexplained.
     Compare(compare::Arguments),
 }
 

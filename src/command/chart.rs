@@ -52,8 +52,12 @@ pub fn chart(arguments: &Arguments) -> u8 {
 }
 
 fn print(engine: &str, measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)]) {
-    say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", measured.probes.len(), measured.probes.join(", ")));
-    say(&text::chart::methods(measured));
+    if measured.probes.is_empty() {
+        say(&format!("{engine}: no design with one absorber to probe: only growth of cost and stability were measured\n"));
+    } else {
+        say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", measured.probes.len(), measured.probes.join(", ")));
+        say(&text::chart::methods(measured));
+    }
     say(&format!("\n{}", text::chart::growth(measured)));
     say(&format!("\n{}", text::chart::stability(map)));
 }

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
 /// Angles of stations, then rings, by a dense complex LU of the whole system with the rings as bodies of their own.
-pub fn dense(sys: &System, design: &[Mounted], order: usize, speed: f64) -> DVector<C64> {
+fn dense(sys: &System, design: &[Mounted], order: usize, speed: f64) -> DVector<C64> {
     let n = sys.chain.len();
     let w = sys.excitation.orders[order].value() * speed * RAD_PER_S_PER_RPM;
     let mut d: DMatrix<C64> = DMatrix::zeros(n + design.len(), n + design.len());

@@ -106,18 +106,9 @@ impl Response for Newmark<'_> {
         Ok(self.all_orders_at(design, quantity, speed_rpm, work)?[order])
     }
 
+    /// A cycle gives all orders at once.
     fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
         let (bodies, highest) = self.bodies(design)?;
         self.cycle(&bodies, highest, quantity, speed_rpm, work)
-    }
-
-    /// A cycle gives all orders at once.
-    fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
-        let (bodies, highest) = self.bodies(design)?;
-        out.clear();
-        for &speed in &self.grid.speed_rpm {
-            out.extend(self.cycle(&bodies, highest, quantity, speed, work)?);
-        }
-        Ok(())
     }
 }

@@ -4,9 +4,8 @@ use super::{Entry, Kind, Role};
 use crate::study::published::PublishedFrequency;
 use crate::study::{Published, Study};
 
-/// A source whose median deviation is within this share computed the chain that we were given.
-const SAME_CHAIN: f64 = 0.006;
-/// A value of such a source further off than this contradicts its chain,
+/// A value of the chain we were given is off by no more than this; a source is held to have used that chain where half of its values are. A
+/// value of such a source further off contradicts it,
 const CONTRADICTS: f64 = 0.005;
 /// where the same mode is printed elsewhere to this share of ours.
 const AGREES: f64 = 0.002;
@@ -20,9 +19,8 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
         if source.is_empty() {
             return true;
         }
-        let mut all: Vec<f64> = published.frequencies.iter().filter(|f| f.source == source).map(off).collect();
-        all.sort_by(f64::total_cmp);
-        all[(all.len() - 1) / 2] < SAME_CHAIN && all[0] < AGREES + 1e-3
+        let own: Vec<f64> = published.frequencies.iter().filter(|f| f.source == source).map(off).collect();
+        2 * own.iter().filter(|o| **o <= CONTRADICTS).count() >= own.len()
     };
     // the same mode of the chain alone, printed in another table
     let elsewhere = |f: &PublishedFrequency| {

@@ -147,7 +147,8 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
     let columns = map.first().map_or(0, |m| m.1.len()) as u32;
     let (left, top, width, height) = (250, 74, 104, 26);
     let size = (left + columns * width + 20, top + map.len() as u32 * height + 74);
-    let (good, refused, wrong, defect) = (RGBColor(196, 230, 206), RGBColor(205, 222, 242), RGBColor(250, 222, 170), RGBColor(226, 70, 60));
+    let (good, rough, refused) = (RGBColor(196, 230, 206), RGBColor(246, 242, 190), RGBColor(205, 222, 242));
+    let (wrong, defect) = (RGBColor(250, 208, 150), RGBColor(226, 70, 60));
     canvas::save(folder, "stability", size, |area| {
         let centred = |size: u32| text(size).pos(Pos::new(HPos::Center, VPos::Center));
         let at = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
@@ -163,6 +164,7 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
                 let colour = match (cell.as_declared(), cell.word()) {
                     (false, _) => defect,
                     (true, "right") => good,
+                    (true, "rough") => rough,
                     (true, "refused") => refused,
                     _ => wrong,
                 };
@@ -177,8 +179,13 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
             }
         }
         let y = top + map.len() as u32 * height + 24;
-        let legend =
-            [(good, "right, as declared"), (refused, "refused by name"), (wrong, "wrong, and known to be"), (defect, "not as declared")];
+        let legend = [
+            (good, "right within 0.1 %"),
+            (rough, "rough, within 10 %"),
+            (wrong, "wrong, and known to be"),
+            (refused, "refused by name"),
+            (defect, "not as declared"),
+        ];
         for (i, (colour, words)) in legend.into_iter().enumerate() {
             let x = 20 + 220 * i as u32;
             area.draw(&Rectangle::new([at(x, y), at(x + 24, y + 16)], fill(colour, 1.0)))?;

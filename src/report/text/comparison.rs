@@ -59,6 +59,9 @@ fn named(e: &Entry) -> String {
     format!("{} {}{design} ({} printed, {} computed, {})", e.table, e.quantity, number(e.published), number(e.computed), e.unit)
 }
 
+/// Rings whose inertias differ by less than this share are the same.
+const SAME_RING: f64 = 1e-9;
+
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
 pub fn paragraph(study: &Study, c: &Comparison) -> String {
     let mut text = String::new();
@@ -73,21 +76,22 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
         let others: Vec<String> = plain[1..].iter().map(|d| format!("{} {}", d.name, value(study, d.objective))).collect();
         let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
         put(format!("Best published: {} with a {} of {}{beside}{others}.", best.name, study.objective.label, value(study, best.objective)));
-        for same_ring in [true, false] {
-            let found = v.optima.iter().find(|o| (o.ring_inertia / best.ring_inertia - 1.0).abs() < 1e-9 || !same_ring);
-            let Some(own) = found else { continue };
-            let already =
-                same_ring || v.optima.iter().any(|o| (o.ring_inertia / best.ring_inertia - 1.0).abs() < 1e-9 && o.name == own.name);
-            if !same_ring && already {
-                continue;
-            }
+        let mut possible = |ring: String, own: &Ranked| {
+            let ratio = own.objective / best.objective;
+            let words = if ratio > 1.0 { "above" } else { "below" };
             put(format!(
-                "Possible with {}: {} by {}, {:.1} % below.",
-                if same_ring { "the same ring".to_owned() } else { format!("a ring of {} kg m²", significant(own.ring_inertia, 4)) },
+                "Possible with {ring}: {} by {}, {:.1} % {words}.",
                 value(study, own.objective),
                 own.name,
-                100.0 * (1.0 - own.objective / best.objective)
+                100.0 * (1.0 - ratio).abs()
             ));
+        };
+        let same_ring = v.optima.iter().find(|o| (o.ring_inertia / best.ring_inertia - 1.0).abs() < SAME_RING);
+        if let Some(own) = same_ring {
+            possible("the same ring".into(), own);
+        }
+        if let Some(own) = v.optima.first().filter(|o| same_ring.is_none_or(|s| s.name != o.name)) {
+            possible(format!("a ring of {} kg m²", significant(own.ring_inertia, 4)), own);
         }
     }
     let fitted = c.entries.iter().filter(|e| e.kind == Kind::Amplitude && e.role == Role::Calibrated).count();

@@ -156,6 +156,11 @@ impl Excitation {
         gas + self.inertia[order] * (omega * omega)
     }
 
+    /// The same of all orders at once.
+    pub fn unit_torques(&self, speed_rpm: f64) -> Vec<C64> {
+        (0..self.orders.len()).map(|n| self.unit_torque(n, speed_rpm)).collect()
+    }
+
     /// Linear between the tabulated speeds.
     fn between(&self, table: &[Vec<C64>], order: usize, speed_rpm: f64) -> C64 {
         if table.len() == 1 {

@@ -33,23 +33,34 @@ impl Extremes {
 #[derive(Debug, Clone)]
 pub struct Synthesiser {
     harmonics: Vec<u32>,
+    /// Indices of the harmonics, even ones first, and how many those are.
+    sorted: Vec<usize>,
+    evens: usize,
+    /// Samples in half a period: a whole number of blocks.
     half: usize,
+    /// cos(h psi) and sin(h psi) at every sample of half a period: block by block of samples, harmonic by harmonic.
     cosine: Vec<f64>,
     sine: Vec<f64>,
 }
 
+/// Samples that are summed at a time.
+const BLOCK: usize = 32;
+
 impl Synthesiser {
     /// For the given harmonic numbers (ascending, each at least 1).
     pub fn new(harmonics: &[u32]) -> Self {
+        let (mut sorted, odd): (Vec<usize>, Vec<usize>) = (0..harmonics.len()).partition(|i| harmonics[*i].is_multiple_of(2));
+        let evens = sorted.len();
+        sorted.extend(odd);
         // Eight samples in the shortest wave; half a period is enough, odd harmonics change sign in the other half.
-        let half = 4 * harmonics.iter().max().map_or(1, |&h| h as usize).max(4);
+        let half = 4 * harmonics.iter().max().map_or(1, |&h| h as usize).max(4).next_multiple_of(BLOCK / 4);
         let table = |f: fn(f64) -> f64| {
-            harmonics
-                .iter()
-                .flat_map(|&h| (0..half).map(move |j| f(TAU * ((j * h as usize) % (2 * half)) as f64 / (2 * half) as f64)))
-                .collect()
+            let at = |h: u32, j: usize| f(TAU * ((j * h as usize) % (2 * half)) as f64 / (2 * half) as f64);
+            let block = |b: usize| sorted.iter().flat_map(move |&i| (b * BLOCK..(b + 1) * BLOCK).map(move |j| at(harmonics[i], j)));
+            (0..half / BLOCK).flat_map(block).collect()
         };
-        Self { harmonics: harmonics.to_vec(), half, cosine: table(f64::cos), sine: table(f64::sin) }
+        let (cosine, sine) = (table(f64::cos), table(f64::sin));
+        Self { harmonics: harmonics.to_vec(), sorted, evens, half, cosine, sine }
     }
 
     /// Largest and smallest value of the sum, to rounding: sampled, then every sampled extreme that could win is polished by Newton's
@@ -69,8 +80,7 @@ impl Synthesiser {
             return phasors[0].norm();
         }
         let samples = self.samples(phasors);
-        let (low, high) =
-            samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (if v < l { v } else { l }, if v > h { v } else { h }));
+        let (low, high) = range(&samples);
         let sampled = 0.5 * (high - low);
         if sampled + self.reach(phasors) < threshold {
             return sampled;
@@ -133,9 +143,10 @@ impl Synthesiser {
     /// f' at sample `j`, from the tables.
     fn slope(&self, phasors: &[C64], j: usize) -> f64 {
         let (column, second_half) = (j % self.half, j >= self.half);
+        let first = (column / BLOCK) * self.harmonics.len() * BLOCK + column % BLOCK;
         let mut sum = 0.0;
-        for (i, (&h, y)) in self.harmonics.iter().zip(phasors).enumerate() {
-            let at = i * self.half + column;
+        for (place, &i) in self.sorted.iter().enumerate() {
+            let (h, y, at) = (self.harmonics[i], phasors[i], first + place * BLOCK);
             let term = f64::from(h) * (y.re * self.sine[at] + y.im * self.cosine[at]);
             sum += if second_half && h % 2 == 1 { term } else { -term };
         }
@@ -144,7 +155,8 @@ impl Synthesiser {
 
     fn samples(&self, phasors: &[C64]) -> Vec<f64> {
         let mut f = vec![0.0; 2 * self.half];
-        sample(&self.harmonics, phasors, &self.cosine, &self.sine, self.half, &mut f);
+        let sorted: Vec<C64> = self.sorted.iter().map(|i| phasors[*i]).collect();
+        sample(&sorted, self.evens, &self.cosine, &self.sine, &mut f);
         f
     }
 
@@ -153,22 +165,25 @@ impl Synthesiser {
     /// shoulder the samples themselves may fall all the way across one.
     fn local_maxima(&self, phasors: &[C64], f: &[f64], sign: f64, below: f64) -> Vec<Local> {
         let (n, step) = (f.len(), self.step());
-        let top = f.iter().fold(f64::NEG_INFINITY, |m, &v| if sign * v > m { sign * v } else { m });
+        let (low, high) = range(f);
+        let top = if sign > 0.0 { high } else { -low };
         let lowest = top - below - self.reach(phasors);
-        let slope = |j: usize| sign * self.slope(phasors, j % n);
+        let slope = |j: usize| sign * self.slope(phasors, j);
+        let after = |j: usize| if j + 1 == n { 0 } else { j + 1 };
         let mut found: Vec<Local> = Vec::with_capacity(4);
         let mut known: Option<(usize, f64)> = None;
         for j in 0..n {
-            if sign * f[j] < lowest && sign * f[(j + 1) % n] < lowest {
+            let next = after(j);
+            if sign * f[j] < lowest && sign * f[next] < lowest {
                 continue;
             }
             let here = known.filter(|k| k.0 == j).map_or_else(|| slope(j), |k| k.1);
-            let after = slope(j + 1);
-            known = Some((j + 1, after));
-            if here > 0.0 && after <= 0.0 {
-                let angle = (j as f64 + here / (here - after)) * step;
-                let nearer = if here < -after { j } else { j + 1 };
-                let sampled = Local { angle: nearer as f64 * step, value: sign * f[nearer % n], bend: (after - here) / step };
+            let there = slope(next);
+            known = Some((next, there));
+            if here > 0.0 && there <= 0.0 {
+                let angle = (j as f64 + here / (here - there)) * step;
+                let nearer = if here < -there { j } else { next };
+                let sampled = Local { angle: nearer as f64 * step, value: sign * f[nearer], bend: (there - here) / step };
                 found.push(self.newton(phasors, angle, sign, step).filter(|l| l.value >= sampled.value).unwrap_or(sampled));
             }
         }
@@ -239,18 +254,45 @@ pub fn dominating(phasors: &[C64]) -> (usize, f64) {
     (largest.0, largest.1.sqrt())
 }
 
-/// f at 2 `half` equidistant angles: even and odd harmonics are summed over half a period, then added and subtracted.
-#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn sample(harmonics: &[u32], phasors: &[C64], cosine: &[f64], sine: &[f64], half: usize, f: &mut [f64]) {
-    let (even, odd) = f.split_at_mut(half);
-    for (i, (&h, y)) in harmonics.iter().zip(phasors).enumerate() {
-        let (c, s) = (&cosine[i * half..(i + 1) * half], &sine[i * half..(i + 1) * half]);
-        let target: &mut [f64] = if h % 2 == 0 { &mut *even } else { &mut *odd };
-        for ((t, c), s) in target.iter_mut().zip(c).zip(s) {
-            *t += y.re * c - y.im * s;
+/// f at equidistant angles of a period: the harmonics, `evens` even ones first, are summed over half of it, then added and subtracted.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn sample(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], f: &mut [f64]) {
+    let (first, second) = f.split_at_mut(f.len() / 2);
+    let (first, second) = (first.as_chunks_mut::<BLOCK>().0, second.as_chunks_mut::<BLOCK>().0);
+    let (cosine, sine) = (cosine.as_chunks::<BLOCK>().0, sine.as_chunks::<BLOCK>().0);
+    let tables = cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len()));
+    for ((first, second), (cosine, sine)) in first.iter_mut().zip(second).zip(tables) {
+        let (mut even, mut odd) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for ((y, c), s) in phasors[..evens].iter().zip(&cosine[..evens]).zip(&sine[..evens]) {
+            for j in 0..BLOCK {
+                even[j] += y.re * c[j] - y.im * s[j];
+            }
+        }
+        for ((y, c), s) in phasors[evens..].iter().zip(&cosine[evens..]).zip(&sine[evens..]) {
+            for j in 0..BLOCK {
+                odd[j] += y.re * c[j] - y.im * s[j];
+            }
+        }
+        for j in 0..BLOCK {
+            (first[j], second[j]) = (even[j] + odd[j], even[j] - odd[j]);
         }
     }
-    for (e, o) in even.iter_mut().zip(odd.iter_mut()) {
-        (*e, *o) = (*e + *o, *e - *o);
+}
+
+/// Smallest and largest of the samples of whole blocks.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn range(f: &[f64]) -> (f64, f64) {
+    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
+    for block in f.as_chunks::<BLOCK>().0 {
+        for j in 0..BLOCK {
+            low[j] = if block[j] < low[j] { block[j] } else { low[j] };
+            high[j] = if block[j] > high[j] { block[j] } else { high[j] };
+        }
     }
+    let (mut lowest, mut highest) = (low[0], high[0]);
+    for j in 1..BLOCK {
+        lowest = if low[j] < lowest { low[j] } else { lowest };
+        highest = if high[j] > highest { high[j] } else { highest };
+    }
+    (lowest, highest)
 }

@@ -1,5 +1,6 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
+use super::batch::{Block, LANES};
 use super::{Grid, Quantity, Response, ResponseError, System, Work};
 use crate::absorber::{Mounted, Ring};
 use crate::numerics::tridiagonal::Tridiagonal;
@@ -13,6 +14,10 @@ pub struct Direct<'a> {
     pub system: &'a System,
     grid: &'a Grid,
 }
+
+/// Several points are solved at once without exchange of rows; one that cancels by more than this is solved again with it. Below, the error is at
+/// most about as many roundings.
+const LARGEST_CANCELLATION: f64 = 1e4;
 
 /// An absorber in the factored system.
 struct RingOf {
@@ -170,11 +175,8 @@ impl<'a> Direct<'a> {
         out: &mut [C64],
         work: &mut Work,
     ) -> Result<(), ResponseError> {
-        let mut solver = Factored::new(self.system);
-        for (n, out) in out.iter_mut().enumerate() {
-            *out = solver.phasor(design, quantity, (n, speed_rpm), work)?;
-        }
-        Ok(())
+        let mut block = Block::new(self.system.chain.len(), design.len());
+        self.speed(&mut block, design, &[quantity], speed_rpm, work, |_, n, y| out[n] = y)
     }
 
     /// Phasors of several quantities at any speeds, one sweep each.
@@ -188,14 +190,65 @@ impl<'a> Direct<'a> {
         speeds: &[f64],
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let mut solver = Factored::new(self.system);
+        let mut block = Block::new(self.system.chain.len(), design.len());
         let mut out = vec![Vec::with_capacity(speeds.len() * self.system.orders()); quantities.len()];
         for &speed_rpm in speeds {
-            for n in 0..self.system.orders() {
-                solver.phasors(design, quantities, (n, speed_rpm), work, |i, y| out[i].push(y))?;
-            }
+            self.speed(&mut block, design, quantities, speed_rpm, work, |i, _, y| out[i].push(y))?;
         }
         Ok(out)
+    }
+
+    /// Phasors of quantities at one speed, given to `put` with the index of the quantity and of the order, orders ascending.
+    fn speed(
+        &self,
+        block: &mut Block,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        speed_rpm: f64,
+        work: &mut Work,
+        mut put: impl FnMut(usize, usize, C64),
+    ) -> Result<(), ResponseError> {
+        let (system, orders) = (self.system, self.system.orders());
+        let torques = system.torques(speed_rpm);
+        let mut scalar: Option<Factored> = None;
+        for first in (0..orders).step_by(LANES) {
+            // lanes beyond the last order repeat it
+            let order = |lane: usize| (first + lane).min(orders - 1);
+            for lane in 0..LANES {
+                block.omega[lane] = system.excitation.orders[order(lane)].value() * speed_rpm * RAD_PER_S_PER_RPM;
+                torques.each(order(lane), |station, torque| block.torque[station].set(lane, torque));
+            }
+            block.solve(&system.chain.stations, design);
+            for lane in 0..LANES.min(orders - first) {
+                let n = first + lane;
+                if block.torque.iter().all(|t| t.get(lane) == ZERO) {
+                    (0..quantities.len()).for_each(|i| put(i, n, ZERO));
+                    continue;
+                }
+                let output = |q: &Quantity| self.output(block, design, *q, lane);
+                if block.cancelled[lane] <= LARGEST_CANCELLATION && quantities.iter().all(|q| output(q).is_finite()) {
+                    work.direct_solves += 1;
+                    quantities.iter().enumerate().for_each(|(i, q)| put(i, n, output(q)));
+                } else {
+                    let solver = scalar.get_or_insert_with(|| Factored::new(system));
+                    solver.phasors(design, quantities, (n, speed_rpm), work, |i, y| put(i, n, y))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The quantity of one point of a block.
+    fn output(&self, block: &Block, design: &[Mounted], quantity: Quantity, lane: usize) -> C64 {
+        debug_assert_eq!(block.ring.len(), design.len());
+        let between = |a: usize, b: usize| block.twist[a..b].iter().fold(ZERO, |sum, t| sum + t.get(lane));
+        match quantity {
+            Quantity::Twist { from, to: None } => block.angle[from].get(lane),
+            Quantity::Twist { from, to: Some(to) } if from <= to => between(from, to),
+            Quantity::Twist { from, to: Some(to) } => -between(to, from),
+            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, block.omega[lane]) * block.twist[s].get(lane),
+            Quantity::RingTwist(a) => block.ring[a].get(lane),
+        }
     }
 
     /// The phasor of one order (an index) at one speed.

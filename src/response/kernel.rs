@@ -62,7 +62,7 @@ macro_rules! each_point {
 }
 
 /// Phasors at every point.
-#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 pub fn phasors(points: &Points, values: &Values, out: &mut [C64]) {
     each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
         let scale = 1.0 / (bottom.0 * bottom.0 + bottom.1 * bottom.1);
@@ -71,7 +71,7 @@ pub fn phasors(points: &Points, values: &Values, out: &mut [C64]) {
 }
 
 /// Magnitudes at every point.
-#[multiversion(targets("x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 pub fn magnitudes(points: &Points, values: &Values, out: &mut [f64]) {
     each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
         ((top.0 * top.0 + top.1 * top.1) / (bottom.0 * bottom.0 + bottom.1 * bottom.1)).sqrt()

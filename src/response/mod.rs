@@ -2,6 +2,7 @@
 //!
 //! Every method offers the same verbs ([`Response`]). Phasors of a sweep lie speed by speed, the orders of a speed together.
 
+mod batch;
 pub mod bodies;
 pub mod closed_form;
 pub mod dense;
@@ -78,9 +79,36 @@ impl System {
         }
     }
 
+    /// Torques at one speed.
+    fn torques(&self, speed_rpm: f64) -> Torques<'_> {
+        let units = self.excitation.unit_torques(speed_rpm);
+        let misfire = (0..self.orders()).filter_map(|n| self.excitation.misfire_torque(n, speed_rpm)).collect::<Vec<_>>();
+        let station = misfire.first().and_then(|m| self.chain.stations.iter().position(|s| s.throws.contains(&m.0)));
+        Torques { system: self, units, misfire: station.map(|s| (s, misfire.into_iter().map(|m| m.1).collect())) }
+    }
+
     /// Firing phases summed at every station: the torque per unit torque, where every unit fires.
     pub fn phases(&self, order: usize) -> &[C64] {
         &self.phases[order]
+    }
+}
+
+/// Torques of all orders at one speed.
+struct Torques<'a> {
+    system: &'a System,
+    /// Of one firing unit, N m.
+    units: Vec<C64>,
+    /// Station of a misfiring unit, and what it adds there, N m.
+    misfire: Option<(usize, Vec<C64>)>,
+}
+
+impl Torques<'_> {
+    /// Torque phasor of an order at every station, N m.
+    fn each(&self, order: usize, mut put: impl FnMut(usize, C64)) {
+        for (station, phase) in self.system.phases[order].iter().enumerate() {
+            let missing = self.misfire.as_ref().filter(|m| m.0 == station).map_or(C64::ZERO, |m| m.1[order]);
+            put(station, self.units[order] * phase + missing);
+        }
     }
 }
 

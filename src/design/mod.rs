@@ -5,6 +5,7 @@ mod local;
 pub mod measure;
 pub mod peaks;
 pub mod problem;
+pub mod quick;
 pub mod space;
 pub mod speeds;
 

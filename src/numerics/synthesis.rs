@@ -23,6 +23,23 @@ struct Local {
     bend: f64,
 }
 
+/// Samples of a sum over a period, kept for reuse.
+#[derive(Debug, Clone, Default)]
+pub struct Samples {
+    values: Vec<f64>,
+    sorted: Vec<C64>,
+    /// Smallest and largest of them.
+    low: f64,
+    high: f64,
+}
+
+impl Samples {
+    /// Half their peak-to-peak: a little below that of the sum.
+    pub fn half_peak_to_peak(&self) -> f64 {
+        0.5 * (self.high - self.low)
+    }
+}
+
 impl Extremes {
     fn of(high: Local, low: Local) -> Self {
         Self { half_peak_to_peak: 0.5 * (high.value + low.value), angle_max: high.angle, angle_min: low.angle }
@@ -36,15 +53,15 @@ pub struct Synthesiser {
     /// Indices of the harmonics, even ones first, and how many those are.
     sorted: Vec<usize>,
     evens: usize,
-    /// Samples in half a period: a whole number of blocks.
-    half: usize,
-    /// cos(h psi) and sin(h psi) at every sample of half a period: block by block of samples, harmonic by harmonic.
+    /// Samples in a quarter of a period, the first half a step from angle zero: a whole number of blocks.
+    quarter: usize,
+    /// cos(h psi) and sin(h psi) at every sample of the first quarter: block by block of samples, harmonic by harmonic.
     cosine: Vec<f64>,
     sine: Vec<f64>,
 }
 
 /// Samples that are summed at a time.
-const BLOCK: usize = 32;
+const BLOCK: usize = 16;
 
 impl Synthesiser {
     /// For the given harmonic numbers (ascending, each at least 1).
@@ -52,15 +69,16 @@ impl Synthesiser {
         let (mut sorted, odd): (Vec<usize>, Vec<usize>) = (0..harmonics.len()).partition(|i| harmonics[*i].is_multiple_of(2));
         let evens = sorted.len();
         sorted.extend(odd);
-        // Eight samples in the shortest wave; half a period is enough, odd harmonics change sign in the other half.
-        let half = 4 * harmonics.iter().max().map_or(1, |&h| h as usize).max(4).next_multiple_of(BLOCK / 4);
+        // eight samples in the shortest wave; a quarter of the period is enough, the others mirror it
+        let quarter = (2 * harmonics.iter().max().map_or(1, |&h| h as usize)).next_multiple_of(BLOCK);
         let table = |f: fn(f64) -> f64| {
-            let at = |h: u32, j: usize| f(TAU * ((j * h as usize) % (2 * half)) as f64 / (2 * half) as f64);
+            // angles by whole numbers of half steps
+            let at = |h: u32, j: usize| f(TAU * (((2 * j + 1) * h as usize) % (8 * quarter)) as f64 / (8 * quarter) as f64);
             let block = |b: usize| sorted.iter().flat_map(move |&i| (b * BLOCK..(b + 1) * BLOCK).map(move |j| at(harmonics[i], j)));
-            (0..half / BLOCK).flat_map(block).collect()
+            (0..quarter / BLOCK).flat_map(block).collect()
         };
         let (cosine, sine) = (table(f64::cos), table(f64::sin));
-        Self { harmonics: harmonics.to_vec(), sorted, evens, half, cosine, sine }
+        Self { harmonics: harmonics.to_vec(), sorted, evens, quarter, cosine, sine }
     }
 
     /// Largest and smallest value of the sum, to rounding: sampled, then every sampled extreme that could win is polished by Newton's
@@ -74,14 +92,33 @@ impl Synthesiser {
         Extremes::of(first(1.0), first(-1.0))
     }
 
+    /// Extremes to about a millionth from samples of the sum: one Newton step from the largest and the smallest of them.
+    pub fn near_samples(&self, phasors: &[C64], samples: &Samples) -> Extremes {
+        let end = |wanted: f64, sign: f64| {
+            let angle = self.angle(samples.values.iter().position(|v| *v == wanted).unwrap_or(0));
+            self.step_from(phasors, angle, sign)
+        };
+        Extremes::of(end(samples.high, 1.0), end(samples.low, -1.0))
+    }
+
+    /// The extremes of a neighbour's phasors, one Newton step from known ones.
+    pub fn near(&self, phasors: &[C64], known: &Extremes) -> Extremes {
+        Extremes::of(self.step_from(phasors, known.angle_max, 1.0), self.step_from(phasors, known.angle_min, -1.0))
+    }
+
+    fn step_from(&self, phasors: &[C64], angle: f64, sign: f64) -> Local {
+        let (f0, f1, f2) = self.derivatives(phasors, angle);
+        let change = if sign * f2 < 0.0 { (-f1 / f2).clamp(-self.step(), self.step()) } else { 0.0 };
+        Local { angle: angle + change, value: sign * (f0 + change * (f1 + 0.5 * f2 * change)), bend: f2 }
+    }
+
     /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
     pub fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
         if phasors.len() == 1 {
             return phasors[0].norm();
         }
         let samples = self.samples(phasors);
-        let (low, high) = range(&samples);
-        let sampled = 0.5 * (high - low);
+        let sampled = samples.half_peak_to_peak();
         if sampled + self.reach(phasors) < threshold {
             return sampled;
         }
@@ -130,8 +167,13 @@ impl Synthesiser {
         Extremes { half_peak_to_peak: phasor.norm(), angle_max: angle, angle_min: angle + 0.5 * TAU / h }
     }
 
+    /// Angle of sample `j`.
+    fn angle(&self, j: usize) -> f64 {
+        (j as f64 + 0.5) * self.step()
+    }
+
     fn step(&self) -> f64 {
-        TAU / (2 * self.half) as f64
+        TAU / (4 * self.quarter) as f64
     }
 
     /// How far a maximum can stand above its nearest sample: half the largest |f''| times the square of half a step.
@@ -142,31 +184,46 @@ impl Synthesiser {
 
     /// f' at sample `j`, from the tables.
     fn slope(&self, phasors: &[C64], j: usize) -> f64 {
-        let (column, second_half) = (j % self.half, j >= self.half);
+        let q = self.quarter;
+        // column of the first quarter, and signs there of odd cosines, even sines and odd sines
+        let (column, odd_cosine, even_sine, odd_sine) = match j / q {
+            0 => (j, 1.0, 1.0, 1.0),
+            1 => (2 * q - 1 - j, -1.0, -1.0, 1.0),
+            2 => (j - 2 * q, -1.0, 1.0, -1.0),
+            _ => (4 * q - 1 - j, 1.0, -1.0, -1.0),
+        };
         let first = (column / BLOCK) * self.harmonics.len() * BLOCK + column % BLOCK;
-        let mut sum = 0.0;
-        for (place, &i) in self.sorted.iter().enumerate() {
-            let (h, y, at) = (self.harmonics[i], phasors[i], first + place * BLOCK);
-            let term = f64::from(h) * (y.re * self.sine[at] + y.im * self.cosine[at]);
-            sum += if second_half && h % 2 == 1 { term } else { -term };
-        }
-        sum
+        let sum = |places: std::ops::Range<usize>, cosine: f64, sine: f64| -> f64 {
+            let term = |place: usize| {
+                let (i, at) = (self.sorted[place], first + place * BLOCK);
+                f64::from(self.harmonics[i]) * (sine * phasors[i].re * self.sine[at] + cosine * phasors[i].im * self.cosine[at])
+            };
+            places.map(term).sum()
+        };
+        -(sum(0..self.evens, 1.0, even_sine) + sum(self.evens..self.sorted.len(), odd_cosine, odd_sine))
     }
 
-    fn samples(&self, phasors: &[C64]) -> Vec<f64> {
-        let mut f = vec![0.0; 2 * self.half];
-        let sorted: Vec<C64> = self.sorted.iter().map(|i| phasors[*i]).collect();
-        sample(&sorted, self.evens, &self.cosine, &self.sine, &mut f);
-        f
+    fn samples(&self, phasors: &[C64]) -> Samples {
+        let mut samples = Samples::default();
+        self.sample(phasors, &mut samples);
+        samples
+    }
+
+    /// Samples the sum over a period.
+    pub fn sample(&self, phasors: &[C64], samples: &mut Samples) {
+        samples.sorted.clear();
+        samples.sorted.extend(self.sorted.iter().map(|i| phasors[*i]));
+        samples.values.resize(4 * self.quarter, 0.0);
+        (samples.low, samples.high) = sample(&samples.sorted, self.evens, &self.cosine, &self.sine, &mut samples.values);
     }
 
     /// Local maxima of `sign` f, no further than `below` under the largest, which comes first. A maximum lies within half a step of a
     /// sample, so a sample further down than that can hide none. Maxima are told by the slope, which changes sign between two samples: on a
     /// shoulder the samples themselves may fall all the way across one.
-    fn local_maxima(&self, phasors: &[C64], f: &[f64], sign: f64, below: f64) -> Vec<Local> {
-        let (n, step) = (f.len(), self.step());
-        let (low, high) = range(f);
-        let top = if sign > 0.0 { high } else { -low };
+    fn local_maxima(&self, phasors: &[C64], samples: &Samples, sign: f64, below: f64) -> Vec<Local> {
+        let (n, step) = (samples.values.len(), self.step());
+        let top = if sign > 0.0 { samples.high } else { -samples.low };
+        let f = &samples.values;
         let lowest = top - below - self.reach(phasors);
         let slope = |j: usize| sign * self.slope(phasors, j);
         let after = |j: usize| if j + 1 == n { 0 } else { j + 1 };
@@ -181,9 +238,9 @@ impl Synthesiser {
             let there = slope(next);
             known = Some((next, there));
             if here > 0.0 && there <= 0.0 {
-                let angle = (j as f64 + here / (here - there)) * step;
+                let angle = self.angle(j) + here / (here - there) * step;
                 let nearer = if here < -there { j } else { next };
-                let sampled = Local { angle: nearer as f64 * step, value: sign * f[nearer], bend: (there - here) / step };
+                let sampled = Local { angle: self.angle(nearer), value: sign * f[nearer], bend: (there - here) / step };
                 found.push(self.newton(phasors, angle, sign, step).filter(|l| l.value >= sampled.value).unwrap_or(sampled));
             }
         }
@@ -254,45 +311,48 @@ pub fn dominating(phasors: &[C64]) -> (usize, f64) {
     (largest.0, largest.1.sqrt())
 }
 
-/// f at equidistant angles of a period: the harmonics, `evens` even ones first, are summed over half of it, then added and subtracted.
+/// f at equidistant angles of a period. Cosines and sines of even and of odd harmonics (`evens` even ones come first) are summed over its first
+/// quarter; the other quarters have the same sums with other signs. Returns the smallest and the largest value.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn sample(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], f: &mut [f64]) {
-    let (first, second) = f.split_at_mut(f.len() / 2);
-    let (first, second) = (first.as_chunks_mut::<BLOCK>().0, second.as_chunks_mut::<BLOCK>().0);
+fn sample(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], f: &mut [f64]) -> (f64, f64) {
+    let (first, rest) = f.split_at_mut(f.len() / 4);
+    let (second, rest) = rest.split_at_mut(first.len());
+    let (third, fourth) = rest.split_at_mut(first.len());
     let (cosine, sine) = (cosine.as_chunks::<BLOCK>().0, sine.as_chunks::<BLOCK>().0);
+    let forwards = first.as_chunks_mut::<BLOCK>().0.iter_mut().zip(third.as_chunks_mut::<BLOCK>().0);
+    let backwards = second.as_chunks_mut::<BLOCK>().0.iter_mut().zip(fourth.as_chunks_mut::<BLOCK>().0).rev();
     let tables = cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len()));
-    for ((first, second), (cosine, sine)) in first.iter_mut().zip(second).zip(tables) {
-        let (mut even, mut odd) = ([0.0; BLOCK], [0.0; BLOCK]);
+    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
+    for (((first, third), (second, fourth)), (cosine, sine)) in forwards.zip(backwards).zip(tables) {
+        let (mut even_cos, mut even_sin, mut odd_cos, mut odd_sin) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
         for ((y, c), s) in phasors[..evens].iter().zip(&cosine[..evens]).zip(&sine[..evens]) {
             for j in 0..BLOCK {
-                even[j] += y.re * c[j] - y.im * s[j];
+                even_cos[j] += y.re * c[j];
+                even_sin[j] += y.im * s[j];
             }
         }
         for ((y, c), s) in phasors[evens..].iter().zip(&cosine[evens..]).zip(&sine[evens..]) {
             for j in 0..BLOCK {
-                odd[j] += y.re * c[j] - y.im * s[j];
+                odd_cos[j] += y.re * c[j];
+                odd_sin[j] += y.im * s[j];
             }
         }
         for j in 0..BLOCK {
-            (first[j], second[j]) = (even[j] + odd[j], even[j] - odd[j]);
+            let (sum, difference) = (even_cos[j] + odd_cos[j], even_cos[j] - odd_cos[j]);
+            let (sines, other) = (even_sin[j] + odd_sin[j], even_sin[j] - odd_sin[j]);
+            first[j] = sum - sines;
+            third[j] = difference - other;
+            second[BLOCK - 1 - j] = difference + other;
+            fourth[BLOCK - 1 - j] = sum + sines;
+            let (above, below) = (sum + sines.abs(), sum - sines.abs());
+            high[j] = if above > high[j] { above } else { high[j] };
+            low[j] = if below < low[j] { below } else { low[j] };
+            let (above, below) = (difference + other.abs(), difference - other.abs());
+            high[j] = if above > high[j] { above } else { high[j] };
+            low[j] = if below < low[j] { below } else { low[j] };
         }
     }
-}
-
-/// Smallest and largest of the samples of whole blocks.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn range(f: &[f64]) -> (f64, f64) {
-    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
-    for block in f.as_chunks::<BLOCK>().0 {
-        for j in 0..BLOCK {
-            low[j] = if block[j] < low[j] { block[j] } else { low[j] };
-            high[j] = if block[j] > high[j] { block[j] } else { high[j] };
-        }
-    }
-    let (mut lowest, mut highest) = (low[0], high[0]);
-    for j in 1..BLOCK {
-        lowest = if low[j] < lowest { low[j] } else { lowest };
-        highest = if high[j] > highest { high[j] } else { highest };
-    }
-    (lowest, highest)
+    let smaller = |m: f64, v: &f64| if *v < m { *v } else { m };
+    let larger = |m: f64, v: &f64| if *v > m { *v } else { m };
+    (low.iter().fold(f64::INFINITY, smaller), high.iter().fold(f64::NEG_INFINITY, larger))
 }

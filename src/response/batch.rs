@@ -6,6 +6,9 @@
 //! Where s + r nearly cancels (the part before, held at the next station, resonates) digits are lost: the factor is reported, and the caller solves
 //! that point with exchange of rows.
 
+// every loop runs over the lanes of several arrays at once
+#![allow(clippy::needless_range_loop)]
+
 use crate::absorber::{Kind, Mounted, Ring};
 use crate::chain::Station;
 use crate::numerics::C64;

@@ -47,13 +47,13 @@ fn fraction(v: &Values, ring_output: bool, omega: f64, y0: (f64, f64), g: (f64, 
 }
 
 macro_rules! each_point {
-    ($p:expr, $v:expr, $out:expr, $value:expr) => {{
-        let n = $p.omega.len();
+    ($p:expr, $v:expr, $first:expr, $out:expr, $value:expr) => {{
         // slices of one length, so that the loop has no bounds checks
-        let (omega, out) = (&$p.omega[..n], &mut $out[..n]);
-        let (y_re, y_im) = (&$p.y0[0][..n], &$p.y0[1][..n]);
-        let (g_re, g_im) = (&$p.g[0][..n], &$p.g[1][..n]);
-        let (h_re, h_im) = (&$p.h[0][..n], &$p.h[1][..n]);
+        let (first, n) = ($first, $out.len());
+        let (omega, out) = (&$p.omega[first..][..n], &mut $out[..n]);
+        let (y_re, y_im) = (&$p.y0[0][first..][..n], &$p.y0[1][first..][..n]);
+        let (g_re, g_im) = (&$p.g[0][first..][..n], &$p.g[1][first..][..n]);
+        let (h_re, h_im) = (&$p.h[0][first..][..n], &$p.h[1][first..][..n]);
         for i in 0..n {
             let (top, bottom) = fraction($v, $p.ring, omega[i], (y_re[i], y_im[i]), (g_re[i], g_im[i]), (h_re[i], h_im[i]));
             out[i] = $value(top, bottom);
@@ -61,10 +61,10 @@ macro_rules! each_point {
     }};
 }
 
-/// Phasors at every point.
+/// Phasors at the points from `first` on, as many as there is room for.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-pub fn phasors(points: &Points, values: &Values, out: &mut [C64]) {
-    each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
+pub fn phasors(points: &Points, values: &Values, first: usize, out: &mut [C64]) {
+    each_point!(points, values, first, out, |top: (f64, f64), bottom: (f64, f64)| {
         let scale = 1.0 / (bottom.0 * bottom.0 + bottom.1 * bottom.1);
         C64::new((top.0 * bottom.0 + top.1 * bottom.1) * scale, (top.1 * bottom.0 - top.0 * bottom.1) * scale)
     });
@@ -73,7 +73,7 @@ pub fn phasors(points: &Points, values: &Values, out: &mut [C64]) {
 /// Magnitudes at every point.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 pub fn magnitudes(points: &Points, values: &Values, out: &mut [f64]) {
-    each_point!(points, values, out, |top: (f64, f64), bottom: (f64, f64)| {
+    each_point!(points, values, 0, out, |top: (f64, f64), bottom: (f64, f64)| {
         ((top.0 * top.0 + top.1 * top.1) / (bottom.0 * bottom.0 + bottom.1 * bottom.1)).sqrt()
     });
 }

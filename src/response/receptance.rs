@@ -69,14 +69,29 @@ impl<'a> Receptance<'a> {
         if mounted.station != self.station {
             return None;
         }
-        let a = &mounted.absorber;
-        let values = if a.kind() == Kind::Locked {
-            // without a ring of its own any stiffness does
-            Values { ring_inertia: 0.0, stiffness: 1.0, damping: 0.0, hub_inertia: mounted.hub_inertia + a.ring_inertia() }
-        } else {
-            Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia }
-        };
+        let values = values(mounted);
         self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, values))
+    }
+
+    /// Some speeds (indices of the grid) of the table of a quantity, for many absorbers; nothing where there is no table, or where
+    /// some of its points need direct solutions.
+    pub fn rows(&self, quantity: Quantity, speeds: impl Iterator<Item = usize>) -> Option<Rows> {
+        let t = self.tables.iter().position(|t| t.0 == quantity)?;
+        if !self.singular[t].is_empty() {
+            return None;
+        }
+        let (all, orders) = (&self.tables[t].1, self.direct.system.orders());
+        let mut points = Points { ring: all.ring, ..Points::default() };
+        for i in speeds {
+            let row = i * orders..(i + 1) * orders;
+            points.omega.extend(&all.omega[row.clone()]);
+            for part in 0..2 {
+                points.y0[part].extend(&all.y0[part][row.clone()]);
+                points.g[part].extend(&all.g[part][row.clone()]);
+                points.h[part].extend(&all.h[part][row.clone()]);
+            }
+        }
+        Some(Rows { points, orders, station: self.station })
     }
 
     /// Replaces the points near a singular base by direct solutions.
@@ -95,6 +110,43 @@ impl<'a> Receptance<'a> {
             put(point, self.direct.order_at(design, quantity, point % orders, speed_rpm, work)?);
         }
         Ok(())
+    }
+}
+
+/// An absorber as the kernel needs it.
+fn values(mounted: &Mounted) -> Values {
+    let a = &mounted.absorber;
+    if a.kind() == Kind::Locked {
+        // without a ring of its own any stiffness does
+        Values { ring_inertia: 0.0, stiffness: 1.0, damping: 0.0, hub_inertia: mounted.hub_inertia + a.ring_inertia() }
+    } else {
+        Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia }
+    }
+}
+
+/// Rows of a receptance table, one a speed.
+#[derive(Debug, Clone)]
+pub struct Rows {
+    points: Points,
+    orders: usize,
+    /// Station of the absorbers.
+    pub station: usize,
+}
+
+impl Rows {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.points.omega.len() / self.orders
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.points.omega.is_empty()
+    }
+
+    /// Phasors of an absorber on the station, from row `first` on, for as many rows as there is room for.
+    pub fn phasors(&self, mounted: &Mounted, first: usize, out: &mut [C64]) {
+        kernel::phasors(&self.points, &values(mounted), first * self.orders, out);
     }
 }
 
@@ -121,7 +173,7 @@ impl Response for Receptance<'_> {
         let points = &self.tables[t].1;
         work.receptance_points += points.omega.len() as u64;
         out.resize(points.omega.len(), ZERO);
-        kernel::phasors(points, &values, out);
+        kernel::phasors(points, &values, 0, out);
         self.mend(t, design, quantity, work, |i, y| out[i] = y)
     }
 

@@ -1,0 +1,256 @@
+//! The peak of a synthesis over speed from tables alone, for searches that look at many designs: every few speeds first, then the grid speeds round
+//! the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
+
+use crate::absorber::Mounted;
+use crate::numerics::C64;
+use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
+use crate::response::receptance::Rows;
+use crate::response::{Quantity, Receptance, Response, Work};
+
+/// A quick peak.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimated {
+    /// Half peak-to-peak, rad or N m.
+    pub value: f64,
+    /// Estimate of its error, relative.
+    pub error: f64,
+}
+
+/// Finds quick peaks of one quantity for absorbers on one station.
+#[derive(Debug, Clone)]
+pub struct Quick {
+    stride: usize,
+    speed_rpm: Vec<f64>,
+    kink: Vec<bool>,
+    orders: usize,
+    /// Rows of every `stride`-th speed and of the last, and the indices of their speeds.
+    coarse: Rows,
+    coarse_index: Vec<usize>,
+    fine: Rows,
+    synthesiser: Synthesiser,
+}
+
+/// Buffers of one thread, and what the last designs were given up for.
+#[derive(Debug, Clone, Default)]
+pub struct Scratch {
+    phasors: Vec<C64>,
+    bounds: Vec<f64>,
+    values: Vec<f64>,
+    samples: Samples,
+    row: Vec<C64>,
+    /// Coarse speeds at which designs were given up, the latest first.
+    fatal: Vec<usize>,
+}
+
+/// Local maxima among the coarse speeds that are looked at closely, the largest first, and the share of the largest that they must reach.
+const TOPS: usize = 3;
+const TOP_SHARE: f64 = 0.9;
+/// The sum of magnitudes overstates the synthesis by much the same factor at all speeds: a speed is left out where it would have to overstate this
+/// much less than at any speed seen.
+const OVERSTATED: f64 = 1.3;
+/// A neighbour whose extremes are higher by this share than those followed from the middle is on another branch.
+const OTHER_BRANCH: f64 = 1e-6;
+/// Weight of the difference between the parabolas of single and double spacing. A smooth peak errs by the fourth power of the spacing, so that a
+/// fifteenth is the error; what is not so smooth needs more.
+const SAFETY: f64 = 2.0;
+/// Error of a value that is not interpolated: rounding.
+const ROUNDING: f64 = 1e-9;
+/// Beside the ends of the range there is no second parabola.
+const BESIDE_END: f64 = 1e-3;
+/// Speeds remembered for giving up early.
+const REMEMBERED: usize = 3;
+
+impl Quick {
+    /// For every `stride`-th speed of the grid; nothing where the quantity has no table without holes.
+    pub fn new(receptance: &Receptance, quantity: Quantity, stride: usize) -> Option<Self> {
+        let (system, grid) = (receptance.system(), receptance.grid());
+        let last = grid.len() - 1;
+        let coarse_index: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+        Some(Self {
+            stride,
+            speed_rpm: grid.speed_rpm.clone(),
+            kink: grid.kink.clone(),
+            orders: system.orders(),
+            coarse: receptance.rows(quantity, coarse_index.iter().copied())?,
+            fine: receptance.rows(quantity, 0..grid.len())?,
+            coarse_index,
+            synthesiser: Synthesiser::new(&system.excitation.harmonics),
+        })
+    }
+
+    /// Every how many grid speeds are looked at first.
+    pub fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// Whether a design has a peak here.
+    pub fn takes(&self, mounted: &Mounted) -> bool {
+        mounted.station == self.fine.station
+    }
+
+    /// The peak of an absorber on the table's station.
+    pub fn peak(&self, mounted: &Mounted, s: &mut Scratch, work: &mut Work) -> Estimated {
+        self.peak_below(mounted, f64::INFINITY, s, work).unwrap_or(Estimated { value: f64::INFINITY, error: 0.0 })
+    }
+
+    /// The peak, or nothing where the values at the coarse speeds show that it lies above `best`: such a design cannot win.
+    pub fn peak_below(&self, mounted: &Mounted, best: f64, s: &mut Scratch, work: &mut Work) -> Option<Estimated> {
+        work.evaluations += 1;
+        if best.is_finite() && self.is_hopeless(mounted, best, s, work) {
+            return None;
+        }
+        let count = self.coarse.len();
+        s.phasors.resize(count * self.orders, C64::ZERO);
+        self.coarse.phasors(mounted, 0, &mut s.phasors);
+        work.receptance_points += s.phasors.len() as u64;
+        s.bounds.clear();
+        s.bounds.extend(s.phasors.chunks(self.orders).map(bound));
+        s.values.clear();
+        s.values.resize(count, f64::NEG_INFINITY);
+        let first = (0..count).fold(0, |m, i| if s.bounds[i] > s.bounds[m] { i } else { m });
+        let (mut top, mut share) = (0.0, 0.0);
+        for i in std::iter::once(first).chain(0..count) {
+            if s.values[i] > f64::NEG_INFINITY || s.bounds[i] * share * OVERSTATED < top {
+                continue;
+            }
+            self.synthesiser.sample(&s.phasors[i * self.orders..(i + 1) * self.orders], &mut s.samples);
+            work.syntheses += 1;
+            s.values[i] = s.samples.half_peak_to_peak();
+            if s.values[i] > best {
+                s.fatal.insert(0, i);
+                s.fatal.truncate(REMEMBERED);
+                return None;
+            }
+            top = if s.values[i] > top { s.values[i] } else { top };
+            share = if s.bounds[i] > 0.0 { f64::max(share, s.values[i] / s.bounds[i]) } else { share };
+        }
+        let is_top = |i: &usize| {
+            let beside = |j: usize| s.values.get(j).is_none_or(|v| s.values[*i] >= *v);
+            s.values[*i] >= TOP_SHARE * top && beside(i.wrapping_sub(1)) && beside(i + 1)
+        };
+        let mut tops: Vec<usize> = (0..count).filter(is_top).collect();
+        tops.sort_by(|a, b| s.values[*b].total_cmp(&s.values[*a]));
+        let mut found = Estimated { value: 0.0, error: 0.0 };
+        for &i in tops.iter().take(TOPS) {
+            let peak = self.closely(mounted, self.coarse_index[i], s, work);
+            if peak.value > found.value {
+                found = peak;
+            }
+        }
+        Some(found)
+    }
+
+    /// Whether the speeds at which the last designs were given up show the same of this one.
+    fn is_hopeless(&self, mounted: &Mounted, best: f64, s: &mut Scratch, work: &mut Work) -> bool {
+        s.row.resize(self.orders, C64::ZERO);
+        for place in 0..s.fatal.len() {
+            self.coarse.phasors(mounted, s.fatal[place], &mut s.row);
+            self.synthesiser.sample(&s.row, &mut s.samples);
+            work.receptance_points += self.orders as u64;
+            work.syntheses += 1;
+            if s.samples.half_peak_to_peak() > best {
+                s.fatal[..=place].rotate_right(1);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Climbs along the grid from speed `start`, then to the vertices of the branches near the top.
+    fn closely(&self, mounted: &Mounted, start: usize, s: &mut Scratch, work: &mut Work) -> Estimated {
+        let last = self.speed_rpm.len() - 1;
+        let mut row = std::mem::take(&mut s.row);
+        row.resize(self.orders, C64::ZERO);
+        let mut whole = |i: usize| -> Extremes {
+            self.fine.phasors(mounted, i, &mut row);
+            self.synthesiser.sample(&row, &mut s.samples);
+            work.receptance_points += self.orders as u64;
+            work.syntheses += 1;
+            self.synthesiser.near_samples(&row, &s.samples)
+        };
+        let none = Extremes::default();
+        let (mut i, mut here) = (start, whole(start));
+        let (mut low, mut high) = (None, None);
+        // every step climbs
+        loop {
+            let left = *low.get_or_insert_with(|| if i > 0 { whole(i - 1) } else { none });
+            if left.half_peak_to_peak > here.half_peak_to_peak {
+                (high, here, low, i) = (Some(here), left, None, i - 1);
+                continue;
+            }
+            let right = *high.get_or_insert_with(|| if i < last { whole(i + 1) } else { none });
+            if right.half_peak_to_peak > here.half_peak_to_peak {
+                (low, here, high, i) = (Some(here), right, None, i + 1);
+                continue;
+            }
+            break;
+        }
+        let mut found = self.branch(mounted, i, &here, &mut row);
+        // where a neighbour's extremes lie elsewhere in the cycle, that branch may rise higher between the two speeds
+        for (known, at) in [(low, i.wrapping_sub(1)), (high, i + 1)] {
+            let Some(known) = known.filter(|k| k.half_peak_to_peak > 0.0) else { continue };
+            self.fine.phasors(mounted, at, &mut row);
+            let followed = self.synthesiser.near(&row, &here).half_peak_to_peak;
+            if known.half_peak_to_peak > followed * (1.0 + OTHER_BRANCH) {
+                let other = self.branch(mounted, at, &known, &mut row);
+                if other.value > found.value {
+                    found = other;
+                }
+            }
+        }
+        s.row = row;
+        found
+    }
+
+    /// The maximum of one branch of extremes near grid speed `i`: the parabola of 1/v² through the neighbours, exact for a single resonance. Its error
+    /// shows against the one through speeds twice as far.
+    fn branch(&self, mounted: &Mounted, i: usize, known: &Extremes, row: &mut [C64]) -> Estimated {
+        let last = self.speed_rpm.len() - 1;
+        let mut at = |i: usize, from: &Extremes| -> Extremes {
+            self.fine.phasors(mounted, i, row);
+            self.synthesiser.near(row, &self.synthesiser.near(row, from))
+        };
+        let middle = at(i, known);
+        let value = middle.half_peak_to_peak;
+        if i < 2 || i + 2 > last {
+            return Estimated { value, error: if i == 0 || i == last { ROUNDING } else { BESIDE_END } };
+        }
+        let (left, right) = (at(i - 1, &middle), at(i + 1, &middle));
+        let (far_left, far_right) = (at(i - 2, &left), at(i + 2, &right));
+        let through = |a: usize, b: usize, ends: [&Extremes; 2]| {
+            let x = [a, i, b].map(|i| self.speed_rpm[i]);
+            let q = [ends[0], &middle, ends[1]].map(|e| e.half_peak_to_peak.powi(-2));
+            vertex(x, q).map_or(value, |q| 1.0 / q.sqrt())
+        };
+        let (near, far) = (through(i - 1, i + 1, [&left, &right]), through(i - 2, i + 2, [&far_left, &far_right]));
+        let error = SAFETY * (near - far).abs() / near + ROUNDING;
+        // across a kink of the torque a parabola tells little: the peak is on the kink, or between the values and the parabola
+        if self.kink[i] {
+            return Estimated { value, error: error + (near / value - 1.0) };
+        }
+        let kinked = self.kink[i - 2..=i + 2].contains(&true);
+        Estimated { value: near, error: if kinked { error + (near / value - 1.0) } else { error } }
+    }
+}
+
+/// Lowest value of a parabola through three points, where it lies between them.
+fn vertex(x: [f64; 3], q: [f64; 3]) -> Option<f64> {
+    let (h0, h1) = (x[1] - x[0], x[2] - x[1]);
+    let (s0, s1) = ((q[1] - q[0]) / h0, (q[2] - q[1]) / h1);
+    let curvature = (s1 - s0) / (h0 + h1);
+    let slope = s0 + curvature * h0;
+    let place = -0.5 * slope / curvature;
+    let lowest = q[1] - 0.25 * slope * slope / curvature;
+    (curvature > 0.0 && lowest > 0.0 && (-h0..=h1).contains(&place)).then_some(lowest)
+}
+
+/// An upper bound of the sum of magnitudes, at most 8 % above it: a + (sqrt 2 - 1) b for parts a >= b, a chord of the root.
+fn bound(phasors: &[C64]) -> f64 {
+    let mut sum = 0.0;
+    for y in phasors {
+        let (re, im) = (y.re.abs(), y.im.abs());
+        let (a, b) = if re > im { (re, im) } else { (im, re) };
+        sum += a + (std::f64::consts::SQRT_2 - 1.0) * b;
+    }
+    sum
+}

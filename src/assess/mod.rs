@@ -2,6 +2,7 @@
 
 pub mod amplitude;
 pub mod audit;
+pub mod auto;
 pub mod calibrate;
 pub mod comparison;
 pub mod conditions;

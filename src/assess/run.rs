@@ -1,17 +1,19 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
 use super::audit::highest_frequency_hz;
+use super::auto::{self, Choice, Way};
 use super::evaluate::{self, Classifier, DesignResult, Nature, Wanted};
 use super::sweeps::{self, Sweeps};
 use super::{Progress, RunError};
 use super::{families, probe};
 use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
+use crate::design::quick::Quick;
 use crate::design::{Condition, Limit, PeakFinder, Problem, Row, Scene, Space};
 use crate::engine::{Excitation, Order};
 use crate::optimise::{Front, Optimum, front, search, starts};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
-use crate::study::{OptimiseSpec, Study};
+use crate::study::{OptimiseSpec, ResponseMethod, Study};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -57,6 +59,8 @@ pub struct Results {
     pub system: System,
     /// Method of the sweeps.
     pub method: &'static str,
+    /// What searches evaluate designs by, where the method is `auto`.
+    pub choice: Option<Choice>,
     /// Given designs.
     pub designs: Vec<DesignResult>,
     /// Optima.
@@ -124,6 +128,15 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     clock.lap("base", setup);
     let finders: Vec<PeakFinder> =
         systems.iter().zip(&methods).map(|(system, method)| PeakFinder::new(system, &grid, method, study.refine_peaks)).collect();
+    let modes = study
+        .optimise
+        .as_ref()
+        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &systems[0].excitation.orders)));
+    let choice = choice(study, &modes, &finders[0])?;
+    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| quick(study, choice.as_ref(), finder)).collect();
+    if choice.is_some() {
+        clock.lap("choice", Work::default());
+    }
     let limits: Vec<Limit> = study.limits.iter().map(|l| l.1.clone()).collect();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     let wanted = Wanted {
@@ -145,10 +158,6 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     }
     clock.lap("designs", work);
 
-    let modes = study
-        .optimise
-        .as_ref()
-        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &systems[0].excitation.orders)));
     let scenes: Vec<Scene> = held.iter().flat_map(|c| scenes(*c, &finders)).collect();
     let job = Job { study, finders: &finders, scenes: &scenes, limits: &limits, modes: &modes, wanted: &wanted, progress };
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.optima(o))?;
@@ -189,7 +198,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     drop(finders);
     drop(methods);
     let system = systems.swap_remove(0);
-    Ok(Results { method, designs, optima, fronts, forced_floor, sweeps, appearing, timing: clock.timing, system })
+    Ok(Results { method, choice, designs, optima, fronts, forced_floor, sweeps, appearing, timing: clock.timing, system })
 }
 
 /// The engine as it should be, then with each cylinder misfiring where the study asks for it.
@@ -223,7 +232,7 @@ fn scenes<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<Scene<
 
 /// The study's method; receptances are tabulated for what is searched.
 fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
-    if study.direct {
+    if study.method == ResponseMethod::Direct {
         return Method::Direct(Direct::new(system, grid));
     }
     let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
@@ -236,6 +245,27 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
         }
     }
     Method::Receptance(Receptance::new(system, grid, study.hub, &unique))
+}
+
+/// What searches are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
+fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Result<Option<Choice>, RunError> {
+    match finder.method {
+        Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
+            let failed = |error| RunError { what: "a design of the study".into(), error };
+            auto::choose(study, modes, finder, r).map(Some).map_err(failed)
+        }
+        _ => Ok(None),
+    }
+}
+
+/// A finder that searches may ask for quick peaks, as chosen.
+fn quick<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> PeakFinder<'a> {
+    match (choice.map(|c| c.chosen.way), auto::tabulated(&study.objective.measure), finder.method) {
+        (Some(Way::Tables(stride)), Some(quantity), Method::Receptance(r)) => {
+            finder.with_quick(Quick::new(r, quantity, stride), quantity, study.tolerance)
+        }
+        _ => finder,
+    }
 }
 
 struct Job<'a> {

@@ -110,34 +110,41 @@ fn probes(study: &Study, excitation: &Excitation) -> Vec<(String, Vec<Mounted>)>
     list
 }
 
-/// Peak of the synthesised quantity by one method.
-fn peak(
+/// Speed and value of the peak of a synthesised quantity by one method, on the method's grid and, with `refine`, between its speeds.
+///
+/// # Errors
+/// Those of the method.
+pub fn peak(
     method: &dyn Response,
     synthesiser: &Synthesiser,
     design: &[Mounted],
     quantity: Quantity,
     refine: bool,
-) -> Result<f64, ResponseError> {
-    let (mut sweep, mut work) = (Vec::new(), Work::default());
-    method.sweep(design, quantity, &mut sweep, &mut work)?;
+    work: &mut Work,
+) -> Result<(f64, f64), ResponseError> {
+    let mut sweep = Vec::new();
+    method.sweep(design, quantity, &mut sweep, work)?;
     let (orders, speeds) = (method.orders().len(), &method.grid().speed_rpm);
     let values: Vec<f64> = sweep.chunks(orders).map(|y| synthesiser.extremes(y).half_peak_to_peak).collect();
-    let largest = values.iter().copied().fold(0.0, f64::max);
+    work.syntheses += values.len() as u64;
+    let largest = (0..values.len()).fold(0, |m, i| if values[i] > values[m] { i } else { m });
+    let mut best = (speeds[largest], values[largest]);
     if !refine {
-        return Ok(largest);
+        return Ok(best);
     }
     let last = values.len() - 1;
     let is_top = |i: &usize| values[*i] >= values[i.saturating_sub(1)] && values[*i] >= values[(i + 1).min(last)];
     let mut tops: Vec<usize> = (0..=last).filter(is_top).collect();
     tops.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
-    let mut best = largest;
     for &i in tops.iter().take(REFINED) {
-        let value = |speed: f64| -> Result<f64, ResponseError> {
-            let y = method.all_orders_at(design, quantity, speed, &mut Work::default())?;
+        let mut value = |speed: f64| -> Result<f64, ResponseError> {
+            let y = method.all_orders_at(design, quantity, speed, work)?;
+            work.syntheses += 1;
             Ok(synthesiser.extremes(&y).half_peak_to_peak)
         };
         for (a, b) in [(i.saturating_sub(1), i), (i, (i + 1).min(last))].into_iter().filter(|(a, b)| a < b) {
-            best = best.max(maximise(speeds[a], speeds[b], value)?.1);
+            let found = maximise(speeds[a], speeds[b], &mut value)?;
+            best = if found.1 > best.1 { found } else { best };
         }
     }
     Ok(best)
@@ -196,10 +203,10 @@ fn point(
     let method = candidate.build(system, &grid, &probes[0].1, study.twist)?;
     let mut worst = Ok(0.0);
     for ((_, design), exact) in probes.iter().zip(exact) {
-        let found = peak(method.as_ref(), synthesiser, design, study.twist, refine);
-        worst = worst.and_then(|w: f64| found.map(|f| w.max((f / exact - 1.0).abs())));
+        let found = peak(method.as_ref(), synthesiser, design, study.twist, refine, &mut Work::default());
+        worst = worst.and_then(|w: f64| found.map(|f| w.max((f.1 / exact - 1.0).abs())));
     }
-    let once = || peak(method.as_ref(), synthesiser, &probes[0].1, study.twist, refine).map(|_| ());
+    let once = || peak(method.as_ref(), synthesiser, &probes[0].1, study.twist, refine, &mut Work::default()).map(|_| ());
     let seconds = median_seconds(once).unwrap_or(f64::NAN);
     Some(Point { candidate, search, seconds, error: worst })
 }

@@ -5,7 +5,7 @@ use crate::absorber::Ring;
 use crate::assess::audit;
 use crate::engine::{Excitation, Pressure, Source};
 use crate::report::text::{significant, table};
-use crate::study::{self, Size, Study};
+use crate::study::{self, ResponseMethod, Size, Study};
 use crate::units::{M_PER_MM, PA_PER_BAR, W_PER_KW};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -174,7 +174,11 @@ fn pressure(study: &Study, excitation: &Excitation) -> String {
 
 fn work(study: &Study, excitation: &Excitation) -> String {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let method = if study.direct { "direct" } else { "receptance" };
+    let method = match study.method {
+        ResponseMethod::Direct => "direct".to_owned(),
+        ResponseMethod::Receptance => "receptance".to_owned(),
+        ResponseMethod::Auto => format!("receptance, searches within {} %", significant(100.0 * study.tolerance, 2)),
+    };
     let peaks = if study.refine_peaks { "refined between speeds" } else { "taken on the grid" };
     let mut text = format!(
         "To be computed: {} orders up to {}, {} speeds from {low} to {high} rpm, {method}, peaks {peaks}\n",

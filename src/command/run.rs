@@ -90,6 +90,9 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
         say(&format!("\n{}", text::optimum(study, results, optimum)));
     }
     say(&format!("\n{}", text::summary(study, results)));
+    if let Some(choice) = text::choice(results) {
+        say(&format!("\n{choice}"));
+    }
     let cost: Vec<String> = timing
         .iter()
         .filter_map(|t| t.stage.strip_prefix("one_design_").map(|what| format!("{} {}", what.replace('_', " "), duration(t.seconds))))

@@ -5,6 +5,7 @@
 
 use super::local::{self, Candidate};
 use super::measure::{Measure, Over};
+use super::quick::{Quick, Scratch};
 use super::speeds::{Pole, Resonances, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;
@@ -62,6 +63,8 @@ pub struct PeakFinder<'a> {
     pub refine: bool,
     resonances: Option<Resonances>,
     synthesiser: Synthesiser,
+    /// Tables for searches, with the quantity they are of and the largest error they may have.
+    quick: Option<(Quick, Quantity, f64)>,
 }
 
 /// Peaks found so far.
@@ -91,7 +94,39 @@ impl<'a> PeakFinder<'a> {
             refine,
             resonances: refine.then(|| Resonances::new(system, grid)),
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
+            quick: None,
         }
+    }
+
+    /// Lets searches ask tables first, for the synthesis of `quantity`; a peak whose estimated error is above `tolerance` is found exactly.
+    #[must_use]
+    pub fn with_quick(self, quick: Option<Quick>, quantity: Quantity, tolerance: f64) -> Self {
+        Self { quick: quick.map(|q| (q, quantity, tolerance)), ..self }
+    }
+
+    /// Whether no resonance of the chain alone is too narrow for the grid.
+    pub fn is_smooth(&self) -> bool {
+        let speeds = self.speeds(&[]);
+        speeds.added.is_empty() && speeds.poles.is_empty()
+    }
+
+    /// Value of the largest peak of `measure` for a search: from tables where they are right enough, else exactly.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn value(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
+        if let (Some((quick, quantity, tolerance)), [mounted], Over::Synthesis) = (&self.quick, design, measure.over)
+            && measure.quantities == [*quantity]
+            && quick.takes(mounted)
+        {
+            let found = quick.peak(mounted, &mut Scratch::default(), work);
+            if found.error <= *tolerance {
+                work.evaluations += 1;
+                work.quick_evaluations += 1;
+                return Ok(found.value);
+            }
+        }
+        Ok(self.peak(design, measure, work)?.map_or(0.0, |p| p.value))
     }
 
     /// Local maxima of `measure` of at least `keep` times the largest one, which comes first. An empty list where nothing is excited.
@@ -100,6 +135,7 @@ impl<'a> PeakFinder<'a> {
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
         work.evaluations += 1;
+        work.eigenproblems += u64::from(self.resonances.is_some());
         let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
         let speeds = self.speeds(design);
         for pole in &speeds.poles {

@@ -89,7 +89,7 @@ pub struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Objective and worst excess at a point.
+    /// Objective and worst excess at a point, as right as the study asks of searches.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
@@ -98,10 +98,9 @@ impl Problem<'_> {
         let (mut value, mut excess) = (0.0_f64, 0.0_f64);
         for (_, scene) in self.steering() {
             let design = scene.design(absorber);
-            let largest = |m: &Measure, work: &mut Work| Ok(scene.finder.peak(&design, m, work)?.map_or(0.0, |p| p.value));
-            value = value.max(largest(self.objective, work)?);
+            value = value.max(scene.finder.value(&design, self.objective, work)?);
             for limit in self.limits {
-                excess = excess.max((largest(&limit.measure, work)? / limit.limit).ln());
+                excess = excess.max((scene.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
             }
         }
         Ok((value, excess))

@@ -1,7 +1,7 @@
 //! The peak of a synthesis over speed from tables alone, for searches that look at many designs: every few speeds first, then the grid speeds round
 //! the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
 
-use crate::absorber::Mounted;
+use crate::absorber::{Kind, Mounted, Ring};
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
 use crate::response::receptance::Rows;
@@ -57,6 +57,8 @@ const SAFETY: f64 = 2.0;
 const ROUNDING: f64 = 1e-9;
 /// Beside the ends of the range there is no second parabola.
 const BESIDE_END: f64 = 1e-3;
+/// Damping ratio of a ring on its hub below which its resonance may hide.
+const LEAST_DAMPING: f64 = 0.02;
 /// Speeds remembered for giving up early.
 const REMEMBERED: usize = 3;
 
@@ -83,9 +85,12 @@ impl Quick {
         self.stride
     }
 
-    /// Whether a design has a peak here.
+    /// Whether tables can answer for an absorber: it sits on their station, and its own resonance is not so narrow that it may hide between grid
+    /// speeds.
     pub fn takes(&self, mounted: &Mounted) -> bool {
-        mounted.station == self.fine.station
+        let a = &mounted.absorber;
+        let own = a.damping() / (2.0 * (a.stiffness() * a.ring_inertia()).sqrt());
+        mounted.station == self.fine.station && (a.kind() == Kind::Locked || a.stiffness() == 0.0 || own >= LEAST_DAMPING)
     }
 
     /// The peak of an absorber on the table's station.
@@ -95,7 +100,6 @@ impl Quick {
 
     /// The peak, or nothing where the values at the coarse speeds show that it lies above `best`: such a design cannot win.
     pub fn peak_below(&self, mounted: &Mounted, best: f64, s: &mut Scratch, work: &mut Work) -> Option<Estimated> {
-        work.evaluations += 1;
         if best.is_finite() && self.is_hopeless(mounted, best, s, work) {
             return None;
         }

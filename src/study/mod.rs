@@ -8,7 +8,9 @@ mod spec;
 
 pub use input_error::InputError;
 pub use published::Published;
-pub use spec::{AbsorberSpec, CalibrateSpec, DesignSpec, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, Size, Study, UnitOf};
+pub use spec::{
+    AbsorberSpec, CalibrateSpec, DesignSpec, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, ResponseMethod, Size, Study, UnitOf,
+};
 
 use input_error::Source;
 use std::path::Path;

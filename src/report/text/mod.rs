@@ -5,7 +5,7 @@ pub mod chart;
 pub mod comparison;
 mod run;
 
-pub use run::{conditions, designs, optimum, summary};
+pub use run::{choice, conditions, designs, optimum, summary};
 
 /// A table whose columns line up: the first to the left, the others to the right.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {

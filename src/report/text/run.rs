@@ -2,10 +2,11 @@
 
 use super::{dash, significant, table};
 use crate::absorber::Ring;
+use crate::assess::auto::Way;
 use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::design::Condition;
 use crate::report::csv::in_unit;
-use crate::response::Quantity;
+use crate::response::{Quantity, Work};
 use crate::study::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
@@ -38,6 +39,29 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
 /// Whether the objective is not the synthesised twist that every table shows.
 fn other_objective(study: &Study) -> bool {
     !(study.objective.column == "peak_twist_deg" && study.objective.measure.quantities == [study.twist])
+}
+
+/// How searches evaluated designs, where that was chosen.
+pub fn choice(results: &Results) -> Option<String> {
+    let c = results.choice.as_ref()?;
+    if c.chosen.way == Way::Exact {
+        return Some("Searches: every design exactly: nothing cheaper is right enough here.\n".into());
+    }
+    let mut work = Work::default();
+    for o in &results.optima {
+        work += o.optimum.stages.seeds;
+        work += o.optimum.stages.search;
+    }
+    Some(format!(
+        "Searches: {}, estimated error at most {} % over {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
+         optima were evaluated so, the others and all that is reported exactly.\n",
+        c.chosen.way.label(),
+        significant(100.0 * c.chosen.error, 2),
+        c.probes,
+        (c.exact / c.chosen.seconds).max(1.0),
+        work.quick_evaluations,
+        work.evaluations
+    ))
 }
 
 /// The table of designs and optima.

@@ -47,6 +47,7 @@ pub struct RawSpeeds {
 pub struct RawResponse {
     #[serde(default)]
     pub method: RawMethod,
+    pub tolerance: Option<At<f64>>,
     pub refine_peaks: Option<bool>,
 }
 
@@ -56,6 +57,7 @@ pub enum RawMethod {
     #[default]
     Receptance,
     Direct,
+    Auto,
 }
 
 #[derive(Debug, Deserialize)]

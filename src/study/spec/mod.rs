@@ -34,6 +34,20 @@ pub struct DesignSpec {
     pub absorbers: Vec<Mounted>,
 }
 
+/// How responses are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResponseMethod {
+    /// The chain once, absorbers as a change of rank one.
+    Receptance,
+    /// The whole system at every point.
+    Direct,
+    /// Receptance; searches take the cheapest way that is right enough.
+    Auto,
+}
+
+/// Largest relative error of a peak in a search, where a study says nothing.
+const DEFAULT_TOLERANCE: f64 = 1e-3;
+
 /// A study, ready to run.
 #[derive(Debug, Clone)]
 pub struct Study {
@@ -49,8 +63,10 @@ pub struct Study {
     pub speeds_rpm: Vec<f64>,
     /// Highest order.
     pub order_limit: f64,
-    /// Whether the direct method was chosen.
-    pub direct: bool,
+    /// How responses are computed.
+    pub method: ResponseMethod,
+    /// Largest relative error of a peak in a search, where the method is `auto`.
+    pub tolerance: f64,
     /// Whether peaks are refined between speeds.
     pub refine_peaks: bool,
     /// Given designs.
@@ -118,6 +134,11 @@ pub(super) fn resolve(
     };
     let objective = objectives::objective(&mut check, study, &chain, hub);
     let limits = objectives::limits(&mut check, study, &chain);
+    let tolerance = study
+        .response
+        .tolerance
+        .as_ref()
+        .map_or(DEFAULT_TOLERANCE, |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)"));
     let front = optimise::front(&mut check, study, optimise.as_ref(), &chain, &modes);
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(&mut check, c, &engine));
@@ -154,7 +175,12 @@ pub(super) fn resolve(
         modes,
         speeds_rpm,
         order_limit,
-        direct: matches!(study.response.method, raw::study::RawMethod::Direct),
+        method: match study.response.method {
+            raw::study::RawMethod::Receptance => ResponseMethod::Receptance,
+            raw::study::RawMethod::Direct => ResponseMethod::Direct,
+            raw::study::RawMethod::Auto => ResponseMethod::Auto,
+        },
+        tolerance,
         refine_peaks: study.response.refine_peaks.unwrap_or(true),
         designs,
         hub,

@@ -89,6 +89,9 @@ const SILENT: f64 = 1e-9;
 /// An order appears where it is at least this share.
 const LOUD: f64 = 1e-6;
 
+/// Random points that tables screen for a start.
+const SCREENED: usize = 4096;
+
 struct Clock {
     timing: Vec<Timing>,
     since: Instant,
@@ -283,8 +286,16 @@ impl Job<'_> {
         Problem { scenes: self.scenes, space, objective: &self.study.objective.measure, limits: self.limits }
     }
 
+    /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
     fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
-        starts::starts(space, self.modes, spec.random_starts, spec.seed)
+        let mut list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
+        if spec.random_starts > 0 {
+            let points = starts::random_points(space, &list[0].1, SCREENED, spec.seed);
+            if let Some(best) = self.finders[0].best_of(points.iter().map(|w| space.absorber(w)), &self.study.objective.measure) {
+                list.push((format!("best of {SCREENED}"), points[best].clone()));
+            }
+        }
+        list
     }
 
     fn optima(&self, spec: &OptimiseSpec) -> Result<Vec<OptimumResult>, RunError> {

@@ -115,12 +115,11 @@ impl<'a> PeakFinder<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
-        if let (Some((quick, quantity, tolerance)), [mounted], Over::Synthesis) = (&self.quick, design, measure.over)
-            && measure.quantities == [*quantity]
+        if let ([mounted], Some((quick, tolerance))) = (design, self.quick(measure))
             && quick.takes(mounted)
         {
             let found = quick.peak(mounted, &mut Scratch::default(), work);
-            if found.error <= *tolerance {
+            if found.error <= tolerance {
                 work.evaluations += 1;
                 work.quick_evaluations += 1;
                 return Ok(found.value);
@@ -166,6 +165,27 @@ impl<'a> PeakFinder<'a> {
     pub fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<Option<Peak>, ResponseError> {
         let peaks = self.peaks(design, measure, 1.0, work)?;
         Ok(peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm)))
+    }
+
+    /// The tables for a measure, where there are any, and the error they may have.
+    fn quick(&self, measure: &Measure) -> Option<(&Quick, f64)> {
+        let (quick, quantity, tolerance) = self.quick.as_ref()?;
+        (measure.over == Over::Synthesis && measure.quantities == [*quantity]).then_some((quick, *tolerance))
+    }
+
+    /// Index of the absorber with the lowest peak, by tables, among those that they answer for; nothing without tables.
+    pub fn best_of(&self, absorbers: impl Iterator<Item = Mounted>, measure: &Measure) -> Option<usize> {
+        let (quick, _) = self.quick(measure)?;
+        let (mut scratch, mut best) = (Scratch::default(), None);
+        for (i, mounted) in absorbers.enumerate().filter(|(_, m)| quick.takes(m)) {
+            let level = best.map_or(f64::INFINITY, |b: (usize, f64)| b.1);
+            if let Some(found) = quick.peak_below(&mounted, level, &mut scratch, &mut Work::default())
+                && found.value < level
+            {
+                best = Some((i, found.value));
+            }
+        }
+        best.map(|b| b.0)
     }
 
     /// Half peak-to-peak value of every grid speed of a sweep.

@@ -30,18 +30,24 @@ pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> 
         // no elastic mode moves the station: nothing to tune to
         list.push(("middle of the bounds".to_owned(), space.bounds().iter().map(|(low, high)| 0.5 * (low + high)).collect()));
     }
-    let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
     let middle = list[0].1.clone();
-    let bounds = space.bounds();
-    for i in 0..random {
-        // spread over the box, but not further than six e-folds from the first closed form: beyond, rings are locked or loose
-        let point = bounds.iter().enumerate().map(|(v, (low, high))| {
-            let centre = middle[v];
-            generator.random_range((centre - 6.0).clamp(*low, *high)..=(centre + 6.0).clamp(*low, *high))
-        });
-        list.push((format!("random {}", i + 1), point.collect()));
+    for (i, point) in random_points(space, &middle, random, seed).into_iter().enumerate() {
+        list.push((format!("random {}", i + 1), point));
     }
     list
+}
+
+/// Points spread over the box, but not further than six e-folds from `middle`: beyond, rings are locked or loose.
+pub fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> Vec<Vec<f64>> {
+    let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let bounds = space.bounds();
+    let mut point = || {
+        let within = |((low, high), centre): (&(f64, f64), &f64)| {
+            generator.random_range((centre - 6.0).clamp(*low, *high)..=(centre + 6.0).clamp(*low, *high))
+        };
+        bounds.iter().zip(middle).map(within).collect()
+    };
+    (0..count).map(|_| point()).collect()
 }
 
 /// Higher modes get the exact optimum only; an undamped ring takes the stiffness of the tuned rules.

@@ -67,7 +67,7 @@ pub struct Choice {
 }
 
 /// Strides of the tables that are considered.
-const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
+pub(super) const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
 /// Methods that are considered.
 const METHODS: [Candidate; 5] =
     [Candidate::ClosedForm, Candidate::Reduced(1), Candidate::Reduced(2), Candidate::Reduced(3), Candidate::Modal];

@@ -9,8 +9,10 @@ pub mod conditions;
 pub mod evaluate;
 pub mod families;
 pub mod methods;
+pub mod model_accuracy;
 pub mod probe;
 pub mod run;
+pub mod savings;
 pub mod speed_accuracy;
 pub mod stability;
 pub mod sweeps;
@@ -37,6 +39,54 @@ pub struct Silent;
 impl Progress for Silent {
     fn stage(&self, _: &str, _: usize) {}
     fn step(&self) {}
+}
+
+use crate::study::Study;
+use stability::{Cell, Scenario};
+
+/// Everything that `chart` measures with one study; growth and map are the same for all.
+#[derive(Debug)]
+pub struct Chart<'a> {
+    /// The study, calibrated where it says so.
+    pub study: Study,
+    /// Methods with their settings.
+    pub methods: speed_accuracy::SpeedAccuracy,
+    /// What choosing and skipping save.
+    pub savings: Option<savings::Savings>,
+    /// What simplifications cost.
+    pub models: Vec<model_accuracy::ModelError>,
+    /// How cost grows.
+    pub growth: &'a [speed_accuracy::Growth],
+    /// Where methods fail.
+    pub map: &'a [(Scenario, Vec<Cell>)],
+}
+
+impl<'a> Chart<'a> {
+    /// Measures a study.
+    ///
+    /// # Errors
+    /// [`RunError`] where a design has no finite response.
+    pub fn measure(
+        study: &Study,
+        growth: &'a [speed_accuracy::Growth],
+        map: &'a [(Scenario, Vec<Cell>)],
+        progress: &dyn Progress,
+    ) -> Result<Self, RunError> {
+        let (study, _) = calibrate(study, progress)?;
+        let methods = speed_accuracy::measure(&study, progress)?;
+        progress.stage("random absorbers, simplified models", 2);
+        let savings = savings::measure(&study)?;
+        progress.step();
+        let designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
+        let models = model_accuracy::measure(&study, &designs)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, growth, map })
+    }
+
+    /// Whether every method does on every scenario what is declared of it, and skipping changes nothing.
+    pub fn holds(&self) -> bool {
+        self.map.iter().flat_map(|m| &m.1).all(Cell::as_declared) && self.savings.as_ref().is_none_or(|s| s.identical && s.same_best)
+    }
 }
 
 /// A response that does not exist, and whose.

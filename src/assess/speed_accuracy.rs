@@ -1,16 +1,18 @@
 //! What each response method costs and how wrong it is: seconds per design against the error of its peak twist, and how cost grows.
 
+use super::auto::{Considered, STRIDES, Way};
 use super::families;
 use super::methods::Candidate;
 use super::{Progress, RunError, audit};
 use crate::absorber::{Kind, Mounted, Ring, seeds};
 use crate::chain::{Chain, Station};
+use crate::design::quick::{Quick, Scratch};
 use crate::design::{Measure, Over, PeakFinder};
 use crate::engine::Excitation;
 use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
-use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, System, Work};
+use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
 use crate::study::Study;
 use std::time::Instant;
 
@@ -59,15 +61,15 @@ pub struct Growth {
     pub exponent: f64,
 }
 
-/// What `chart` measures of one study.
+/// Methods on one study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpeedAccuracy {
     /// Methods and settings.
     pub points: Vec<Point>,
-    /// Names of the probe designs.
-    pub probes: Vec<String>,
-    /// Growth of cost.
-    pub growth: Vec<Growth>,
+    /// The ways of a search: tables at several strides, and exactly.
+    pub ways: Vec<Considered>,
+    /// The probe designs and their names.
+    pub probes: Vec<(String, Vec<Mounted>)>,
 }
 
 /// Numbers of speeds tried.
@@ -77,8 +79,10 @@ const LEAST_SECONDS: f64 = 0.02;
 const MOST_REPEATS: usize = 25;
 /// Local maxima that are refined.
 const REFINED: usize = 3;
+/// Quick peaks timed together.
+const REPEATED: usize = 20;
 
-fn median_seconds(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+pub(super) fn median_seconds(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
     let (begun, mut times) = (Instant::now(), Vec::new());
     while times.len() < 3 || (begun.elapsed().as_secs_f64() < LEAST_SECONDS && times.len() < MOST_REPEATS) {
         let start = Instant::now();
@@ -181,8 +185,42 @@ pub fn measure(study: &Study, progress: &dyn Progress) -> Result<SpeedAccuracy, 
         }
         progress.step();
     }
-    let growth = growth(progress);
-    Ok(SpeedAccuracy { points, probes: probes.into_iter().map(|p| p.0).collect(), growth })
+    let ways = ways(&system, study, &grid, (&probes, &exact)).map_err(|error| RunError { what: "a probe design".into(), error })?;
+    Ok(SpeedAccuracy { points, ways, probes })
+}
+
+/// Measured seconds and true errors of the ways of a search.
+fn ways(
+    system: &System,
+    study: &Study,
+    grid: &Grid,
+    (probes, exact): (&[(String, Vec<Mounted>)], &[f64]),
+) -> Result<Vec<Considered>, ResponseError> {
+    let Some(first) = probes.first() else { return Ok(Vec::new()) };
+    let station = first.1[0].station;
+    let method = Method::Receptance(Receptance::new(system, grid, station, &[study.twist]));
+    let finder = PeakFinder::new(system, grid, &method, true);
+    let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
+    let seconds = median_seconds(|| finder.peak(&first.1, &measure, &mut Work::default()).map(|_| ()))?;
+    let mut list = vec![Considered { way: Way::Exact, seconds, error: 0.0 }];
+    let Method::Receptance(receptance) = &method else { return Ok(list) };
+    for stride in STRIDES {
+        let Some(quick) = Quick::new(receptance, study.twist, stride) else { continue };
+        let (mut scratch, mut work) = (Scratch::default(), Work::default());
+        let mut error = 0.0;
+        for ((_, design), exact) in probes.iter().zip(exact).filter(|((_, d), _)| quick.takes(&d[0])) {
+            error = f64::max(error, (quick.peak(&design[0], &mut scratch, &mut work).value / exact - 1.0).abs());
+        }
+        let mut once = || {
+            // one is over too soon to be timed
+            for _ in 0..REPEATED {
+                quick.peak(&first.1[0], &mut scratch, &mut work);
+            }
+            Ok(())
+        };
+        list.push(Considered { way: Way::Tables(stride), seconds: median_seconds(&mut once)? / REPEATED as f64, error });
+    }
+    Ok(list)
 }
 
 fn point(
@@ -243,7 +281,8 @@ struct Size {
     speeds: usize,
 }
 
-fn growth(progress: &dyn Progress) -> Vec<Growth> {
+/// Measures how the cost of a sweep grows with stations, orders and speeds.
+pub fn growth(progress: &dyn Progress) -> Vec<Growth> {
     let candidates =
         [Candidate::Direct, Candidate::Receptance, Candidate::Reduced(2), Candidate::Modal, Candidate::Holzer, Candidate::Dense];
     let size = |stations, orders, speeds| Size { stations, orders, speeds };

@@ -2,62 +2,90 @@
 
 use super::progress::Bar;
 use super::{DONE, FAILED, fail, say};
-use crate::assess::speed_accuracy::{self, SpeedAccuracy};
 use crate::assess::stability::{self, Cell, Scenario};
+use crate::assess::{Chart, speed_accuracy};
 use crate::report::{Folder, text, write_chart};
-use crate::study;
+use crate::study::{self, Study};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Arguments of `chart`.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  hartog chart studies/villalva_i6.toml\n\n\
+#[command(after_help = "Examples:\n  hartog chart\n  hartog chart studies/villalva_i6.toml --out out/six\n\n\
 Times are medians of repetitions on one thread; they differ from run to run and from machine to machine, errors do not.\n\n\
-Exit code: 0 done, 1 a method does not do what is declared of it in a scenario, 2 bad input or no finite response.")]
+Exit code: 0 done, 1 a method does not do what is declared of it in a scenario or skipping changes a peak, 2 bad input or no finite\n\
+response.")]
 pub struct Arguments {
-    /// Study file (TOML).
-    #[arg(default_value = "studies/villalva_i6.toml")]
-    pub study: PathBuf,
-    /// Output folder [default: out/chart/STUDY].
+    /// Study files (TOML).
+    #[arg(default_values = ["studies/villalva_i6.toml", "studies/villalva_v10.toml"])]
+    pub studies: Vec<PathBuf>,
+    /// Output folder; of several studies each gets its own in it [default: out/chart, with a folder for each study].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
 
-/// Measures every method on a study and on the scenarios, prints and plots.
+/// Measures every method on studies and on the scenarios, prints and plots.
 pub fn chart(arguments: &Arguments) -> u8 {
     let start = Instant::now();
-    let study = match study::read(&arguments.study) {
-        Ok(study) => study,
-        Err(error) => return fail(&error),
-    };
-    let default = Path::new("out").join("chart").join(&study.name);
-    let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
-        Ok(folder) => folder,
-        Err(error) => return fail(&error),
+    let jobs = match jobs(arguments) {
+        Ok(jobs) => jobs,
+        Err(code) => return code,
     };
     let bar = Bar::default();
-    let measured = speed_accuracy::measure(&study, &bar);
+    let growth = speed_accuracy::growth(&bar);
     let map: Vec<(Scenario, Vec<Cell>)> = stability::scenarios().into_iter().map(|s| (s.clone(), s.cells())).collect();
     drop(bar);
-    let measured = match measured {
-        Ok(measured) => measured,
-        Err(error) => return fail(&format!("error: {error}")),
-    };
-    if let Err(error) = write_chart(&study, &measured, &map, &folder) {
-        return fail(&error);
+    let mut holds = true;
+    for (study, folder) in jobs {
+        let bar = Bar::default();
+        let chart = Chart::measure(&study, &growth, &map, &bar);
+        drop(bar);
+        let chart = match chart {
+            Ok(chart) => chart,
+            Err(error) => return fail(&format!("error: {error}")),
+        };
+        if let Err(error) = write_chart(&chart, &folder) {
+            return fail(&error);
+        }
+        print(&chart);
+        say(&format!("{} files written to {}\n\n", folder.written(), folder.path().display()));
+        holds &= chart.holds();
     }
-    print(&study.engine.name, &measured, &map);
-    say(&format!("{} files written to {} ({:.1} s)\n", folder.written(), folder.path().display(), start.elapsed().as_secs_f64()));
-    if map.iter().flat_map(|m| &m.1).all(Cell::as_declared) { DONE } else { FAILED }
+    say(&format!("{}\n{}", text::chart::growth(&growth), text::chart::stability(&map)));
+    say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
+    if holds { DONE } else { FAILED }
 }
 
-fn print(engine: &str, measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)]) {
-    if measured.probes.is_empty() {
-        say(&format!("{engine}: no design with one absorber to probe: only growth of cost and stability were measured\n"));
-    } else {
-        say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", measured.probes.len(), measured.probes.join(", ")));
-        say(&text::chart::methods(measured));
+/// The studies with the folders of their charts.
+fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Folder)>, u8> {
+    let mut jobs: Vec<(Study, Folder)> = Vec::new();
+    for path in &arguments.studies {
+        let study = study::read(path).map_err(|error| fail(&error))?;
+        if jobs.iter().any(|j| j.0.name == study.name) {
+            return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
+        }
+        let folder = match &arguments.out {
+            Some(out) if arguments.studies.len() == 1 => out.clone(),
+            Some(out) => out.join(&study.name),
+            None => Path::new("out").join("chart").join(&study.name),
+        };
+        jobs.push((study, Folder::create(&folder).map_err(|error| fail(&error))?));
     }
-    say(&format!("\n{}", text::chart::growth(measured)));
-    say(&format!("\n{}", text::chart::stability(map)));
+    Ok(jobs)
+}
+
+fn print(chart: &Chart) {
+    let engine = &chart.study.engine.name;
+    if chart.methods.probes.is_empty() {
+        say(&format!("{engine}: no design with one absorber to probe\n"));
+    } else {
+        let names: Vec<&str> = chart.methods.probes.iter().map(|p| p.0.as_str()).collect();
+        say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", names.len(), names.join(", ")));
+        say(&text::chart::methods(&chart.methods));
+        say(&format!("\n{}", text::chart::ways(&chart.methods)));
+    }
+    if let Some(savings) = &chart.savings {
+        say(&format!("\n{}", text::chart::savings(savings)));
+    }
+    say(&format!("\n{}", text::chart::models(&chart.models)));
 }

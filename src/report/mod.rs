@@ -7,8 +7,7 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 
-use crate::assess::speed_accuracy::SpeedAccuracy;
-use crate::assess::stability::{Cell, Scenario};
+use crate::assess::Chart;
 use crate::assess::{Calibration, Comparison, Results};
 use crate::study::Study;
 
@@ -69,9 +68,10 @@ pub fn write_comparison(
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn write_chart(study: &Study, measured: &SpeedAccuracy, map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
-    csv::speed_accuracy(measured, map, folder)?;
-    plot::chart::speed_accuracy(study, measured, folder)?;
-    plot::chart::growth(measured, folder)?;
-    plot::chart::stability(map, folder)
+pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
+    csv::speed_accuracy(chart, folder)?;
+    plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
+    plot::models::models(&chart.study, &chart.models, folder)?;
+    plot::chart::growth(chart.growth, folder)?;
+    plot::chart::stability(chart.map, folder)
 }

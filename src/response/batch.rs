@@ -25,7 +25,8 @@ pub struct Lane {
 }
 
 impl Lane {
-    const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
+    /// Zero at every point.
+    pub const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
 
     /// Of one point.
     pub fn get(&self, lane: usize) -> C64 {
@@ -43,19 +44,15 @@ impl Lane {
 pub struct Block {
     /// Circular frequencies, rad/s.
     pub omega: [f64; LANES],
-    /// Torque on each station, N m.
-    pub torque: Vec<Lane>,
-    /// Angle of each station, rad.
-    pub angle: Vec<Lane>,
-    /// Angle of each station less that of the next, rad (one less than stations).
+    /// Torque on each station, N m; solved, its angle, rad.
+    pub x: Vec<Lane>,
+    /// Solved, the angle of each station less that of the next, rad (nothing for the last). On the way, r.
     pub twist: Vec<Lane>,
     /// Twist of each ring against its hub, rad.
     pub ring: Vec<Lane>,
     /// How much larger the terms were than their sum, at the worst station.
     pub cancelled: [f64; LANES],
-    /// r, f and s/(s + r), (s + r)^-1 of each station.
-    left: Vec<Lane>,
-    reached: Vec<Lane>,
+    /// 1/(s + r) of each station.
     inverse: Vec<Lane>,
 }
 
@@ -65,13 +62,10 @@ impl Block {
         let lanes = |n| vec![Lane::ZERO; n];
         Self {
             omega: [0.0; LANES],
-            torque: lanes(stations),
-            angle: lanes(stations),
-            twist: lanes(stations.saturating_sub(1)),
+            x: lanes(stations),
+            twist: lanes(stations),
             ring: lanes(rings),
             cancelled: [0.0; LANES],
-            left: lanes(stations),
-            reached: lanes(stations),
             inverse: lanes(stations),
         }
     }
@@ -84,18 +78,18 @@ impl Block {
     }
 }
 
-/// What ties the stations to inertial space, absorbers included, into `left`.
+/// What ties the stations to inertial space, absorbers included, into `twist`.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn ground(b: &mut Block, stations: &[Station], design: &[Mounted]) {
     let omega = b.omega;
-    for (left, s) in b.left.iter_mut().zip(stations) {
+    for (left, s) in b.twist.iter_mut().zip(stations) {
         for l in 0..LANES {
             left.re[l] = s.stiffness_to_ground - omega[l] * omega[l] * s.inertia;
             left.im[l] = omega[l] * s.damping_to_ground;
         }
     }
     for m in design {
-        let (a, left) = (&m.absorber, &mut b.left[m.station]);
+        let (a, left) = (&m.absorber, &mut b.twist[m.station]);
         if a.kind() == Kind::Locked {
             let inertia = m.hub_inertia + a.ring_inertia();
             for l in 0..LANES {
@@ -119,14 +113,13 @@ fn ground(b: &mut Block, stations: &[Station], design: &[Mounted]) {
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn eliminate(b: &mut Block, stations: &[Station]) {
     let (omega, mut worst) = (b.omega, [0.0; LANES]);
-    b.reached[0] = b.torque[0];
     for i in 0..stations.len() - 1 {
         let shaft = &stations[i];
         let (stiffness, loss, damping) =
             (shaft.stiffness_to_next, shaft.stiffness_to_next * shaft.loss_factor_to_next, shaft.damping_to_next);
         // copies, so that the compiler sees that nothing overlaps
-        let (left, reached, mut inverse) = (b.left[i], b.reached[i], Lane::ZERO);
-        let (mut next, mut next_reached) = (b.left[i + 1], b.torque[i + 1]);
+        let (left, reached, mut inverse) = (b.twist[i], b.x[i], Lane::ZERO);
+        let (mut next, mut next_reached) = (b.twist[i + 1], b.x[i + 1]);
         for l in 0..LANES {
             let (s_re, s_im) = (stiffness, loss + omega[l] * damping);
             let (p_re, p_im) = (s_re + left.re[l], s_im + left.im[l]);
@@ -142,7 +135,7 @@ fn eliminate(b: &mut Block, stations: &[Station]) {
             next_reached.re[l] += q_re * reached.re[l] - q_im * reached.im[l];
             next_reached.im[l] += q_re * reached.im[l] + q_im * reached.re[l];
         }
-        (b.inverse[i], b.left[i + 1], b.reached[i + 1]) = (inverse, next, next_reached);
+        (b.inverse[i], b.twist[i + 1], b.x[i + 1]) = (inverse, next, next_reached);
     }
     for l in 0..LANES {
         b.cancelled[l] = worst[l].sqrt();
@@ -154,14 +147,14 @@ fn eliminate(b: &mut Block, stations: &[Station]) {
 fn follow(b: &mut Block, stations: &[Station], design: &[Mounted]) {
     let (omega, last) = (b.omega, stations.len() - 1);
     for l in 0..LANES {
-        let (r_re, r_im) = (b.left[last].re[l], b.left[last].im[l]);
-        let (f_re, f_im) = (b.reached[last].re[l], b.reached[last].im[l]);
+        let (r_re, r_im) = (b.twist[last].re[l], b.twist[last].im[l]);
+        let (f_re, f_im) = (b.x[last].re[l], b.x[last].im[l]);
         let size = r_re * r_re + r_im * r_im;
-        b.angle[last].re[l] = (f_re * r_re + f_im * r_im) / size;
-        b.angle[last].im[l] = (f_im * r_re - f_re * r_im) / size;
+        b.x[last].re[l] = (f_re * r_re + f_im * r_im) / size;
+        b.x[last].im[l] = (f_im * r_re - f_re * r_im) / size;
     }
     for i in (0..last).rev() {
-        let (left, reached, inverse, next) = (b.left[i], b.reached[i], b.inverse[i], b.angle[i + 1]);
+        let (left, reached, inverse, next) = (b.twist[i], b.x[i], b.inverse[i], b.x[i + 1]);
         let (mut angle, mut twist) = (next, Lane::ZERO);
         for l in 0..LANES {
             let t_re = reached.re[l] - (left.re[l] * next.re[l] - left.im[l] * next.im[l]);
@@ -171,10 +164,10 @@ fn follow(b: &mut Block, stations: &[Station], design: &[Mounted]) {
             angle.re[l] += twist.re[l];
             angle.im[l] += twist.im[l];
         }
-        (b.angle[i], b.twist[i]) = (angle, twist);
+        (b.x[i], b.twist[i]) = (angle, twist);
     }
     for (ring, m) in b.ring.iter_mut().zip(design) {
-        let (a, hub) = (&m.absorber, b.angle[m.station]);
+        let (a, hub) = (&m.absorber, b.x[m.station]);
         if a.kind() == Kind::Locked {
             *ring = Lane::ZERO;
             continue;

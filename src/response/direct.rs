@@ -1,6 +1,6 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
-use super::batch::{Block, LANES};
+use super::batch::{Block, LANES, Lane};
 use super::{Grid, Quantity, Response, ResponseError, System, Work};
 use crate::absorber::{Mounted, Ring};
 use crate::numerics::tridiagonal::Tridiagonal;
@@ -214,14 +214,19 @@ impl<'a> Direct<'a> {
         for first in (0..orders).step_by(LANES) {
             // lanes beyond the last order repeat it
             let order = |lane: usize| (first + lane).min(orders - 1);
+            let mut still = [true; LANES];
+            block.x.fill(Lane::ZERO);
             for lane in 0..LANES {
                 block.omega[lane] = system.excitation.orders[order(lane)].value() * speed_rpm * RAD_PER_S_PER_RPM;
-                torques.each(order(lane), |station, torque| block.torque[station].set(lane, torque));
+                torques.each(order(lane), |station, torque| {
+                    still[lane] &= torque == ZERO;
+                    block.x[station].set(lane, torque);
+                });
             }
             block.solve(&system.chain.stations, design);
             for lane in 0..LANES.min(orders - first) {
                 let n = first + lane;
-                if block.torque.iter().all(|t| t.get(lane) == ZERO) {
+                if still[lane] {
                     (0..quantities.len()).for_each(|i| put(i, n, ZERO));
                     continue;
                 }
@@ -243,7 +248,7 @@ impl<'a> Direct<'a> {
         debug_assert_eq!(block.ring.len(), design.len());
         let between = |a: usize, b: usize| block.twist[a..b].iter().fold(ZERO, |sum, t| sum + t.get(lane));
         match quantity {
-            Quantity::Twist { from, to: None } => block.angle[from].get(lane),
+            Quantity::Twist { from, to: None } => block.x[from].get(lane),
             Quantity::Twist { from, to: Some(to) } if from <= to => between(from, to),
             Quantity::Twist { from, to: Some(to) } => -between(to, from),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, block.omega[lane]) * block.twist[s].get(lane),

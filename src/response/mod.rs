@@ -44,6 +44,8 @@ pub struct System {
     pub excitation: Excitation,
     /// Sum of firing phases at each station: one row an order.
     phases: Vec<Vec<C64>>,
+    /// Stations with throws.
+    loaded: Vec<usize>,
 }
 
 impl System {
@@ -58,7 +60,8 @@ impl System {
         let phases = (0..excitation.orders.len())
             .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
             .collect();
-        Self { chain, modes, excitation, phases }
+        let loaded = (0..chain.len()).filter(|i| !chain.stations[*i].throws.is_empty()).collect();
+        Self { chain, modes, excitation, phases, loaded }
     }
 
     /// Number of orders.
@@ -103,9 +106,10 @@ struct Torques<'a> {
 }
 
 impl Torques<'_> {
-    /// Torque phasor of an order at every station, N m.
+    /// Torque phasor of an order at every station that carries a throw, N m.
     fn each(&self, order: usize, mut put: impl FnMut(usize, C64)) {
-        for (station, phase) in self.system.phases[order].iter().enumerate() {
+        for &station in &self.system.loaded {
+            let phase = self.system.phases[order][station];
             let missing = self.misfire.as_ref().filter(|m| m.0 == station).map_or(C64::ZERO, |m| m.1[order]);
             put(station, self.units[order] * phase + missing);
         }

@@ -1,8 +1,9 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
 use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text};
+use crate::assess::auto::Way;
 use crate::assess::methods::Candidate;
-use crate::assess::speed_accuracy::{Point, Search, SpeedAccuracy};
+use crate::assess::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
 use crate::assess::stability::{Cell, Scenario};
 use crate::report::files::{Folder, WriteError};
 use crate::study::Study;
@@ -19,13 +20,13 @@ fn colour(candidate: Candidate) -> RGBColor {
 }
 
 /// Powers of ten between two values.
-fn decades(low: f64, high: f64) -> Vec<f64> {
+pub(super) fn decades(low: f64, high: f64) -> Vec<f64> {
     (low.log10().floor() as i32..=high.log10().ceil() as i32).map(|d| 10f64.powi(d)).filter(|t| (low..=high).contains(t)).collect()
 }
 
 /// Points that no other beats in both seconds and error, by seconds.
-fn best(points: &[(&Point, f64)]) -> Vec<(f64, f64)> {
-    let mut sorted: Vec<(f64, f64)> = points.iter().map(|(p, e)| (p.seconds, *e)).collect();
+fn best(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut sorted: Vec<(f64, f64)> = points.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut front: Vec<(f64, f64)> = Vec::new();
     for p in sorted {
@@ -43,7 +44,12 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
     if points.is_empty() {
         return folder.remove(&["speed_accuracy.svg", "speed_accuracy.png"]);
     }
-    let (fast, slow) = points.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0.seconds), b.max(p.0.seconds)));
+    let ways = |tables: bool| {
+        let own = measured.ways.iter().filter(move |w| matches!(w.way, Way::Tables(_)) == tables);
+        own.map(|w| (w.seconds, w.error.max(LEAST_ERROR))).collect::<Vec<_>>()
+    };
+    let all = || points.iter().map(|(p, e)| (p.seconds, *e)).chain(ways(true)).chain(ways(false));
+    let (fast, slow) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
     let worst = points.iter().map(|p| p.1).fold(0.0, f64::max);
     let (x, y) = ((fast / 1.5, slow * 1.5), (LEAST_ERROR / 2.0, worst * 2.0));
     canvas::save(folder, "speed_accuracy", (980, 620), |area| {
@@ -69,7 +75,11 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
             .x_label_formatter(&|x| format!("{x:.0e}"))
             .y_label_formatter(&|y| format!("{y:.0e}"))
             .draw()?;
-        chart.draw_series(LineSeries::new(best(&points), line(RGBColor(200, 200, 200), 60)))?;
+        chart.draw_series(LineSeries::new(best(all()), line(RGBColor(200, 200, 200), 60)))?;
+        let diamond = |p: (f64, f64)| TriangleMarker::new(p, px(5), fill(BLACK, 1.0));
+        chart.draw_series(LineSeries::new(ways(true), line(BLACK, 12)))?;
+        chart.draw_series(ways(true).into_iter().map(diamond))?;
+        chart.draw_series(ways(false).into_iter().map(|p| Cross::new(p, px(5), line(BLACK, 20))))?;
         for candidate in Candidate::ALL {
             let of = |refined: bool| -> Vec<(f64, f64)> {
                 let own = points.iter().filter(|p| p.0.candidate == candidate && matches!(p.0.search, Search::Refined(_)) == refined);
@@ -87,7 +97,14 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
         entries.push(("best of all".into(), line(RGBColor(200, 200, 200), 60)));
         canvas::legend(&side, &entries)?;
         let below = (px(34) + entries.len() as u32 * px(19)) as i32;
-        let notes = [format!("open: {} to {} speeds", 14, 521), "full: refined between speeds".into(), "reference: direct, refined".into()];
+        let notes = [
+            "triangles: tables of searches, every".to_owned(),
+            "  16th to every speed, and a parabola".into(),
+            "cross: exact, as reported".into(),
+            format!("open: {} to {} speeds", 14, 521),
+            "full: refined between speeds".into(),
+            "reference: direct, refined".into(),
+        ];
         for (i, note) in notes.into_iter().enumerate() {
             side.draw(&Text::new(note, (px(4) as i32, below + i as i32 * px(19) as i32), text(12)))?;
         }
@@ -96,15 +113,15 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
 }
 
 /// Cost of a sweep against stations, orders and speeds.
-pub fn growth(measured: &SpeedAccuracy, folder: &Folder) -> Result<(), WriteError> {
-    let all = || measured.growth.iter().flat_map(|g| &g.points);
+pub fn growth(measured: &[Growth], folder: &Folder) -> Result<(), WriteError> {
+    let all = || measured.iter().flat_map(|g| &g.points);
     let (low, high) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
     let (low, high) = (low / 2.0, high * 2.0);
     canvas::save(folder, "growth", (1180, 470), |area| {
         let titled = canvas::titled(area, "Cost of one sweep of one design, set-up aside")?;
         let panels = titled.split_evenly((1, 3));
         for (panel, size) in panels.iter().zip(["stations", "orders", "speeds"]) {
-            let own: Vec<_> = measured.growth.iter().filter(|g| g.size == size).collect();
+            let own: Vec<_> = measured.iter().filter(|g| g.size == size).collect();
             let (left, right) = own.iter().flat_map(|g| &g.points).fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
             let ticks: Vec<f64> =
                 own.iter().max_by_key(|g| g.points.len()).map_or_else(Vec::new, |g| g.points.iter().map(|p| p.0).collect());

@@ -6,6 +6,7 @@ pub mod chart;
 pub mod comparison;
 mod excitation;
 mod front;
+pub mod models;
 mod response;
 
 use super::files::{Folder, WriteError};

@@ -1,8 +1,11 @@
 //! What is printed of a chart.
 
 use super::table;
+use crate::assess::auto::Considered;
 use crate::assess::methods::Candidate;
-use crate::assess::speed_accuracy::{Search, SpeedAccuracy};
+use crate::assess::model_accuracy::ModelError;
+use crate::assess::savings::Savings;
+use crate::assess::speed_accuracy::{Growth, Search, SpeedAccuracy};
 use crate::assess::stability::{Cell, Scenario};
 
 fn duration(seconds: f64) -> String {
@@ -31,15 +34,74 @@ pub fn methods(measured: &SpeedAccuracy) -> String {
     table(&["method", "grid", "per design", "error", "refined", "per design", "error"], &rows)
 }
 
+/// The ways of a search: tables at several strides, and exactly.
+pub fn ways(measured: &SpeedAccuracy) -> String {
+    let row = |w: &Considered| vec![w.way.label(), duration(w.seconds), format!("{:.1e}", w.error)];
+    table(&["way of a search", "per design", "error"], &measured.ways.iter().map(row).collect::<Vec<_>>())
+}
+
+/// What choosing and skipping save, and how honest the estimate is.
+pub fn savings(s: &Savings) -> String {
+    let mut text = format!(
+        "Random absorbers: {} a design with nothing skipped ({} syntheses, {} direct solutions), {} with only what can win ({}, {}): {}\n",
+        duration(s.full.seconds),
+        s.full.work.syntheses,
+        s.full.work.direct_solves,
+        duration(s.skipping.seconds),
+        s.skipping.work.syntheses,
+        s.skipping.work.direct_solves,
+        if s.identical { "the same peaks to the last bit" } else { "DEFECT: other peaks" }
+    );
+    if let (Some((cost, h)), Some((every, best))) = (&s.quick, s.designs_per_second) {
+        text.push_str(&format!(
+            "`auto` chooses {}: {} a design; of {} random absorbers {} err by more than their estimate, median of estimated over true error {:.1}; {} of {} \
+             not sent on to the exact way err by more than the tolerance\n",
+            s.choice.chosen.way.label(),
+            duration(cost.seconds),
+            h.designs,
+            h.exceeded,
+            h.ratio,
+            h.accepted - h.within,
+            h.accepted
+        ));
+        text.push_str(&format!(
+            "Designs a second on {} threads: {:.0} thousand with the peak of each, {:.2} million for the best of all{}\n",
+            s.threads,
+            1e-3 * every,
+            1e-6 * best,
+            if s.same_best { "" } else { " (DEFECT: another best design)" }
+        ));
+    } else {
+        text.push_str("`auto` stays exact here\n");
+    }
+    text.push_str(&format!(
+        "One point of the kernel: {:.2} ns; a direct sweep of 24 orders and 200 speeds, {} stations: {:.3} ms\n",
+        1e9 * s.point,
+        s.sweep.1,
+        1e3 * s.sweep.0
+    ));
+    text
+}
+
+/// What simplifications cost, a row each.
+pub fn models(models: &[ModelError]) -> String {
+    let mut text = String::from("What a simpler model costs, error of the peak:\n");
+    for m in models {
+        let points: Vec<String> = m.points.iter().map(|(x, e)| format!("{x}: {:.1e}", e)).collect();
+        text.push_str(&format!("  {}: {}\n", m.what.label(), points.join(", ")));
+    }
+    text
+}
+
 /// Exponents of the cost.
-pub fn growth(measured: &SpeedAccuracy) -> String {
+pub fn growth(measured: &[Growth]) -> String {
     let of = |candidate: Candidate, size: &str| {
-        let found = measured.growth.iter().find(|g| g.candidate == candidate && g.size == size);
+        let found = measured.iter().find(|g| g.candidate == candidate && g.size == size);
         found.map_or_else(|| "-".into(), |g| format!("{:.2}", g.exponent))
     };
     let rows: Vec<Vec<String>> = Candidate::ALL
         .into_iter()
-        .filter(|c| measured.growth.iter().any(|g| g.candidate == *c))
+        .filter(|c| measured.iter().any(|g| g.candidate == *c))
         .map(|c| vec![c.label(), of(c, "stations"), of(c, "orders"), of(c, "speeds")])
         .collect();
     format!("Exponents of the cost of a sweep, set-up aside:\n{}", table(&["method", "stations", "orders", "speeds"], &rows))

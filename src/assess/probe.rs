@@ -20,21 +20,21 @@ fn median(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, Re
     Ok(seconds[REPEATS / 2])
 }
 
-/// Seconds per design on one thread: magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, and the torque
+/// Seconds per design on one thread: squares of the magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, and the torque
 /// of all shafts on the grid.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<Vec<Timing>, ResponseError> {
     let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
-    let (mut magnitudes, mut phasors) = (Vec::new(), Vec::new());
+    let (mut squares, mut phasors) = (Vec::new(), Vec::new());
     finder.method.sweep(design, quantity, &mut phasors, &mut Work::default())?;
     let direct = Direct::new(finder.system, finder.grid);
     let mut timing = Vec::new();
     let mut put = |stage: &str, seconds: f64, work: Work| timing.push(Timing { stage: stage.into(), seconds, work });
     let mut work = Work::default();
-    let seconds = median(|| finder.method.magnitudes(design, quantity, &mut magnitudes, &mut work))?;
-    put("one_design_magnitudes", seconds, Work { receptance_points: work.receptance_points / REPEATS as u64, ..Work::default() });
+    let seconds = median(|| finder.method.squares(design, quantity, &mut squares, &mut work))?;
+    put("one_design_squares", seconds, Work { receptance_points: work.receptance_points / REPEATS as u64, ..Work::default() });
     let seconds = median(|| {
         let total = finder.synthesis(&phasors);
         debug_assert!(!total.is_empty());

@@ -55,7 +55,7 @@ pub struct Savings {
     pub same_best: bool,
     /// Threads of those.
     pub threads: usize,
-    /// Seconds a point of the receptance kernel, magnitudes of one quantity.
+    /// Seconds a point of the receptance kernel, squares of the magnitudes of one quantity.
     pub point: f64,
     /// Seconds of a direct sweep of one design and quantity on one thread: 24 orders, 200 speeds, stations.
     pub sweep: (f64, usize),
@@ -201,10 +201,10 @@ fn rates(quick: &Quick, designs: &[Mounted]) -> (f64, f64, bool) {
     (every, (designs.len() * ROUNDS) as f64 / start.elapsed().as_secs_f64(), all.to_bits() == best.to_bits())
 }
 
-/// Seconds a point of the magnitudes of one quantity.
+/// Seconds a point of the squares of the magnitudes of one quantity.
 fn point(method: &Method, mounted: &Mounted, quantity: Quantity) -> Result<f64, ResponseError> {
     let (mut out, mut work) = (Vec::new(), Work::default());
-    let seconds = median_seconds(|| method.magnitudes(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
+    let seconds = median_seconds(|| method.squares(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
     Ok(seconds / out.len() as f64)
 }
 

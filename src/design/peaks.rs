@@ -298,7 +298,8 @@ impl<'a> PeakFinder<'a> {
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let mut grid = Vec::new();
-        self.method.magnitudes(design, quantity, &mut grid, work)?;
+        self.method.squares(design, quantity, &mut grid, work)?;
+        grid.iter_mut().for_each(|v| *v = v.sqrt());
         let orders = self.system.orders();
         let added = self.direct.at_each(design, &[quantity], &speeds.added_rpm(), work)?.swap_remove(0);
         let added: Vec<f64> = added.iter().map(|y| y.norm()).collect();

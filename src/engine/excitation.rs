@@ -158,7 +158,14 @@ impl Excitation {
 
     /// The same of all orders at once.
     pub fn unit_torques(&self, speed_rpm: f64) -> Vec<C64> {
-        (0..self.orders.len()).map(|n| self.unit_torque(n, speed_rpm)).collect()
+        let omega2 = (speed_rpm * RAD_PER_S_PER_RPM).powi(2);
+        let with_inertia = |gas: C64, inertia: &C64| gas + inertia * omega2;
+        if self.gas.len() == 1 {
+            return self.gas[0].iter().zip(&self.inertia).map(|(g, i)| with_inertia(*g, i)).collect();
+        }
+        let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
+        let between = self.gas[i].iter().zip(&self.gas[i + 1]).map(|(a, b)| a + (b - a) * fraction);
+        between.zip(&self.inertia).map(|(g, i)| with_inertia(g, i)).collect()
     }
 
     /// Linear between the tabulated speeds.

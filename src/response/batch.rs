@@ -33,6 +33,21 @@ impl Lane {
         C64::new(self.re[lane], self.im[lane])
     }
 
+    /// The sum at each point.
+    pub fn plus(&self, other: &Self) -> Self {
+        let mut sum = *self;
+        for l in 0..LANES {
+            sum.re[l] += other.re[l];
+            sum.im[l] += other.im[l];
+        }
+        sum
+    }
+
+    /// The negative at each point.
+    pub fn minus(&self) -> Self {
+        Self { re: self.re.map(|x| -x), im: self.im.map(|x| -x) }
+    }
+
     /// Sets that of one point.
     pub fn set(&mut self, lane: usize, value: C64) {
         (self.re[lane], self.im[lane]) = (value.re, value.im);

@@ -211,6 +211,7 @@ impl<'a> Direct<'a> {
         let (system, orders) = (self.system, self.system.orders());
         let torques = system.torques(speed_rpm);
         let mut scalar: Option<Factored> = None;
+        let mut outputs = Vec::with_capacity(quantities.len());
         for first in (0..orders).step_by(LANES) {
             // lanes beyond the last order repeat it
             let order = |lane: usize| (first + lane).min(orders - 1);
@@ -224,16 +225,17 @@ impl<'a> Direct<'a> {
                 });
             }
             block.solve(&system.chain.stations, design);
+            outputs.clear();
+            outputs.extend(quantities.iter().map(|q| self.output(block, *q)));
             for lane in 0..LANES.min(orders - first) {
                 let n = first + lane;
                 if still[lane] {
                     (0..quantities.len()).for_each(|i| put(i, n, ZERO));
                     continue;
                 }
-                let output = |q: &Quantity| self.output(block, design, *q, lane);
-                if block.cancelled[lane] <= LARGEST_CANCELLATION && quantities.iter().all(|q| output(q).is_finite()) {
+                if block.cancelled[lane] <= LARGEST_CANCELLATION && outputs.iter().all(|y| y.get(lane).is_finite()) {
                     work.direct_solves += 1;
-                    quantities.iter().enumerate().for_each(|(i, q)| put(i, n, output(q)));
+                    outputs.iter().enumerate().for_each(|(i, y)| put(i, n, y.get(lane)));
                 } else {
                     let solver = scalar.get_or_insert_with(|| Factored::new(system));
                     solver.phasors(design, quantities, (n, speed_rpm), work, |i, y| put(i, n, y))?;
@@ -243,16 +245,20 @@ impl<'a> Direct<'a> {
         Ok(())
     }
 
-    /// The quantity of one point of a block.
-    fn output(&self, block: &Block, design: &[Mounted], quantity: Quantity, lane: usize) -> C64 {
-        debug_assert_eq!(block.ring.len(), design.len());
-        let between = |a: usize, b: usize| block.twist[a..b].iter().fold(ZERO, |sum, t| sum + t.get(lane));
+    /// The quantity at every point of a block.
+    fn output(&self, block: &Block, quantity: Quantity) -> Lane {
+        let between = |a: usize, b: usize| block.twist[a..b].iter().fold(Lane::ZERO, |sum, t| sum.plus(t));
         match quantity {
-            Quantity::Twist { from, to: None } => block.x[from].get(lane),
+            Quantity::Twist { from, to: None } => block.x[from],
             Quantity::Twist { from, to: Some(to) } if from <= to => between(from, to),
-            Quantity::Twist { from, to: Some(to) } => -between(to, from),
-            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, block.omega[lane]) * block.twist[s].get(lane),
-            Quantity::RingTwist(a) => block.ring[a].get(lane),
+            Quantity::Twist { from, to: Some(to) } => between(to, from).minus(),
+            Quantity::ShaftTorque(s) => {
+                let stiffness = |lane: usize| self.system.chain.shaft_stiffness(s, block.omega[lane]);
+                let mut torque = block.twist[s];
+                (0..LANES).for_each(|lane| torque.set(lane, stiffness(lane) * torque.get(lane)));
+                torque
+            }
+            Quantity::RingTwist(a) => block.ring[a],
         }
     }
 

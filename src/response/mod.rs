@@ -323,15 +323,15 @@ pub trait Response: Sync {
         quantities.iter().map(one).collect()
     }
 
-    /// Magnitudes of `quantity` at all grid speeds and orders (speed by speed).
+    /// Squares of the magnitudes of `quantity` at all grid speeds and orders (speed by speed).
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
-    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+    fn squares(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
         let mut phasors = Vec::new();
         self.sweep(design, quantity, &mut phasors, work)?;
         out.clear();
-        out.extend(phasors.iter().map(|y| y.norm()));
+        out.extend(phasors.iter().map(|y| y.norm_sqr()));
         Ok(())
     }
 }
@@ -382,10 +382,10 @@ impl Response for Method<'_> {
             Self::Receptance(m) => m.sweep_each(design, quantities, work),
         }
     }
-    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+    fn squares(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
         match self {
-            Self::Direct(m) => m.magnitudes(design, quantity, out, work),
-            Self::Receptance(m) => m.magnitudes(design, quantity, out, work),
+            Self::Direct(m) => m.squares(design, quantity, out, work),
+            Self::Receptance(m) => m.squares(design, quantity, out, work),
         }
     }
 }

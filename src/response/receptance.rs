@@ -188,12 +188,12 @@ impl Response for Receptance<'_> {
         quantities.iter().map(one).collect()
     }
 
-    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
-        let Some((t, values)) = self.table(design, quantity) else { return self.direct.magnitudes(design, quantity, out, work) };
+    fn squares(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
+        let Some((t, values)) = self.table(design, quantity) else { return self.direct.squares(design, quantity, out, work) };
         let points = &self.tables[t].1;
         work.receptance_points += points.omega.len() as u64;
         out.resize(points.omega.len(), 0.0);
-        kernel::magnitudes(points, &values, out);
-        self.mend(t, design, quantity, work, |i, y| out[i] = y.norm())
+        kernel::squares(points, &values, out);
+        self.mend(t, design, quantity, work, |i, y| out[i] = y.norm_sqr())
     }
 }

@@ -63,3 +63,6 @@ fn stability_limits_of_newmark() {
     assert!(at(0.25, 0.5, 50.0).is_ok_and(|y| y.norm() < 1.0), "average acceleration stays bounded");
     assert!(at(0.25, 0.4, 0.1).expect_err("gamma").to_string().contains("gamma below 1/2"));
 }
+
+#[test]
+fn show() { for b in hartog::assess::energy::balances() { println!("{} {} {} {:?}", b.scenario, b.method, b.setting, b.missing); } }

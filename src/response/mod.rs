@@ -14,6 +14,7 @@ pub mod modal;
 pub mod natural;
 pub mod newmark;
 pub mod periodic;
+pub mod power;
 pub mod receptance;
 pub mod reduced;
 

@@ -42,6 +42,15 @@ impl<'a> Modal<'a> {
         Modes { bodies, omega2, shapes, viscous, hysteretic }
     }
 
+    /// The damping matrix of the model itself, N m s/rad and N m/rad (hysteretic), stations then rings: M Phi d Phi' M with the diagonals d.
+    pub fn own_damping(&self, design: &[Mounted]) -> (DMatrix<f64>, DMatrix<f64>) {
+        let m = self.modes(design, &mut Work::default());
+        let n = m.bodies.len();
+        let scaled = DMatrix::from_fn(n, n, |i, j| m.bodies.inertia[i] * m.shapes[(i, j)]);
+        let of = |d: &[f64]| DMatrix::from_fn(n, n, |i, j| (0..n).map(|k| scaled[(i, k)] * d[k] * scaled[(j, k)]).sum());
+        (of(&m.viscous), of(&m.hysteretic))
+    }
+
     fn with(&self, m: &Modes, quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work) -> Result<C64, ResponseError> {
         let excited = self.system.excitation.orders[order];
         let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;

@@ -6,7 +6,8 @@
 //! Judged by the undamped modes, rigid ones left out: the double rigid eigenvalue of the step would raise a false alarm.
 
 use super::bodies::Bodies;
-use super::periodic::{self, Step};
+use super::periodic::{self, Motion, Step};
+use super::power::Power;
 use super::{Grid, Quantity, Response, ResponseError, System, Work};
 use crate::absorber::Mounted;
 use crate::numerics::{C64, eigen};
@@ -44,7 +45,7 @@ impl<'a> Newmark<'a> {
         Ok((bodies, omega2.last().map_or(0.0, |w| w.max(0.0).sqrt())))
     }
 
-    fn cycle(&self, bodies: &Bodies, highest: f64, quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
+    fn cycle(&self, bodies: &Bodies, highest: f64, speed_rpm: f64, work: &mut Work) -> Result<Motion, ResponseError> {
         let dt = periodic::cycle_seconds(self.system, speed_rpm) / self.steps as f64;
         if highest * dt >= self.largest_step() {
             return Err(ResponseError::UnstableStep { method: "newmark", product: highest * dt, limit: self.largest_step(), speed_rpm });
@@ -52,7 +53,16 @@ impl<'a> Newmark<'a> {
         work.time_steps += 2 * self.steps as u64;
         let unbounded = || ResponseError::unbounded(self.system.excitation.orders[0], speed_rpm);
         let step = step(bodies, dt, self.beta, self.gamma).ok_or_else(unbounded)?;
-        periodic::phasors("newmark", self.system, bodies, quantity, speed_rpm, self.steps, &step)
+        periodic::motion("newmark", self.system, bodies, speed_rpm, self.steps, &step)
+    }
+
+    /// Power by the means of the samples: with gamma above 1/2 less is dissipated by the dampers than put in, and the step takes the rest.
+    ///
+    /// # Errors
+    /// Those of a phasor.
+    pub fn power(&self, design: &[Mounted], speed_rpm: f64, work: &mut Work) -> Result<Power, ResponseError> {
+        let (bodies, highest) = self.bodies(design)?;
+        Ok(self.cycle(&bodies, highest, speed_rpm, work)?.power(&bodies))
     }
 }
 
@@ -109,6 +119,6 @@ impl Response for Newmark<'_> {
     /// A cycle gives all orders at once.
     fn all_orders_at(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64, work: &mut Work) -> Result<Vec<C64>, ResponseError> {
         let (bodies, highest) = self.bodies(design)?;
-        self.cycle(&bodies, highest, quantity, speed_rpm, work)
+        self.cycle(&bodies, highest, speed_rpm, work)?.phasors(self.system, &bodies, quantity, speed_rpm)
     }
 }

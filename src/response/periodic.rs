@@ -5,6 +5,7 @@
 //! no angle of their own, and of all periodic motions the one with the smallest state is taken: the others differ by a constant angle.
 
 use super::bodies::Bodies;
+use super::power::Power;
 use super::{Quantity, ResponseError, System};
 use crate::numerics::C64;
 use crate::numerics::harmonics::Analyser;
@@ -50,19 +51,27 @@ pub fn cycle_seconds(system: &System, speed_rpm: f64) -> f64 {
     std::f64::consts::TAU / (first * speed_rpm * RAD_PER_S_PER_RPM)
 }
 
-/// Phasors of a quantity, for all orders, from the periodic motion at one speed in `steps` steps.
+/// A periodic motion at the samples of a cycle.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    /// Angles, then rates.
+    pub states: Vec<DVector<f64>>,
+    /// Torque on every body, N m.
+    pub torques: Vec<DVector<f64>>,
+}
+
+/// The periodic motion at one speed in `steps` steps.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where there is no periodic state, [`ResponseError::NotApplicable`] where it cannot be found.
-pub fn phasors(
+pub fn motion(
     method: &'static str,
     system: &System,
     bodies: &Bodies,
-    quantity: Quantity,
     speed_rpm: f64,
     steps: usize,
     step: &Step,
-) -> Result<Vec<C64>, ResponseError> {
+) -> Result<Motion, ResponseError> {
     let n = bodies.len();
     let torques: Vec<DVector<f64>> = torques(system, n, speed_rpm, steps);
     let next = |z: &DVector<f64>, j: usize| &step.state * z + &step.now * &torques[j] + &step.next * &torques[(j + 1) % steps];
@@ -74,25 +83,55 @@ pub fn phasors(
     let cycle = power(&step.state, steps);
     let unbounded = || ResponseError::unbounded(system.excitation.orders[0], speed_rpm);
     let mut state = closed(bodies, &cycle, &left).ok_or_else(unbounded)?;
-    let (from, to) = bodies.between(quantity);
-    let shaft = if let Quantity::ShaftTorque(s) = quantity { Some(&system.chain.stations[s]) } else { None };
-    let output = |z: &DVector<f64>| {
-        let twist = z[from] - to.map_or(0.0, |to| z[to]);
-        let rate = z[n + from] - to.map_or(0.0, |to| z[n + to]);
-        shaft.map_or(twist, |s| s.stiffness_to_next * twist + s.damping_to_next * rate)
-    };
     let start = state.clone();
-    let mut motion = Vec::with_capacity(steps);
+    let mut states = Vec::with_capacity(steps);
     for j in 0..steps {
-        motion.push(output(&state));
-        state = next(&state, j);
+        let after = next(&state, j);
+        states.push(std::mem::replace(&mut state, after));
     }
     if (&state - &start).amax() > CLOSED * start.amax() {
         let why = "the motion does not close after a cycle: a mode is too stiff or too little damped for the digits of the step";
         return Err(ResponseError::NotApplicable { method, why });
     }
-    let found = Analyser::new(steps, &system.excitation.harmonics).analyse(&motion);
-    if found.iter().all(|y| y.is_finite()) { Ok(found) } else { Err(unbounded()) }
+    Ok(Motion { states, torques })
+}
+
+impl Motion {
+    /// Phasors of a quantity, for all orders.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where they are not finite.
+    pub fn phasors(&self, system: &System, bodies: &Bodies, quantity: Quantity, speed_rpm: f64) -> Result<Vec<C64>, ResponseError> {
+        let n = bodies.len();
+        let (from, to) = bodies.between(quantity);
+        let shaft = if let Quantity::ShaftTorque(s) = quantity { Some(&system.chain.stations[s]) } else { None };
+        let output = |z: &DVector<f64>| {
+            let twist = z[from] - to.map_or(0.0, |to| z[to]);
+            let rate = z[n + from] - to.map_or(0.0, |to| z[n + to]);
+            shaft.map_or(twist, |s| s.stiffness_to_next * twist + s.damping_to_next * rate)
+        };
+        let outputs: Vec<f64> = self.states.iter().map(output).collect();
+        let found = Analyser::new(outputs.len(), &system.excitation.harmonics).analyse(&outputs);
+        if found.iter().all(|y| y.is_finite()) { Ok(found) } else { Err(ResponseError::unbounded(system.excitation.orders[0], speed_rpm)) }
+    }
+
+    /// Power by the means of the samples.
+    pub fn power(&self, bodies: &Bodies) -> Power {
+        let sample = |(z, torque): (&DVector<f64>, &DVector<f64>)| power_of(bodies, z, torque);
+        mean(self.states.iter().zip(&self.torques).map(sample), self.states.len())
+    }
+}
+
+/// Power of a state under a torque.
+pub fn power_of(bodies: &Bodies, state: &DVector<f64>, torque: &DVector<f64>) -> Power {
+    let rates = state.rows(bodies.len(), bodies.len());
+    Power { input: rates.dot(torque), dissipated: rates.dot(&(&bodies.damping * rates)) }
+}
+
+/// Sum of powers over a count.
+pub fn mean(powers: impl Iterator<Item = Power>, count: usize) -> Power {
+    let sum = powers.fold(Power::default(), |a, b| Power { input: a.input + b.input, dissipated: a.dissipated + b.dissipated });
+    Power { input: sum.input / count as f64, dissipated: sum.dissipated / count as f64 }
 }
 
 /// The state z with z = cycle z + left. Each group of bodies without elastic path to the ground leaves its common angle open: the system is

@@ -4,6 +4,7 @@ mod absorbers;
 mod bad_input;
 mod calibration;
 mod chains;
+mod choice;
 mod commands;
 mod comparison;
 mod conditions;

@@ -3,9 +3,31 @@
 use super::C64;
 use nalgebra::{DMatrix, Schur, SymmetricEigen};
 
-/// Eigenpairs of K phi = lambda M phi for symmetric K and positive diagonal M, ascending; the columns of the second value are scaled to
-/// phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2.
+/// Eigenpairs of K phi = lambda M phi for symmetric K and diagonal M, ascending, one for each mass that is not zero; the columns of the second value
+/// are scaled to phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2. Coordinates without mass follow the others statically, or stay
+/// where nothing holds them.
 pub fn generalised(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
+    if !m.contains(&0.0) {
+        return massive(k, m);
+    }
+    let (heavy, light): (Vec<usize>, Vec<usize>) = (0..m.len()).partition(|i| m[*i] > 0.0);
+    let part = |rows: &[usize], columns: &[usize]| DMatrix::from_fn(rows.len(), columns.len(), |i, j| k[(rows[i], columns[j])]);
+    let (coupled, own) = (part(&light, &heavy), part(&light, &light));
+    let follow = own.lu().solve(&-&coupled).unwrap_or_else(|| DMatrix::zeros(light.len(), heavy.len()));
+    let condensed = part(&heavy, &heavy) + coupled.transpose() * &follow;
+    let masses: Vec<f64> = heavy.iter().map(|i| m[*i]).collect();
+    let (lambda, shapes) = massive(&condensed, &masses);
+    let following = follow * &shapes;
+    let row = |i: usize| heavy.iter().position(|h| *h == i).ok_or_else(|| light.iter().position(|l| *l == i).unwrap_or_default());
+    let all = DMatrix::from_fn(m.len(), heavy.len(), |i, j| match row(i) {
+        Ok(r) => shapes[(r, j)],
+        Err(r) => following[(r, j)],
+    });
+    (lambda, all)
+}
+
+/// The same where every mass is positive.
+fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let n = m.len();
     let root: Vec<f64> = m.iter().map(|m| m.sqrt()).collect();
     let a = DMatrix::from_fn(n, n, |i, j| k[(i, j)] / (root[i] * root[j]));

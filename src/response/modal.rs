@@ -37,7 +37,7 @@ impl<'a> Modal<'a> {
         work.eigenproblems += 1;
         let bodies = Bodies::new(self.system, design);
         let (omega2, shapes) = eigen::generalised(&bodies.stiffness, &bodies.inertia);
-        let diagonal = |matrix: &DMatrix<f64>| (0..bodies.len()).map(|i| shapes.column(i).dot(&(matrix * shapes.column(i)))).collect();
+        let diagonal = |matrix: &DMatrix<f64>| (0..omega2.len()).map(|i| shapes.column(i).dot(&(matrix * shapes.column(i)))).collect();
         let (viscous, hysteretic) = (diagonal(&bodies.damping), diagonal(&bodies.hysteresis));
         Modes { bodies, omega2, shapes, viscous, hysteretic }
     }
@@ -46,8 +46,8 @@ impl<'a> Modal<'a> {
     pub fn own_damping(&self, design: &[Mounted]) -> (DMatrix<f64>, DMatrix<f64>) {
         let m = self.modes(design, &mut Work::default());
         let n = m.bodies.len();
-        let scaled = DMatrix::from_fn(n, n, |i, j| m.bodies.inertia[i] * m.shapes[(i, j)]);
-        let of = |d: &[f64]| DMatrix::from_fn(n, n, |i, j| (0..n).map(|k| scaled[(i, k)] * d[k] * scaled[(j, k)]).sum());
+        let scaled = DMatrix::from_fn(n, m.omega2.len(), |i, j| m.bodies.inertia[i] * m.shapes[(i, j)]);
+        let of = |d: &[f64]| DMatrix::from_fn(n, n, |i, j| d.iter().enumerate().map(|(k, d)| scaled[(i, k)] * d * scaled[(j, k)]).sum());
         (of(&m.viscous), of(&m.hysteretic))
     }
 

@@ -23,6 +23,8 @@ pub struct Step {
     pub next: DMatrix<f64>,
 }
 
+/// Powers of dense matrices of twice this size are as much as can be waited for.
+const MOST_BODIES: usize = 256;
 /// A stiffness to the ground below this share of the largest stiffness is rounding.
 const FREE: f64 = 1e-12;
 /// A motion that misses its own start by more than this share of it is not periodic.
@@ -35,6 +37,9 @@ const CLOSED: f64 = 1e-6;
 pub fn check(method: &'static str, system: &System, bodies: &Bodies, steps: usize) -> Result<(), ResponseError> {
     if bodies.hysteresis.amax() > 0.0 {
         return Err(ResponseError::NotApplicable { method, why: "loss factors have no meaning in time" });
+    }
+    if bodies.len() > MOST_BODIES {
+        return Err(ResponseError::NotApplicable { method, why: "the matrices of so many bodies are too large" });
     }
     if bodies.inertia.contains(&0.0) {
         return Err(ResponseError::NotApplicable { method, why: "a body has no inertia" });

@@ -45,7 +45,41 @@ impl Progress for Silent {
 use crate::study::Study;
 use stability::{Cell, Scenario};
 
-/// Everything that `chart` measures with one study; growth and map are the same for all.
+/// What `chart` measures whatever the study.
+#[derive(Debug)]
+pub struct Common {
+    /// How cost grows.
+    pub growth: Vec<speed_accuracy::Growth>,
+    /// Where methods fail.
+    pub map: Vec<(Scenario, Vec<Cell>)>,
+    /// Energy put in against energy dissipated.
+    pub energy: Vec<energy::Balance>,
+}
+
+impl Common {
+    /// Measures it.
+    pub fn measure(progress: &dyn Progress) -> Self {
+        let growth = speed_accuracy::growth(progress);
+        let scenarios = stability::scenarios();
+        progress.stage("stability and energy", scenarios.len() + 1);
+        let map = scenarios
+            .into_iter()
+            .map(|s| {
+                let cells = s.cells();
+                progress.step();
+                (s, cells)
+            })
+            .collect();
+        Self { growth, map, energy: energy::balances() }
+    }
+
+    /// Whether every method does on every scenario what is declared of it.
+    pub fn holds(&self) -> bool {
+        self.map.iter().flat_map(|m| &m.1).all(Cell::as_declared)
+    }
+}
+
+/// Everything that `chart` measures with one study.
 #[derive(Debug)]
 pub struct Chart<'a> {
     /// The study, calibrated where it says so.
@@ -56,10 +90,8 @@ pub struct Chart<'a> {
     pub savings: Option<savings::Savings>,
     /// What simplifications cost.
     pub models: Vec<model_accuracy::ModelError>,
-    /// How cost grows.
-    pub growth: &'a [speed_accuracy::Growth],
-    /// Where methods fail.
-    pub map: &'a [(Scenario, Vec<Cell>)],
+    /// What is the same for all studies.
+    pub common: &'a Common,
 }
 
 impl<'a> Chart<'a> {
@@ -67,12 +99,7 @@ impl<'a> Chart<'a> {
     ///
     /// # Errors
     /// [`RunError`] where a design has no finite response.
-    pub fn measure(
-        study: &Study,
-        growth: &'a [speed_accuracy::Growth],
-        map: &'a [(Scenario, Vec<Cell>)],
-        progress: &dyn Progress,
-    ) -> Result<Self, RunError> {
+    pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
         progress.stage("random absorbers, simplified models", 2);
@@ -81,12 +108,12 @@ impl<'a> Chart<'a> {
         let designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
         let models = model_accuracy::measure(&study, &designs)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, growth, map })
+        Ok(Self { study, methods, savings, models, common })
     }
 
-    /// Whether every method does on every scenario what is declared of it, and skipping changes nothing.
+    /// Whether skipping changes nothing.
     pub fn holds(&self) -> bool {
-        self.map.iter().flat_map(|m| &m.1).all(Cell::as_declared) && self.savings.as_ref().is_none_or(|s| s.identical && s.same_best)
+        self.savings.as_ref().is_none_or(|s| s.identical && s.same_best)
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::progress::Bar;
 use super::{DONE, FAILED, fail, say};
-use crate::assess::stability::{self, Cell, Scenario};
-use crate::assess::{Chart, speed_accuracy};
+use crate::assess::{Chart, Common};
 use crate::report::{Folder, text, write_chart};
 use crate::study::{self, Study};
 use std::path::{Path, PathBuf};
@@ -32,13 +31,12 @@ pub fn chart(arguments: &Arguments) -> u8 {
         Err(code) => return code,
     };
     let bar = Bar::default();
-    let growth = speed_accuracy::growth(&bar);
-    let map: Vec<(Scenario, Vec<Cell>)> = stability::scenarios().into_iter().map(|s| (s.clone(), s.cells())).collect();
+    let common = Common::measure(&bar);
     drop(bar);
-    let mut holds = true;
+    let mut holds = common.holds();
     for (study, folder) in jobs {
         let bar = Bar::default();
-        let chart = Chart::measure(&study, &growth, &map, &bar);
+        let chart = Chart::measure(&study, &common, &bar);
         drop(bar);
         let chart = match chart {
             Ok(chart) => chart,
@@ -51,7 +49,8 @@ pub fn chart(arguments: &Arguments) -> u8 {
         say(&format!("{} files written to {}\n\n", folder.written(), folder.path().display()));
         holds &= chart.holds();
     }
-    say(&format!("{}\n{}", text::chart::growth(&growth), text::chart::stability(&map)));
+    say(&format!("{}\n{}\n", text::chart::growth(&common.growth), text::chart::energy(&common.energy)));
+    say(&text::chart::stability(&common.map));
     say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
     if holds { DONE } else { FAILED }
 }

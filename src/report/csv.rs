@@ -288,6 +288,13 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
             table.row([text("model"), format!("{} {x}", m.what.label()), String::new(), number(*error), String::new(), String::new()]);
         }
     }
+    for b in &chart.common.energy {
+        let (error, word, note) = match &b.missing {
+            Ok(missing) => (Some(missing.abs()), "", "share of the energy put in that its dampers do not take out".to_owned()),
+            Err(e) => (None, "refused", e.to_string()),
+        };
+        table.row([text(b.method), format!("energy, {}: {}", b.scenario, b.setting), String::new(), optional(error), text(word), note]);
+    }
     let mut put = |candidate: Candidate, setting: &str, seconds: Option<f64>, error: Option<f64>, stable: &str, note: String| {
         let finite = |x: Option<f64>| optional(x.filter(|x| x.is_finite()));
         let setting = candidate.setting().map_or_else(|| setting.to_owned(), |own| format!("{own}; {setting}"));
@@ -300,13 +307,13 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
         };
         put(p.candidate, &p.search.label(), Some(p.seconds), error, stable, note);
     }
-    for g in chart.growth {
+    for g in &chart.common.growth {
         for (x, seconds) in &g.points {
             put(g.candidate, &format!("{x} {}", g.size), Some(*seconds), None, "", "one sweep of a uniform chain".into());
         }
         put(g.candidate, &format!("exponent in {}", g.size), None, None, "", number((g.exponent * 1e3).round() / 1e3));
     }
-    for (scenario, cells) in chart.map {
+    for (scenario, cells) in &chart.common.map {
         for c in cells {
             let (error, note) = match &c.found {
                 Ok(e) => (Some(*e), String::new()),

@@ -72,6 +72,6 @@ pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
     csv::speed_accuracy(chart, folder)?;
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
     plot::models::models(&chart.study, &chart.models, folder)?;
-    plot::chart::growth(chart.growth, folder)?;
-    plot::chart::stability(chart.map, folder)
+    plot::chart::growth(&chart.common.growth, folder)?;
+    plot::chart::stability(&chart.common.map, folder)
 }

@@ -2,6 +2,7 @@
 
 use super::table;
 use crate::assess::auto::Considered;
+use crate::assess::energy::Balance;
 use crate::assess::methods::Candidate;
 use crate::assess::model_accuracy::ModelError;
 use crate::assess::savings::Savings;
@@ -105,6 +106,30 @@ pub fn growth(measured: &[Growth]) -> String {
         .map(|c| vec![c.label(), of(c, "stations"), of(c, "orders"), of(c, "speeds")])
         .collect();
     format!("Exponents of the cost of a sweep, set-up aside:\n{}", table(&["method", "stations", "orders", "speeds"], &rows))
+}
+
+/// Energy balances: a row a method, a column a scenario.
+pub fn energy(balances: &[Balance]) -> String {
+    let mut scenarios: Vec<&str> = Vec::new();
+    let mut ways: Vec<(&str, &str)> = Vec::new();
+    for b in balances {
+        if !scenarios.contains(&b.scenario) {
+            scenarios.push(b.scenario);
+        }
+        if !ways.contains(&(b.method, b.setting)) {
+            ways.push((b.method, b.setting));
+        }
+    }
+    let cell = |way: &(&str, &str), scenario: &str| {
+        let found = balances.iter().find(|b| (b.method, b.setting) == *way && b.scenario == scenario);
+        found.map_or_else(|| "-".into(), |b| b.missing.as_ref().map_or_else(|_| "refused".into(), |m| format!("{:.0e}", m.abs())))
+    };
+    let row = |way: &(&str, &str)| {
+        let name = format!("{}: {}", way.0.replace('_', " "), way.1);
+        std::iter::once(name).chain(scenarios.iter().map(|s| cell(way, s))).collect::<Vec<_>>()
+    };
+    let header: Vec<&str> = std::iter::once("energy not dissipated, share").chain(scenarios.iter().copied()).collect();
+    table(&header, &ways.iter().map(row).collect::<Vec<_>>())
 }
 
 /// Defects by name, or how many cells came as declared.

@@ -191,6 +191,20 @@ fn undamped_ring_holds_the_hub_still() {
     let at = |q| direct.order_at(&design, q, 0, speed, &mut Work::default()).expect("finite");
     assert_close(at(Quantity::Twist { from: 0, to: None }).norm(), 0.0, 0.0, 1e-18, "hub");
     assert_close(at(Quantity::RingTwist(0)).re, -1.0 / 1000.0, 1e-9, 0.0, "ring");
+    // the same at the foot of a chain, where a whole speed is solved at once: hub and ring carry the torque T s/(s + k) of the hub's shaft
+    let mut chain = uniform_chain(3, 0.03, 1.2e6);
+    (chain.stations[0].throws, chain.stations[1].throws) = (vec![], vec![0]);
+    (chain.stations[0].stiffness_to_next, chain.stations[1].damping_to_ground) = (1e4, 3.0);
+    let sys = System::new(chain, one_throw(&[(2, 100.0)]));
+    let (speed, ring) = (1800.0, 0.7);
+    let stiffness = ring * (speed * RAD_PER_S_PER_RPM).powi(2);
+    for k in [stiffness, stiffness * (1.0 + 1e-15), stiffness * (1.0 - 1e-10), stiffness * (1.0 + 1e-6)] {
+        let (design, grid) = ([on(0, Kind::Undamped, ring, k, 0.0)], Grid::new(&[speed], &[]));
+        let mut found = Vec::new();
+        Direct::new(&sys, &grid).sweep(&design, Quantity::RingTwist(0), &mut found, &mut Work::default()).expect("finite");
+        let exact = dense(&sys, &design, 0, speed);
+        assert_close((found[0] / (exact[3] - exact[0]) - 1.0).norm(), 0.0, 0.0, 1e-8, "a ring at its resonance");
+    }
 }
 
 /// Law (reciprocity): the angle at a from a torque at b is that at b from a torque at a, absorbers included.

@@ -14,7 +14,7 @@ use crate::absorber::{Kind, Mounted, Ring};
 use crate::design::quick::{Quick, Scratch};
 use crate::design::{Measure, Over, PeakFinder};
 use crate::numerics::synthesis::Synthesiser;
-use crate::response::{Direct, Grid, Quantity, Receptance, ResponseError, Work};
+use crate::response::{Direct, Grid, Quantity, Receptance, Response, Work};
 use crate::study::Study;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -78,6 +78,8 @@ const PROBES: usize = 256;
 const SEED: u64 = 2014;
 /// Random designs lie within this many e-folds of a closed form, in stiffness and damping.
 const SPREAD: f64 = 2.0;
+/// Tables are worth the trouble where they cost at most this share of the exact way.
+const WORTH: f64 = 0.7;
 /// An error is doubled where it is only known at the peak that a method itself found.
 const OWN_PEAK: f64 = 2.0;
 
@@ -124,10 +126,7 @@ pub fn random_absorbers(study: &Study, modes: &[EngineMode], count: usize, seed:
 }
 
 /// Chooses the way for a study. `receptance`: its tables.
-///
-/// # Errors
-/// [`ResponseError::Unbounded`] where a given design has no finite peak.
-pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptance: &Receptance) -> Result<Choice, ResponseError> {
+pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptance: &Receptance) -> Choice {
     let stations = finder.system.chain.len();
     let given: Vec<Mounted> = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| d.absorbers[0]).collect();
     let random = random_absorbers(study, modes, PROBES, SEED);
@@ -136,12 +135,10 @@ pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptan
         named = random.iter().take(3).copied().collect();
     }
     let mut considered = Vec::new();
-    // the exact way, on the designs that have names
+    // the exact way, on the designs that have names; one without a finite peak is reported where it is evaluated
     let measure = &study.objective.measure;
-    let (mut work, mut exact_peaks) = (Work::default(), Vec::new());
-    for m in &named {
-        exact_peaks.push(finder.peak(std::slice::from_ref(m), measure, &mut work)?);
-    }
+    let mut work = Work::default();
+    named.retain(|m| finder.peak(std::slice::from_ref(m), measure, &mut work).is_ok());
     let exact = nominal(&work, stations) / named.len().max(1) as f64;
     considered.push(Considered { way: Way::Exact, seconds: exact, error: 0.0 });
     if let Some(quantity) = tabulated(measure) {
@@ -152,9 +149,9 @@ pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptan
         considered.extend(methods(study, finder, &named, quantity));
     }
     considered.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    let right = |c: &&Considered| c.error <= study.tolerance && !matches!(c.way, Way::Method(_));
+    let right = |c: &&Considered| c.error <= study.tolerance && matches!(c.way, Way::Tables(_)) && c.seconds < WORTH * exact;
     let chosen = considered.iter().find(right).copied().unwrap_or(Considered { way: Way::Exact, seconds: exact, error: 0.0 });
-    Ok(Choice { considered, chosen, exact, probes: named.len() + random.len() })
+    Choice { considered, chosen, exact, probes: named.len() + random.len() }
 }
 
 /// Tables at several strides: their own estimate, and the difference to the tables at every speed, which shows peaks that were missed. A design whose own
@@ -184,7 +181,8 @@ fn tables(receptance: &Receptance, quantity: Quantity, probes: &[Mounted], toler
         }
         Some(Considered { way: Way::Tables(stride), seconds: seconds / found.len() as f64, error })
     };
-    STRIDES.iter().filter_map(|s| at(*s)).collect()
+    let speeds = receptance.grid().len();
+    STRIDES.iter().filter(|s| **s == 1 || 2 * **s < speeds).filter_map(|s| at(*s)).collect()
 }
 
 /// Methods with a model of their own: their peak against a direct solution at the same speed.

@@ -54,6 +54,8 @@ pub struct Common {
     pub map: Vec<(Scenario, Vec<Cell>)>,
     /// Energy put in against energy dissipated.
     pub energy: Vec<energy::Balance>,
+    /// What a grid without refinement misses.
+    pub grid: model_accuracy::ModelError,
 }
 
 impl Common {
@@ -70,7 +72,7 @@ impl Common {
                 (s, cells)
             })
             .collect();
-        Self { growth, map, energy: energy::balances() }
+        Self { growth, map, energy: energy::balances(), grid: model_accuracy::coarse_grid() }
     }
 
     /// Whether every method does on every scenario what is declared of it.
@@ -105,7 +107,10 @@ impl<'a> Chart<'a> {
         progress.stage("random absorbers, simplified models", 2);
         let savings = savings::measure(&study)?;
         progress.step();
-        let designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
+        let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
+        if designs.is_empty() {
+            designs.push(Vec::new());
+        }
         let models = model_accuracy::measure(&study, &designs)?;
         progress.step();
         Ok(Self { study, methods, savings, models, common })

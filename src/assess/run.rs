@@ -135,7 +135,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         .optimise
         .as_ref()
         .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &systems[0].excitation.orders)));
-    let choice = choice(study, &modes, &finders[0])?;
+    let choice = choice(study, &modes, &finders[0]);
     let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| quick(study, choice.as_ref(), finder)).collect();
     if choice.is_some() {
         clock.lap("choice", Work::default());
@@ -251,13 +251,12 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
 }
 
 /// What searches are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
-fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Result<Option<Choice>, RunError> {
+fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Option<Choice> {
     match finder.method {
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
-            let failed = |error| RunError { what: "a design of the study".into(), error };
-            auto::choose(study, modes, finder, r).map(Some).map_err(failed)
+            Some(auto::choose(study, modes, finder, r))
         }
-        _ => Ok(None),
+        _ => None,
     }
 }
 

@@ -85,7 +85,7 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let finder = PeakFinder::new(&system, &grid, &method, true);
     let designs = auto::random_absorbers(study, &modes, DESIGNS, SEED);
     let (Method::Receptance(receptance), false) = (&method, designs.is_empty()) else { return Ok(None) };
-    let choice = auto::choose(study, &modes, &finder, receptance).map_err(failed)?;
+    let choice = auto::choose(study, &modes, &finder, receptance);
     let (full, skipping, identical) = skipping(&finder, &designs[..IN_FULL], quantity).map_err(failed)?;
     let quick = match choice.chosen.way {
         Way::Tables(stride) => Quick::new(receptance, quantity, stride),

@@ -50,6 +50,10 @@ pub fn chart(arguments: &Arguments) -> u8 {
         holds &= chart.holds();
     }
     say(&format!("{}\n{}\n", text::chart::growth(&common.growth), text::chart::energy(&common.energy)));
+    say(&format!(
+        "{}\n",
+        text::chart::models("Without refinement a grid misses the peak of one mode, share:", std::slice::from_ref(&common.grid))
+    ));
     say(&text::chart::stability(&common.map));
     say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
     if holds { DONE } else { FAILED }
@@ -57,12 +61,16 @@ pub fn chart(arguments: &Arguments) -> u8 {
 
 /// The studies with the folders of their charts.
 fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Folder)>, u8> {
-    let mut jobs: Vec<(Study, Folder)> = Vec::new();
+    let mut studies: Vec<Study> = Vec::new();
     for path in &arguments.studies {
         let study = study::read(path).map_err(|error| fail(&error))?;
-        if jobs.iter().any(|j| j.0.name == study.name) {
+        if studies.iter().any(|s| s.name == study.name) {
             return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
         }
+        studies.push(study);
+    }
+    let mut jobs = Vec::new();
+    for study in studies {
         let folder = match &arguments.out {
             Some(out) if arguments.studies.len() == 1 => out.clone(),
             Some(out) => out.join(&study.name),
@@ -86,5 +94,7 @@ fn print(chart: &Chart) {
     if let Some(savings) = &chart.savings {
         say(&format!("\n{}", text::chart::savings(savings)));
     }
-    say(&format!("\n{}", text::chart::models(&chart.models)));
+    if !chart.models.is_empty() {
+        say(&format!("\n{}", text::chart::models("What a simpler model costs, error of the peak:", &chart.models)));
+    }
 }

@@ -43,6 +43,8 @@ pub struct Peak {
 
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
+/// A maximum closer to a neighbouring speed than this share of the distance is none.
+const EDGE: f64 = 1e-3;
 /// Towards an undamped resonance a quantity grows at least this many times in two decades of distance.
 const STEEP: f64 = 50.0;
 /// Peaks that differ by less than this share are level.
@@ -271,7 +273,7 @@ impl<'a> PeakFinder<'a> {
                 Peak { value: extremes.half_peak_to_peak, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
             found.put(peak(extremes, speed_rpm, place, &y));
-            if !self.refine || place == Place::End {
+            if !self.refine {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
@@ -281,9 +283,20 @@ impl<'a> PeakFinder<'a> {
                     self.direct.at(design, quantity, speed, y, work)?;
                     Ok(self.synthesiser.branch(y, &start))
                 };
-                let (speed_rpm, _) = maximise(reach.0, reach.1, |s| follow(s, &mut y).map(|e| e.half_peak_to_peak))?;
-                let extremes = follow(speed_rpm, &mut y)?;
-                found.put(peak(extremes, speed_rpm, Place::Interior, &y));
+                let mut top = (reach.0, f64::NEG_INFINITY);
+                if reach.0 < reach.1 {
+                    top = maximise(reach.0, reach.1, |s| follow(s, &mut y).map(|e| e.half_peak_to_peak))?;
+                }
+                // a branch may be held by the same end of the range
+                let held = place == Place::End && follow(speed_rpm, &mut y)?.half_peak_to_peak >= top.1;
+                let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
+                let margin = EDGE * (reach.1 - reach.0);
+                if !held && !(reach.0 + margin..=reach.1 - margin).contains(&at) {
+                    // it rises beyond the neighbours, and is no maximum here
+                    continue;
+                }
+                let extremes = follow(at, &mut y)?;
+                found.put(peak(extremes, at, place, &y));
             }
         }
         Ok(())

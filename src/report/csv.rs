@@ -283,7 +283,7 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
             table.row([name, setting, seconds, error, String::new(), note]);
         }
     }
-    for m in &chart.models {
+    for m in std::iter::once(&chart.common.grid).chain(&chart.models) {
         for (x, error) in &m.points {
             table.row([text("model"), format!("{} {x}", m.what.label()), String::new(), number(*error), String::new(), String::new()]);
         }

@@ -71,7 +71,8 @@ pub fn write_comparison(
 pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
     csv::speed_accuracy(chart, folder)?;
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
-    plot::models::models(&chart.study, &chart.models, folder)?;
+    let models: Vec<_> = std::iter::once(&chart.common.grid).chain(&chart.models).collect();
+    plot::models::models(&chart.study, &models, folder)?;
     plot::chart::growth(&chart.common.growth, folder)?;
     plot::chart::stability(&chart.common.map, folder)
 }

@@ -65,7 +65,7 @@ pub struct Block {
     pub twist: Vec<Lane>,
     /// Twist of each ring against its hub, rad.
     pub ring: Vec<Lane>,
-    /// How much larger the terms were than their sum, at the worst station.
+    /// How much larger the terms were than their sum, at the worst station or ring.
     pub cancelled: [f64; LANES],
     /// 1/(s + r) of each station.
     inverse: Vec<Lane>,
@@ -97,6 +97,7 @@ impl Block {
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn ground(b: &mut Block, stations: &[Station], design: &[Mounted]) {
     let omega = b.omega;
+    let mut worst = [0.0; LANES];
     for (left, s) in b.twist.iter_mut().zip(stations) {
         for l in 0..LANES {
             left.re[l] = s.stiffness_to_ground - omega[l] * omega[l] * s.inertia;
@@ -118,16 +119,20 @@ fn ground(b: &mut Block, stations: &[Station], design: &[Mounted]) {
             let ring = omega[l] * omega[l] * ring_inertia;
             let (s_im, d_re) = (omega[l] * damping, stiffness - ring);
             let scale = ring / (d_re * d_re + s_im * s_im);
+            // near its own resonance an undamped ring turns rounding of the hub's angle into its own
+            let cancelled = ring * scale;
+            worst[l] = if cancelled > worst[l] { cancelled } else { worst[l] };
             left.re[l] -= omega[l] * omega[l] * m.hub_inertia + scale * (stiffness * d_re + s_im * s_im);
             left.im[l] += scale * s_im * ring;
         }
     }
+    b.cancelled = worst;
 }
 
 /// From the first station to the last.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn eliminate(b: &mut Block, stations: &[Station]) {
-    let (omega, mut worst) = (b.omega, [0.0; LANES]);
+    let (omega, mut worst) = (b.omega, b.cancelled);
     for i in 0..stations.len() - 1 {
         let shaft = &stations[i];
         let (stiffness, loss, damping) =

@@ -217,19 +217,19 @@ impl<'a> Direct<'a> {
             let order = |lane: usize| (first + lane).min(orders - 1);
             let mut still = [true; LANES];
             block.x.fill(Lane::ZERO);
-            for lane in 0..LANES {
+            for (lane, still) in still.iter_mut().enumerate() {
                 block.omega[lane] = system.excitation.orders[order(lane)].value() * speed_rpm * RAD_PER_S_PER_RPM;
                 torques.each(order(lane), |station, torque| {
-                    still[lane] &= torque == ZERO;
+                    *still &= torque == ZERO;
                     block.x[station].set(lane, torque);
                 });
             }
             block.solve(&system.chain.stations, design);
             outputs.clear();
             outputs.extend(quantities.iter().map(|q| self.output(block, *q)));
-            for lane in 0..LANES.min(orders - first) {
+            for (lane, still) in still.into_iter().enumerate().take(orders - first) {
                 let n = first + lane;
-                if still[lane] {
+                if still {
                     (0..quantities.len()).for_each(|i| put(i, n, ZERO));
                     continue;
                 }

@@ -31,6 +31,9 @@ pub struct Bodies {
     pub rings: Vec<C64>,
 }
 
+/// What a method's own model dissipates, W, given circular frequency (rad/s) and phasors.
+pub type Dissipated<'a> = &'a dyn Fn(f64, &Bodies) -> f64;
+
 /// Quantities that [`powers`] asks a method for, for tables.
 pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
     let angles = (0..stations).map(|from| Quantity::Twist { from, to: None });
@@ -39,17 +42,11 @@ pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
 }
 
 /// Power at each grid speed from the phasors of a method, with the dampers of the system: sum over orders of Re(conj(T) i w theta)/2 against
-/// w² c |theta|²/2 for dampers and w eta k |twist|²/2 for hysteresis. `own`: what else dissipates in a method's own model instead, given circular
-/// frequency and phasors, W.
+/// w² c |theta|²/2 for dampers and w eta k |twist|²/2 for hysteresis; with `own`, against that.
 ///
 /// # Errors
 /// Those of the method.
-pub fn powers(
-    method: &dyn Response,
-    design: &[Mounted],
-    own: Option<&dyn Fn(f64, &Bodies) -> f64>,
-    work: &mut Work,
-) -> Result<Vec<Power>, ResponseError> {
+pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>, work: &mut Work) -> Result<Vec<Power>, ResponseError> {
     let (system, n) = (method.system(), method.system().chain.len());
     let sweeps = method.sweep_each(design, &quantities(n, design.len()), work)?;
     let orders = method.orders().len();

@@ -41,7 +41,9 @@ impl<'a> Receptance<'a> {
                     let mut usable = false;
                     if let Some(b) = base.as_ref().map(|b| &b[t]) {
                         let (p, q) = (b.output * b.receptance, b.output_per_torque * b.station);
-                        (y0, g, h) = (b.output, if points.ring { ZERO } else { p - q }, b.receptance);
+                        // under torque on the hub alone y0 H = h u0, but for rounding
+                        let zero = points.ring || system.loaded == [station];
+                        (y0, g, h) = (b.output, if zero { ZERO } else { p - q }, b.receptance);
                         // the hub's own angle has g = 0 exactly, term by term
                         usable = g == ZERO || p.norm() + q.norm() <= LARGEST_CANCELLATION * g.norm();
                         usable &= y0.is_finite() && g.is_finite() && h.is_finite();

@@ -14,7 +14,7 @@ const LEAST_ERROR: f64 = 1e-7;
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn models(study: &Study, models: &[ModelError], folder: &Folder) -> Result<(), WriteError> {
+pub fn models(study: &Study, models: &[&ModelError], folder: &Folder) -> Result<(), WriteError> {
     let worst = models.iter().flat_map(|m| &m.points).map(|p| p.1).fold(1e-3, f64::max);
     let y = (LEAST_ERROR / 2.0, 2.0 * worst);
     canvas::save(folder, "models", (300 * models.len() as u32, 380), |area| {

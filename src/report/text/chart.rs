@@ -84,11 +84,11 @@ pub fn savings(s: &Savings) -> String {
     text
 }
 
-/// What simplifications cost, a row each.
-pub fn models(models: &[ModelError]) -> String {
-    let mut text = String::from("What a simpler model costs, error of the peak:\n");
+/// What simplifications cost, a row each, under a heading.
+pub fn models(heading: &str, models: &[ModelError]) -> String {
+    let mut text = format!("{heading}\n");
     for m in models {
-        let points: Vec<String> = m.points.iter().map(|(x, e)| format!("{x}: {:.1e}", e)).collect();
+        let points: Vec<String> = m.points.iter().map(|(x, e)| format!("{x}: {e:.1e}")).collect();
         text.push_str(&format!("  {}: {}\n", m.what.label(), points.join(", ")));
     }
     text

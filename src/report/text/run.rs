@@ -53,7 +53,7 @@ pub fn choice(results: &Results) -> Option<String> {
         work += o.optimum.stages.search;
     }
     Some(format!(
-        "Searches: {}, estimated error at most {} % over {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
+        "Searches: {}, error estimated as {} %, the largest of {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
          optima were evaluated so, the others and all that is reported exactly.\n",
         c.chosen.way.label(),
         significant(100.0 * c.chosen.error, 2),

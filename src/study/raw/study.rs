@@ -54,9 +54,9 @@ pub struct RawResponse {
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RawMethod {
-    #[default]
     Receptance,
     Direct,
+    #[default]
     Auto,
 }
 

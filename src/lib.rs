@@ -43,11 +43,11 @@
 //! | [`engine`] | kinematics, pressure, forces, orders, layout |
 //! | [`chain`] | stations, matrices, modes |
 //! | [`absorber`] | types and closed-form optima |
-//! | [`response`] | response methods, one file each, in frequency and in time; natural frequencies with absorbers |
-//! | [`design`] | conditions, variables, measures, peaks and their gradients |
+//! | [`response`] | response methods, one file each, in frequency and in time; power; natural frequencies with absorbers |
+//! | [`design`] | conditions, variables, measures, peaks with their gradients, quick peaks for searches |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
-//! | [`assess`] | a whole study, calibration, comparison with published tables |
+//! | [`assess`] | a whole study, calibration, comparison with published tables, choice of method, speed against accuracy, stability |
 //! | [`report`] | the only place that writes files |
 //! | [`command`] | one file a command |
 //!

@@ -69,7 +69,7 @@ pub fn write_comparison(
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
-    csv::speed_accuracy(chart, folder)?;
+    csv::chart::speed_accuracy(chart, folder)?;
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
     let models: Vec<_> = std::iter::once(&chart.common.grid).chain(&chart.models).collect();
     plot::models::models(&chart.study, &models, folder)?;

@@ -31,7 +31,28 @@ pub struct PistonMotion {
     pub curvature: f64,
 }
 
+/// Lean of the rod and its derivatives with respect to the crank angle, rad, 1 and 1/rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lean {
+    /// beta(theta), with L sin beta = r sin theta.
+    pub angle: f64,
+    /// dbeta/dtheta.
+    pub slope: f64,
+    /// d²beta/dtheta².
+    pub curvature: f64,
+}
+
 impl SliderCrank {
+    /// Lean of the rod, exact. `theta` in rad from firing dead centre.
+    pub fn lean(&self, theta: f64) -> Lean {
+        let (sine, cosine) = theta.sin_cos();
+        let ratio = self.crank_radius / self.rod_length;
+        let sin_beta = ratio * sine;
+        let cos_beta = (1.0 - sin_beta * sin_beta).sqrt();
+        let slope = ratio * cosine / cos_beta;
+        Lean { angle: sin_beta.asin(), slope, curvature: sin_beta / cos_beta * (slope * slope - 1.0) }
+    }
+
     /// Travel x = r (1 - cos theta) + L (1 - cos beta) with L sin beta = r sin theta, and its exact derivatives; or the truncated series with
     /// its own derivatives. `theta` in rad from firing dead centre.
     pub fn motion(&self, theta: f64) -> PistonMotion {

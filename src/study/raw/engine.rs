@@ -23,7 +23,9 @@ pub struct RawGeometry {
     pub rod_length_mm: At<f64>,
     pub piston_mass_kg: At<f64>,
     pub rod_mass_kg: At<f64>,
-    pub rod_rotating_fraction: At<f64>,
+    pub rod_rotating_fraction: Option<At<f64>>,
+    pub rod_centre_from_big_end_mm: Option<At<f64>>,
+    pub rod_inertia_kg_m2: Option<At<f64>>,
     #[serde(default)]
     pub kinematics: RawKinematics,
     pub crankcase_pressure_bar: Option<At<f64>>,

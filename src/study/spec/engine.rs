@@ -2,7 +2,7 @@
 
 use super::table;
 use crate::engine::pressure::{Otto, Wiebe};
-use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, SliderCrank, Source};
+use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, RodModel, SliderCrank, Source};
 use crate::study::csv_in;
 use crate::study::input_error::{At, Check};
 use crate::study::raw::engine::{RawCurve, RawEngine, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawWiebe};
@@ -68,9 +68,36 @@ fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {
         slider_crank: SliderCrank { crank_radius, rod_length, kinematics },
         piston_mass: check.not_negative(&raw.piston_mass_kg),
         rod_mass: check.not_negative(&raw.rod_mass_kg),
-        rod_rotating_fraction: fraction(check, &raw.rod_rotating_fraction),
+        rod: rod(check, raw, rod_length, kinematics),
         crankcase_pressure: raw.crankcase_pressure_bar.as_ref().map_or(1.0, |p| check.not_negative(p)) * PA_PER_BAR,
     }
+}
+
+/// Two masses or a rigid body, as the keys say.
+fn rod(check: &mut Check, raw: &RawGeometry, rod_length: f64, kinematics: Kinematics) -> RodModel {
+    let expected = "expected `rod_rotating_fraction` (two masses), or `rod_centre_from_big_end_mm` and `rod_inertia_kg_m2` (a rigid body)";
+    match (&raw.rod_rotating_fraction, &raw.rod_centre_from_big_end_mm, &raw.rod_inertia_kg_m2) {
+        (Some(f), None, None) => return RodModel::TwoMasses { rotating_fraction: fraction(check, f) },
+        (None, Some(centre), Some(inertia)) => {
+            let centre_from_big_end = check.not_negative(centre) * M_PER_MM;
+            if centre_from_big_end > rod_length {
+                let words =
+                    format!("found {} mm, expected a centre between the eyes, {} mm apart", centre.get_ref(), rod_length / M_PER_MM);
+                check.wrong(centre, words);
+            }
+            if kinematics == Kinematics::Truncated {
+                check.wrong(
+                    inertia,
+                    "found a rigid rod with truncated kinematics, expected `kinematics = \"exact\"`: the series has no rod angle",
+                );
+            }
+            return RodModel::Body { centre_from_big_end, inertia: check.not_negative(inertia) };
+        }
+        (Some(f), ..) => check.wrong(f, format!("found a fraction beside a centre or an inertia of the rod, {expected}")),
+        (None, Some(one), None) | (None, None, Some(one)) => check.wrong(one, format!("found one of two keys, {expected}")),
+        (None, None, None) => check.wrong(&raw.rod_mass_kg, format!("found a rod without a centre of mass, {expected}")),
+    }
+    RodModel::TwoMasses { rotating_fraction: 0.0 }
 }
 
 fn fraction(check: &mut Check, raw: &At<f64>) -> f64 {

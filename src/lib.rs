@@ -44,6 +44,7 @@
 //! | [`chain`] | stations, matrices, modes |
 //! | [`absorber`] | types and closed-form optima |
 //! | [`response`] | response methods, one file each, in frequency and in time; power; natural frequencies with absorbers |
+//! | [`fatigue`] | criteria of mean stress |
 //! | [`design`] | conditions, variables, measures, peaks with their gradients, quick peaks for searches |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
@@ -75,6 +76,7 @@ pub mod chain;
 pub mod command;
 pub mod design;
 pub mod engine;
+pub mod fatigue;
 pub mod numerics;
 pub mod optimise;
 pub mod report;

@@ -16,6 +16,8 @@ pub const HZ_PER_RPM: f64 = 1.0 / 60.0;
 pub const M_PER_MM: f64 = 1e-3;
 /// Pa in a bar.
 pub const PA_PER_BAR: f64 = 1e5;
+/// Pa in a MPa.
+pub const PA_PER_MPA: f64 = 1e6;
 /// N in a kN.
 pub const N_PER_KN: f64 = 1e3;
 /// W in a kW.

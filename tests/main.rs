@@ -9,6 +9,7 @@ mod commands;
 mod comparison;
 mod conditions;
 mod engines;
+mod fatigue;
 mod forces;
 mod layering;
 mod long;

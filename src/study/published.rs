@@ -1,6 +1,7 @@
 //! Published or measured numbers to compare with and to calibrate against.
 
 use crate::engine::Order;
+use crate::fatigue::Cycle;
 
 /// A natural frequency of the chain.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +59,38 @@ pub struct PublishedQuantity {
     pub value: Result<f64, String>,
 }
 
+/// A safety factor of the crank with the stresses it follows from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedFatigue {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Index of the design of the study.
+    pub design: usize,
+    /// How torsion was taken.
+    pub torsion_case: String,
+    /// Condition of the engine.
+    pub condition: String,
+    /// Place on the crank.
+    pub fillet: String,
+    /// Equivalent stress.
+    pub cycle: Cycle,
+    /// The factor.
+    pub safety_factor: f64,
+}
+
+/// A largest stress of the crank.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedStress {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Whose model, or how torsion was taken.
+    pub model: String,
+    /// Condition of the engine.
+    pub condition: String,
+    /// Pa.
+    pub von_mises: f64,
+}
+
 /// Largest deviations that a comparison is asked to hold, per cent; `None`: nothing asked.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tolerances {
@@ -73,6 +106,8 @@ pub struct Tolerances {
     pub amplitude_median: Option<f64>,
     /// Worst predicted amplitude.
     pub amplitude_worst: Option<f64>,
+    /// Safety factors from their stresses.
+    pub safety_factor: Option<f64>,
 }
 
 /// Tables of one engine.
@@ -88,6 +123,10 @@ pub struct Published {
     pub amplitudes: Vec<PublishedAmplitude>,
     /// Numbers of the text.
     pub quantities: Vec<PublishedQuantity>,
+    /// Safety factors of the crank.
+    pub fatigue: Vec<PublishedFatigue>,
+    /// Largest stresses of the crank.
+    pub stresses: Vec<PublishedStress>,
     /// Predicted amplitudes below this are too small for a percentage, rad.
     pub least_amplitude: f64,
     /// What is to hold.

@@ -2,6 +2,7 @@
 
 mod absorbers;
 mod amplitudes;
+mod fatigue;
 mod frequencies;
 mod text_values;
 pub mod verdict;
@@ -55,6 +56,8 @@ pub enum Kind {
     Damping,
     /// Amplitude of an order at the hub, degrees.
     Amplitude,
+    /// Safety factor of the crank.
+    SafetyFactor,
     /// Anything else.
     Other,
 }
@@ -113,6 +116,7 @@ pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibr
     let amplitudes = amplitudes::rows(study, published, calibration, &results.system)?;
     entries.extend(amplitudes::entries(study, published, &conventions, &amplitudes));
     entries.extend(text_values::peaks(study, published, &results.system)?);
+    entries.extend(fatigue::entries(study, published));
     let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
     Ok(Comparison { entries, amplitudes, verdict })
 }

@@ -101,7 +101,9 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         list
     };
     let worst = |k: Kind| {
-        let predicted = entries.iter().filter(|e| e.kind == k && e.role == Role::Predicted);
+        // one limit is fitted to all safety factors together
+        let counts = |role: Role| role == Role::Predicted || k == Kind::SafetyFactor && role == Role::Calibrated;
+        let predicted = entries.iter().filter(|e| e.kind == k && counts(e.role));
         // a number without counterpart, or a printed zero that ours is not, is off by any share
         let size = |e: &Entry| match e.deviation_percent() {
             Some(d) => d.abs(),
@@ -118,6 +120,7 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         ("damping by the source's procedure", t.damping, worst(Kind::Damping)),
         ("median of the predicted amplitudes", t.amplitude_median, all.median()),
         ("worst predicted amplitude", t.amplitude_worst, all.worst()),
+        ("safety factors from their stresses", t.safety_factor, worst(Kind::SafetyFactor)),
     ];
     let check = |(what, tolerance, found): (&'static str, Option<f64>, Option<f64>)| Some(Check { what, tolerance: tolerance?, found });
     Verdict {

@@ -2,9 +2,12 @@
 
 use super::{Table, shown};
 use crate::engine::Order;
+use crate::fatigue::Cycle;
 use crate::study::input_error::InputError;
-use crate::study::published::{PublishedAbsorber, PublishedAmplitude, PublishedFrequency, PublishedQuantity};
-use crate::units::RAD_PER_DEG;
+use crate::study::published::{
+    PublishedAbsorber, PublishedAmplitude, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
+};
+use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
 
 /// Rows of one engine, with what all published tables share.
@@ -166,6 +169,70 @@ pub fn amplitudes(path: &Path, engine: &str, reach: &Reach) -> Result<Vec<Publis
         }
         if list.iter().any(|r| (r.design, r.order, r.speed_rpm) == (row.design, row.order, row.speed_rpm)) {
             return Err(table.at(*line, design, format!("found order {} of `{}` at this speed a second time", row.order, cells[design])));
+        }
+        list.push(row);
+    }
+    Ok(list)
+}
+
+/// `design, torsion_case, condition, fillet, stress_amplitude_mpa, stress_mean_mpa, safety_factor`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn fatigue(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedFatigue>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let (design, case, condition, fillet) =
+        (table.column("design")?, table.column("torsion_case")?, table.column("condition")?, table.column("fillet")?);
+    let (amplitude, mean, factor) =
+        (table.column("stress_amplitude_mpa")?, table.column("stress_mean_mpa")?, table.column("safety_factor")?);
+    let columns =
+        ["table", "engine", "design", "torsion_case", "condition", "fillet", "stress_amplitude_mpa", "stress_mean_mpa", "safety_factor"];
+    rows.only(&columns)?;
+    let mut list: Vec<PublishedFatigue> = Vec::new();
+    for (line, cells) in &rows.of_engine {
+        let row = PublishedFatigue {
+            table: rows.source(cells),
+            design: known_design(&table, *line, design, &cells[design], designs)?,
+            torsion_case: cells[case].clone(),
+            condition: cells[condition].clone(),
+            fillet: cells[fillet].clone(),
+            cycle: Cycle {
+                amplitude: rows.positive(*line, amplitude, &cells[amplitude])? * PA_PER_MPA,
+                mean: table.filled(*line, mean, &cells[mean])? * PA_PER_MPA,
+            },
+            safety_factor: rows.positive(*line, factor, &cells[factor])?,
+        };
+        let same = |r: &PublishedFatigue| {
+            (r.design, &r.torsion_case, &r.condition, &r.fillet) == (row.design, &row.torsion_case, &row.condition, &row.fillet)
+        };
+        if list.iter().any(same) {
+            return Err(table.at(*line, design, "found this design, case, condition and fillet a second time".into()));
+        }
+        list.push(row);
+    }
+    Ok(list)
+}
+
+/// `model, condition, von_mises_mpa` and optionally `note`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn stresses(path: &Path, engine: &str) -> Result<Vec<PublishedStress>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let (model, condition, stress) = (table.column("model")?, table.column("condition")?, table.column("von_mises_mpa")?);
+    rows.only(&["table", "engine", "model", "condition", "von_mises_mpa", "note"])?;
+    let mut list: Vec<PublishedStress> = Vec::new();
+    for (line, cells) in &rows.of_engine {
+        let row = PublishedStress {
+            table: rows.source(cells),
+            model: cells[model].clone(),
+            condition: cells[condition].clone(),
+            von_mises: rows.positive(*line, stress, &cells[stress])? * PA_PER_MPA,
+        };
+        if list.iter().any(|r| (&r.model, &r.condition) == (&row.model, &row.condition)) {
+            return Err(table.at(*line, model, "found this model and condition a second time".into()));
         }
         list.push(row);
     }

@@ -282,6 +282,8 @@ pub struct RawPublished {
     pub absorbers: Option<At<String>>,
     pub amplitudes: Option<At<String>>,
     pub engines: Option<At<String>>,
+    pub fatigue: Option<At<String>>,
+    pub stresses: Option<At<String>>,
     pub least_amplitude_deg: Option<At<f64>>,
     #[serde(default)]
     pub tolerance_percent: RawTolerances,
@@ -296,6 +298,7 @@ pub struct RawTolerances {
     pub damping: Option<At<f64>>,
     pub amplitude_median: Option<At<f64>>,
     pub amplitude_worst: Option<At<f64>>,
+    pub safety_factor: Option<At<f64>>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -18,6 +18,8 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
         absorbers: Vec::new(),
         amplitudes: Vec::new(),
         quantities: Vec::new(),
+        fatigue: Vec::new(),
+        stresses: Vec::new(),
         least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
         tolerances: tolerances(check, &raw.tolerance_percent),
         engine,
@@ -35,8 +37,19 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
     if let Some(file) = &raw.engines {
         published.quantities = table(check, file, folder, |p| csv_in::engines(p, e)).unwrap_or_default();
     }
-    if [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines].iter().all(|f| f.is_none()) {
-        check.wrong(&raw.engine, "found no table, expected at least one of `frequencies`, `absorbers`, `amplitudes`, `engines`");
+    if let Some(file) = &raw.fatigue {
+        published.fatigue = table(check, file, folder, |p| csv_in::fatigue(p, e, reach.designs)).unwrap_or_default();
+        if !published.quantities.iter().any(|q| q.name == "tensile_strength" && q.value.as_ref().is_ok_and(|v| *v > 0.0)) {
+            check.wrong(file, "found safety factors without a strength, expected `tensile_strength` (MPa) in the table `engines`");
+        }
+    }
+    if let Some(file) = &raw.stresses {
+        published.stresses = table(check, file, folder, |p| csv_in::stresses(p, e)).unwrap_or_default();
+    }
+    let tables = [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines, &raw.fatigue, &raw.stresses];
+    if tables.iter().all(|f| f.is_none()) {
+        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`";
+        check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published
 }
@@ -50,5 +63,6 @@ fn tolerances(check: &mut Check, raw: &RawTolerances) -> Tolerances {
         damping: percent(&raw.damping),
         amplitude_median: percent(&raw.amplitude_median),
         amplitude_worst: percent(&raw.amplitude_worst),
+        safety_factor: percent(&raw.safety_factor),
     }
 }

@@ -104,10 +104,12 @@ pub fn refine(
         }
     };
     let (left, beyond) = (speed[i.saturating_sub(1)], speed[(i + 1).min(last)]);
-    if end == Place::Interior && !speeds.kink[i] && !narrow {
+    // one search does where it reaches the neighbour on its side: not where that lies much further off than the other, as beside a tabulated speed
+    let (searched, other) = if right { (beyond - speed[i], speed[i] - left) } else { (speed[i] - left, beyond - speed[i]) };
+    if end == Place::Interior && !speeds.kink[i] && !narrow && searched <= 1.5 * other {
         keep(maximise_bracket((left, speed[i], beyond), right, &mut f)?);
     } else {
-        // an end, a kink that may hold the maximum itself, or neighbours at very different distances: each side is searched apart
+        // an end, a kink that may hold the maximum itself, or neighbours at different distances: each side is searched apart
         if i > 0 {
             keep(maximise(left, speed[i], &mut f)?);
         }

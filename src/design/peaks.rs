@@ -277,7 +277,7 @@ impl<'a> PeakFinder<'a> {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
-            let reach = (speeds.rpm[candidate.index.max(1) - 1], speeds.rpm[(candidate.index + 1).min(bounds.len() - 1)]);
+            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
                 let mut follow = |speed: f64, y: &mut [C64]| -> Result<Extremes, ResponseError> {
                     self.direct.at(design, quantity, speed, y, work)?;

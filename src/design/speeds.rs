@@ -1,6 +1,7 @@
 //! Speeds at which a design is evaluated: those of the study, and more where a resonance is too narrow for them.
 
 use crate::absorber::Mounted;
+use crate::numerics::C64;
 use crate::response::natural::Basis;
 use crate::response::{Grid, System};
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
@@ -66,9 +67,8 @@ impl Resonances {
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let mut more: Vec<f64> = Vec::new();
         let mut poles = Vec::new();
-        let basis = if design.iter().any(|m| m.hub_inertia > 0.0) { &self.full } else { &self.basis };
-        for s in basis.eigenvalues(design).unwrap_or_default() {
-            let own_damping = -s.re / s.norm();
+        for s in self.eigenvalues(system, grid, design) {
+            let own_damping = damping_ratio(s);
             let damping = own_damping.max(LEAST_DAMPING);
             for (n, order) in system.excitation.orders.iter().enumerate() {
                 let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
@@ -102,6 +102,31 @@ impl Resonances {
         let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
         Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles }
     }
+}
+
+impl Resonances {
+    /// Eigenvalues of a design: a few modes tell whether any resonance is narrow; where one is, it must be known to a fraction of its width, and
+    /// all modes are taken.
+    fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Vec<C64> {
+        let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
+        let first = if heavy { &self.full } else { &self.basis }.eigenvalues(design).unwrap_or_default();
+        let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
+        let narrow = |s: &C64| {
+            let speeds = system.excitation.orders.iter().map(|o| s.im * HZ_PER_RAD_PER_S / (o.value() * HZ_PER_RPM));
+            // what a few modes give may be off by some steps
+            let near = |speed: f64| {
+                let step = step_at(&grid.speed_rpm, speed);
+                (low - 4.0 * step..=high + 4.0 * step).contains(&speed) && damping_ratio(*s) * speed <= STEPS * step
+            };
+            speeds.into_iter().any(near)
+        };
+        if !heavy && first.iter().any(narrow) { self.full.eigenvalues(design).unwrap_or(first) } else { first }
+    }
+}
+
+/// Fraction of critical damping of an eigenvalue.
+fn damping_ratio(s: C64) -> f64 {
+    -s.re / s.norm()
 }
 
 impl Speeds {

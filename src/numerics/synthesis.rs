@@ -1,5 +1,6 @@
 //! Half peak-to-peak of a sum of harmonics, with phase.
 
+use super::maximise::maximise;
 use super::{C64, ZERO};
 use multiversion::multiversion;
 use std::f64::consts::TAU;
@@ -241,7 +242,8 @@ impl Synthesiser {
                 let angle = self.angle(j) + here / (here - there) * step;
                 let nearer = if here < -there { j } else { next };
                 let sampled = Local { angle: self.angle(nearer), value: sign * f[nearer], bend: (there - here) / step };
-                found.push(self.newton(phasors, angle, sign, step).filter(|l| l.value >= sampled.value).unwrap_or(sampled));
+                let settled = self.newton(phasors, angle, sign, step).filter(|l| l.value >= sampled.value);
+                found.push(settled.unwrap_or_else(|| self.bracketed(phasors, sign, self.angle(j), sampled)));
             }
         }
         if found.is_empty() {
@@ -267,6 +269,15 @@ impl Synthesiser {
             }
         }
         None
+    }
+
+    /// A maximum of `sign` f within a step after `from`, where Newton's method does not settle: on a top that is nearly flat. Never below `known`.
+    fn bracketed(&self, phasors: &[C64], sign: f64, from: f64, known: Local) -> Local {
+        let value = |psi: f64| Ok::<f64, std::convert::Infallible>(sign * self.derivatives(phasors, psi).0);
+        match maximise(from, from + self.step(), value) {
+            Ok((angle, value)) if value > known.value => Local { angle, value, bend: known.bend },
+            _ => known,
+        }
     }
 
     /// f, f' and f'' at psi.

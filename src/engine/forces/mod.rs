@@ -95,7 +95,8 @@ pub fn inertia_for_growth(geometry: &Geometry, growth: f64) -> Option<f64> {
         let own = inertia_force_across(geometry, multiple * unit);
         inertia_force_across(geometry, 2.0 * multiple * unit) / own - 1.0 - growth
     };
-    if unit <= 0.0 || !(missing(MULTIPLES.0) * missing(MULTIPLES.1) < 0.0) {
+    let crosses = missing(MULTIPLES.0) * missing(MULTIPLES.1) < 0.0;
+    if unit <= 0.0 || !crosses {
         return None;
     }
     let solver = BrentRoot::new(MULTIPLES.0, MULTIPLES.1, 1e-9);

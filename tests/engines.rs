@@ -252,7 +252,6 @@ fn loads_over_the_cycle() {
             }
         }
         // every throw of an engine of equal cylinders is loaded alike
-        let largest = |row: &Vec<f64>| row.iter().copied().fold(0.0, f64::max);
         let compression = |row: &Vec<[f64; 2]>| row.iter().map(|f| -f[0]).fold(0.0, f64::max);
         for row in &loads.pin_force {
             assert_close(compression(row), compression(&loads.pin_force[0]), 1e-9, 0.0, name);

@@ -9,8 +9,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 /// Modes that get closed-form starts of their own.
 pub const MOST_MODES: usize = 3;
 
-/// Starts for a family: the closed forms of each mode (a free ring inertia at its upper bound and its middle), then `random` points
-/// from `seed`.
+/// Starts for a family: the closed forms of each mode (a free ring inertia at its upper bound and its middle), the lowest bounds, then `random`
+/// points from `seed`.
 pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> Vec<(String, Vec<f64>)> {
     let free = space.variables.iter().find(|v| v.parameter == Parameter::RingInertia);
     let inertias: Vec<(f64, &str)> = match free {
@@ -31,6 +31,17 @@ pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> 
         list.push(("middle of the bounds".to_owned(), space.bounds().iter().map(|(low, high)| 0.5 * (low + high)).collect()));
     }
     let middle = list[0].1.clone();
+    let lowest = |which: &dyn Fn(Parameter) -> bool| -> Vec<f64> {
+        let bounds = space.bounds();
+        space.variables.iter().zip(&bounds).zip(&middle).map(|((v, b), w)| if which(v.parameter) { b.0 } else { *w }).collect()
+    };
+    // the ends of the box that are often best: no damper, and hardly any ring at all
+    let ends = [("least damping", lowest(&|p| p == Parameter::Damping)), ("loosest ring", lowest(&|p| p != Parameter::RingInertia))];
+    for (name, point) in ends {
+        if list.iter().all(|s| s.1 != point) {
+            list.push((name.to_owned(), point));
+        }
+    }
     for (i, point) in random_points(space, &middle, random, seed).into_iter().enumerate() {
         list.push((format!("random {}", i + 1), point));
     }

@@ -89,9 +89,8 @@ fn forces_balance_on_every_body() {
                 zero(g.piston_mass * second(&piston) - f.small_end[0] + gas, "piston along");
                 zero(f.small_end[1] + f.liner, "piston across");
                 let acceleration = [second(&|t| centre(t)[0]), second(&|t| centre(t)[1])];
-                for i in 0..2 {
-                    zero(g.rod_mass * acceleration[i] + f.big_end[i] + f.small_end[i], "rod");
-                }
+                zero(g.rod_mass * acceleration[0] + f.big_end[0] + f.small_end[0], "rod along");
+                zero(g.rod_mass * acceleration[1] + f.big_end[1] + f.small_end[1], "rod across");
                 // moments about the crankshaft's axis: the rod leans backwards
                 let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
                 let momentum = g.rod_mass * cross(centre(at.theta), acceleration) - inertia * second(&beta);

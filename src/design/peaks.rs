@@ -262,12 +262,23 @@ impl<'a> PeakFinder<'a> {
         };
         for candidate in local::maxima(&speeds.rpm, &values) {
             let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| e.half_peak_to_peak);
-            let Some((speed_rpm, place)) =
+            let Some((mut speed_rpm, place)) =
                 self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
             else {
                 continue;
             };
-            let extremes = at(speed_rpm, &mut y, work)?;
+            let mut extremes = at(speed_rpm, &mut y, work)?;
+            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
+            if self.refine && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
+                // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
+                let from = extremes;
+                let (up, value) = maximise(reach.0, reach.1, |s| -> Result<f64, ResponseError> {
+                    self.direct.at(design, quantity, s, &mut y, work)?;
+                    Ok(self.synthesiser.branch(&y, &from).half_peak_to_peak)
+                })?;
+                speed_rpm = if value > extremes.half_peak_to_peak { up } else { speed_rpm };
+                extremes = at(speed_rpm, &mut y, work)?;
+            }
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
                 Peak { value: extremes.half_peak_to_peak, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
@@ -277,7 +288,6 @@ impl<'a> PeakFinder<'a> {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
-            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
                 let mut follow = |speed: f64, y: &mut [C64]| -> Result<Extremes, ResponseError> {
                     self.direct.at(design, quantity, speed, y, work)?;

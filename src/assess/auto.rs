@@ -11,8 +11,8 @@ use super::methods::Candidate;
 use super::speed_accuracy;
 use crate::absorber::seeds::{EngineMode, Rule};
 use crate::absorber::{Kind, Mounted, Ring};
+use crate::design::PeakFinder;
 use crate::design::quick::{Quick, Scratch};
-use crate::design::{Measure, Over, PeakFinder};
 use crate::numerics::synthesis::Synthesiser;
 use crate::response::{Direct, Grid, Quantity, Receptance, Response, Work};
 use crate::study::Study;
@@ -141,7 +141,7 @@ pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptan
     named.retain(|m| finder.peak(std::slice::from_ref(m), measure, &mut work).is_ok());
     let exact = nominal(&work, stations) / named.len().max(1) as f64;
     considered.push(Considered { way: Way::Exact, seconds: exact, error: 0.0 });
-    if let Some(quantity) = tabulated(measure) {
+    if let Some(quantity) = measure.synthesised() {
         let all: Vec<Mounted> = named.iter().chain(&random).copied().collect();
         if finder.is_smooth() {
             considered.extend(tables(receptance, quantity, &all, study.tolerance, exact, stations));
@@ -207,12 +207,4 @@ fn methods(study: &Study, finder: &PeakFinder, probes: &[Mounted], quantity: Qua
         Some(Considered { way: Way::Method(candidate), seconds, error })
     };
     METHODS.iter().filter_map(|c| estimate(*c)).collect()
-}
-
-/// The measure a table answers for.
-pub fn tabulated(measure: &Measure) -> Option<Quantity> {
-    match (measure.over, measure.quantities.as_slice()) {
-        (Over::Synthesis, [quantity]) => Some(*quantity),
-        _ => None,
-    }
 }

@@ -262,7 +262,7 @@ fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Option<Ch
 
 /// A finder that searches may ask for quick peaks, as chosen.
 fn quick<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> PeakFinder<'a> {
-    match (choice.map(|c| c.chosen.way), auto::tabulated(&study.objective.measure), finder.method) {
+    match (choice.map(|c| c.chosen.way), study.objective.measure.synthesised(), finder.method) {
         (Some(Way::Tables(stride)), Some(quantity), Method::Receptance(r)) => {
             finder.with_quick(Quick::new(r, quantity, stride), quantity, study.tolerance)
         }

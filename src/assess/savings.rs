@@ -3,7 +3,7 @@
 use super::auto::{self, Choice, Way};
 use super::speed_accuracy::median_seconds;
 use super::{RunError, audit, families};
-use crate::absorber::{Kind, Mounted};
+use crate::absorber::Mounted;
 use crate::design::quick::{Estimated, Quick, Scratch};
 use crate::design::{Measure, Over, PeakFinder};
 use crate::engine::Excitation;
@@ -57,8 +57,28 @@ pub struct Savings {
     pub threads: usize,
     /// Seconds a point of the receptance kernel, squares of the magnitudes of one quantity.
     pub point: f64,
-    /// Seconds of a direct sweep of one design and quantity on one thread: 24 orders, 200 speeds, stations.
-    pub sweep: (f64, usize),
+    /// A direct sweep of one design and quantity on one thread.
+    pub sweep: Sweep,
+}
+
+/// A sweep that was timed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sweep {
+    /// Seconds.
+    pub seconds: f64,
+    /// Its size.
+    pub orders: usize,
+    /// Its size.
+    pub speeds: usize,
+    /// Its size.
+    pub stations: usize,
+}
+
+impl Sweep {
+    /// Its size in words.
+    pub fn label(&self) -> String {
+        format!("{} orders, {} speeds, {} stations", self.orders, self.speeds, self.stations)
+    }
 }
 
 /// Random designs, and how many of them are evaluated in full.
@@ -76,7 +96,7 @@ const SPEEDS: usize = 200;
 /// [`RunError`] where a design has no finite peak.
 pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let failed = |error| RunError { what: "random absorbers".into(), error };
-    let (Some(spec), Some(quantity)) = (&study.optimise, auto::tabulated(&study.objective.measure)) else { return Ok(None) };
+    let (Some(spec), Some(quantity)) = (&study.optimise, study.objective.measure.synthesised()) else { return Ok(None) };
     let excitation = Excitation::new(&study.engine, study.order_limit);
     let modes = families::engine_modes(study, &spec.absorber, audit::highest_frequency_hz(study, &excitation.orders));
     let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
@@ -209,11 +229,10 @@ fn point(method: &Method, mounted: &Mounted, quantity: Quantity) -> Result<f64, 
 }
 
 /// Seconds of a direct sweep with a ring.
-fn sweep(system: &System, study: &Study, mounted: &Mounted, quantity: Quantity) -> Result<(f64, usize), ResponseError> {
+fn sweep(system: &System, study: &Study, mounted: &Mounted, quantity: Quantity) -> Result<Sweep, ResponseError> {
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let grid = Grid::new(&(0..SPEEDS).map(|i| first + (last - first) * i as f64 / (SPEEDS - 1) as f64).collect::<Vec<_>>(), &[]);
     let (direct, mut out, mut work) = (Direct::new(system, &grid), Vec::new(), Work::default());
-    debug_assert_ne!(mounted.absorber.kind(), Kind::Locked);
     let seconds = median_seconds(|| direct.sweep(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
-    Ok((seconds, system.chain.len()))
+    Ok(Sweep { seconds, orders: system.orders(), speeds: SPEEDS, stations: system.chain.len() })
 }

@@ -20,6 +20,16 @@ pub struct Measure {
     pub over: Over,
 }
 
+impl Measure {
+    /// The quantity, where the measure is the synthesis of one: what quick peaks answer for.
+    pub fn synthesised(&self) -> Option<Quantity> {
+        match (self.over, self.quantities.as_slice()) {
+            (Over::Synthesis, [quantity]) => Some(*quantity),
+            _ => None,
+        }
+    }
+}
+
 /// An upper limit of a measure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {

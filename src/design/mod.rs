@@ -6,6 +6,7 @@ pub mod measure;
 pub mod peaks;
 pub mod problem;
 pub mod quick;
+mod searched;
 pub mod space;
 pub mod speeds;
 

@@ -5,7 +5,7 @@
 
 use super::local::{self, Candidate};
 use super::measure::{Measure, Over};
-use super::quick::{Quick, Scratch};
+use super::quick::Quick;
 use super::speeds::{Pole, Resonances, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;
@@ -66,7 +66,7 @@ pub struct PeakFinder<'a> {
     resonances: Option<Resonances>,
     synthesiser: Synthesiser,
     /// Tables for searches, with the quantity they are of and the largest error they may have.
-    quick: Option<(Quick, Quantity, f64)>,
+    pub(super) quick: Option<(Quick, Quantity, f64)>,
 }
 
 /// Peaks found so far.
@@ -100,34 +100,10 @@ impl<'a> PeakFinder<'a> {
         }
     }
 
-    /// Lets searches ask tables first, for the synthesis of `quantity`; a peak whose estimated error is above `tolerance` is found exactly.
-    #[must_use]
-    pub fn with_quick(self, quick: Option<Quick>, quantity: Quantity, tolerance: f64) -> Self {
-        Self { quick: quick.map(|q| (q, quantity, tolerance)), ..self }
-    }
-
     /// Whether no resonance of the chain alone is too narrow for the grid.
     pub fn is_smooth(&self) -> bool {
         let speeds = self.speeds(&[]);
         speeds.added.is_empty() && speeds.poles.is_empty()
-    }
-
-    /// Value of the largest peak of `measure` for a search: from tables where they are right enough, else exactly.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub fn value(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
-        if let ([mounted], Some((quick, tolerance))) = (design, self.quick(measure))
-            && quick.takes(mounted)
-        {
-            let found = quick.peak(mounted, &mut Scratch::default(), work);
-            if found.error <= tolerance {
-                work.evaluations += 1;
-                work.quick_evaluations += 1;
-                return Ok(found.value);
-            }
-        }
-        Ok(self.peak(design, measure, work)?.map_or(0.0, |p| p.value))
     }
 
     /// Local maxima of `measure` of at least `keep` times the largest one, which comes first. An empty list where nothing is excited.
@@ -167,27 +143,6 @@ impl<'a> PeakFinder<'a> {
     pub fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<Option<Peak>, ResponseError> {
         let peaks = self.peaks(design, measure, 1.0, work)?;
         Ok(peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm)))
-    }
-
-    /// The tables for a measure, where there are any, and the error they may have.
-    fn quick(&self, measure: &Measure) -> Option<(&Quick, f64)> {
-        let (quick, quantity, tolerance) = self.quick.as_ref()?;
-        (measure.over == Over::Synthesis && measure.quantities == [*quantity]).then_some((quick, *tolerance))
-    }
-
-    /// Index of the absorber with the lowest peak, by tables, among those that they answer for; nothing without tables.
-    pub fn best_of(&self, absorbers: impl Iterator<Item = Mounted>, measure: &Measure) -> Option<usize> {
-        let (quick, _) = self.quick(measure)?;
-        let (mut scratch, mut best) = (Scratch::default(), None);
-        for (i, mounted) in absorbers.enumerate().filter(|(_, m)| quick.takes(m)) {
-            let level = best.map_or(f64::INFINITY, |b: (usize, f64)| b.1);
-            if let Some(found) = quick.peak_below(&mounted, level, &mut scratch, &mut Work::default())
-                && found.value < level
-            {
-                best = Some((i, found.value));
-            }
-        }
-        best.map(|b| b.0)
     }
 
     /// Half peak-to-peak value of every grid speed of a sweep.
@@ -271,11 +226,7 @@ impl<'a> PeakFinder<'a> {
             let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
             if self.refine && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
                 // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
-                let from = extremes;
-                let (up, value) = maximise(reach.0, reach.1, |s| -> Result<f64, ResponseError> {
-                    self.direct.at(design, quantity, s, &mut y, work)?;
-                    Ok(self.synthesiser.branch(&y, &from).half_peak_to_peak)
-                })?;
+                let (up, value) = self.top_of_branch((design, quantity), &extremes, reach, work)?;
                 speed_rpm = if value > extremes.half_peak_to_peak { up } else { speed_rpm };
                 extremes = at(speed_rpm, &mut y, work)?;
             }
@@ -289,27 +240,47 @@ impl<'a> PeakFinder<'a> {
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
-                let mut follow = |speed: f64, y: &mut [C64]| -> Result<Extremes, ResponseError> {
-                    self.direct.at(design, quantity, speed, y, work)?;
-                    Ok(self.synthesiser.branch(y, &start))
-                };
-                let mut top = (reach.0, f64::NEG_INFINITY);
-                if reach.0 < reach.1 {
-                    top = maximise(reach.0, reach.1, |s| follow(s, &mut y).map(|e| e.half_peak_to_peak))?;
-                }
+                let top = self.top_of_branch((design, quantity), &start, reach, work)?;
                 // a branch may be held by the same end of the range
-                let held = place == Place::End && follow(speed_rpm, &mut y)?.half_peak_to_peak >= top.1;
+                let held =
+                    place == Place::End && self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?.half_peak_to_peak >= top.1;
                 let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
                 let margin = EDGE * (reach.1 - reach.0);
                 if !held && !(reach.0 + margin..=reach.1 - margin).contains(&at) {
                     // it rises beyond the neighbours, and is no maximum here
                     continue;
                 }
-                let extremes = follow(at, &mut y)?;
+                let extremes = self.on_branch((design, quantity), &start, at, &mut y, work)?;
                 found.put(peak(extremes, at, place, &y));
             }
         }
         Ok(())
+    }
+
+    /// The extremes of the branch of `from` at a speed, and the phasors there.
+    fn on_branch(
+        &self,
+        (design, quantity): (&[Mounted], Quantity),
+        from: &Extremes,
+        speed_rpm: f64,
+        y: &mut [C64],
+        work: &mut Work,
+    ) -> Result<Extremes, ResponseError> {
+        self.direct.at(design, quantity, speed_rpm, y, work)?;
+        Ok(self.synthesiser.branch(y, from))
+    }
+
+    /// Speed and value of the maximum of a branch between two speeds.
+    fn top_of_branch(
+        &self,
+        of: (&[Mounted], Quantity),
+        from: &Extremes,
+        (low, high): (f64, f64),
+        work: &mut Work,
+    ) -> Result<(f64, f64), ResponseError> {
+        let mut y = vec![ZERO; self.system.orders()];
+        let mut value = |speed: f64| self.on_branch(of, from, speed, &mut y, work).map(|e| e.half_peak_to_peak);
+        if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 
     fn single_orders(

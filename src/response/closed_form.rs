@@ -29,17 +29,7 @@ impl<'a> ClosedForm<'a> {
 }
 
 impl Response for ClosedForm<'_> {
-    fn name(&self) -> &'static str {
-        "closed_form"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("closed_form");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -44,17 +44,7 @@ impl<'a> Dense<'a> {
 }
 
 impl Response for Dense<'_> {
-    fn name(&self) -> &'static str {
-        "dense"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("dense");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

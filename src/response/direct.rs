@@ -355,17 +355,7 @@ impl<'a> Direct<'a> {
 }
 
 impl Response for Direct<'_> {
-    fn name(&self) -> &'static str {
-        "direct"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("direct");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

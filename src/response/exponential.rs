@@ -96,17 +96,7 @@ fn step(bodies: &Bodies, dt: f64) -> Step {
 }
 
 impl Response for Exponential<'_> {
-    fn name(&self) -> &'static str {
-        "exponential"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("exponential");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -27,17 +27,7 @@ impl<'a> Holzer<'a> {
 }
 
 impl Response for Holzer<'_> {
-    fn name(&self) -> &'static str {
-        "holzer"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("holzer");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

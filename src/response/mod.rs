@@ -17,6 +17,7 @@ pub mod periodic;
 pub mod power;
 pub mod receptance;
 pub mod reduced;
+pub mod system;
 
 pub use closed_form::ClosedForm;
 pub use dense::Dense;
@@ -27,95 +28,12 @@ pub use modal::Modal;
 pub use newmark::Newmark;
 pub use receptance::Receptance;
 pub use reduced::Reduced;
+pub use system::System;
 
 use crate::absorber::Mounted;
-use crate::chain::{Chain, Modes};
-use crate::engine::{Excitation, Order};
+use crate::engine::Order;
 use crate::numerics::C64;
 use crate::units::HZ_PER_RPM;
-
-/// A chain and the torque on it.
-#[derive(Debug, Clone)]
-pub struct System {
-    /// Stations and shafts.
-    pub chain: Chain,
-    /// Undamped modes of the chain.
-    pub modes: Modes,
-    /// Torque of each throw.
-    pub excitation: Excitation,
-    /// Sum of firing phases at each station: one row an order.
-    phases: Vec<Vec<C64>>,
-    /// Stations with throws.
-    loaded: Vec<usize>,
-}
-
-impl System {
-    /// Puts the throws on their stations.
-    pub fn new(chain: Chain, excitation: Excitation) -> Self {
-        let modes = Modes::new(&chain);
-        Self::with_modes(chain, modes, excitation)
-    }
-
-    /// The same where the modes are known.
-    pub fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
-        let phases = (0..excitation.orders.len())
-            .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
-            .collect();
-        let loaded = (0..chain.len()).filter(|i| !chain.stations[*i].throws.is_empty()).collect();
-        Self { chain, modes, excitation, phases, loaded }
-    }
-
-    /// Number of orders.
-    pub fn orders(&self) -> usize {
-        self.excitation.orders.len()
-    }
-
-    /// Torque phasor at every station, N m.
-    pub fn torque(&self, order: usize, speed_rpm: f64, out: &mut [C64]) {
-        let unit = self.excitation.unit_torque(order, speed_rpm);
-        for (out, phase) in out.iter_mut().zip(&self.phases[order]) {
-            *out = unit * phase;
-        }
-        if let Some((throw, change)) = self.excitation.misfire_torque(order, speed_rpm)
-            && let Some(station) = self.chain.stations.iter().position(|s| s.throws.contains(&throw))
-        {
-            out[station] += change;
-        }
-    }
-
-    /// Torques at one speed.
-    fn torques(&self, speed_rpm: f64) -> Torques<'_> {
-        let units = self.excitation.unit_torques(speed_rpm);
-        let misfire = (0..self.orders()).filter_map(|n| self.excitation.misfire_torque(n, speed_rpm)).collect::<Vec<_>>();
-        let station = misfire.first().and_then(|m| self.chain.stations.iter().position(|s| s.throws.contains(&m.0)));
-        Torques { system: self, units, misfire: station.map(|s| (s, misfire.into_iter().map(|m| m.1).collect())) }
-    }
-
-    /// Firing phases summed at every station: the torque per unit torque, where every unit fires.
-    pub fn phases(&self, order: usize) -> &[C64] {
-        &self.phases[order]
-    }
-}
-
-/// Torques of all orders at one speed.
-struct Torques<'a> {
-    system: &'a System,
-    /// Of one firing unit, N m.
-    units: Vec<C64>,
-    /// Station of a misfiring unit, and what it adds there, N m.
-    misfire: Option<(usize, Vec<C64>)>,
-}
-
-impl Torques<'_> {
-    /// Torque phasor of an order at every station that carries a throw, N m.
-    fn each(&self, order: usize, mut put: impl FnMut(usize, C64)) {
-        for &station in &self.system.loaded {
-            let phase = self.system.phases[order][station];
-            let missing = self.misfire.as_ref().filter(|m| m.0 == station).map_or(C64::ZERO, |m| m.1[order]);
-            put(station, self.units[order] * phase + missing);
-        }
-    }
-}
 
 /// A quantity that is linear in the angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -266,6 +184,22 @@ impl ResponseError {
         Self::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM }
     }
 }
+
+/// Word, speeds and system of a method that holds its grid and system in fields of these names.
+macro_rules! identity {
+    ($name:literal) => {
+        fn name(&self) -> &'static str {
+            $name
+        }
+        fn grid(&self) -> &$crate::response::Grid {
+            self.grid
+        }
+        fn system(&self) -> &$crate::response::System {
+            self.system
+        }
+    };
+}
+use identity;
 
 /// A modal stiffness below this share of the inertia forces is rounding: nothing damps a resonance met exactly.
 const RESONANT: f64 = 1e-14;

@@ -79,17 +79,7 @@ impl<'a> Modal<'a> {
 }
 
 impl Response for Modal<'_> {
-    fn name(&self) -> &'static str {
-        "modal"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("modal");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -99,17 +99,7 @@ fn step(bodies: &Bodies, dt: f64, beta: f64, gamma: f64) -> Option<Step> {
 }
 
 impl Response for Newmark<'_> {
-    fn name(&self) -> &'static str {
-        "newmark"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("newmark");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

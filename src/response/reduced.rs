@@ -51,17 +51,7 @@ impl<'a> Reduced<'a> {
 }
 
 impl Response for Reduced<'_> {
-    fn name(&self) -> &'static str {
-        "reduced"
-    }
-
-    fn grid(&self) -> &Grid {
-        self.grid
-    }
-
-    fn system(&self) -> &System {
-        self.system
-    }
+    super::identity!("reduced");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

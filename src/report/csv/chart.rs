@@ -123,12 +123,6 @@ fn savings(s: &Savings) -> Vec<[String; 5]> {
         );
     }
     put("receptance", "one point of the kernel".into(), Some(s.point), None, format!("{:.2} ns", 1e9 * s.point));
-    put(
-        "direct",
-        format!("sweep of 24 orders, 200 speeds, {} stations", s.sweep.1),
-        Some(s.sweep.0),
-        None,
-        format!("{:.3} ms", 1e3 * s.sweep.0),
-    );
+    put("direct", format!("sweep of {}", s.sweep.label()), Some(s.sweep.seconds), None, format!("{:.3} ms", 1e3 * s.sweep.seconds));
     rows
 }

@@ -51,6 +51,25 @@ pub fn fill(colour: RGBColor, opacity: f64) -> ShapeStyle {
     colour.mix(opacity).filled()
 }
 
+/// Axes of a chart with logarithmic scales: descriptions of both, and how the numbers below are written; those beside are powers of ten.
+macro_rules! log_axes {
+    ($chart:expr, $x:expr, $y:expr, $below:expr) => {
+        $chart
+            .configure_mesh()
+            .x_desc($x)
+            .y_desc($y)
+            .axis_desc_style($crate::report::plot::canvas::text(13))
+            .label_style($crate::report::plot::canvas::text(11))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
+            .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
+            .x_label_formatter($below)
+            .y_label_formatter(&|y| format!("{y:.0e}"))
+            .draw()?
+    };
+}
+pub(super) use log_axes;
+
 /// Draws `name.svg` and `name.png`, `width` by `height` units.
 ///
 /// # Errors

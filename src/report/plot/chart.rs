@@ -1,6 +1,6 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
-use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::assess::auto::Way;
 use crate::assess::methods::Candidate;
 use crate::assess::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
@@ -63,18 +63,9 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
                 (x.0..x.1).log_scale().with_key_points(decades(x.0, x.1)),
                 (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
             )?;
-        chart
-            .configure_mesh()
-            .x_desc("seconds per design, one thread")
-            .y_desc("largest error of the peak over the probe designs")
-            .axis_desc_style(text(13))
-            .label_style(text(12))
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(line(PALE, 8))
-            .axis_style(line(GREY, 10))
-            .x_label_formatter(&|x| format!("{x:.0e}"))
-            .y_label_formatter(&|y| format!("{y:.0e}"))
-            .draw()?;
+        canvas::log_axes!(chart, "seconds per design, one thread", "largest error of the peak over the probe designs", &|x| format!(
+            "{x:.0e}"
+        ));
         chart.draw_series(LineSeries::new(best(all()), line(RGBColor(200, 200, 200), 60)))?;
         let diamond = |p: (f64, f64)| TriangleMarker::new(p, px(5), fill(BLACK, 1.0));
         chart.draw_series(LineSeries::new(ways(true), line(BLACK, 12)))?;
@@ -134,18 +125,7 @@ pub fn growth(measured: &[Growth], folder: &Folder) -> Result<(), WriteError> {
                 (left / 1.2..right * 1.2).log_scale().with_key_points(ticks),
                 (low..high).log_scale().with_key_points(decades(low, high)),
             )?;
-            chart
-                .configure_mesh()
-                .x_desc(size)
-                .y_desc("seconds")
-                .axis_desc_style(text(13))
-                .label_style(text(11))
-                .light_line_style(TRANSPARENT)
-                .bold_line_style(line(PALE, 8))
-                .axis_style(line(GREY, 10))
-                .x_label_formatter(&|x| canvas::tick(x))
-                .y_label_formatter(&|y| format!("{y:.0e}"))
-                .draw()?;
+            canvas::log_axes!(chart, size, "seconds", &|x| canvas::tick(x));
             let mut entries = Vec::new();
             for g in own {
                 chart.draw_series(LineSeries::new(g.points.iter().copied(), line(colour(g.candidate), 18)))?;

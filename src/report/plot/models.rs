@@ -1,6 +1,6 @@
 //! What simplifications of the model cost: error of the peak twist along each.
 
-use super::canvas::{self, COLOURS, GREY, PALE, fill, line, px, text};
+use super::canvas::{self, COLOURS, fill, line, px};
 use super::chart::decades;
 use crate::assess::model_accuracy::ModelError;
 use crate::report::files::{Folder, WriteError};
@@ -25,18 +25,7 @@ pub fn models(study: &Study, models: &[&ModelError], folder: &Folder) -> Result<
                 (left / 1.15..right * 1.15).log_scale().with_key_points(ticks(m)),
                 (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
             )?;
-            chart
-                .configure_mesh()
-                .x_desc(m.what.label())
-                .y_desc("error of the peak")
-                .axis_desc_style(text(12))
-                .label_style(text(11))
-                .light_line_style(TRANSPARENT)
-                .bold_line_style(line(PALE, 8))
-                .axis_style(line(GREY, 10))
-                .x_label_formatter(&|x| canvas::tick(x))
-                .y_label_formatter(&|y| format!("{y:.0e}"))
-                .draw()?;
+            canvas::log_axes!(chart, m.what.label(), "error of the peak", &|x| canvas::tick(x));
             let points: Vec<(f64, f64)> = m.points.iter().map(|p| (p.0, p.1.max(LEAST_ERROR))).collect();
             chart.draw_series(LineSeries::new(points.iter().copied(), line(colour, 18)))?;
             chart.draw_series(points.iter().map(|p| Circle::new(*p, px(3), fill(colour, 1.0))))?;

@@ -76,10 +76,10 @@ pub fn savings(s: &Savings) -> String {
         text.push_str("`auto` stays exact here\n");
     }
     text.push_str(&format!(
-        "One point of the kernel: {:.2} ns; a direct sweep of 24 orders and 200 speeds, {} stations: {:.3} ms\n",
+        "One point of the kernel: {:.2} ns; a direct sweep of {}: {:.3} ms\n",
         1e9 * s.point,
-        s.sweep.1,
-        1e3 * s.sweep.0
+        s.sweep.label(),
+        1e3 * s.sweep.seconds
     ));
     text
 }

@@ -77,7 +77,7 @@ pub struct Sweep {
 impl Sweep {
     /// Its size in words.
     pub fn label(&self) -> String {
-        format!("{} orders, {} speeds, {} stations", self.orders, self.speeds, self.stations)
+        format!("{} x {} x {} (orders, speeds, stations)", self.orders, self.speeds, self.stations)
     }
 }
 

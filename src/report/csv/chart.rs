@@ -74,12 +74,12 @@ fn savings(s: &Savings) -> Vec<[String; 5]> {
     };
     let work = |w: &Work| format!("{} syntheses and {} direct solutions a design", w.syntheses, w.direct_solves);
     let same = if s.identical { "the same peaks to the last bit" } else { "DEFECT: other peaks" };
-    put("receptance", "random absorbers, nothing skipped".into(), Some(s.full.seconds), Some(0.0), work(&s.full.work));
+    put("receptance", "random absorbers, nothing skipped".into(), Some(s.full.seconds), None, work(&s.full.work));
     put(
         "receptance",
         "random absorbers, only what can win".into(),
         Some(s.skipping.seconds),
-        Some(0.0),
+        None,
         format!("{}; {same}", work(&s.skipping.work)),
     );
     for c in &s.choice.considered {

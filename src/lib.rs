@@ -44,7 +44,8 @@
 //! | [`chain`] | stations, matrices, modes |
 //! | [`absorber`] | types and closed-form optima |
 //! | [`response`] | response methods, one file each, in frequency and in time; power; natural frequencies with absorbers |
-//! | [`fatigue`] | criteria of mean stress |
+//! | [`shaft`] | the crank as a beam on its bearings, torsion cases, stress concentration |
+//! | [`fatigue`] | criteria of mean stress, endurance factors, class rules |
 //! | [`design`] | conditions, variables, measures, peaks with their gradients, quick peaks for searches |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
@@ -61,11 +62,16 @@
 //!   Softw.* 7, 348.
 //! - \[Golub & Van Loan 2013\] G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed.
 //! - \[Heywood 1988\] J. B. Heywood, *Internal Combustion Engine Fundamentals*.
+//! - \[IACS UR M53\] International Association of Classification Societies, Unified Requirement M53, *Calculations for I.C. Engine
+//!   Crankshafts*, Rev. 2, 2011.
 //! - \[Nelder & Mead 1965\] J. A. Nelder, R. Mead, A simplex method for function minimization, *Computer J.* 7, 308.
 //! - \[Newmark 1959\] N. M. Newmark, A method of computation for structural dynamics, *J. Eng. Mech. Div. ASCE* 85, EM3, 67.
 //! - \[Nishihara & Asami 2002\] O. Nishihara, T. Asami, Closed-form solutions to the exact optimizations of dynamic vibration absorbers,
 //!   *J. Vib. Acoust.* 124, 576.
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
+//! - \[Fialho & Almeida 2019\] the thesis behind slider-crank sizing, section 2.3: endurance factors and notch sensitivity.
+//! - \[Norton 2013\] R. L. Norton, *Machine Design*, 4th ed., chapter 6.
+//! - \[Shigley 2004\] J. E. Shigley, C. R. Mischke, R. G. Budynas, *Mechanical Engineering Design*, 7th ed., section 6-12.
 //! - \[Villalva 2014\] the dissertation behind CrankLab, chapters 3 to 6: geometry, chains, absorbers and tables of the shipped engines.
 
 #![deny(missing_docs)]
@@ -81,5 +87,6 @@ pub mod numerics;
 pub mod optimise;
 pub mod report;
 pub mod response;
+pub mod shaft;
 pub mod study;
 pub mod units;

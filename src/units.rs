@@ -20,6 +20,12 @@ pub const PA_PER_BAR: f64 = 1e5;
 pub const PA_PER_MPA: f64 = 1e6;
 /// N in a kN.
 pub const N_PER_KN: f64 = 1e3;
+/// Pa in a GPa.
+pub const PA_PER_GPA: f64 = 1e9;
+/// Pa in a kpsi.
+pub const PA_PER_KPSI: f64 = 6.894_757_293e6;
+/// m in an inch.
+pub const M_PER_IN: f64 = 0.0254;
 /// W in a kW.
 pub const W_PER_KW: f64 = 1e3;
 /// crank degrees in a revolution.

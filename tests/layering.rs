@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 /// The rows of `lib.rs`, from the top.
-const ROWS: [&str; 13] = [
-    "units", "numerics", "engine", "chain", "absorber", "response", "fatigue", "design", "optimise", "study", "assess", "report", "command",
+const ROWS: [&str; 14] = [
+    "units", "numerics", "engine", "chain", "absorber", "response", "shaft", "fatigue", "design", "optimise", "study", "assess", "report",
+    "command",
 ];
 
 /// Paths `crate::a` and `super::…` of a file, wherever they stand (imports, function bodies, groups), as the row they reach.

@@ -1,5 +1,6 @@
 //! Everything that is reported of one design.
 
+use super::margins::{self, SmallestMargin};
 use super::{ConditionResult, RunError, conditions};
 use crate::absorber::Mounted;
 use crate::design::{Condition, Measure, Over, Peak, PeakFinder, Place};
@@ -95,7 +96,7 @@ impl Classifier {
             work.extend(self.phasors(finder.system, speed));
         }
         match over {
-            Over::Synthesis => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
+            Over::Synthesis | Over::Margin(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
             Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
         }
     }
@@ -126,6 +127,8 @@ pub struct DesignResult {
     pub objective: Option<f64>,
     /// Value of each limited measure over its limit, the largest over the same conditions.
     pub limits: Vec<f64>,
+    /// Smallest margin of the crank by each criterion of the study.
+    pub margins: Vec<SmallestMargin>,
     /// In the other conditions of the study that make a difference to it.
     pub conditions: Vec<ConditionResult>,
 }
@@ -141,6 +144,8 @@ pub struct Wanted<'a> {
     pub objective: &'a Measure,
     /// Limits.
     pub limits: Vec<&'a crate::design::Limit>,
+    /// Margins of the crank.
+    pub margins: &'a [Measure],
     /// Conditions besides firing.
     pub conditions: &'a [Condition],
     /// Conditions an optimum is to hold in.
@@ -203,6 +208,7 @@ fn firing(
         ring_twist,
         objective: Some(objective),
         limits: Vec::new(),
+        margins: margins::smallest(finder, design, wanted.margins, work)?,
         conditions: Vec::new(),
     };
     Ok((result, limits))

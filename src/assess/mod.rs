@@ -9,6 +9,7 @@ pub mod conditions;
 pub mod energy;
 pub mod evaluate;
 pub mod families;
+pub mod margins;
 pub mod methods;
 pub mod model_accuracy;
 pub mod probe;
@@ -22,6 +23,7 @@ pub use calibrate::{Calibration, calibrate};
 pub use comparison::{Comparison, compare};
 pub use conditions::ConditionResult;
 pub use evaluate::{DesignResult, Nature, PeakKind};
+pub use margins::{MarginSweep, SmallestMargin};
 pub use run::{FrontResult, OptimumResult, Results, Timing, run};
 pub use sweeps::Sweeps;
 

@@ -3,13 +3,14 @@
 use super::audit::highest_frequency_hz;
 use super::auto::{self, Choice, Way};
 use super::evaluate::{self, Classifier, DesignResult, Nature, Wanted};
+use super::margins::{self, MarginSweep};
 use super::sweeps::{self, Sweeps};
 use super::{Progress, RunError};
 use super::{families, probe};
-use crate::absorber::Kind;
 use crate::absorber::seeds::EngineMode;
+use crate::absorber::{Kind, Mounted};
 use crate::design::quick::Quick;
-use crate::design::{Condition, Limit, PeakFinder, Problem, Row, Scene, Space};
+use crate::design::{Condition, Limit, Margin, Measure, PeakFinder, Problem, Row, Scene, Space};
 use crate::engine::{Excitation, Order};
 use crate::optimise::{Front, Optimum, front, search, starts};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
@@ -30,6 +31,8 @@ pub struct OptimumResult {
     pub scenes: Vec<(Condition, Option<usize>)>,
     /// Whether it is the main size of its type.
     pub main: bool,
+    /// Which objective it makes small, the first being 0.
+    pub objective: usize,
 }
 
 /// The front of one type.
@@ -39,6 +42,8 @@ pub struct FrontResult {
     pub kind: Kind,
     /// The front.
     pub front: Front,
+    /// Values of the study's other objectives at each point.
+    pub others: Vec<Vec<f64>>,
 }
 
 /// Time of a stage.
@@ -71,6 +76,10 @@ pub struct Results {
     pub forced_floor: Option<f64>,
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
+    /// The crank, where the study judges it.
+    pub margin: Option<Margin>,
+    /// Margins of the same designs, where the study has `[fatigue]`.
+    pub margins: Vec<MarginSweep>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.
@@ -129,8 +138,12 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         setup += if let Method::Receptance(r) = method { r.setup } else { Work::default() };
     }
     clock.lap("base", setup);
-    let finders: Vec<PeakFinder> =
-        systems.iter().zip(&methods).map(|(system, method)| PeakFinder::new(system, &grid, method, study.refine_peaks)).collect();
+    let margin = margins::model(study, &grid);
+    if margin.is_some() {
+        clock.lap("crank", Work::default());
+    }
+    let finder = |(system, method)| PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
+    let finders: Vec<PeakFinder> = systems.iter().zip(&methods).map(finder).collect();
     let modes = study
         .optimise
         .as_ref()
@@ -142,11 +155,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     }
     let limits: Vec<Limit> = study.limits.iter().map(|l| l.1.clone()).collect();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+    let measures = margins::measures(study);
     let wanted = Wanted {
         twist: study.twist,
         hub: study.hub,
         objective: &study.objective.measure,
         limits: limits.iter().collect(),
+        margins: &measures,
         conditions: &study.conditions,
         held,
     };
@@ -185,6 +200,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
                 .map_err(|error| RunError { what: format!("design `{}`", d.name), error })
         })
         .collect::<Result<Vec<_>, _>>()?;
+    let margins = shown
+        .par_iter()
+        .filter_map(|d| {
+            let failed = |error| RunError { what: format!("design `{}`", d.name), error };
+            margins::sweep(&finders[0], &own, &d.name, &d.absorbers).map_err(failed).transpose()
+        })
+        .collect::<Result<Vec<_>, _>>()?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -201,7 +223,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     drop(finders);
     drop(methods);
     let system = systems.swap_remove(0);
-    Ok(Results { method, choice, designs, optima, fronts, forced_floor, sweeps, appearing, timing: clock.timing, system })
+    Ok(Results { method, choice, designs, optima, fronts, forced_floor, sweeps, margin, margins, appearing, timing: clock.timing, system })
 }
 
 /// The engine as it should be, then with each cylinder misfiring where the study asks for it.
@@ -239,6 +261,7 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
         return Method::Direct(Direct::new(system, grid));
     }
     let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
+    quantities.extend(study.more_objectives.iter().flat_map(|o| o.measure.quantities.iter().copied()));
     quantities.extend(study.limits.iter().flat_map(|l| l.1.measure.quantities.iter().copied()));
     quantities.extend([study.twist, Quantity::Twist { from: study.hub, to: None }]);
     let mut unique: Vec<Quantity> = Vec::new();
@@ -281,8 +304,8 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn problem(&self, space: Space) -> Problem<'_> {
-        Problem { scenes: self.scenes, space, objective: &self.study.objective.measure, limits: self.limits }
+    fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
+        Problem { scenes: self.scenes, space, objective: &self.study.objective_of(objective).measure, limits: self.limits }
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
@@ -298,16 +321,23 @@ impl Job<'_> {
     }
 
     fn optima(&self, spec: &OptimiseSpec) -> Result<Vec<OptimumResult>, RunError> {
-        let families = families::wanted(&spec.absorber, self.modes);
+        let mut families: Vec<(String, Space, usize)> =
+            families::wanted(&spec.absorber, self.modes).into_iter().map(|(name, space)| (name, space, 0)).collect();
+        let is_main = |name: &str| spec.absorber.kinds.iter().any(|k| name == format!("optimum_{}", k.name()));
+        // the main size of each type once more for every other objective
+        for (i, objective) in self.study.more_objectives.iter().enumerate() {
+            let main: Vec<_> = families.iter().filter(|f| is_main(&f.0)).cloned().collect();
+            families.extend(main.into_iter().map(|(name, space, _)| (format!("{name}_by_{}", objective.word), space, i + 1)));
+        }
         let count = families.iter().map(|f| self.starts(spec, &f.1).len()).sum();
         self.progress.stage("optima", count);
         let step = || self.progress.step();
         families
             .into_par_iter()
-            .map(|(name, space)| {
-                let main = spec.absorber.kinds.iter().any(|k| name == format!("optimum_{}", k.name()));
+            .map(|(name, space, objective)| {
+                let main = objective > 0 || is_main(&name);
                 let failed = |error: ResponseError| RunError { what: name.clone(), error };
-                let problem = self.problem(space);
+                let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
                 let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let mounted = std::slice::from_ref(&optimum.design);
@@ -320,9 +350,18 @@ impl Job<'_> {
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
                 let scene = |r: &Row| (self.scenes[r.scene].condition, self.scenes[r.scene].cylinder);
                 let scenes = optimum.outcome.rows.rows.iter().map(scene).collect();
-                Ok(OptimumResult { design: design?, optimum, natures, scenes, main })
+                Ok(OptimumResult { design: design?, optimum, natures, scenes, main, objective })
             })
             .collect()
+    }
+
+    /// The study's other objectives for a design, at their worst in the scenes.
+    fn others(&self, mounted: &Mounted) -> Result<Vec<f64>, ResponseError> {
+        let value = |measure: &Measure| {
+            let peak = |s: &Scene| s.finder.peak(&s.condition.absorbers(std::slice::from_ref(mounted)), measure, &mut Work::default());
+            self.scenes.iter().try_fold(0.0, |worst, s| Ok(f64::max(worst, peak(s)?.map_or(0.0, |p| p.value))))
+        };
+        self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
     }
 
     fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
@@ -331,12 +370,16 @@ impl Job<'_> {
         for &kind in &spec.absorber.kinds {
             self.progress.stage(&format!("front, {}", kind.name()), 2 * wanted.inertias.len());
             let space = families::family(&spec.absorber, kind, Some(wanted.inertias[0]), self.modes);
-            let problem = self.problem(space);
+            let problem = self.problem(space, 0);
             let step = || self.progress.step();
             let front = front::follow(&problem, &wanted.inertias, |s| self.starts(spec, s), &step)
                 .map_err(|error| RunError { what: format!("front of {} absorbers", kind.name()), error })?;
             clock.lap(&format!("front_{}", kind.name()), front.work);
-            results.push(FrontResult { kind, front });
+            let others = front.points.par_iter().map(|p| self.others(&p.design));
+            let others = others
+                .collect::<Result<Vec<_>, _>>()
+                .map_err(|error| RunError { what: format!("front of {} absorbers", kind.name()), error })?;
+            results.push(FrontResult { kind, front, others });
         }
         Ok(results)
     }

@@ -82,6 +82,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
         say(&format!("{}\n", text::calibration::calibration(study, calibration)));
     }
     say(&text::designs(study, results));
+    let margins = text::margin::margins(study, results);
+    if !margins.is_empty() {
+        say(&format!("\n{margins}"));
+    }
     let conditions = text::conditions(study, results);
     if !conditions.is_empty() {
         say(&format!("\n{conditions}"));

@@ -9,6 +9,8 @@ pub enum Over {
     Synthesis,
     /// The largest single order.
     Orders,
+    /// Share of the crank's strength that is used, all orders together: the inverse of its margin by a criterion of the study (an index).
+    Margin(usize),
 }
 
 /// The largest value over the speed range of some quantities.

@@ -1,7 +1,9 @@
 //! Absorber design: what may vary, what is to be small, and the one pipeline from values to peaks.
 
 pub mod condition;
+pub mod level;
 mod local;
+pub mod margin;
 pub mod measure;
 pub mod peaks;
 pub mod problem;
@@ -11,6 +13,7 @@ pub mod space;
 pub mod speeds;
 
 pub use condition::Condition;
+pub use margin::{FatigueSpec, Margin, MarginCriterion};
 pub use measure::{Limit, Measure, Over};
 pub use peaks::{Peak, PeakFinder, Place};
 pub use problem::{Problem, Row, Rows, Scene};

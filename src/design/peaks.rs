@@ -3,7 +3,9 @@
 //! A sweep finds the local maxima on the grid, with speeds added round resonances too narrow for it; each that could win is refined by direct
 //! solutions. Ends of the range and kinks of the torque (tabulated speeds) are candidates.
 
+use super::level::Level;
 use super::local::{self, Candidate};
+use super::margin::Margin;
 use super::measure::{Measure, Over};
 use super::quick::Quick;
 use super::speeds::{Pole, Resonances, Speeds};
@@ -25,8 +27,10 @@ pub enum Place {
 /// A local maximum over speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
-    /// rad or N m.
+    /// rad or N m; of a margin its inverse.
     pub value: f64,
+    /// How orders combine in it.
+    pub over: Over,
     /// rpm.
     pub speed_rpm: f64,
     /// Index of the order (over orders) or of the largest one in the sum (synthesis).
@@ -65,6 +69,8 @@ pub struct PeakFinder<'a> {
     pub refine: bool,
     resonances: Option<Resonances>,
     synthesiser: Synthesiser,
+    /// The crank, for measures of its margin.
+    pub margin: Option<&'a Margin>,
     /// Tables for searches, with the quantity they are of and the largest error they may have.
     pub(super) quick: Option<(Quick, Quantity, f64)>,
 }
@@ -96,8 +102,16 @@ impl<'a> PeakFinder<'a> {
             refine,
             resonances: refine.then(|| Resonances::new(system, grid)),
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
+            margin: None,
             quick: None,
         }
+    }
+
+    /// Answers for the margin of a crank, too.
+    #[must_use]
+    pub fn with_margin(mut self, margin: Option<&'a Margin>) -> Self {
+        self.margin = margin;
+        self
     }
 
     /// Whether no resonance of the chain alone is too narrow for the grid.
@@ -119,9 +133,9 @@ impl<'a> PeakFinder<'a> {
             self.check_pole(design, measure, pole, work)?;
         }
         match measure.over {
-            Over::Synthesis => {
+            Over::Synthesis | Over::Margin(_) => {
                 for (quantity, sweep) in measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?) {
-                    self.synthesised(design, *quantity, (&speeds, &sweep), &mut found, work)?;
+                    self.synthesised(design, (*quantity, measure.over), (&speeds, &sweep), &mut found, work)?;
                 }
             }
             Over::Orders => {
@@ -147,7 +161,12 @@ impl<'a> PeakFinder<'a> {
 
     /// Half peak-to-peak value of every grid speed of a sweep.
     pub fn synthesis(&self, sweep: &[C64]) -> Vec<f64> {
-        sweep.chunks(self.system.orders()).map(|y| self.synthesiser.extremes(y).half_peak_to_peak).collect()
+        self.extremes(sweep).iter().map(|e| e.half_peak_to_peak).collect()
+    }
+
+    /// Extremes at every grid speed of a sweep.
+    pub fn extremes(&self, sweep: &[C64]) -> Vec<Extremes> {
+        sweep.chunks(self.system.orders()).map(|y| self.synthesiser.extremes(y)).collect()
     }
 
     /// Speeds at which a design is evaluated: the grid, and more round narrow resonances where peaks are refined.
@@ -176,25 +195,31 @@ impl<'a> PeakFinder<'a> {
     fn synthesised(
         &self,
         design: &[Mounted],
-        quantity: Quantity,
+        (quantity, over): (Quantity, Over),
         (speeds, sweep): (&Speeds, &[C64]),
         found: &mut Found,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
-        let bounds: Vec<f64> = sweep.chunks(orders).map(bound).collect();
+        let level = Level::of(over, quantity, self.margin);
+        let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
+        let bounds: Vec<f64> = sums.iter().zip(&speeds.rpm).map(|(sum, speed)| level.bound(*speed, *sum)).collect();
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
         let mut top = found.best;
         let mut know = |i: usize, values: &mut Vec<f64>, threshold: f64| {
             work.syntheses += 1;
-            values[i] = self.synthesiser.half_peak_to_peak_above(&sweep[i * orders..(i + 1) * orders], threshold);
+            let y = &sweep[i * orders..(i + 1) * orders];
+            values[i] = match level {
+                Level::HalfRange => self.synthesiser.half_peak_to_peak_above(y, threshold),
+                Level::Used { .. } => level.value(speeds.rpm[i], &self.synthesiser.extremes(y)),
+            };
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
-            let rise = if self.refine { local::growth(&bounds, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && bounds[i] * rise >= found.keep * top {
+            let rise = if self.refine { local::growth(&sums, i) } else { 1.0 };
+            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && level.bound(speeds.rpm[i], sums[i] * rise) >= found.keep * top {
                 know(i, &mut values, found.keep * top / rise);
                 top = top.max(values[i]);
             }
@@ -216,7 +241,7 @@ impl<'a> PeakFinder<'a> {
             Ok(self.synthesiser.extremes(y))
         };
         for candidate in local::maxima(&speeds.rpm, &values) {
-            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| e.half_peak_to_peak);
+            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| level.value(speed, &e));
             let Some((mut speed_rpm, place)) =
                 self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
             else {
@@ -226,13 +251,14 @@ impl<'a> PeakFinder<'a> {
             let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
             if self.refine && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
                 // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
-                let (up, value) = self.top_of_branch((design, quantity), &extremes, reach, work)?;
-                speed_rpm = if value > extremes.half_peak_to_peak { up } else { speed_rpm };
+                let (up, value) = self.top_of_branch((design, quantity, level), &extremes, reach, work)?;
+                speed_rpm = if value > level.value(speed_rpm, &extremes) { up } else { speed_rpm };
                 extremes = at(speed_rpm, &mut y, work)?;
             }
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
-                Peak { value: extremes.half_peak_to_peak, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
+                let value = level.value(speed_rpm, &extremes);
+                Peak { value, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
             found.put(peak(extremes, speed_rpm, place, &y));
             if !self.refine {
@@ -240,10 +266,10 @@ impl<'a> PeakFinder<'a> {
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
-                let top = self.top_of_branch((design, quantity), &start, reach, work)?;
+                let top = self.top_of_branch((design, quantity, level), &start, reach, work)?;
                 // a branch may be held by the same end of the range
-                let held =
-                    place == Place::End && self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?.half_peak_to_peak >= top.1;
+                let held = place == Place::End
+                    && level.value(speed_rpm, &self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?) >= top.1;
                 let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
                 let margin = EDGE * (reach.1 - reach.0);
                 if !held && !(reach.0 + margin..=reach.1 - margin).contains(&at) {
@@ -251,7 +277,10 @@ impl<'a> PeakFinder<'a> {
                     continue;
                 }
                 let extremes = self.on_branch((design, quantity), &start, at, &mut y, work)?;
-                found.put(peak(extremes, at, place, &y));
+                // a smaller range round a higher mean may use more than the whole cycle does: it is no row of its own
+                if level.value(at, &extremes) <= level.value(at, &self.synthesiser.extremes(&y)) * (1.0 + LEVEL) {
+                    found.put(peak(extremes, at, place, &y));
+                }
             }
         }
         Ok(())
@@ -273,13 +302,13 @@ impl<'a> PeakFinder<'a> {
     /// Speed and value of the maximum of a branch between two speeds.
     fn top_of_branch(
         &self,
-        of: (&[Mounted], Quantity),
+        (design, quantity, level): (&[Mounted], Quantity, Level),
         from: &Extremes,
         (low, high): (f64, f64),
         work: &mut Work,
     ) -> Result<(f64, f64), ResponseError> {
         let mut y = vec![ZERO; self.system.orders()];
-        let mut value = |speed: f64| self.on_branch(of, from, speed, &mut y, work).map(|e| e.half_peak_to_peak);
+        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| level.value(speed, &e));
         if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 
@@ -308,7 +337,7 @@ impl<'a> PeakFinder<'a> {
                     continue;
                 };
                 let value = self.direct.order_at(design, quantity, order, speed_rpm, work)?.norm();
-                found.put(Peak { value, speed_rpm, order, order_value: value, quantity, extremes: None, place });
+                found.put(Peak { value, over: Over::Orders, speed_rpm, order, order_value: value, quantity, extremes: None, place });
             }
         }
         Ok(())
@@ -369,9 +398,11 @@ impl<'a> PeakFinder<'a> {
             return Ok(change[0].map(|d| (y.conj() * d).re / y.norm()));
         };
         let changes = self.direct.sensitivity(design, index, peak.quantity, 0..self.system.orders(), peak.speed_rpm, work)?;
+        let slopes = Level::of(peak.over, peak.quantity, self.margin).slopes(peak.speed_rpm, extremes);
         Ok([0, 1, 2].map(|p| {
             let change: Vec<C64> = changes.iter().map(|c| c[p]).collect();
-            self.synthesiser.derivative(extremes, &change)
+            let (range, middle) = self.synthesiser.derivatives_of(extremes, &change);
+            slopes.0 * range + slopes.1 * middle
         }))
     }
 }

@@ -2,52 +2,85 @@
 
 use super::forces::{Moment, UnitForces, unit_forces};
 use super::pressure::{sample_angle, samples};
-use super::{Engine, Source};
+use super::{Engine, Geometry, Source};
 use crate::numerics::nearest;
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// Loads of every throw, sampled over the cycle from the firing of the cylinder that fires at 0°.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThrowLoads {
+    /// Crank angle of every sample, rad.
+    pub theta: Vec<f64>,
     /// Torque, mean included, N m: one row a throw.
     pub torque: Vec<Vec<f64>>,
-    /// Force of the rods on the crankpin, N: one row a throw. First along the middle of the banks, away from the crankshaft; then across it, the way the
-    /// pin moves when it passes there.
+    /// Force of the rods on the crankpin, N, in axes of the engine: one row a throw. First along the middle of the banks, away from the crankshaft; then
+    /// across it, the way the pin moves when it passes there.
     pub pin_force: Vec<Vec<[f64; 2]>>,
 }
 
-/// The loads at a speed; nothing where the torque comes from a table. Gas pressure is linear between the tabulated speeds.
-pub fn throw_loads(engine: &Engine, speed_rpm: f64) -> Option<ThrowLoads> {
-    let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
-    let cylinders = engine.layout.firing_deg.len();
-    let table = pressure.speeds_rpm();
-    let trace = |i| pressure.trace(i, geometry, engine.strokes, cylinders);
-    let gas = if table.len() == 1 {
-        trace(0)
-    } else {
-        let (i, fraction) = nearest::interval(table, speed_rpm);
-        trace(i).iter().zip(trace(i + 1)).map(|(a, b)| a + (b - a) * fraction).collect()
-    };
-    let omega = speed_rpm * RAD_PER_S_PER_RPM;
-    let n = samples(engine.strokes);
-    let unit: Vec<UnitForces> = (0..n).map(|j| unit_forces(geometry, Moment { pressure: gas[j], theta: sample_angle(j), omega })).collect();
-    let mut loads = ThrowLoads { torque: Vec::new(), pin_force: Vec::new() };
-    for throw in 0..engine.layout.throws() {
-        let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
-        for (firing, axis) in engine.layout.firing_on_throw(throw).iter().zip(axes(engine, throw)) {
-            let shift = (firing / engine.cycle_deg() * n as f64).round() as usize;
-            let (sine, cosine) = axis.sin_cos();
-            for j in 0..n {
-                let UnitForces { torque, big_end: [x, y], .. } = unit[(j + n - shift % n) % n];
-                sum[j] += torque;
-                force[j][0] += x * cosine - y * sine;
-                force[j][1] += x * sine + y * cosine;
-            }
-        }
-        loads.torque.push(sum);
-        loads.pin_force.push(force);
+/// Loads of an engine at any speed; keeps the pressure at the tabulated ones.
+#[derive(Debug, Clone)]
+pub struct Cycle<'a> {
+    engine: &'a Engine,
+    geometry: &'a Geometry,
+    speeds_rpm: &'a [f64],
+    traces: Vec<Vec<f64>>,
+}
+
+impl<'a> Cycle<'a> {
+    /// Of an engine; nothing where the torque comes from a table.
+    pub fn new(engine: &'a Engine) -> Option<Self> {
+        let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
+        let (speeds_rpm, cylinders) = (pressure.speeds_rpm(), engine.layout.firing_deg.len());
+        let traces = (0..speeds_rpm.len()).map(|i| pressure.trace(i, geometry, engine.strokes, cylinders)).collect();
+        Some(Self { engine, geometry, speeds_rpm, traces })
     }
-    Some(loads)
+
+    /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
+    /// speeds.
+    pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
+        let all = samples(self.engine.strokes);
+        let n = all / stride;
+        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::interval(self.speeds_rpm, speed_rpm) };
+        let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
+        let gas = |j: usize| low[j] + (high[j] - low[j]) * fraction;
+        let omega = speed_rpm * RAD_PER_S_PER_RPM;
+        let at = |j: usize| unit_forces(self.geometry, Moment { pressure: gas(j), theta: sample_angle(j), omega });
+        let unit: Vec<UnitForces> = (0..n).map(|j| at(j * stride)).collect();
+        let mut loads = ThrowLoads { theta: (0..n).map(|j| sample_angle(j * stride)).collect(), torque: Vec::new(), pin_force: Vec::new() };
+        for throw in 0..self.engine.layout.throws() {
+            let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
+            for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
+                let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
+                let (sine, cosine) = axis.sin_cos();
+                for j in 0..n {
+                    let UnitForces { torque, big_end: [x, y], .. } = unit[(j + n - shift % n) % n];
+                    sum[j] += torque;
+                    force[j][0] += x * cosine - y * sine;
+                    force[j][1] += x * sine + y * cosine;
+                }
+            }
+            loads.torque.push(sum);
+            loads.pin_force.push(force);
+        }
+        loads
+    }
+}
+
+/// The loads at a speed, at every sample; nothing where the torque comes from a table.
+pub fn throw_loads(engine: &Engine, speed_rpm: f64) -> Option<ThrowLoads> {
+    Some(Cycle::new(engine)?.loads(speed_rpm, 1))
+}
+
+/// Angle of the crankpin of every throw from the middle of the banks when the cylinder that fires at 0° fires, rad in the direction of rotation.
+pub fn pin_angles(engine: &Engine) -> Vec<f64> {
+    (0..engine.layout.throws()).map(|t| axes(engine, t)[0] - engine.layout.firing_on_throw(t)[0] * RAD_PER_DEG).collect()
+}
+
+/// A force in axes of the engine as (radial, tangential) on a pin at `angle`: outwards, and in the direction of rotation.
+pub fn crank_fixed([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [x * cosine + y * sine, y * cosine - x * sine]
 }
 
 /// Angle of the cylinders of a throw from the middle of the banks, rad in the direction of rotation: cylinders fire a bank angle apart in

@@ -1,8 +1,8 @@
 //! Torque of every throw as complex amplitudes of engine orders, at any speed.
 
-use super::forces::{gas_torque, inertia_torque_per_omega2};
+use super::forces::{Moment, friction_torque, gas_torque, inertia_torque_per_omega2};
 use super::pressure::{sample_angle, samples};
-use super::{Engine, Order, Source};
+use super::{Engine, Geometry, Order, Source};
 use crate::numerics::harmonics::Analyser;
 use crate::numerics::{C64, ZERO, nearest};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
@@ -62,6 +62,17 @@ pub struct Excitation {
     pub audit: Vec<Audit>,
 }
 
+/// Torque of the gas and of liner friction over a cycle. Friction depends on the inertia forces at `speed_rpm` and, between tabulated speeds, is
+/// interpolated with the gas.
+fn torque_without_inertia(geometry: &Geometry, trace: &[f64], speed_rpm: f64) -> Vec<f64> {
+    let omega = speed_rpm * RAD_PER_S_PER_RPM;
+    let at = |(j, &pressure): (usize, &f64)| {
+        let theta = sample_angle(j);
+        gas_torque(geometry, pressure, theta) + friction_torque(geometry, Moment { pressure, theta, omega })
+    };
+    trace.iter().enumerate().map(at).collect()
+}
+
 impl Excitation {
     /// Samples the torque of a cylinder at each tabulated speed and keeps the orders up to `order_limit`.
     pub fn new(engine: &Engine, order_limit: f64) -> Self {
@@ -94,7 +105,7 @@ impl Excitation {
         let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
         let change = |(index, fired): (usize, &Vec<C64>)| -> Vec<C64> {
             let trace = pressure.motored(index, geometry, engine.strokes);
-            let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
+            let torque = torque_without_inertia(geometry, &trace, pressure.speeds_rpm()[index]);
             analyser.analyse(&torque).iter().zip(fired).map(|(m, f)| m - f).collect()
         };
         Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
@@ -119,7 +130,7 @@ impl Excitation {
         let mut audit = Vec::new();
         for (index, &speed_rpm) in pressure.speeds_rpm().iter().enumerate() {
             let trace = pressure.trace(index, geometry, engine.strokes, cylinders);
-            let torque: Vec<f64> = trace.iter().enumerate().map(|(j, &p)| gas_torque(geometry, p, sample_angle(j))).collect();
+            let torque = torque_without_inertia(geometry, &trace, speed_rpm);
             let mean = torque.iter().sum::<f64>() / n as f64;
             gas.push(analyser.analyse(&torque));
             audit.push(Audit {

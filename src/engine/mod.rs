@@ -46,6 +46,8 @@ pub struct Geometry {
     pub rod: RodModel,
     /// Pressure under the piston, Pa absolute.
     pub crankcase_pressure: f64,
+    /// Coulomb friction between piston and liner: friction over normal force.
+    pub liner_friction: f64,
 }
 
 impl Geometry {

@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 pub struct Extremes {
     /// (max f - min f) / 2.
     pub half_peak_to_peak: f64,
+    /// (max f + min f) / 2.
+    pub middle: f64,
     /// Angle psi of the maximum, rad.
     pub angle_max: f64,
     /// Angle psi of the minimum, rad.
@@ -43,7 +45,9 @@ impl Samples {
 
 impl Extremes {
     fn of(high: Local, low: Local) -> Self {
-        Self { half_peak_to_peak: 0.5 * (high.value + low.value), angle_max: high.angle, angle_min: low.angle }
+        // the minimum comes as a maximum of -f
+        let (half_peak_to_peak, middle) = (0.5 * (high.value + low.value), 0.5 * (high.value - low.value));
+        Self { half_peak_to_peak, middle, angle_max: high.angle, angle_min: low.angle }
     }
 }
 
@@ -165,7 +169,7 @@ impl Synthesiser {
     fn single(&self, phasor: C64) -> Extremes {
         let h = f64::from(self.harmonics[0]);
         let angle = (-phasor.arg() / h).rem_euclid(TAU);
-        Extremes { half_peak_to_peak: phasor.norm(), angle_max: angle, angle_min: angle + 0.5 * TAU / h }
+        Extremes { half_peak_to_peak: phasor.norm(), middle: 0.0, angle_max: angle, angle_min: angle + 0.5 * TAU / h }
     }
 
     /// Angle of sample `j`.
@@ -303,11 +307,12 @@ impl Synthesiser {
         sums
     }
 
-    /// d(half peak-to-peak) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
+    /// d(half peak-to-peak) and d(middle) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
     /// stationary in the angle).
-    pub fn derivative(&self, extremes: &Extremes, change: &[C64]) -> f64 {
+    pub fn derivatives_of(&self, extremes: &Extremes, change: &[C64]) -> (f64, f64) {
         let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * C64::cis(f64::from(h) * psi)).re).sum() };
-        0.5 * (sum(extremes.angle_max) - sum(extremes.angle_min))
+        let (high, low) = (sum(extremes.angle_max), sum(extremes.angle_min));
+        (0.5 * (high - low), 0.5 * (high + low))
     }
 }
 

@@ -20,7 +20,7 @@ pub fn strength(published: &Published) -> Option<Strength> {
     let mut limits: Vec<f64> = published.fatigue.iter().filter_map(needed).collect();
     limits.sort_by(f64::total_cmp);
     let fatigue_limit = *limits.get(limits.len() / 2)?;
-    Some(Strength { tensile, fatigue_limit })
+    Some(Strength { tensile, yielding: None, fatigue_limit })
 }
 
 fn number(published: &Published, name: &str) -> Option<f64> {

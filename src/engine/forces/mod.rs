@@ -33,6 +33,8 @@ pub struct UnitForces {
     pub big_end: [f64; 2],
     /// Of the liner on the piston, along y.
     pub liner: f64,
+    /// Friction of the liner on the piston, along x, against its motion.
+    pub friction: f64,
     /// On the crank, N m, positive in the direction of rotation.
     pub torque: f64,
 }
@@ -43,6 +45,21 @@ pub fn unit_forces(geometry: &Geometry, at: Moment) -> UnitForces {
         RodModel::TwoMasses { .. } => traditional(geometry, at),
         RodModel::Body { .. } => newton_euler(geometry, at),
     }
+}
+
+/// Force of the rod on the piston along x where friction of the liner takes part: the piston asks for `wanted` without it, and the normal force is
+/// |slope x + offset| for a force x. `motion`: dx/dtheta of the piston, towards the crankshaft. One of the two signs of the normal force fits, since
+/// friction times slope is below one.
+fn with_friction(geometry: &Geometry, motion: f64, wanted: f64, (slope, offset): (f64, f64)) -> f64 {
+    let mu = geometry.liner_friction;
+    if mu == 0.0 || motion == 0.0 {
+        return wanted;
+    }
+    // a piston on its way to the crankshaft is held back, away from it: the rod has to bear less
+    let pull = -mu * motion.signum();
+    let force = |sign: f64| (wanted + pull * sign * offset) / (1.0 - pull * sign * slope);
+    let up = force(1.0);
+    if slope * up + offset >= 0.0 { up } else { force(-1.0) }
 }
 
 /// Force of the gas on the piston towards the crankshaft, N.
@@ -60,6 +77,15 @@ fn torque_of(geometry: &Geometry, theta: f64, big_end: [f64; 2]) -> f64 {
 /// F sin(theta + beta)/cos(beta) r of \[Villalva 2014\] eq. (3.74)). `pressure` in Pa absolute, `theta` in rad from firing dead centre.
 pub fn gas_torque(geometry: &Geometry, pressure: f64, theta: f64) -> f64 {
     gas_force(geometry, pressure) * geometry.slider_crank.motion(theta).slope
+}
+
+/// Torque that liner friction takes from the crank, N m; not above zero.
+pub fn friction_torque(geometry: &Geometry, at: Moment) -> f64 {
+    if geometry.liner_friction == 0.0 {
+        return 0.0;
+    }
+    let without = Geometry { liner_friction: 0.0, ..geometry.clone() };
+    unit_forces(geometry, at).torque - unit_forces(&without, at).torque
 }
 
 /// Torque of the moving masses at constant speed, divided by the square of the speed, kg m² (N m per (rad/s)²), by virtual work: -m x'' x' of what

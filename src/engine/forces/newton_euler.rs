@@ -1,10 +1,10 @@
 //! Newton and Euler's equations of piston and rod, the rod a rigid body with its own centre and inertia.
 //!
-//! With S the force of the rod on the piston and Q that of the crank on the rod: m_p s'' = S_x - F_gas and 0 = S_y + N for the piston, m a_G = Q - S for the
+//! With S the force of the rod on the piston and Q that of the crank on the rod: m_p s'' = S_x - F_gas + R and 0 = S_y + N for the piston (R: friction), m a_G = Q - S for the
 //! rod, and about its centre I beta'' = L (cos beta S_y + sin beta S_x) + a m (cos beta a_Gy + sin beta a_Gx), where a is the distance of the centre from the big
 //! end. Derived here: equations (3.76) to (3.84) of \[Villalva 2014\] carry misprints.
 
-use super::{Moment, UnitForces, gas_force, torque_of};
+use super::{Moment, UnitForces, gas_force, torque_of, with_friction};
 use crate::engine::Geometry;
 
 /// Forces with the rod as a rigid body; exact kinematics.
@@ -22,8 +22,13 @@ pub fn newton_euler(geometry: &Geometry, at: Moment) -> UnitForces {
         -r * speed2 * sine - a * (cos_beta * turning - sin_beta * rate2),
     ];
     let m = geometry.rod_mass;
-    let piston = gas_force(geometry, at.pressure) - geometry.piston_mass * crank.motion(at.theta).curvature * speed2;
-    let across = (inertia * turning - a * m * (cos_beta * centre[1] + sin_beta * centre[0])) / (l * cos_beta) - lean.angle.tan() * piston;
+    let motion = crank.motion(at.theta);
+    let wanted = gas_force(geometry, at.pressure) - geometry.piston_mass * motion.curvature * speed2;
+    let bending = (inertia * turning - a * m * (cos_beta * centre[1] + sin_beta * centre[0])) / (l * cos_beta);
+    // the liner presses with tan beta S_x - bending
+    let piston = with_friction(geometry, motion.slope, wanted, (lean.angle.tan(), -bending));
+    let across = bending - lean.angle.tan() * piston;
     let big_end = [-(m * centre[0] + piston), -(m * centre[1] + across)];
-    UnitForces { small_end: [piston, across], big_end, liner: -across, torque: torque_of(geometry, at.theta, big_end) }
+    let torque = torque_of(geometry, at.theta, big_end);
+    UnitForces { small_end: [piston, across], big_end, liner: -across, friction: wanted - piston, torque }
 }

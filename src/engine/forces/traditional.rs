@@ -1,6 +1,6 @@
 //! Traditional method: the rod as one mass on the crankpin and one on the piston pin, joined by a strut \[Villalva 2014\] section 3.4.
 
-use super::{Moment, UnitForces, gas_force, torque_of};
+use super::{Moment, UnitForces, gas_force, torque_of, with_friction};
 use crate::engine::Geometry;
 
 /// Forces with the rod's mass shared between its ends as the rotating fraction says. The strut pushes along the rod: R (1, -tan beta) on the piston with
@@ -12,14 +12,16 @@ pub fn traditional(geometry: &Geometry, at: Moment) -> UnitForces {
     // s = r + L - x
     let acceleration = -crank.motion(at.theta).curvature * speed2;
     let gas = gas_force(geometry, at.pressure);
-    let strut = gas + geometry.oscillating_mass() * acceleration;
     let tan_beta = crank.lean(at.theta).angle.tan();
+    let wanted = gas + geometry.oscillating_mass() * acceleration;
+    let strut = with_friction(geometry, crank.motion(at.theta).slope, wanted, (tan_beta, 0.0));
     let rotating = geometry.rod_rotating_fraction() * geometry.rod_mass * crank.crank_radius * speed2;
     let big_end = [-strut + rotating * cosine, strut * tan_beta + rotating * sine];
     UnitForces {
-        small_end: [gas + geometry.piston_mass * acceleration, -strut * tan_beta],
+        small_end: [gas + geometry.piston_mass * acceleration + strut - wanted, -strut * tan_beta],
         big_end,
         liner: strut * tan_beta,
+        friction: wanted - strut,
         torque: torque_of(geometry, at.theta, big_end),
     }
 }

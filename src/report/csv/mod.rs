@@ -1,13 +1,14 @@
 //! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly; what does not apply is empty.
 
 pub mod chart;
+pub mod margin;
 
 use super::files::{Folder, WriteError};
 use crate::absorber::Ring;
 use crate::assess::{Calibration, Comparison, ConditionResult, DesignResult, Results, Timing};
 use crate::design::{Condition, Peak};
 use crate::response::Quantity;
-use crate::study::{Study, UnitOf};
+use crate::study::{ObjectiveSpec, Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 
 /// Columns of `designs.csv`, in order.
@@ -68,11 +69,17 @@ fn optional(x: Option<f64>) -> String {
     x.map_or_else(String::new, number)
 }
 
-/// An objective in the unit of its column.
+/// A value of the study's (first) objective in the unit of its column.
 pub fn in_unit(study: &Study, value: f64) -> f64 {
-    match study.objective.unit {
+    in_unit_of(&study.objective, value)
+}
+
+/// A value of an objective in the unit of its column; a margin is the inverse of what is made small.
+pub fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
+    match objective.unit {
         UnitOf::Angle => value * DEG_PER_RAD,
         UnitOf::Torque => value,
+        UnitOf::Margin => 1.0 / value,
     }
 }
 
@@ -151,12 +158,14 @@ pub fn designs(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
             ["peak_twist_deg", "peak_twist_speed_rpm", "peak_twist_order", "peak_torque_n_m", "peak_torque_shaft", "objective_value"];
         header.extend(columns.map(|c| format!("{}_{c}", condition.name())));
     }
+    header.extend(margin::columns(study));
     let mut table = Table::new(&header.iter().map(String::as_str).collect::<Vec<_>>());
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
         let mut row = design_row(study, results, d);
         for condition in &others {
             row.extend(condition_cells(study, results, *condition, d.conditions.iter().find(|c| c.condition == *condition)));
         }
+        row.extend(margin::cells(study, results, d));
         table.row(row);
     }
     table.save(folder, "designs.csv")
@@ -187,7 +196,7 @@ pub fn response(study: &Study, results: &Results, folder: &Folder) -> Result<(),
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let header = [
+    let mut header = vec![
         "absorber",
         "ring_inertia_kg_m2",
         "stiffness_n_m_per_rad",
@@ -197,11 +206,12 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "limits_hold",
         "dominated",
     ];
+    header.extend(study.more_objectives.iter().map(|o| o.column));
     let mut table = Table::new(&header);
     for front in &results.fronts {
-        for point in &front.front.points {
+        for (point, others) in front.front.points.iter().zip(&front.others) {
             let a = &point.design.absorber;
-            table.row([
+            let mut row = vec![
                 front.kind.name().to_owned(),
                 number(a.ring_inertia()),
                 number(a.stiffness()),
@@ -210,7 +220,9 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 optional(Some(point.kkt_residual).filter(|r| r.is_finite())),
                 (point.excess <= 1e-6).to_string(),
                 point.dominated.to_string(),
-            ]);
+            ];
+            row.extend(study.more_objectives.iter().zip(others).map(|(o, v)| number(in_unit_of(o, *v))));
+            table.row(row);
         }
     }
     table.save(folder, "pareto.csv")

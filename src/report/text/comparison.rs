@@ -49,6 +49,7 @@ fn value(study: &Study, v: f64) -> String {
     match study.objective.unit {
         UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
         UnitOf::Torque => format!("{} N m", significant(v, 4)),
+        UnitOf::Margin => super::margin::factor(1.0 / v),
     }
 }
 

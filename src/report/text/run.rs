@@ -1,5 +1,6 @@
 //! What a run prints: designs, optima, conditions, summary.
 
+use super::margin::factor;
 use super::{dash, significant, table};
 use crate::absorber::Ring;
 use crate::assess::auto::Way;
@@ -7,7 +8,7 @@ use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::design::Condition;
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
-use crate::study::{Study, UnitOf};
+use crate::study::{ObjectiveSpec, Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
@@ -100,9 +101,14 @@ pub fn designs(study: &Study, results: &Results) -> String {
 }
 
 fn value(study: &Study, v: f64) -> String {
-    match study.objective.unit {
+    value_of(&study.objective, v)
+}
+
+fn value_of(objective: &ObjectiveSpec, v: f64) -> String {
+    match objective.unit {
         UnitOf::Angle => format!("{:.6}°", v * DEG_PER_RAD),
         UnitOf::Torque => format!("{v:.4} N m"),
+        UnitOf::Margin => factor(1.0 / v),
     }
 }
 
@@ -126,9 +132,11 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         // writing to a string cannot fail
         let _ = writeln!(text, "{line}");
     };
-    put(format!("{}: {} {}", o.design.name, study.objective.label, value(study, best)));
+    let objective = study.objective_of(o.objective);
+    put(format!("{}: {} {}", o.design.name, objective.label, value_of(objective, best)));
     let worst = o.design.conditions.iter().max_by(|a, b| a.objective.total_cmp(&b.objective));
-    if let (Some(all), Some(c)) = (o.design.objective.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
+    let own = o.design.objective.filter(|_| o.objective == 0);
+    if let (Some(all), Some(c)) = (own.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
         put(format!(
             "  {}: {}, whatever the spring and damper; the rest is optimised",
             c.condition.name().replace('_', " "),
@@ -147,7 +155,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
                 put(format!(
                     "  active peak at {:.1} rpm{during}, {}{}",
                     p.speed_rpm,
-                    value(study, p.value),
+                    value_of(objective, p.value),
                     peak_words(results, nature.as_ref())
                 ));
             }

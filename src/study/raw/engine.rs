@@ -1,5 +1,6 @@
 //! The engine file.
 
+use super::crank::RawCrank;
 use crate::study::input_error::At;
 use serde::Deserialize;
 
@@ -11,6 +12,7 @@ pub struct RawEngine {
     pub geometry: Option<At<RawGeometry>>,
     pub layout: RawLayout,
     pub pressure: At<RawPressure>,
+    pub crank: Option<At<RawCrank>>,
     #[serde(default)]
     pub station: Vec<RawStation>,
 }
@@ -29,6 +31,7 @@ pub struct RawGeometry {
     #[serde(default)]
     pub kinematics: RawKinematics,
     pub crankcase_pressure_bar: Option<At<f64>>,
+    pub liner_friction: Option<At<f64>>,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]

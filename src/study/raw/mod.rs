@@ -1,4 +1,6 @@
 //! Files as typed: keys, units and choices, nothing checked but grammar and type.
 
+pub mod crank;
 pub mod engine;
+pub mod fatigue;
 pub mod study;

@@ -1,5 +1,6 @@
 //! The study file.
 
+use super::fatigue::{RawCriterion, RawFatigue};
 use crate::study::input_error::At;
 use serde::Deserialize;
 
@@ -23,6 +24,7 @@ pub struct RawStudy {
     pub pareto: Option<At<RawPareto>>,
     pub published: Option<At<RawPublished>>,
     pub calibrate: Option<At<RawCalibrate>>,
+    pub fatigue: Option<At<RawFatigue>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -152,6 +154,7 @@ pub enum RawObjective {
     PeakTwist(RawTwist),
     HubAmplitude(RawAmplitude),
     VibratoryTorque(RawTorque),
+    Margin(RawMargin),
 }
 
 #[derive(Debug, Deserialize)]
@@ -184,6 +187,7 @@ pub enum RawConstraint {
     PeakTwist(RawTwistLimit),
     HubAmplitude(RawAmplitudeLimit),
     VibratoryTorque(RawTorqueLimit),
+    Margin(RawMarginLimit),
 }
 
 #[derive(Debug, Deserialize)]
@@ -211,6 +215,19 @@ pub struct RawTorqueLimit {
     #[serde(default)]
     pub over: RawOver,
     pub max_n_m: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMargin {
+    pub criterion: Option<At<RawCriterion>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMarginLimit {
+    pub min: At<f64>,
+    pub criterion: Option<At<RawCriterion>>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -70,6 +70,7 @@ fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {
         rod_mass: check.not_negative(&raw.rod_mass_kg),
         rod: rod(check, raw, rod_length, kinematics),
         crankcase_pressure: raw.crankcase_pressure_bar.as_ref().map_or(1.0, |p| check.not_negative(p)) * PA_PER_BAR,
+        liner_friction: raw.liner_friction.as_ref().map_or(0.0, |f| check.within(f, 0.0..=0.5, "a friction coefficient from 0 to 0.5")),
     }
 }
 

@@ -2,8 +2,10 @@
 
 mod calibrate;
 mod chain;
+mod crank;
 mod designs;
 mod engine;
+mod fatigue;
 mod inputs;
 mod objectives;
 mod optimise;
@@ -20,9 +22,10 @@ use super::published::Published;
 use super::raw;
 use crate::absorber::Mounted;
 use crate::chain::{Chain, Modes};
-use crate::design::{Condition, Limit};
+use crate::design::{Condition, FatigueSpec, Limit};
 use crate::engine::{Engine, Order, Source as TorqueSource};
 use crate::response::Quantity;
+use crate::shaft::Crank;
 use std::path::Path;
 
 /// A named design of a study.
@@ -77,6 +80,8 @@ pub struct Study {
     pub twist: Quantity,
     /// To be small.
     pub objective: ObjectiveSpec,
+    /// What more optima of the main size are to make small, each by itself.
+    pub more_objectives: Vec<ObjectiveSpec>,
     /// To hold, with their words in the file.
     pub limits: Vec<(String, Limit)>,
     /// What to optimise.
@@ -89,6 +94,17 @@ pub struct Study {
     pub published: Option<Published>,
     /// Inputs to fit to them.
     pub calibrate: Option<CalibrateSpec>,
+    /// Dimensions of the crank, where the engine file has them.
+    pub crank: Option<Crank>,
+    /// How the crank's margin is judged.
+    pub fatigue: Option<FatigueSpec>,
+}
+
+impl Study {
+    /// An objective: the first, or one of those after it.
+    pub fn objective_of(&self, index: usize) -> &ObjectiveSpec {
+        index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
+    }
 }
 
 /// More points than this in a sweep would take gigabytes: a mistake in the file.
@@ -105,6 +121,10 @@ pub(super) fn resolve(
     let mut in_engine = Check::new(engine_source);
     let engine = engine::resolve(&mut in_engine, raw_engine, engine_path.parent().unwrap_or_else(|| Path::new("")));
     let chain = chain::resolve(&mut in_engine, raw_engine, engine.as_ref().map_or(0, |e| e.layout.throws()));
+    let crank = match (&raw_engine.crank, &engine) {
+        (Some(raw), Some(engine)) => crank::resolve(&mut in_engine, raw, engine),
+        _ => None,
+    };
     let mut check = Check::new(source);
     let speeds_rpm = speeds(&mut check, study);
     let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, 0.5..=200.0, "an order from 0.5 to 200"));
@@ -132,8 +152,20 @@ pub(super) fn resolve(
         (None, Some(a)) => a.station,
         (None, None) => 0,
     };
-    let objective = objectives::objective(&mut check, study, &chain, hub);
-    let limits = objectives::limits(&mut check, study, &chain);
+    let fatigue = study.fatigue.as_ref().and_then(|f| {
+        check_throws(&mut check, f, &chain);
+        let spec = fatigue::resolve(&mut check, f, crank.as_ref())?;
+        if let (Some(raw), Some(crank), true) = (&raw_engine.crank, &crank, fatigue::needs_formulas(&spec)) {
+            crank::check_ranges(&mut in_engine, raw.get_ref(), crank);
+        }
+        Some(spec)
+    });
+    let mut more_objectives = objectives::objectives(&mut check, study, &chain, hub, fatigue.as_ref());
+    let objective = more_objectives.remove(0);
+    if let (Some(second), None) = (study.objective.get(1), &optimise) {
+        check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
+    }
+    let limits = objectives::limits(&mut check, study, &chain, fatigue.as_ref());
     let tolerance = study
         .response
         .tolerance
@@ -159,8 +191,10 @@ pub(super) fn resolve(
     if study.design.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
     }
-    if !check.mistakes.is_empty() {
-        return Err(InputError::sorted(check.mistakes));
+    if !check.mistakes.is_empty() || !in_engine.mistakes.is_empty() {
+        let mut mistakes = InputError::sorted(in_engine.mistakes).mistakes;
+        mistakes.extend(InputError::sorted(check.mistakes).mistakes);
+        return Err(InputError { mistakes });
     }
     let last = chain.len() - 1;
     let twist = match objective.measure.quantities.as_slice() {
@@ -186,12 +220,15 @@ pub(super) fn resolve(
         hub,
         twist,
         objective,
+        more_objectives,
         limits,
         optimise,
         front,
         conditions,
         published,
         calibrate,
+        crank,
+        fatigue,
     })
 }
 
@@ -227,6 +264,16 @@ fn speeds(check: &mut Check, study: &raw::study::RawStudy) -> Vec<f64> {
         speeds.push(to);
     }
     speeds
+}
+
+/// A margin needs the torque beside every throw.
+fn check_throws(check: &mut Check, fatigue: &At<raw::fatigue::RawFatigue>, chain: &Chain) {
+    if chain.len() == 1 || chain.stations.iter().any(|s| s.throws.len() > 1) {
+        check.wrong(
+            fatigue,
+            "found [fatigue] for a chain with several throws on a station or without shafts, expected a station for each throw",
+        );
+    }
 }
 
 fn check_load(check: &mut Check, study: &raw::study::RawStudy, engine: &mut Engine) {

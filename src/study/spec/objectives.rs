@@ -2,10 +2,11 @@
 
 use super::station;
 use crate::chain::Chain;
-use crate::design::{Limit, Measure, Over};
+use crate::design::{FatigueSpec, Limit, Measure, Over, margin};
 use crate::response::Quantity;
 use crate::study::input_error::{At, Check};
-use crate::study::raw::study::{RawConstraint, RawObjective, RawOver, RawStudy};
+use crate::study::raw::fatigue::RawCriterion;
+use crate::study::raw::study::{RawConstraint, RawMargin, RawObjective, RawOver, RawStudy};
 use crate::units::RAD_PER_DEG;
 
 /// Unit a measure is reported in.
@@ -15,6 +16,8 @@ pub enum UnitOf {
     Angle,
     /// N m.
     Torque,
+    /// None: a safety factor, of which the inverse is to be small.
+    Margin,
 }
 
 /// What is to be small.
@@ -30,6 +33,8 @@ pub struct ObjectiveSpec {
     pub unit: UnitOf,
     /// Whether it is a twist.
     pub is_twist: bool,
+    /// A word for names of optima.
+    pub word: &'static str,
 }
 
 fn over(raw: RawOver) -> Over {
@@ -60,54 +65,107 @@ pub fn default_twist(chain: &Chain, hub: usize) -> Quantity {
     Quantity::Twist { from: if hub == last { 0 } else { hub }, to: (last > 0).then_some(last) }
 }
 
-/// The objective; by default the synthesised twist from the hub to the last station.
-pub fn objective(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize) -> ObjectiveSpec {
-    let last = chain.len() - 1;
-    let spec = |quantities: Vec<Quantity>, over: Over, kind: Kind| {
-        let of = match (kind, quantities.first()) {
-            (_, Some(Quantity::Twist { from, to })) => {
-                let name = |i: usize| chain.stations[i].name.as_str();
-                match (kind, to) {
-                    (Kind::Amplitude, _) => format!("amplitude of {}", name(*from)),
-                    (_, to) => format!("twist {} to {}", name(*from), to.map_or("ground", name)),
-                }
-            }
-            _ => "vibratory torque of the shafts".into(),
-        };
-        let prefix = if over == Over::Synthesis { "peak" } else { "largest order of" };
-        let column = match (kind, over) {
-            (Kind::Twist, Over::Synthesis) => "peak_twist_deg",
-            (Kind::Twist, Over::Orders) => "peak_order_twist_deg",
-            (Kind::Amplitude, Over::Synthesis) => "peak_hub_deg",
-            (Kind::Amplitude, Over::Orders) => "peak_order_hub_deg",
-            (Kind::Torque, Over::Synthesis) => "peak_torque_n_m",
-            (Kind::Torque, Over::Orders) => "peak_order_torque_n_m",
-        };
-        ObjectiveSpec {
-            measure: Measure { quantities, over },
-            column,
-            label: format!("{prefix} {of}"),
-            unit: if kind == Kind::Torque { UnitOf::Torque } else { UnitOf::Angle },
-            is_twist: kind == Kind::Twist,
-        }
+/// The criterion of a margin: the one named, or the first of the study.
+fn criterion<T>(check: &mut Check, named: Option<&At<RawCriterion>>, at: &At<T>, fatigue: Option<&FatigueSpec>) -> Option<usize> {
+    let Some(fatigue) = fatigue else {
+        check.wrong(at, "found a margin in a study without [fatigue], expected material and criteria there");
+        return None;
     };
-    let default = || spec(vec![default_twist(chain, hub)], Over::Synthesis, Kind::Twist);
-    if let Some(second) = study.objective.get(1) {
-        check.wrong(second, "found a second [[objective]], expected one: the front is drawn over ring inertia by [pareto]");
+    let Some(named) = named else { return Some(0) };
+    let wanted = margin::MarginCriterion::from(*named.get_ref());
+    let found = fatigue.criteria.iter().position(|c| *c == wanted);
+    if found.is_none() {
+        check.wrong(named, format!("found criterion `{}`, expected one of those in [fatigue]", wanted.name()));
     }
-    let Some(raw) = study.objective.first() else { return default() };
+    found
+}
+
+/// Shafts whose torque the crank carries.
+fn crank_torques(chain: &Chain) -> Vec<Quantity> {
+    let throws = chain.stations.iter().map(|s| s.throws.len()).sum();
+    margin::shafts(chain, throws).into_iter().map(Quantity::ShaftTorque).collect()
+}
+
+/// Objectives, the first one first; by default the synthesised twist from the hub to the last station.
+pub fn objectives(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize, fatigue: Option<&FatigueSpec>) -> Vec<ObjectiveSpec> {
+    if study.objective.is_empty() {
+        return vec![default_objective(chain, hub)];
+    }
+    let mut list: Vec<ObjectiveSpec> = Vec::new();
+    for raw in &study.objective {
+        let spec = objective(check, raw, chain, hub, fatigue);
+        if list.iter().any(|o| o.word == spec.word) {
+            check.wrong(raw, format!("found a second objective of the kind `{}`, expected different kinds", spec.word));
+        }
+        list.push(spec);
+    }
+    list
+}
+
+fn default_objective(chain: &Chain, hub: usize) -> ObjectiveSpec {
+    spec(chain, vec![default_twist(chain, hub)], Over::Synthesis, Kind::Twist)
+}
+
+fn spec(chain: &Chain, quantities: Vec<Quantity>, over: Over, kind: Kind) -> ObjectiveSpec {
+    let of = match (kind, quantities.first()) {
+        (_, Some(Quantity::Twist { from, to })) => {
+            let name = |i: usize| chain.stations[i].name.as_str();
+            match (kind, to) {
+                (Kind::Amplitude, _) => format!("amplitude of {}", name(*from)),
+                (_, to) => format!("twist {} to {}", name(*from), to.map_or("ground", name)),
+            }
+        }
+        _ => "vibratory torque of the shafts".into(),
+    };
+    let prefix = if over == Over::Synthesis { "peak" } else { "largest order of" };
+    let (column, word) = match (kind, over) {
+        (Kind::Twist, Over::Orders) => ("peak_order_twist_deg", "order_twist"),
+        (Kind::Twist, _) => ("peak_twist_deg", "twist"),
+        (Kind::Amplitude, Over::Orders) => ("peak_order_hub_deg", "order_hub"),
+        (Kind::Amplitude, _) => ("peak_hub_deg", "hub"),
+        (Kind::Torque, Over::Orders) => ("peak_order_torque_n_m", "order_torque"),
+        (Kind::Torque, _) => ("peak_torque_n_m", "torque"),
+    };
+    ObjectiveSpec {
+        measure: Measure { quantities, over },
+        column,
+        label: format!("{prefix} {of}"),
+        unit: if kind == Kind::Torque { UnitOf::Torque } else { UnitOf::Angle },
+        is_twist: kind == Kind::Twist,
+        word,
+    }
+}
+
+fn margin_spec(chain: &Chain, index: usize, fatigue: &FatigueSpec) -> ObjectiveSpec {
+    let column = fatigue.criteria[index].column();
+    ObjectiveSpec {
+        measure: Measure { quantities: crank_torques(chain), over: Over::Margin(index) },
+        column,
+        label: format!("smallest margin by {}", fatigue.criteria[index].name()),
+        unit: UnitOf::Margin,
+        is_twist: false,
+        word: column,
+    }
+}
+
+fn objective(check: &mut Check, raw: &At<RawObjective>, chain: &Chain, hub: usize, fatigue: Option<&FatigueSpec>) -> ObjectiveSpec {
+    let default = || default_objective(chain, hub);
     match raw.get_ref() {
         RawObjective::PeakTwist(t) => {
-            twist(check, chain, &t.from, &t.to).map_or_else(default, |q| spec(vec![q], over(t.over), Kind::Twist))
+            twist(check, chain, &t.from, &t.to).map_or_else(default, |q| spec(chain, vec![q], over(t.over), Kind::Twist))
         }
         RawObjective::HubAmplitude(a) => station(check, chain, &a.station)
-            .map_or_else(default, |s| spec(vec![Quantity::Twist { from: s, to: None }], over(a.over), Kind::Amplitude)),
+            .map_or_else(default, |s| spec(chain, vec![Quantity::Twist { from: s, to: None }], over(a.over), Kind::Amplitude)),
         RawObjective::VibratoryTorque(t) => {
-            if last == 0 {
+            if chain.len() == 1 {
                 check.wrong(raw, "found the vibratory torque of a chain without shafts, expected two stations or another objective");
                 return default();
             }
-            spec(torques(chain), over(t.over), Kind::Torque)
+            spec(chain, torques(chain), over(t.over), Kind::Torque)
+        }
+        RawObjective::Margin(RawMargin { criterion: named }) => {
+            let index = criterion(check, named.as_ref(), raw, fatigue);
+            index.zip(fatigue).map_or_else(default, |(index, fatigue)| margin_spec(chain, index, fatigue))
         }
     }
 }
@@ -120,7 +178,7 @@ enum Kind {
 }
 
 /// Limits with their words.
-pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain) -> Vec<(String, Limit)> {
+pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain, fatigue: Option<&FatigueSpec>) -> Vec<(String, Limit)> {
     let mut limits = Vec::new();
     for raw in &study.constraint {
         let limit = match raw {
@@ -141,6 +199,15 @@ pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain) -> Vec<(String
             RawConstraint::VibratoryTorque(t) => {
                 let limit = check.positive(&t.max_n_m);
                 Some((format!("vibratory torque at most {limit} N m"), torques(chain), t.over, limit))
+            }
+            RawConstraint::Margin(m) => {
+                let least = check.positive(&m.min);
+                if let (Some(index), Some(fatigue)) = (criterion(check, m.criterion.as_ref(), &m.min, fatigue), fatigue) {
+                    let words = format!("margin by {} at least {least}", fatigue.criteria[index].name());
+                    let measure = Measure { quantities: crank_torques(chain), over: Over::Margin(index) };
+                    limits.push((words, Limit { measure, limit: 1.0 / least }));
+                }
+                None
             }
         };
         if let Some((words, quantities, raw_over, limit)) = limit {

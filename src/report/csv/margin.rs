@@ -1,0 +1,54 @@
+//! `margin.csv`, and the columns that margins add to other tables.
+
+use super::{Table, number, optional};
+use crate::assess::{DesignResult, Results};
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use crate::units::PA_PER_MPA;
+
+/// Columns of the smallest margins in `designs.csv`: three a criterion.
+pub fn columns(study: &Study) -> Vec<String> {
+    let criteria = study.fatigue.iter().flat_map(|f| &f.criteria);
+    criteria.flat_map(|c| [c.column().to_owned(), format!("{}_speed_rpm", c.column()), format!("{}_fillet", c.column())]).collect()
+}
+
+/// Their cells for one design.
+pub fn cells(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
+    let criteria = study.fatigue.as_ref().map_or(0, |f| f.criteria.len());
+    let cells = |c: usize| {
+        let found = d.margins.iter().find(|m| m.criterion == c);
+        let name = found.zip(results.margin.as_ref()).map(|(m, model)| model.spots[m.used.spot].name.clone());
+        [optional(found.map(|m| m.margin)), optional(found.map(|m| m.speed_rpm)), name.unwrap_or_default()]
+    };
+    (0..criteria).flat_map(cells).collect()
+}
+
+/// `margin.csv`: a row a design, speed, fillet (the worse of its two webs) and criterion. Stresses are equivalent ones; the class rule has no mean.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn margin(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let Some(model) = &results.margin else { return folder.remove(&["margin.csv"]) };
+    let header = ["design", "speed_rpm", "fillet", "criterion", "amplitude_mpa", "mean_mpa", "safety_factor"];
+    let mut table = Table::new(&header);
+    for sweep in &results.margins {
+        for fillet in &sweep.fillets {
+            let criterion = model.criteria[fillet.criterion];
+            for (speed, used) in study.speeds_rpm.iter().zip(&fillet.used) {
+                let mean = Some(used.cycle.mean / PA_PER_MPA).filter(|_| !model.is_class_rule(fillet.criterion));
+                // without any stress the margin has no limit
+                let factor = Some(1.0 / used.value).filter(|n| n.is_finite());
+                table.row([
+                    sweep.design.clone(),
+                    number(*speed),
+                    fillet.name.clone(),
+                    criterion.name().to_owned(),
+                    number(used.cycle.amplitude / PA_PER_MPA),
+                    optional(mean),
+                    factor.map_or_else(|| "infinite".into(), number),
+                ]);
+            }
+        }
+    }
+    table.save(folder, "margin.csv")
+}

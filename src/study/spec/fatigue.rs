@@ -1,0 +1,181 @@
+//! Fatigue: material, criteria, fillets.
+
+use crate::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion};
+use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture};
+use crate::fatigue::endurance::{self, Endurance, HOTTEST, Loading, RELIABILITIES, Surface};
+use crate::fatigue::{ClassRule, Criterion, Strength};
+use crate::shaft::notch::Formulas;
+use crate::shaft::{Crank, Place};
+use crate::study::input_error::{At, Check};
+use crate::study::raw::fatigue::{
+    RawCriterion, RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawPlace, RawSurface,
+};
+use crate::units::PA_PER_MPA;
+use std::collections::HashSet;
+
+/// Largest factor that is not a slip of the pen.
+const LARGEST_FACTOR: f64 = 20.0;
+
+impl From<RawCriterion> for MarginCriterion {
+    fn from(raw: RawCriterion) -> Self {
+        match raw {
+            RawCriterion::Goodman => Self::MeanStress(Criterion::Goodman),
+            RawCriterion::Soderberg => Self::MeanStress(Criterion::Soderberg),
+            RawCriterion::Gerber => Self::MeanStress(Criterion::Gerber),
+            RawCriterion::AsmeElliptic => Self::MeanStress(Criterion::AsmeElliptic),
+            RawCriterion::Langer => Self::MeanStress(Criterion::Langer),
+            RawCriterion::IacsM53 => Self::IacsM53,
+        }
+    }
+}
+
+/// The table, or nothing where a mistake leaves none. Whether formulas for the factors are needed comes with it.
+pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -> Option<FatigueSpec> {
+    let Some(crank) = crank else {
+        check.wrong(raw, "found [fatigue] for an engine without [crank], expected its dimensions in the engine file");
+        return None;
+    };
+    let raw = raw.get_ref();
+    let before = check.mistakes.len();
+    let criteria = criteria(check, raw, crank);
+    let strength = strength(check, raw, &criteria, crank);
+    let fillets = if raw.fillet.is_empty() { every_fillet() } else { fillets(check, &raw.fillet, crank) };
+    let add = raw.iacs_m53.additional_bending_mpa.as_ref();
+    let rule = ClassRule {
+        manufacture: match raw.iacs_m53.manufacture {
+            RawManufacture::GrainFlow => Manufacture::GrainFlow,
+            RawManufacture::FreeForged => Manufacture::FreeForged,
+            RawManufacture::CastColdRolled => Manufacture::CastColdRolled,
+        },
+        tensile: strength.tensile,
+        additional_bending: add.map_or(ADDITIONAL_BENDING, |a| check.not_negative(a) * PA_PER_MPA),
+    };
+    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, notch_sensitivity: raw.notch_sensitivity, fillets, rule })
+}
+
+/// Whether factors come from formulas anywhere.
+pub fn needs_formulas(spec: &FatigueSpec) -> bool {
+    let mean_stress = spec.criteria.iter().any(|c| *c != MarginCriterion::IacsM53);
+    spec.criteria.contains(&MarginCriterion::IacsM53)
+        || (mean_stress && spec.fillets.iter().any(|f| matches!(f.factors, FactorSource::Formulas(_))))
+}
+
+fn criteria(check: &mut Check, raw: &RawFatigue, crank: &Crank) -> Vec<MarginCriterion> {
+    let mut list = Vec::new();
+    for c in raw.criteria.get_ref() {
+        let criterion = MarginCriterion::from(*c.get_ref());
+        if list.contains(&criterion) {
+            check.wrong(c, format!("found criterion `{}` a second time, expected each once", criterion.name()));
+        }
+        if criterion == MarginCriterion::IacsM53 && !crank.missing_bearings.is_empty() {
+            check.wrong(
+                c,
+                "found `iacs_m53` for a crank with missing bearings, expected one throw between two main bearings, as the rule does",
+            );
+        }
+        list.push(criterion);
+    }
+    if list.is_empty() {
+        check.wrong(&raw.criteria, "found an empty list, expected at least one criterion");
+    }
+    list
+}
+
+fn strength(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], crank: &Crank) -> Strength {
+    let RawMaterial { tensile_strength_mpa, yield_strength_mpa, bending_fatigue_limit_mpa, torsion_fatigue_limit_mpa } = &raw.material;
+    let tensile = check.positive(tensile_strength_mpa);
+    let below = |check: &mut Check, value: &Option<At<f64>>, what: &str, most: f64, of: &str| {
+        let x = value.as_ref().map(|v| check.positive(v))?;
+        if let Some(v) = value.as_ref().filter(|_| x > most) {
+            check.wrong(v, format!("found a {what} of {x} MPa, expected one not above the {of}, {most} MPa"));
+        }
+        Some(x)
+    };
+    let yielding = below(check, yield_strength_mpa, "yield strength", tensile, "tensile strength");
+    let limit = below(check, bending_fatigue_limit_mpa, "bending fatigue limit", tensile, "tensile strength");
+    let most = limit.unwrap_or(tensile);
+    let of = if limit.is_some() { "bending fatigue limit" } else { "tensile strength" };
+    let _for_multiaxial_criteria = below(check, torsion_fatigue_limit_mpa, "torsion fatigue limit", most, of);
+    for c in criteria {
+        if let MarginCriterion::MeanStress(line) = c
+            && line.needs_yield()
+            && yielding.is_none()
+        {
+            check.wrong(
+                &raw.criteria,
+                format!("found `{}` without a yield strength, expected `yield_strength_mpa` in the material", line.name()),
+            );
+        }
+    }
+    let mut fatigue_limit = limit.map_or_else(|| endurance::estimated_limit(tensile * PA_PER_MPA), |l| l * PA_PER_MPA);
+    if let Some(e) = &raw.endurance {
+        let factors = endurance(check, e, crank).factors(tensile * PA_PER_MPA);
+        fatigue_limit *= factors.iter().product::<f64>();
+    }
+    Strength { tensile: tensile * PA_PER_MPA, yielding: yielding.map(|y| y * PA_PER_MPA), fatigue_limit }
+}
+
+fn endurance(check: &mut Check, raw: &RawEndurance, crank: &Crank) -> Endurance {
+    let reliability_percent = raw.reliability_percent.as_ref().map_or(50.0, |r| {
+        if !RELIABILITIES.contains(r.get_ref()) {
+            let known: Vec<String> = RELIABILITIES.iter().map(ToString::to_string).collect();
+            check.wrong(r, format!("found {} %, expected one of {}", r.get_ref(), known.join(", ")));
+        }
+        *r.get_ref()
+    });
+    Endurance {
+        loading: match raw.load {
+            RawLoad::Bending => Loading::Bending,
+            RawLoad::Axial => Loading::Axial,
+        },
+        diameter: crank.pin_diameter,
+        surface: match raw.surface {
+            RawSurface::Ground => Surface::Ground,
+            RawSurface::Machined => Surface::Machined,
+            RawSurface::HotRolled => Surface::HotRolled,
+            RawSurface::Forged => Surface::Forged,
+        },
+        temperature_c: raw.temperature_c.as_ref().map_or(20.0, |t| check.within(t, -60.0..=HOTTEST, "a temperature from -60 to 550 °C")),
+        reliability_percent,
+    }
+}
+
+/// Crankpin and journal of every throw, with the factors of the class rule.
+fn every_fillet() -> Vec<FilletSpec> {
+    let one =
+        |place: Place| FilletSpec { name: place.name().into(), throw: None, place, factors: FactorSource::Formulas(Formulas::IacsM53) };
+    vec![one(Place::Crankpin), one(Place::Journal)]
+}
+
+fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank) -> Vec<FilletSpec> {
+    let mut names = HashSet::new();
+    let mut list = Vec::new();
+    for f in raw {
+        check.name(&f.name);
+        if !names.insert(f.name.get_ref().clone()) {
+            check.wrong(&f.name, format!("found fillet `{}` a second time, expected different names", f.name.get_ref()));
+        }
+        let throw = f.throw.as_ref().map(|t| {
+            let number = *t.get_ref();
+            let index = usize::try_from(number - 1).ok().filter(|i| *i < crank.throws());
+            if index.is_none() {
+                check.wrong(t, format!("found throw {number}, expected a number from 1 to {}", crank.throws()));
+            }
+            index.unwrap_or(0)
+        });
+        let factors = match f.factors.get_ref() {
+            RawFactors::Given(given) => {
+                let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");
+                FactorSource::Given { bending: factor(&given.bending), torsion: factor(&given.torsion) }
+            }
+            RawFactors::IacsM53 => FactorSource::Formulas(Formulas::IacsM53),
+            RawFactors::Fvv1973 => FactorSource::Formulas(Formulas::Fvv1973),
+        };
+        let place = match f.on {
+            RawPlace::Crankpin => Place::Crankpin,
+            RawPlace::Journal => Place::Journal,
+        };
+        list.push(FilletSpec { name: f.name.get_ref().clone(), throw, place, factors });
+    }
+    list
+}

@@ -6,6 +6,7 @@ pub mod auto;
 pub mod calibrate;
 pub mod comparison;
 pub mod conditions;
+pub mod diagram;
 pub mod energy;
 pub mod evaluate;
 pub mod families;

@@ -1,6 +1,6 @@
 //! What evaluating one design costs, measured on the spot.
 
-use super::Timing;
+use super::{Timing, margins};
 use crate::absorber::Mounted;
 use crate::design::{Measure, Over, PeakFinder};
 use crate::response::{Direct, Quantity, Response, ResponseError, Work};
@@ -20,12 +20,12 @@ fn median(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, Re
     Ok(seconds[REPEATS / 2])
 }
 
-/// Seconds per design on one thread: squares of the magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, and the torque
-/// of all shafts on the grid.
+/// Seconds per design on one thread: squares of the magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, the torque of
+/// all shafts on the grid, and the smallest margins of the crank by all criteria, refined.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<Vec<Timing>, ResponseError> {
+pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity, margins: &[Measure]) -> Result<Vec<Timing>, ResponseError> {
     let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
     let (mut squares, mut phasors) = (Vec::new(), Vec::new());
     finder.method.sweep(design, quantity, &mut phasors, &mut Work::default())?;
@@ -51,5 +51,11 @@ pub fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -
     torques(&mut work)?;
     let seconds = median(|| torques(&mut Work::default()))?;
     put("one_design_torques", seconds, work);
+    if !margins.is_empty() {
+        let mut work = Work::default();
+        let all = |work: &mut Work| margins::smallest(finder, design, margins, work).map(|_| ());
+        all(&mut work)?;
+        put("one_design_margins", median(|| all(&mut Work::default()))?, work);
+    }
     Ok(timing)
 }

@@ -2,6 +2,7 @@
 
 use super::audit::highest_frequency_hz;
 use super::auto::{self, Choice, Way};
+use super::diagram::{self, Diagram};
 use super::evaluate::{self, Classifier, DesignResult, Nature, Wanted};
 use super::margins::{self, MarginSweep};
 use super::sweeps::{self, Sweeps};
@@ -80,6 +81,8 @@ pub struct Results {
     pub margin: Option<Margin>,
     /// Margins of the same designs, where the study has `[fatigue]`.
     pub margins: Vec<MarginSweep>,
+    /// Loads along the crank at the smallest margin of the best design, by the first criterion.
+    pub diagram: Option<Diagram>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.
@@ -207,10 +210,15 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
             margins::sweep(&finders[0], &own, &d.name, &d.absorbers).map_err(failed).transpose()
         })
         .collect::<Result<Vec<_>, _>>()?;
+    let best = shown.iter().filter_map(|d| Some((d, d.margins.first()?))).reduce(|a, b| if b.1.margin > a.1.margin { b } else { a });
+    let diagram = best.zip(margin.as_ref()).map_or(Ok(None), |((d, smallest), model)| {
+        diagram::diagram(study, model, &finders[0], (&d.name, &d.absorbers), smallest)
+            .map_err(|error| RunError { what: format!("design `{}`", d.name), error })
+    })?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
-        let probe = probe::per_design(&finders[0], &d.absorbers, study.twist);
+        let probe = probe::per_design(&finders[0], &d.absorbers, study.twist, &measures);
         clock.timing.extend(probe.map_err(|error| RunError { what: format!("design `{}`", d.name), error })?);
     }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
@@ -223,7 +231,21 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     drop(finders);
     drop(methods);
     let system = systems.swap_remove(0);
-    Ok(Results { method, choice, designs, optima, fronts, forced_floor, sweeps, margin, margins, appearing, timing: clock.timing, system })
+    Ok(Results {
+        method,
+        choice,
+        designs,
+        optima,
+        fronts,
+        forced_floor,
+        sweeps,
+        margin,
+        margins,
+        diagram,
+        appearing,
+        timing: clock.timing,
+        system,
+    })
 }
 
 /// The engine as it should be, then with each cylinder misfiring where the study asks for it.

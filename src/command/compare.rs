@@ -121,6 +121,7 @@ fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
 /// What a comparison needs: no front, only the conditions that an optimum is to hold in, and optima for the ring sizes that were published.
 fn only_published_rings(study: &mut Study, published: &Published) {
     study.front = None;
+    study.more_objectives.clear();
     let held = study.optimise.as_ref().map_or_else(Vec::new, |o| o.conditions.clone());
     study.conditions.retain(|c| held.contains(c));
     if let Some(o) = &mut study.optimise

@@ -91,6 +91,19 @@ pub struct PublishedStress {
     pub von_mises: f64,
 }
 
+/// Factors of stress concentration at one fillet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedFactor {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Place on the crank.
+    pub fillet: String,
+    /// Of bending.
+    pub bending: f64,
+    /// Of torsion.
+    pub torsion: f64,
+}
+
 /// Largest deviations that a comparison is asked to hold, per cent; `None`: nothing asked.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tolerances {
@@ -127,6 +140,8 @@ pub struct Published {
     pub fatigue: Vec<PublishedFatigue>,
     /// Largest stresses of the crank.
     pub stresses: Vec<PublishedStress>,
+    /// Factors of stress concentration of the crank.
+    pub factors: Vec<PublishedFactor>,
     /// Predicted amplitudes below this are too small for a percentage, rad.
     pub least_amplitude: f64,
     /// What is to hold.

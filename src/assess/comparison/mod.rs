@@ -4,10 +4,13 @@ mod absorbers;
 mod amplitudes;
 mod fatigue;
 mod frequencies;
+mod notches;
+mod predicted;
 mod text_values;
 pub mod verdict;
 
 pub use amplitudes::AmplitudeRow;
+pub use notches::{Inverse, inverse};
 pub use verdict::{Check, Ranked, Spread, Verdict};
 
 use super::{Calibration, Results, RunError};
@@ -58,6 +61,10 @@ pub enum Kind {
     Amplitude,
     /// Safety factor of the crank.
     SafetyFactor,
+    /// Stress of the crank by our own loads.
+    OwnStress,
+    /// Safety factor by them.
+    OwnMargin,
     /// Anything else.
     Other,
 }
@@ -117,6 +124,8 @@ pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibr
     entries.extend(amplitudes::entries(study, published, &conventions, &amplitudes));
     entries.extend(text_values::peaks(study, published, &results.system)?);
     entries.extend(fatigue::entries(study, published));
+    entries.extend(notches::entries(study, published));
+    entries.extend(predicted::entries(study, published, &results.system, fatigue::strength(published))?);
     let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
     Ok(Comparison { entries, amplitudes, verdict })
 }

@@ -5,6 +5,7 @@
 //! A web and its two fillets carry the torque of the shaft on their side; the pin itself carries the mean of both sides, so this is on the safe side.
 
 mod bending;
+pub mod loads;
 
 use crate::chain::Chain;
 use crate::engine::Engine;
@@ -172,11 +173,24 @@ impl Margin {
         self.is_class_rule(criterion) == self.spots[spot].allowable.is_some()
     }
 
+    /// Mean torque of every shaft at a speed, N m.
+    pub fn mean_torque(&self, speed_rpm: f64) -> Vec<f64> {
+        let (i, next, fraction) = self.place(speed_rpm);
+        self.mean_torque[i].iter().zip(&self.mean_torque[next]).map(|(a, b)| a + (b - a) * fraction).collect()
+    }
+
+    /// Rows of the table on both sides of a speed, and the fraction of the way between them.
+    fn place(&self, speed_rpm: f64) -> (usize, usize, f64) {
+        if self.squares.len() == 1 {
+            return (0, 0, 0.0);
+        }
+        let (i, fraction) = nearest::interval(&self.squares, speed_rpm * speed_rpm);
+        (i, i + 1, fraction)
+    }
+
     /// A spot under a torque with these extremes at a speed.
     pub fn used(&self, criterion: usize, spot: usize, speed_rpm: f64, torque: &Extremes) -> Used {
-        let single = self.squares.len() == 1;
-        let (i, fraction) = if single { (0, 0.0) } else { nearest::interval(&self.squares, speed_rpm * speed_rpm) };
-        let next = if single { 0 } else { i + 1 };
+        let (i, next, fraction) = self.place(speed_rpm);
         let between = |a: f64, b: f64| a + (b - a) * fraction;
         let s = &self.spots[spot];
         let (low, high) = (&self.bending[i][spot], &self.bending[next][spot]);

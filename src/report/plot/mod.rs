@@ -6,6 +6,7 @@ pub mod chart;
 pub mod comparison;
 mod excitation;
 mod front;
+mod margin;
 pub mod models;
 mod response;
 
@@ -32,10 +33,15 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()
         front::draw(study, results, folder)?;
         written();
     }
+    margin::margins(study, results, folder)?;
+    margin::diagram(study, results, folder)?;
+    if results.margin.is_some() {
+        written();
+    }
     Ok(())
 }
 
 /// How many files [`run`] draws.
 pub fn count(results: &Results) -> usize {
-    results.sweeps.len() + 3 + usize::from(!results.fronts.is_empty())
+    results.sweeps.len() + 3 + usize::from(!results.fronts.is_empty()) + usize::from(results.margin.is_some())
 }

@@ -32,9 +32,14 @@ fn row(e: &Entry) -> Vec<String> {
     ]
 }
 
+/// Stresses by our own loads on assumed lengths: in `comparison.csv`, and summed up below.
+fn is_own(e: &Entry) -> bool {
+    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin)
+}
+
 /// Every number that is not an input, and inputs that differ from the printed ones. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
 pub fn entries(c: &Comparison) -> String {
-    let rows: Vec<Vec<String>> = c.entries.iter().filter(|e| e.role != Role::Given || differs(e)).map(row).collect();
+    let rows: Vec<Vec<String>> = c.entries.iter().filter(|e| (e.role != Role::Given || differs(e)) && !is_own(e)).map(row).collect();
     aligned(&["table", "design", "quantity", "published", "computed", "unit", "off/%", "role"], &rows, |c| c < 3 || c == 5 || c == 7)
 }
 
@@ -118,6 +123,9 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     if !trusted.is_empty() {
         put(format!("Reproduced, at worst: {}.", trusted.join(", ")));
     }
+    for line in own_stresses(c) {
+        put(line);
+    }
     for (role, words) in [(Role::Erratum, "Erratum"), (Role::Unexplained, "Unexplained")] {
         let of_role: Vec<&Entry> = c.entries.iter().filter(|e| e.role == role).collect();
         for (i, e) in of_role.iter().enumerate() {
@@ -154,6 +162,30 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
         put("An optimum breaks a limit of the study; `hartog run` says which: FAILS.".into());
     }
     text
+}
+
+/// What our own loads make of the crank, case by case.
+fn own_stresses(c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    for case in ["case A", "case B", "case C", "finite elements"] {
+        let of = |kind: Kind| {
+            let own = c.entries.iter().filter(move |e| e.kind == kind && e.quantity.contains(case));
+            let mut ratios: Vec<f64> = own.filter_map(|e| Some(e.computed? / e.published?)).collect();
+            ratios.sort_by(f64::total_cmp);
+            ratios
+        };
+        let words = |ratios: &[f64]| {
+            let (low, high) = (ratios.first()?, ratios.last()?);
+            Some(format!("{:.2} times (median of {}, {low:.2} to {high:.2})", ratios[ratios.len() / 2], ratios.len()))
+        };
+        let all = [("stresses", Kind::OwnStress), ("safety factors", Kind::OwnMargin)];
+        let parts: Vec<String> =
+            all.iter().filter_map(|(what, kind)| Some(format!("{what} {} the printed ones", words(&of(*kind))?))).collect();
+        if !parts.is_empty() {
+            lines.push(format!("Crank by our own loads on assumed lengths, {case}: {}.", parts.join(", ")));
+        }
+    }
+    lines
 }
 
 /// The predicted amplitudes of several engines together.

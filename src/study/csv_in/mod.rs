@@ -3,7 +3,7 @@
 mod published;
 mod torque;
 
-pub use published::{Reach, absorbers, amplitudes, engines, fatigue, frequencies, stresses};
+pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use torque::{pressure_traces, torque_harmonics};
 
 use super::input_error::{InputError, Mistake, Place, read_bytes};

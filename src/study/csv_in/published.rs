@@ -5,7 +5,7 @@ use crate::engine::Order;
 use crate::fatigue::Cycle;
 use crate::study::input_error::InputError;
 use crate::study::published::{
-    PublishedAbsorber, PublishedAmplitude, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
+    PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
 };
 use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
@@ -233,6 +233,31 @@ pub fn stresses(path: &Path, engine: &str) -> Result<Vec<PublishedStress>, Input
         };
         if list.iter().any(|r| (&r.model, &r.condition) == (&row.model, &row.condition)) {
             return Err(table.at(*line, model, "found this model and condition a second time".into()));
+        }
+        list.push(row);
+    }
+    Ok(list)
+}
+
+/// `fillet, bending, torsion`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn factors(path: &Path, engine: &str) -> Result<Vec<PublishedFactor>, InputError> {
+    let table = Table::read(path)?;
+    let rows = Rows::new(&table, engine)?;
+    let (fillet, bending, torsion) = (table.column("fillet")?, table.column("bending")?, table.column("torsion")?);
+    rows.only(&["table", "engine", "fillet", "bending", "torsion"])?;
+    let mut list: Vec<PublishedFactor> = Vec::new();
+    for (line, cells) in &rows.of_engine {
+        let row = PublishedFactor {
+            table: rows.source(cells),
+            fillet: cells[fillet].clone(),
+            bending: rows.positive(*line, bending, &cells[bending])?,
+            torsion: rows.positive(*line, torsion, &cells[torsion])?,
+        };
+        if list.iter().any(|r| r.fillet == row.fillet) {
+            return Err(table.at(*line, fillet, format!("found fillet `{}` a second time", shown(&row.fillet))));
         }
         list.push(row);
     }

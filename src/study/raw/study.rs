@@ -301,6 +301,7 @@ pub struct RawPublished {
     pub engines: Option<At<String>>,
     pub fatigue: Option<At<String>>,
     pub stresses: Option<At<String>>,
+    pub factors: Option<At<String>>,
     pub least_amplitude_deg: Option<At<f64>>,
     #[serde(default)]
     pub tolerance_percent: RawTolerances,

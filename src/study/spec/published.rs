@@ -20,6 +20,7 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
         quantities: Vec::new(),
         fatigue: Vec::new(),
         stresses: Vec::new(),
+        factors: Vec::new(),
         least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
         tolerances: tolerances(check, &raw.tolerance_percent),
         engine,
@@ -46,9 +47,12 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
     if let Some(file) = &raw.stresses {
         published.stresses = table(check, file, folder, |p| csv_in::stresses(p, e)).unwrap_or_default();
     }
-    let tables = [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines, &raw.fatigue, &raw.stresses];
+    if let Some(file) = &raw.factors {
+        published.factors = table(check, file, folder, |p| csv_in::factors(p, e)).unwrap_or_default();
+    }
+    let tables = [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines, &raw.fatigue, &raw.stresses, &raw.factors];
     if tables.iter().all(|f| f.is_none()) {
-        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`";
+        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published

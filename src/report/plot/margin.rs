@@ -1,0 +1,133 @@
+//! Margin of the crank over speed, and the loads along it.
+
+use super::canvas::{self, COLOURS, Drawn, GREY, PALE, line, px, text};
+use crate::assess::Results;
+use crate::assess::diagram::Diagram;
+use crate::report::files::{Folder, WriteError};
+use crate::study::Study;
+use crate::units::{M_PER_MM, N_PER_KN};
+use plotters::prelude::*;
+
+/// Margins above this multiple of the smallest are cut off.
+const CUT: f64 = 4.0;
+
+/// Smallest margin of every design at every speed, a panel a criterion.
+pub fn margins(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let Some(model) = &results.margin else { return folder.remove(&["margin.svg", "margin.png"]) };
+    let panels = model.criteria.len() as u32;
+    canvas::save(folder, "margin", (940, 34 + 330 * panels), |area| {
+        let titled = canvas::titled(area, &format!("{}: margin of the crank", study.engine.name))?;
+        for (c, area) in titled.split_evenly((panels as usize, 1)).iter().enumerate() {
+            panel(area, study, results, c)?;
+        }
+        Ok(())
+    })
+}
+
+fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize) -> Drawn {
+    let Some(model) = &results.margin else { return Ok(()) };
+    let curves: Vec<(String, Vec<f64>)> = results.margins.iter().map(|m| (m.design.replace('_', " "), m.smallest(criterion))).collect();
+    let smallest = curves.iter().flat_map(|c| &c.1).copied().fold(f64::INFINITY, f64::min);
+    let largest = curves.iter().flat_map(|c| &c.1).copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
+    let top = canvas::round_up((1.05 * largest).min(CUT * smallest));
+    let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
+    let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
+    let name = model.criteria[criterion].name();
+    let mut chart = ChartBuilder::on(&main)
+        .caption(format!("smallest of all fillets, {}", name.replace('_', " ")), text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(54))
+        .build_cartesian_2d(span.clone(), 0.0..top)?;
+    canvas::mesh!(chart, "speed / rpm", "safety factor", 9, 7);
+    let mut entries = Vec::new();
+    if let Some(least) = model.criteria[criterion].acceptable() {
+        let style = line(GREY, 12);
+        chart.draw_series(DashedLineSeries::new([(span.start, least), (span.end, least)], px(6), px(5), style))?;
+        entries.push((format!("accepted from {least} (dashed)"), style));
+    }
+    for (i, (label, values)) in curves.iter().enumerate() {
+        let width = if label.starts_with("optimum") { 26 } else { 14 };
+        let style = if i == 0 && label == "none" { line(BLACK, 14) } else { line(COLOURS[i % COLOURS.len()], width) };
+        for piece in canvas::clipped(study.speeds_rpm.iter().copied().zip(values.iter().copied()), top) {
+            chart.draw_series(LineSeries::new(piece, style))?;
+        }
+        entries.push((label.clone(), style));
+    }
+    canvas::legend(&side, &entries)
+}
+
+/// Shear force, bending moment and torque along the crank where its most used web is bent most, and at the other end of that range.
+pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let Some(d) = &results.diagram else { return folder.remove(&["crank.svg", "crank.png"]) };
+    let planes = ["in the plane of the throw", "across it"];
+    let lines = |pick: &dyn Fn(usize, usize) -> Vec<(f64, f64)>, unit: f64| -> Vec<(String, Vec<(f64, f64)>, ShapeStyle)> {
+        let mut list = Vec::new();
+        for i in 0..2 {
+            for (p, plane) in planes.iter().enumerate() {
+                let points = pick(i, p).into_iter().map(|(x, y)| (x / M_PER_MM, y / unit)).collect();
+                list.push((format!("{}, {plane}", angle(d, i)), points, line(COLOURS[i], if p == 0 { 22 } else { 10 })));
+            }
+        }
+        list
+    };
+    let shear = lines(&|i, p| d.instants[i].shear[p].clone(), N_PER_KN);
+    let moment = lines(&|i, p| d.instants[i].moment[p].clone(), 1.0);
+    let torque: Vec<_> = (0..2)
+        .map(|i| {
+            let points: Vec<(f64, f64)> = d.instants[i].torque.iter().map(|(x, y)| (x / M_PER_MM, *y)).collect();
+            (angle(d, i), points, line(COLOURS[i], 22))
+        })
+        .collect();
+    canvas::save(folder, "crank", (1000, 40 + 3 * 270), |area| {
+        let title = format!(
+            "{}: loads along the crank at {:.0} rpm, {} (smallest margin at {})",
+            study.engine.name,
+            d.speed_rpm,
+            d.design.replace('_', " "),
+            d.spot.replace('_', " ")
+        );
+        let titled = canvas::titled(area, &title)?;
+        let areas = titled.split_evenly((3, 1));
+        along(&areas[0], d, "shear force / kN", &shear)?;
+        along(&areas[1], d, "bending moment / N m", &moment)?;
+        along(&areas[2], d, "torque / N m", &torque)
+    })
+}
+
+fn angle(d: &Diagram, i: usize) -> String {
+    format!("{:.1}°", d.instants[i].crank_deg)
+}
+
+fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[(String, Vec<(f64, f64)>, ShapeStyle)]) -> Drawn {
+    let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
+    let all = || curves.iter().flat_map(|c| c.1.iter().map(|p| p.1));
+    let top = canvas::round_up(1.05 * all().map(f64::abs).fold(0.0, f64::max));
+    // bending moments of a pushed crank have one sign only: the frame takes what there is
+    let (low, high) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+    let (bottom, top) = (
+        if low < -0.02 * top { -canvas::round_up(-1.05 * low) } else { 0.0 },
+        if high > 0.02 * top { canvas::round_up(1.05 * high) } else { 0.0 },
+    );
+    let end = d.bearings[d.bearings.len() - 1] / M_PER_MM;
+    let mut chart = ChartBuilder::on(&main)
+        .margin(px(8))
+        .x_label_area_size(px(34))
+        .y_label_area_size(px(66))
+        .build_cartesian_2d(-0.01 * end..1.01 * end, bottom..top.max(bottom + 1e-9))?;
+    canvas::mesh!(chart, "along the crank / mm (bearings dashed, crankpins dotted)", unit, 10, 6);
+    for (places, dash) in [(&d.bearings, 7), (&d.pins, 2)] {
+        for x in places {
+            let x = x / M_PER_MM;
+            let ends = [(x, bottom), (x, top)];
+            chart.draw_series(DashedLineSeries::new(ends, px(dash), px(4), line(if dash > 2 { GREY } else { PALE }, 8)))?;
+        }
+    }
+    chart.draw_series(LineSeries::new([(-0.01 * end, 0.0), (1.01 * end, 0.0)], line(GREY, 8)))?;
+    for (_, points, style) in curves {
+        chart.draw_series(LineSeries::new(points.iter().copied(), *style))?;
+    }
+    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.0.clone(), c.2)).collect();
+    canvas::legend(&side, &entries)
+}

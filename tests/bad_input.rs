@@ -1,6 +1,6 @@
 //! Bad input: each file of `bad_input/` beside the error it must give, word for word, with exit code 2.
 //!
-//! `engine/*.toml` are engine files for `study.toml`, `study/*.toml` are studies of `engine.toml`, `csv/pressure_*.csv` and
+//! `crank/*.toml` are for `crank_study.toml` and `crank_engine.toml`, `engine/*.toml` are engine files for `study.toml`, `study/*.toml` are studies of `engine.toml`, `csv/pressure_*.csv` and
 //! `csv/harmonics_*.csv` tables for `engine.toml`, the other tables published ones for `study.toml`. To write the expected messages anew, set HARTOG_WRITE_EXPECTED and read the change.
 
 use assert_cmd::Command;
@@ -48,11 +48,13 @@ fn compare(case: &Path, found: &str) {
 
 #[test]
 fn good_input_is_accepted() {
-    let place = tempfile::tempdir().expect("folder");
-    for name in ["study.toml", "engine.toml"] {
-        fs::copy(folder().join(name), place.path().join(name)).expect("copied");
+    for kind in ["", "crank_"] {
+        let place = tempfile::tempdir().expect("folder");
+        for name in ["study.toml", "engine.toml"] {
+            fs::copy(folder().join(format!("{kind}{name}")), place.path().join(name)).expect("copied");
+        }
+        Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(["check", "study.toml"]).assert().code(0);
     }
-    Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(["check", "study.toml"]).assert().code(0);
 }
 
 #[test]
@@ -72,12 +74,24 @@ fn studies() {
     }
 }
 
+/// Cranks and fatigue: `crank/engine_*.toml` for `crank_study.toml`, `crank/study_*.toml` for `crank_engine.toml`.
+#[test]
+fn cranks() {
+    let (study, engine) = (read(&folder().join("crank_study.toml")), read(&folder().join("crank_engine.toml")));
+    for case in cases("crank", "toml") {
+        let of_engine = case.file_name().is_some_and(|n| n.to_string_lossy().starts_with("engine"));
+        let own = read(&case);
+        let (engine, study) = if of_engine { (&own, &study) } else { (&engine, &own) };
+        compare(&case, &error(&[("engine.toml", engine.as_bytes()), ("study.toml", study.as_bytes())]));
+    }
+}
+
 #[test]
 fn tables() {
     let (study, engine) = (read(&folder().join("study.toml")), read(&folder().join("engine.toml")));
     let (start, end) = (engine.find("[pressure.wiebe]").expect("a cycle"), engine.find("[[station]]").expect("a station"));
     let geometry = engine.find("[geometry]").expect("a geometry")..engine.find("[layout").expect("a layout");
-    let published = ["amplitudes", "absorbers", "frequencies", "engines", "fatigue", "stresses"];
+    let published = ["amplitudes", "absorbers", "frequencies", "engines", "factors", "fatigue", "stresses"];
     for case in cases("csv", "csv") {
         let stem = case.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         if let Some(kind) = published.iter().find(|k| stem.starts_with(*k)) {

@@ -1,12 +1,15 @@
 //! Forces in a cylinder unit: laws that hold whatever the method.
 
 use crate::support::{assert_close, study};
-use hartog::engine::cycle::throw_loads;
+use hartog::design::margin::loads::CrankModel;
+use hartog::engine::cycle::{crank_fixed, pin_angles, throw_loads};
 use hartog::engine::forces::{
-    Moment, UnitForces, gas_torque, inertia_for_growth, inertia_force_across, inertia_torque_per_omega2, newton_euler, traditional,
+    Moment, UnitForces, friction_torque, gas_torque, inertia_for_growth, inertia_force_across, inertia_torque_per_omega2, newton_euler,
+    traditional, unit_forces,
 };
 use hartog::engine::{Excitation, Geometry, RodModel, Source};
 use hartog::numerics::harmonics;
+use hartog::shaft::Crank;
 use std::f64::consts::TAU;
 
 const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
@@ -147,5 +150,93 @@ fn inertia_behind_the_dissertations_35_per_cent() {
         let unit = g.two_mass_inertia();
         let ratio = inertia_force_across(&g, 2.0 * multiple * unit) / inertia_force_across(&g, multiple * unit);
         assert_close(ratio, 1.35, 1e-6, 0.0, name);
+    }
+}
+
+/// Laws of liner friction, for both rods: it is mu times the normal force and acts against the motion; piston and crank stay in balance; the torque lost is the power of
+/// friction, and never drives. To 1e-9 of the largest force.
+#[test]
+fn friction_of_the_liner_only_takes() {
+    for name in ENGINES {
+        for rod in [geometry(name), body(&geometry(name), 1.3)] {
+            let rubbing = Geometry { liner_friction: 0.08, ..rod.clone() };
+            for at in moments() {
+                let (with, without) = (unit_forces(&rubbing, at), unit_forces(&rod, at));
+                let motion = rod.slider_crank.motion(at.theta);
+                let scale = parts(&with).iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+                assert_close(with.friction.abs(), 0.08 * with.liner.abs(), 0.0, 1e-9 * scale, "Coulomb");
+                // motion is travel towards the crankshaft: friction pushes away from it, along x
+                assert!(with.friction * motion.slope >= 0.0, "against the motion");
+                let piston = with.small_end[0] + with.friction - without.small_end[0];
+                assert_close(piston, 0.0, 0.0, 1e-9 * scale, "the piston moves as before");
+                let lost = -with.friction * motion.slope;
+                assert_close(with.torque - without.torque, lost, 0.0, 1e-9 * scale, "virtual work");
+                assert!(friction_torque(&rubbing, at) <= 1e-9 * scale);
+            }
+            assert_eq!(friction_torque(&rod, moments().next().expect("a moment")), 0.0);
+        }
+    }
+}
+
+/// Friction lowers the mean torque of the engine, and nothing else enters the excitation at the tabulated speeds.
+#[test]
+fn friction_lowers_the_mean_torque() {
+    let mut engine = study("villalva_i6").engine;
+    let before = Excitation::new(&engine, 6.0);
+    if let Source::Cylinder { geometry, .. } = &mut engine.source {
+        geometry.liner_friction = 0.05;
+    }
+    let after = Excitation::new(&engine, 6.0);
+    for (a, b) in after.audit.iter().zip(&before.audit) {
+        assert!(a.mean_torque < b.mean_torque && a.mean_torque > 0.9 * b.mean_torque, "{} against {}", a.mean_torque, b.mean_torque);
+    }
+}
+
+/// Laws of the main bearings: together they bear what acts on the throws, at every angle, in line and in a V, counterweights or not; a force turned into axes of the crank
+/// keeps its size, and what turns with the crank is constant there.
+#[test]
+fn bearings_bear_what_acts_on_the_throws() {
+    for name in ENGINES {
+        let s = study(name);
+        let crank = Crank { unbalance: -0.02, ..s.crank.clone().expect("a crank") };
+        let model = CrankModel::new(&s.engine, &crank).expect("cylinders");
+        let plain = CrankModel::new(&s.engine, s.crank.as_ref().expect("a crank")).expect("cylinders");
+        let (loads, without) = (model.at(2900.0), plain.at(2900.0));
+        let angles = pin_angles(&s.engine);
+        let omega = 2900.0 * TAU / 60.0;
+        for j in (0..loads.theta.len()).step_by(97) {
+            let bearings = loads.bearing_forces(j);
+            for axis in 0..2 {
+                let on: f64 = bearings.iter().map(|b| b[axis]).sum();
+                let acting: f64 = loads.forces.iter().map(|f| f[j][axis]).sum();
+                assert_close(on, acting, 0.0, 1e-9 * 1e5, "balance");
+            }
+            for throw in 0..crank.throws() {
+                let (a, b) = (loads.forces[throw][j], without.forces[throw][j]);
+                let turned = crank_fixed([a[0] - b[0], a[1] - b[1]], loads.theta[j] + angles[throw]);
+                assert_close(turned[0], -0.02 * omega * omega, 1e-9, 1e-6, "the counterweight, outwards");
+                assert_close(turned[1], 0.0, 0.0, 1e-6, "not across");
+                let f = crank_fixed(a, 0.7);
+                assert_close(f[0].hypot(f[1]), a[0].hypot(a[1]), 1e-12, 0.0, "size");
+            }
+        }
+    }
+}
+
+/// Virtual work: the tangential force on a crankpin, in axes of the crank, times its radius is the torque of the throw, at every angle, in line and in a V.
+#[test]
+fn tangential_force_is_torque() {
+    for name in ENGINES {
+        let s = study(name);
+        let radius = geometry(name).slider_crank.crank_radius;
+        let loads = throw_loads(&s.engine, 2500.0).expect("cylinders");
+        let angles = pin_angles(&s.engine);
+        for (throw, (forces, torque)) in loads.pin_force.iter().zip(&loads.torque).enumerate() {
+            let scale = torque.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+            for j in (0..forces.len()).step_by(37) {
+                let [_, tangential] = crank_fixed(forces[j], loads.theta[j] + angles[throw]);
+                assert_close(tangential * radius, torque[j], 0.0, 1e-9 * scale, "torque");
+            }
+        }
     }
 }

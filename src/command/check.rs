@@ -5,9 +5,9 @@ use crate::absorber::Ring;
 use crate::assess::audit;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
-use crate::report::text::{significant, table};
+use crate::report::text::{crank, significant, table};
 use crate::study::{self, ResponseMethod, Size, Study};
-use crate::units::{M_PER_MM, PA_PER_BAR, W_PER_KW};
+use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -34,7 +34,7 @@ pub fn check(arguments: &Arguments) -> u8 {
         engine(&study),
         chain(&study),
         modes(&study, &excitation),
-        pressure(&study, &excitation),
+        pressure(&study, &excitation) + &crank::crank(&study).map_or_else(String::new, |c| format!("\n{c}")),
         work(&study, &excitation)
     ));
     DONE
@@ -232,6 +232,19 @@ fn work(study: &Study, excitation: &Excitation) -> String {
     let conditions: Vec<String> = study.conditions.iter().map(|c| c.name().replace('_', " ")).collect();
     if !conditions.is_empty() {
         let _ = writeln!(text, "  conditions: {}", conditions.join(", "));
+    }
+    for objective in &study.more_objectives {
+        let _ = writeln!(text, "  and, for optima of their own: {}", objective.label);
+    }
+    if let Some(f) = &study.fatigue {
+        let names: Vec<&str> = f.criteria.iter().map(|c| c.name()).collect();
+        let _ = writeln!(
+            text,
+            "  margin of the crank: {}; tensile strength {} MPa, fatigue limit {} MPa",
+            names.join(", "),
+            significant(f.strength.tensile / PA_PER_MPA, 4),
+            significant(f.strength.fatigue_limit / PA_PER_MPA, 4)
+        );
     }
     for (words, _) in &study.limits {
         let _ = writeln!(text, "  limit: {words}");

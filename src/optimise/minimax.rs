@@ -59,6 +59,11 @@ const FIRST_REACH: f64 = 0.3;
 const LARGEST_REACH: f64 = 2.0;
 const SMALLEST_REACH: f64 = 1e-10;
 const DECREASE: f64 = 1e-12;
+/// A limit that is missed by less than this holds.
+const HELD: f64 = 1e-8;
+/// Where one is missed for the sake of the objective, its weight grows by this factor, up to that: a limit may cost more than the first weight is.
+const HEAVIER: f64 = 10.0;
+const HEAVIEST: f64 = 1e6;
 
 /// Rows in units of the largest objective.
 fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
@@ -69,8 +74,8 @@ fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
     rows.rows.iter().map(line).collect()
 }
 
-fn merit(rows: &Rows, unit: f64) -> f64 {
-    rows.objective() / unit + PENALTY * rows.excess()
+fn merit(rows: &Rows, unit: f64, penalty: f64) -> f64 {
+    rows.objective() / unit + penalty * rows.excess()
 }
 
 /// How far each coordinate may move: the trust region within the bounds.
@@ -141,9 +146,9 @@ fn update(hessian: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>
 }
 
 /// First-order residual: the step of the model with unit curvature and no trust region.
-fn kkt_residual(rows: &Rows, point: &[f64], bounds: &[(f64, f64)]) -> f64 {
+fn kkt_residual(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) -> f64 {
     let n = point.len();
-    let step = solve(&lines(rows, rows.objective()), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), PENALTY);
+    let step = solve(&lines(rows, rows.objective()), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), penalty);
     step.map_or(f64::INFINITY, |s| DVector::from_column_slice(&s.change).norm())
 }
 
@@ -159,6 +164,7 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
     let mut hessian = DMatrix::identity(n, n) * 0.1;
     let mut radius = FIRST_REACH;
     let mut iterations = 0;
+    let mut penalty = PENALTY;
     let stop = loop {
         let unit = rows.objective();
         if n == 0 || unit == 0.0 {
@@ -172,21 +178,26 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
         }
         iterations += 1;
         let model = lines(&rows, unit);
-        let Some(step) = solve(&model, &hessian, &reach(&point, &bounds, radius), PENALTY) else { break Stop::NoModel };
-        let here = merit(&rows, unit);
+        let Some(step) = solve(&model, &hessian, &reach(&point, &bounds, radius), penalty) else { break Stop::NoModel };
+        let here = merit(&rows, unit, penalty);
         let promised = here - step.model;
         if promised < DECREASE {
+            if rows.excess() > HELD && penalty < HEAVIEST {
+                penalty *= HEAVIER;
+                radius = FIRST_REACH;
+                continue;
+            }
             break Stop::Converged;
         }
         let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).zip(&bounds).map(|((w, d), b)| snapped(w + d, *b)).collect() };
         let mut to = moved(&step.change);
         let mut there = problem.rows(&to, work);
-        let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit));
+        let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit, penalty));
         let mut ratio = decrease(&there) / promised;
         if ratio < 0.25
             && let Ok(trial) = &there
             && let Some(corrected) = corrected(&rows, trial, &model, &step, unit)
-            && let Some(second) = solve(&corrected, &hessian, &reach(&point, &bounds, radius), PENALTY)
+            && let Some(second) = solve(&corrected, &hessian, &reach(&point, &bounds, radius), penalty)
         {
             // second-order correction: the same model through the values measured at the trial point
             let to2 = moved(&second.change);
@@ -215,7 +226,7 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
             rows = there;
         }
     };
-    let kkt_residual = if n == 0 { 0.0 } else { kkt_residual(&rows, &point, &bounds) };
+    let kkt_residual = if n == 0 { 0.0 } else { kkt_residual(&rows, &point, &bounds, penalty) };
     Ok(Outcome { point, rows, kkt_residual, iterations, stop })
 }
 

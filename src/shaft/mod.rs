@@ -128,13 +128,19 @@ impl Crank {
         }
     }
 
+    /// Thickness of the web that bears, m: without overlap, a recess deeper than its fillet leaves less of it \[IACS UR M53\] section 2.1.2.
+    pub fn bearing_web(&self) -> f64 {
+        let undercut = (self.pin_recess - self.pin_fillet).max(0.0);
+        if self.overlap() < 0.0 { self.web_thickness - undercut } else { self.web_thickness }
+    }
+
     /// What stress concentration depends on.
     pub fn notch(&self) -> NotchGeometry {
         NotchGeometry {
             pin_diameter: self.pin_diameter,
             journal_diameter: self.journal_diameter,
             overlap: self.overlap(),
-            web_thickness: self.web_thickness,
+            web_thickness: self.bearing_web(),
             web_breadth: self.web_breadth,
             pin_fillet: self.pin_fillet,
             journal_fillet: self.journal_fillet,

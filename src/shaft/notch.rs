@@ -1,8 +1,8 @@
 //! Stress concentration in the fillets of a crank and at its oil bore, as factors of nominal stress.
 //!
 //! \[IACS UR M53\] section 3 and, as the same formulas of the FVV (Eberhard 1973) with an older one for torsion, appendix A of \[Villalva 2014\]. The printed
-//! appendix has `1,1495e` for 1.1495 w, lacks a parenthesis before s², starts f_F(d_H) with 1.0012 for 1.0022, and calls R0/Dc the overlap s, which is
-//! ((Dc + Dj)/2 - R0)/Dc. Bending factors belong to the section of the web, B W²/6, whatever the cylinder.
+//! appendix has `1,1495e` for 1.1495 w, lacks a parenthesis before s², starts f_F(d_H) with 1.0012 for 1.0022, calls R0/Dc the overlap s, which is
+//! ((Dc + Dj)/2 - R0)/Dc, and exchanges the bores: d_H is that of the crankpin (Hubzapfen), d_G that of the journal (Grundzapfen). Bending factors belong to the section of the web, B W²/6, whatever the cylinder.
 
 /// Dimensions that the factors depend on, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,8 +123,8 @@ impl Concentration {
             * polynomial(b, &[0.6840, -0.0077, 0.1473])
             * 0.2081
             * r_pin.powf(-0.5231)
-            * polynomial(d_pin, &[0.9993, 0.27, -1.0211, 0.5306])
-            * polynomial(d_journal, &[0.9978, 0.3145, -1.5241, 2.4147])
+            * polynomial(d_journal, &[0.9993, 0.27, -1.0211, 0.5306])
+            * polynomial(d_pin, &[0.9978, 0.3145, -1.5241, 2.4147])
             * recess;
         let journal_bending = 2.7146
             * journal_overlap(limited, w)
@@ -133,8 +133,8 @@ impl Concentration {
             * polynomial(b, &[0.5616, 0.1197, 0.1176])
             * 0.1908
             * r_journal.powf(-0.5568)
-            * polynomial(d_pin, &[1.0012, -0.6441, 1.2265])
-            * polynomial(d_journal, &[1.0022, -0.1903, 0.0073])
+            * polynomial(d_journal, &[1.0012, -0.6441, 1.2265])
+            * polynomial(d_pin, &[1.0022, -0.1903, 0.0073])
             * recess;
         let radial = 3.0128
             * polynomial(1.0 - limited, &[0.4368, 2.1630, -1.5212])
@@ -142,7 +142,7 @@ impl Concentration {
             * (b - 0.5)
             * 0.5331
             * r_journal.powf(-0.2038)
-            * polynomial(d_journal, &[0.9937, -1.1949, 1.7373])
+            * polynomial(d_pin, &[0.9937, -1.1949, 1.7373])
             * recess;
         let level = match formulas {
             Formulas::IacsM53 => 0.8 * w.powf(-0.145),

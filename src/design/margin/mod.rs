@@ -270,8 +270,8 @@ fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<Spot>> 
         Place::Journal => section::torsion(crank.journal_diameter, crank.journal_bore),
         _ => section::torsion(crank.pin_diameter, crank.pin_bore),
     };
-    let web = section::web_bending(crank.web_breadth, crank.web_thickness);
-    let compression = section::web_compression(crank.web_breadth, crank.web_thickness);
+    let web = section::web_bending(crank.web_breadth, crank.bearing_web());
+    let compression = section::web_compression(crank.web_breadth, crank.bearing_web());
     for fillet in spec.fillets.iter().filter(|_| mean_stress) {
         let (radius, round) = match fillet.place {
             Place::Journal => (crank.journal_fillet, section::bending(crank.journal_diameter, crank.journal_bore)),

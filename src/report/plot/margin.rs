@@ -1,6 +1,6 @@
 //! Margin of the crank over speed, and the loads along it.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, PALE, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, line, px, text};
 use crate::assess::Results;
 use crate::assess::diagram::Diagram;
 use crate::report::files::{Folder, WriteError};
@@ -121,7 +121,7 @@ fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[(String, Vec<(f
         for x in places {
             let x = x / M_PER_MM;
             let ends = [(x, bottom), (x, top)];
-            chart.draw_series(DashedLineSeries::new(ends, px(dash), px(4), line(if dash > 2 { GREY } else { PALE }, 8)))?;
+            chart.draw_series(DashedLineSeries::new(ends, px(dash), px(4), line(GREY, 8)))?;
         }
     }
     chart.draw_series(LineSeries::new([(-0.01 * end, 0.0), (1.01 * end, 0.0)], line(GREY, 8)))?;

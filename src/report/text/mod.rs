@@ -3,6 +3,7 @@
 pub mod calibration;
 pub mod chart;
 pub mod comparison;
+pub mod crank;
 pub mod margin;
 mod run;
 

@@ -162,8 +162,8 @@ pub fn check_ranges(check: &mut Check, raw: &RawCrank, crank: &Crank) {
         };
         let expected = if low.is_finite() { format!("from {low} to {high}") } else { format!("up to {high}") };
         let words = format!(
-            "found a {} of {:.4} crankpin diameters, expected {expected}: the formulas of IACS UR M53 and FVV hold there only",
-            out.name, out.value
+            "found {:.4} crankpin diameters as {}, expected {expected}: the formulas of IACS UR M53 and FVV hold there only",
+            out.value, out.name
         );
         check.wrong_with_help(at, words, "give the study's fillets `factors.given`, and leave `iacs_m53` out of its criteria");
     }

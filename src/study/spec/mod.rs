@@ -13,6 +13,7 @@ mod published;
 
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use inputs::Input;
+use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
@@ -160,12 +161,17 @@ pub(super) fn resolve(
         }
         Some(spec)
     });
-    let mut more_objectives = objectives::objectives(&mut check, study, &chain, hub, fatigue.as_ref());
+    let judged = match (&study.fatigue, &fatigue) {
+        (None, _) => Judged::Not,
+        (Some(_), None) => Judged::Wrongly,
+        (Some(_), Some(spec)) => Judged::By(spec),
+    };
+    let mut more_objectives = objectives::objectives(&mut check, study, &chain, hub, judged);
     let objective = more_objectives.remove(0);
     if let (Some(second), None) = (study.objective.get(1), &optimise) {
         check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
     }
-    let limits = objectives::limits(&mut check, study, &chain, fatigue.as_ref());
+    let limits = objectives::limits(&mut check, study, &chain, judged);
     let tolerance = study
         .response
         .tolerance

@@ -65,19 +65,40 @@ pub fn default_twist(chain: &Chain, hub: usize) -> Quantity {
     Quantity::Twist { from: if hub == last { 0 } else { hub }, to: (last > 0).then_some(last) }
 }
 
+/// What a study says of fatigue.
+#[derive(Debug, Clone, Copy)]
+pub enum Judged<'a> {
+    /// Nothing.
+    Not,
+    /// With mistakes.
+    Wrongly,
+    /// This.
+    By(&'a FatigueSpec),
+}
+
 /// The criterion of a margin: the one named, or the first of the study.
-fn criterion<T>(check: &mut Check, named: Option<&At<RawCriterion>>, at: &At<T>, fatigue: Option<&FatigueSpec>) -> Option<usize> {
-    let Some(fatigue) = fatigue else {
-        check.wrong(at, "found a margin in a study without [fatigue], expected material and criteria there");
-        return None;
+fn criterion<'f, T>(
+    check: &mut Check,
+    named: Option<&At<RawCriterion>>,
+    at: &At<T>,
+    fatigue: Judged<'f>,
+) -> Option<(usize, &'f FatigueSpec)> {
+    let fatigue = match fatigue {
+        Judged::By(fatigue) => fatigue,
+        // its own mistakes have been reported
+        Judged::Wrongly => return None,
+        Judged::Not => {
+            check.wrong(at, "found a margin in a study without [fatigue], expected material and criteria there");
+            return None;
+        }
     };
-    let Some(named) = named else { return Some(0) };
+    let Some(named) = named else { return Some((0, fatigue)) };
     let wanted = margin::MarginCriterion::from(*named.get_ref());
     let found = fatigue.criteria.iter().position(|c| *c == wanted);
     if found.is_none() {
         check.wrong(named, format!("found criterion `{}`, expected one of those in [fatigue]", wanted.name()));
     }
-    found
+    found.map(|index| (index, fatigue))
 }
 
 /// Shafts whose torque the crank carries.
@@ -87,23 +108,19 @@ fn crank_torques(chain: &Chain) -> Vec<Quantity> {
 }
 
 /// Objectives, the first one first; by default the synthesised twist from the hub to the last station.
-pub fn objectives(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize, fatigue: Option<&FatigueSpec>) -> Vec<ObjectiveSpec> {
-    if study.objective.is_empty() {
-        return vec![default_objective(chain, hub)];
-    }
+pub fn objectives(check: &mut Check, study: &RawStudy, chain: &Chain, hub: usize, fatigue: Judged) -> Vec<ObjectiveSpec> {
     let mut list: Vec<ObjectiveSpec> = Vec::new();
     for raw in &study.objective {
-        let spec = objective(check, raw, chain, hub, fatigue);
+        let Some(spec) = objective(check, raw, chain, fatigue) else { continue };
         if list.iter().any(|o| o.word == spec.word) {
             check.wrong(raw, format!("found a second objective of the kind `{}`, expected different kinds", spec.word));
         }
         list.push(spec);
     }
+    if list.is_empty() {
+        list.push(spec(chain, vec![default_twist(chain, hub)], Over::Synthesis, Kind::Twist));
+    }
     list
-}
-
-fn default_objective(chain: &Chain, hub: usize) -> ObjectiveSpec {
-    spec(chain, vec![default_twist(chain, hub)], Over::Synthesis, Kind::Twist)
 }
 
 fn spec(chain: &Chain, quantities: Vec<Quantity>, over: Over, kind: Kind) -> ObjectiveSpec {
@@ -148,24 +165,27 @@ fn margin_spec(chain: &Chain, index: usize, fatigue: &FatigueSpec) -> ObjectiveS
     }
 }
 
-fn objective(check: &mut Check, raw: &At<RawObjective>, chain: &Chain, hub: usize, fatigue: Option<&FatigueSpec>) -> ObjectiveSpec {
-    let default = || default_objective(chain, hub);
+/// One objective; nothing where a mistake leaves none.
+fn objective(check: &mut Check, raw: &At<RawObjective>, chain: &Chain, fatigue: Judged) -> Option<ObjectiveSpec> {
     match raw.get_ref() {
         RawObjective::PeakTwist(t) => {
-            twist(check, chain, &t.from, &t.to).map_or_else(default, |q| spec(chain, vec![q], over(t.over), Kind::Twist))
+            let quantity = twist(check, chain, &t.from, &t.to)?;
+            Some(spec(chain, vec![quantity], over(t.over), Kind::Twist))
         }
-        RawObjective::HubAmplitude(a) => station(check, chain, &a.station)
-            .map_or_else(default, |s| spec(chain, vec![Quantity::Twist { from: s, to: None }], over(a.over), Kind::Amplitude)),
+        RawObjective::HubAmplitude(a) => {
+            let from = station(check, chain, &a.station)?;
+            Some(spec(chain, vec![Quantity::Twist { from, to: None }], over(a.over), Kind::Amplitude))
+        }
         RawObjective::VibratoryTorque(t) => {
             if chain.len() == 1 {
                 check.wrong(raw, "found the vibratory torque of a chain without shafts, expected two stations or another objective");
-                return default();
+                return None;
             }
-            spec(chain, torques(chain), over(t.over), Kind::Torque)
+            Some(spec(chain, torques(chain), over(t.over), Kind::Torque))
         }
         RawObjective::Margin(RawMargin { criterion: named }) => {
-            let index = criterion(check, named.as_ref(), raw, fatigue);
-            index.zip(fatigue).map_or_else(default, |(index, fatigue)| margin_spec(chain, index, fatigue))
+            let (index, fatigue) = criterion(check, named.as_ref(), raw, fatigue)?;
+            Some(margin_spec(chain, index, fatigue))
         }
     }
 }
@@ -178,7 +198,7 @@ enum Kind {
 }
 
 /// Limits with their words.
-pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain, fatigue: Option<&FatigueSpec>) -> Vec<(String, Limit)> {
+pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain, fatigue: Judged) -> Vec<(String, Limit)> {
     let mut limits = Vec::new();
     for raw in &study.constraint {
         let limit = match raw {
@@ -202,7 +222,7 @@ pub fn limits(check: &mut Check, study: &RawStudy, chain: &Chain, fatigue: Optio
             }
             RawConstraint::Margin(m) => {
                 let least = check.positive(&m.min);
-                if let (Some(index), Some(fatigue)) = (criterion(check, m.criterion.as_ref(), &m.min, fatigue), fatigue) {
+                if let Some((index, fatigue)) = criterion(check, m.criterion.as_ref(), &m.min, fatigue) {
                     let words = format!("margin by {} at least {least}", fatigue.criteria[index].name());
                     let measure = Measure { quantities: crank_torques(chain), over: Over::Margin(index) };
                     limits.push((words, Limit { measure, limit: 1.0 / least }));

@@ -208,10 +208,16 @@ fn conditions_in_tables_and_no_stale_plots() {
     assert!(
         header.contains("objective_value,misfire_cylinder,misfire_peak_twist_deg,misfire_peak_twist_speed_rpm,misfire_peak_twist_order")
     );
-    assert!(header.contains("absorber_locked_peak_twist_deg") && header.ends_with("absorber_lost_objective_value"));
+    assert!(
+        header.contains("absorber_locked_peak_twist_deg")
+            && header.contains("absorber_lost_objective_value,margin_goodman,margin_goodman_speed_rpm,margin_goodman_fillet")
+    );
     let none = table.lines().find(|l| l.starts_with("none,")).expect("a row");
     assert_eq!(none.split(',').count(), header.split(',').count());
-    assert!(none.ends_with(",,,,,,,,,,,,"), "nothing to lock or lose: {none}");
+    assert!(none.contains(",,,,,,,,,,,,"), "nothing to lock or lose: {none}");
+    let margins = read(&out, "margin.csv");
+    assert!(margins.starts_with("design,speed_rpm,fillet,criterion,amplitude_mpa,mean_mpa,safety_factor\nnone,600,crankpin_1,goodman,"));
+    assert!(margins.lines().all(|l| l.split(',').count() == 7 && !l.contains("NaN")));
     assert!(read(&out, "response.csv").contains("viscous_untuned,twist_misfire_deg,0.5,"));
     assert!(out.join("response_viscous_untuned.svg").is_file() && out.join("calibration.csv").is_file());
     let text = fs::read_to_string(&study).expect("study");

@@ -18,6 +18,7 @@ fn only(name: &str, kind: Kind, size: Size) -> Study {
     let o = s.optimise.as_mut().expect("optimises");
     (o.absorber.kinds, o.absorber.size) = (vec![kind], size);
     s.front = None;
+    s.more_objectives.clear();
     s
 }
 
@@ -46,6 +47,7 @@ fn den_hartog_is_solved_exactly() {
 fn optima_of_the_six() {
     let mut s = study("villalva_i6");
     s.front = None;
+    s.more_objectives.clear();
     let results = run(&s);
     assert_eq!(results.optima.len(), 8);
     for o in &results.optima {

@@ -38,12 +38,17 @@ impl<'a> Level<'a> {
         }
     }
 
+    /// No value is above this where half peak-to-peak and size of the middle are not above these.
+    pub fn at_most(&self, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
+        match self {
+            Self::HalfRange => half_peak_to_peak,
+            Self::Used { margin, criterion, shaft } => margin.at_most(*criterion, *shaft, speed_rpm, half_peak_to_peak, middle),
+        }
+    }
+
     /// No value is above this where the magnitudes of the orders add up to `sum`.
     pub fn bound(&self, speed_rpm: f64, sum: f64) -> f64 {
-        match self {
-            Self::HalfRange => sum,
-            Self::Used { margin, criterion, shaft } => margin.bound(*criterion, *shaft, speed_rpm, sum),
-        }
+        self.at_most(speed_rpm, sum, sum)
     }
 
     /// Derivatives by half peak-to-peak and by the middle of the extremes.

@@ -134,7 +134,17 @@ impl<'a> PeakFinder<'a> {
         }
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
-                for (quantity, sweep) in measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?) {
+                let mut sweeps: Vec<_> = measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?).collect();
+                if let Over::Margin(_) = measure.over {
+                    // the shafts that may be used most first: the others need fewer sums then
+                    let most = |(quantity, sweep): &(&Quantity, Vec<C64>)| {
+                        let level = Level::of(measure.over, **quantity, self.margin);
+                        let sums = sweep.chunks(self.system.orders()).map(bound).zip(&speeds.rpm);
+                        sums.map(|(sum, speed)| level.bound(*speed, sum)).fold(0.0, f64::max)
+                    };
+                    sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
+                }
+                for (quantity, sweep) in sweeps {
                     self.synthesised(design, (*quantity, measure.over), (&speeds, &sweep), &mut found, work)?;
                 }
             }
@@ -208,19 +218,23 @@ impl<'a> PeakFinder<'a> {
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
         let mut top = found.best;
-        let mut know = |i: usize, values: &mut Vec<f64>, threshold: f64| {
+        let mut know = |i: usize, values: &mut Vec<f64>, wanted: f64, rise: f64| {
             work.syntheses += 1;
             let y = &sweep[i * orders..(i + 1) * orders];
+            let speed = speeds.rpm[i];
             values[i] = match level {
-                Level::HalfRange => self.synthesiser.half_peak_to_peak_above(y, threshold),
-                Level::Used { .. } => level.value(speeds.rpm[i], &self.synthesiser.extremes(y)),
+                Level::HalfRange => self.synthesiser.half_peak_to_peak_above(y, wanted / rise),
+                Level::Used { .. } => self
+                    .synthesiser
+                    .extremes_if(y, |half, middle| level.at_most(speed, half * rise, middle * rise) >= wanted)
+                    .map_or(f64::NEG_INFINITY, |e| level.value(speed, &e)),
             };
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
             let rise = if self.refine { local::growth(&sums, i) } else { 1.0 };
             if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && level.bound(speeds.rpm[i], sums[i] * rise) >= found.keep * top {
-                know(i, &mut values, found.keep * top / rise);
+                know(i, &mut values, found.keep * top, rise);
                 top = top.max(values[i]);
             }
         }
@@ -229,7 +243,7 @@ impl<'a> PeakFinder<'a> {
             for c in local::maxima(&speeds.rpm, &values) {
                 for j in [c.index.saturating_sub(1), (c.index + 1).min(values.len() - 1)] {
                     if values[j] == f64::NEG_INFINITY {
-                        know(j, &mut values, 0.0);
+                        know(j, &mut values, 0.0, 1.0);
                     }
                 }
             }

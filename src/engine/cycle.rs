@@ -11,10 +11,12 @@ use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 pub struct ThrowLoads {
     /// Crank angle of every sample, rad.
     pub theta: Vec<f64>,
+    /// Force of each rod on its crankpin, N, in axes of the engine: one row a cylinder. First along the middle of the banks, away from the crankshaft; then
+    /// across it, the way the pin moves when it passes there.
+    pub rod_force: Vec<Vec<[f64; 2]>>,
     /// Torque, mean included, N m: one row a throw.
     pub torque: Vec<Vec<f64>>,
-    /// Force of the rods on the crankpin, N, in axes of the engine: one row a throw. First along the middle of the banks, away from the crankshaft; then
-    /// across it, the way the pin moves when it passes there.
+    /// Force of the rods of a throw together: one row a throw.
     pub pin_force: Vec<Vec<[f64; 2]>>,
 }
 
@@ -36,6 +38,11 @@ impl<'a> Cycle<'a> {
         Some(Self { engine, geometry, speeds_rpm, traces })
     }
 
+    /// Crank angle of every `stride`-th sample, rad.
+    pub fn theta(&self, stride: usize) -> Vec<f64> {
+        (0..samples(self.engine.strokes) / stride).map(|j| sample_angle(j * stride)).collect()
+    }
+
     /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
     /// speeds.
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
@@ -47,18 +54,21 @@ impl<'a> Cycle<'a> {
         let omega = speed_rpm * RAD_PER_S_PER_RPM;
         let at = |j: usize| unit_forces(self.geometry, Moment { pressure: gas(j), theta: sample_angle(j), omega });
         let unit: Vec<UnitForces> = (0..n).map(|j| at(j * stride)).collect();
-        let mut loads = ThrowLoads { theta: (0..n).map(|j| sample_angle(j * stride)).collect(), torque: Vec::new(), pin_force: Vec::new() };
+        let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new(), pin_force: Vec::new() };
         for throw in 0..self.engine.layout.throws() {
             let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
             for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
                 let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
                 let (sine, cosine) = axis.sin_cos();
+                let mut own = Vec::with_capacity(n);
                 for j in 0..n {
                     let UnitForces { torque, big_end: [x, y], .. } = unit[(j + n - shift % n) % n];
                     sum[j] += torque;
-                    force[j][0] += x * cosine - y * sine;
-                    force[j][1] += x * sine + y * cosine;
+                    own.push([x * cosine - y * sine, x * sine + y * cosine]);
+                    force[j][0] += own[j][0];
+                    force[j][1] += own[j][1];
                 }
+                loads.rod_force.push(own);
             }
             loads.torque.push(sum);
             loads.pin_force.push(force);

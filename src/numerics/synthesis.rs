@@ -117,6 +117,21 @@ impl Synthesiser {
         Local { angle: angle + change, value: sign * (f0 + change * (f1 + 0.5 * f2 * change)), bend: f2 }
     }
 
+    /// The extremes where they may matter: nothing where `can_matter` says no to a half peak-to-peak value and a size of the middle that they do not exceed.
+    pub fn extremes_if(&self, phasors: &[C64], can_matter: impl Fn(f64, f64) -> bool) -> Option<Extremes> {
+        if phasors.len() == 1 {
+            return Some(self.single(phasors[0]));
+        }
+        let samples = self.samples(phasors);
+        let reach = self.reach(phasors);
+        let middle = 0.5 * (samples.high + samples.low).abs();
+        if !can_matter(samples.half_peak_to_peak() + reach, middle + reach) {
+            return None;
+        }
+        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
+        Some(Extremes::of(first(1.0), first(-1.0)))
+    }
+
     /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
     pub fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
         if phasors.len() == 1 {

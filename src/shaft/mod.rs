@@ -56,6 +56,10 @@ pub struct Crank {
     pub journal_bore: f64,
     /// Between the webs.
     pub pin_length: f64,
+    /// Rods side by side on a crankpin.
+    pub rods: usize,
+    /// Between their middles; zero where they share one.
+    pub rod_spacing: f64,
     /// One a main bearing, throws + 1.
     pub journal_lengths: Vec<f64>,
     /// Along the shaft.
@@ -112,18 +116,24 @@ impl Crank {
         [front + 0.5 * self.web_thickness, pin, front + 1.5 * self.web_thickness + self.pin_length]
     }
 
+    /// Middles of the rods on a throw, the first cylinder's first, m.
+    pub fn rod_places(&self, throw: usize) -> Vec<f64> {
+        let middle = 0.5 * (self.rods as f64 - 1.0);
+        (0..self.rods).map(|k| self.places(throw)[1] + (k as f64 - middle) * self.rod_spacing).collect()
+    }
+
     /// Overlap of crankpin and journal, m; negative where there is none.
     pub fn overlap(&self) -> f64 {
         0.5 * (self.pin_diameter + self.journal_diameter) - self.crank_radius
     }
 
-    /// The crank as a beam of the crankpin's section, loaded at the middle of every crankpin.
+    /// The crank as a beam of the crankpin's section, loaded at the middle of every rod.
     pub fn beam(&self) -> Beam {
         let bearings = self.bearings();
         let present = bearings.iter().enumerate().filter(|(i, _)| !self.missing_bearings.contains(i));
         Beam {
             supports: present.map(|(_, at)| Support { at: *at, stiffness: self.bearing_stiffness }).collect(),
-            loads_at: (0..self.throws()).map(|t| self.places(t)[1]).collect(),
+            loads_at: (0..self.throws()).flat_map(|t| self.rod_places(t)).collect(),
             rigidity: self.young_modulus * section::area_moment(self.pin_diameter, self.pin_bore),
         }
     }

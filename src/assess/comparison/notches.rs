@@ -94,10 +94,10 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
     let g = &found.geometry;
     let own = [g.web_thickness, g.web_breadth, g.pin_fillet, g.journal_fillet];
     for (i, (name, _)) in DIMENSIONS.iter().enumerate() {
-        let note = if found.digits[i].is_finite() {
+        let note = if found.digits[i] < own[i] {
             format!("not printed; the digits of the factors leave ± {:.2} mm", found.digits[i] / M_PER_MM)
         } else {
-            "not printed".into()
+            "not printed, and not determined by the digits of the factors".into()
         };
         list.push(entry(&format!("{name} by the inverse fit"), "mm", None, own[i] / M_PER_MM, note));
     }

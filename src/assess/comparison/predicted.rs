@@ -50,9 +50,9 @@ struct Instants {
 /// cylinder begins.
 fn instants(study: &Study, loads: &CrankLoads) -> Instants {
     let n = loads.theta.len();
-    let pushed = |t: usize, j: usize| -loads.forces[t][j][0];
+    let pushed = |t: usize, j: usize| -loads.on_throw(t, j)[0];
     let (mut throw, mut first) = (0, 0);
-    for t in 0..loads.forces.len() {
+    for t in 0..loads.torque.len() {
         for j in 0..n {
             if pushed(t, j) > pushed(throw, first) {
                 (throw, first) = (t, j);
@@ -99,7 +99,9 @@ pub fn entries(study: &Study, published: &Published, system: &System, strength: 
     let (Some(crank), Some(factors), Some(strength)) = (&study.crank, published_factors(published), strength) else {
         return Ok(Vec::new());
     };
-    let Some(model) = CrankModel::thesis(&study.engine, crank) else { return Ok(Vec::new()) };
+    // the source puts both rods of a V at the middle of the pin
+    let together = Crank { rod_spacing: 0.0, ..crank.clone() };
+    let Some(model) = CrankModel::thesis(&study.engine, &together) else { return Ok(Vec::new()) };
     let mut list = Vec::new();
     let mut known: Vec<(String, Instants)> = Vec::new();
     for f in &published.fatigue {

@@ -1,7 +1,7 @@
 //! Local bending stress of every spot over the working cycle, at every speed of a sweep.
 
 use super::Spot;
-use super::loads::{CrankLoads, CrankModel};
+use super::loads::{CrankLoads, CrankModel, InPlane};
 use crate::chain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::Cycle;
@@ -17,34 +17,68 @@ pub fn table(
     speeds_rpm: &[f64],
 ) -> Option<(Vec<Vec<Cycle>>, Vec<Vec<f64>>)> {
     let model = CrankModel::new(engine, crank)?;
+    // spots of one section share its loads
+    let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
+    for (i, spot) in spots.iter().enumerate() {
+        let section = Section::of(spot);
+        match sections.iter_mut().find(|s| s.0 == section) {
+            Some(known) => known.1.push(i),
+            None => sections.push((section, vec![i])),
+        }
+    }
     let row = |speed: &f64| {
         let loads = model.at(*speed);
-        (spots.iter().map(|s| stress(crank, s, &loads)).collect(), mean_torque(chain, &loads))
+        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; spots.len()];
+        for (section, own) in &sections {
+            let in_plane = section.loads(crank, &loads);
+            for i in own {
+                local[*i] = stress(&spots[*i], &in_plane);
+            }
+        }
+        (local, mean_torque(chain, &loads))
     };
     Some(speeds_rpm.par_iter().map(row).unzip())
 }
 
-fn stress(crank: &Crank, spot: &Spot, loads: &CrankLoads) -> Cycle {
-    let own = if spot.allowable.is_some() {
-        let [front, pin, rear] = crank.places(spot.throw);
-        let at = match spot.place {
-            Place::OilBore => pin,
-            _ if spot.rear => rear,
-            _ => front,
-        };
-        loads.determinate(spot.throw, at - crank.bearings()[spot.throw])
-    } else {
-        loads.web(spot.throw, spot.rear)
-    };
-    // shear pushes the webs of a throw the same way and has opposite signs in them
-    let radial = if spot.rear { -spot.radial } else { spot.radial };
-    let at = |j: usize| spot.bending[0] * own.moment[j] + spot.bending[1] * own.tangential[j] + radial * own.shear[j];
+/// A section of the crank, and how its loads are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Section {
+    /// A web (front, rear) of the crank on all its bearings.
+    Web(usize, bool),
+    /// A web of one throw on its own bearings.
+    OwnWeb(usize, bool),
+    /// The middle of the crankpin of such a throw.
+    OwnPin(usize),
+}
+
+impl Section {
+    fn of(spot: &Spot) -> Self {
+        match (spot.allowable, spot.place) {
+            (None, _) => Self::Web(spot.throw, spot.rear),
+            (Some(_), Place::OilBore) => Self::OwnPin(spot.throw),
+            (Some(_), _) => Self::OwnWeb(spot.throw, spot.rear),
+        }
+    }
+
+    fn loads(self, crank: &Crank, loads: &CrankLoads) -> InPlane {
+        let own = |throw: usize, which: usize| loads.determinate(throw, crank.places(throw)[which] - crank.bearings()[throw]);
+        match self {
+            Self::Web(throw, rear) => loads.web(throw, rear),
+            Self::OwnWeb(throw, rear) => own(throw, if rear { 2 } else { 0 }),
+            Self::OwnPin(throw) => own(throw, 1),
+        }
+    }
+}
+
+fn stress(spot: &Spot, own: &InPlane) -> Cycle {
+    let at = |j: usize| spot.bending[0] * own.moment[j] + spot.bending[1] * own.tangential[j] + spot.radial * own.shear[j];
     let wider = |m: (f64, f64), v: f64| (m.0.min(v), m.1.max(v));
     let (low, high) = (0..own.moment.len()).map(at).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
     Cycle { amplitude: 0.5 * (high - low), mean: 0.5 * (high + low) }
 }
 
-/// Mean torque in every shaft: that of all throws before it. What the engine delivers leaves at the last station.
+/// Mean torque in every shaft. What the engine delivers leaves at the end of the chain with the flywheel, the heavier one: before that, a shaft carries the
+/// torque of all throws on its other side.
 fn mean_torque(chain: &Chain, loads: &CrankLoads) -> Vec<f64> {
     let mut sum = 0.0;
     let mean = |throw: &usize| loads.torque[*throw].iter().sum::<f64>() / loads.theta.len() as f64;
@@ -54,5 +88,9 @@ fn mean_torque(chain: &Chain, loads: &CrankLoads) -> Vec<f64> {
         shafts.push(sum);
     }
     shafts.pop();
+    let heavier_first = chain.stations.first().zip(chain.stations.last()).is_some_and(|(first, last)| first.inertia > last.inertia);
+    if heavier_first {
+        shafts.iter_mut().for_each(|s| *s -= sum);
+    }
     shafts
 }

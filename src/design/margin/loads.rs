@@ -1,7 +1,7 @@
 //! The crank under its loads over the working cycle at one speed: forces on the throws, reactions of the bearings, shear and bending anywhere.
 
 use crate::engine::Engine;
-use crate::engine::cycle::{Cycle, ThrowLoads, crank_fixed, pin_angles};
+use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
 use crate::shaft::beam::Reactions;
 use crate::shaft::{Beam, Crank, elements, singularity};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -14,14 +14,15 @@ const STRIDE: usize = 2;
 pub struct CrankModel<'a> {
     cycle: Cycle<'a>,
     crank: &'a Crank,
-    angles: Vec<f64>,
+    /// Sine and cosine of the angle of every throw at every sample.
+    turns: Vec<Vec<(f64, f64)>>,
     beam: Beam,
     reactions: Reactions,
     /// Front and rear web of every throw.
     webs: Vec<[Influence; 2]>,
 }
 
-/// Moment and shear force at a section per force on every throw.
+/// Moment and shear force at a section per force at every rod.
 #[derive(Debug, Clone)]
 struct Influence {
     moment: Vec<f64>,
@@ -55,17 +56,21 @@ impl<'a> CrankModel<'a> {
         let reactions = method(&beam)?;
         let section = |x: f64| Influence { moment: beam.moment_at(&reactions, x), shear: beam.shear_at(&reactions, x) };
         let webs = (0..crank.throws()).map(|t| [section(crank.places(t)[0]), section(crank.places(t)[2])]).collect();
-        Some(Self { cycle: Cycle::new(engine)?, crank, angles: pin_angles(engine), beam, reactions, webs })
+        let cycle = Cycle::new(engine)?;
+        let theta = cycle.theta(STRIDE);
+        let turns = pin_angles(engine).iter().map(|angle| theta.iter().map(|theta| (theta + angle).sin_cos()).collect()).collect();
+        Some(Self { cycle, crank, turns, beam, reactions, webs })
     }
 
     /// The loads at a speed, rpm.
     pub fn at(&self, speed_rpm: f64) -> CrankLoads<'_> {
-        let ThrowLoads { theta, torque, pin_force } = self.cycle.loads(speed_rpm, STRIDE);
-        let outward = self.crank.unbalance * (speed_rpm * RAD_PER_S_PER_RPM).powi(2);
-        let mut forces = pin_force;
-        for (throw, forces) in forces.iter_mut().enumerate() {
-            for ([x, y], theta) in forces.iter_mut().zip(&theta) {
-                let (sine, cosine) = (theta + self.angles[throw]).sin_cos();
+        let ThrowLoads { theta, torque, rod_force, .. } = self.cycle.loads(speed_rpm, STRIDE);
+        let rods = self.crank.rods;
+        // what turns with a throw acts at its middle: half on each of two rods
+        let outward = self.crank.unbalance * (speed_rpm * RAD_PER_S_PER_RPM).powi(2) / rods as f64;
+        let mut forces = rod_force;
+        for (rod, forces) in forces.iter_mut().enumerate() {
+            for ([x, y], (sine, cosine)) in forces.iter_mut().zip(&self.turns[rod / rods]) {
                 *x += outward * cosine;
                 *y += outward * sine;
             }
@@ -82,50 +87,64 @@ pub struct CrankLoads<'a> {
     pub theta: Vec<f64>,
     /// Torque of every throw, mean included, N m.
     pub torque: Vec<Vec<f64>>,
-    /// Force on every throw in axes of the engine, N: that of the rods and what turns with the crank.
+    /// Force at every rod in axes of the engine, N: that of the rod and its part of what turns with the crank. A row a cylinder.
     pub forces: Vec<Vec<[f64; 2]>>,
 }
 
 impl CrankLoads<'_> {
-    /// In axes of a throw.
-    fn turned(&self, force: [f64; 2], j: usize, throw: usize) -> [f64; 2] {
-        crank_fixed(force, self.theta[j] + self.model.angles[throw])
+    /// In axes of a throw: radial, tangential.
+    fn turned(&self, [x, y]: [f64; 2], j: usize, throw: usize) -> [f64; 2] {
+        let (sine, cosine) = self.model.turns[throw][j];
+        [x * cosine + y * sine, y * cosine - x * sine]
+    }
+
+    /// Rows of the forces on a throw.
+    fn rods(&self, throw: usize) -> std::ops::Range<usize> {
+        throw * self.model.crank.rods..(throw + 1) * self.model.crank.rods
+    }
+
+    /// Force on a throw at a sample, N, in axes of the engine.
+    pub fn on_throw(&self, throw: usize, j: usize) -> [f64; 2] {
+        self.rods(throw).fold([0.0; 2], |sum, r| [sum[0] + self.forces[r][j][0], sum[1] + self.forces[r][j][1]])
     }
 
     /// Front or rear web of a throw, the whole crank on all its bearings.
     pub fn web(&self, throw: usize, rear: bool) -> InPlane {
         let influence = &self.model.webs[throw][usize::from(rear)];
+        let all: Vec<usize> = (0..self.forces.len()).collect();
+        self.section(throw, &all, influence)
+    }
+
+    /// One throw on its own two bearings, statically determinate \[IACS UR M53\] section 2.1.1, at distance `at` from the first of them.
+    pub fn determinate(&self, throw: usize, at: f64) -> InPlane {
+        let crank = self.model.crank;
+        let (pitch, start) = (crank.pitch(throw), crank.bearings()[throw]);
+        let mut influence = Influence { moment: Vec::new(), shear: Vec::new() };
+        for rod in crank.rod_places(throw).iter().map(|x| x - start) {
+            // reaction before the section, with the sign of the beam: -F (pitch - x)/pitch
+            let before = -(pitch - rod) / pitch;
+            influence.moment.push(before * at + (at - rod).max(0.0));
+            influence.shear.push(if at > rod { before + 1.0 } else { before });
+        }
+        let own: Vec<usize> = self.rods(throw).collect();
+        self.section(throw, &own, &influence)
+    }
+
+    /// Loads at a section in axes of a throw, from the forces at some rods.
+    fn section(&self, throw: usize, rods: &[usize], influence: &Influence) -> InPlane {
         let mut own = InPlane::default();
         for j in 0..self.theta.len() {
             let (mut moment, mut shear) = ([0.0; 2], [0.0; 2]);
-            for (t, force) in self.forces.iter().enumerate() {
+            for (i, r) in rods.iter().enumerate() {
                 for axis in 0..2 {
-                    moment[axis] += influence.moment[t] * force[j][axis];
-                    shear[axis] += influence.shear[t] * force[j][axis];
+                    moment[axis] += influence.moment[i] * self.forces[*r][j][axis];
+                    shear[axis] += influence.shear[i] * self.forces[*r][j][axis];
                 }
             }
             let [radial, tangential] = self.turned(moment, j, throw);
             own.moment.push(radial);
             own.tangential.push(tangential);
             own.shear.push(self.turned(shear, j, throw)[0]);
-        }
-        own
-    }
-
-    /// One throw on its own two bearings, statically determinate \[IACS UR M53\] section 2.1.1, at distance `at` from the first of them.
-    pub fn determinate(&self, throw: usize, at: f64) -> InPlane {
-        let crank = self.model.crank;
-        let (pitch, pin) = (crank.pitch(throw), crank.places(throw)[1] - crank.bearings()[throw]);
-        // reaction before the section, with the sign of the beam: -F (pitch - pin)/pitch
-        let before = -(pitch - pin) / pitch;
-        let moment = before * at + (at - pin).max(0.0);
-        let shear = if at > pin { before + 1.0 } else { before };
-        let mut own = InPlane::default();
-        for (j, force) in self.forces[throw].iter().enumerate() {
-            let [radial, tangential] = self.turned(*force, j, throw);
-            own.moment.push(moment * radial);
-            own.tangential.push(moment * tangential);
-            own.shear.push(shear * radial);
         }
         own
     }
@@ -138,7 +157,8 @@ impl CrankLoads<'_> {
             let sum = |axis: usize| -> f64 { influence.iter().zip(&self.forces).map(|(i, f)| i * f[j][axis]).sum() };
             sum(0).hypot(sum(1))
         };
-        model.beam.loads_at.iter().map(resultant).collect()
+        let pins: Vec<f64> = (0..model.crank.throws()).map(|t| model.crank.places(t)[1]).collect();
+        pins.iter().map(resultant).collect()
     }
 
     /// Force of the crank on every main bearing at a sample, N, in axes of the engine; missing bearings left out.

@@ -50,6 +50,9 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
     for (i, (label, values)) in curves.iter().enumerate() {
         let width = if label.starts_with("optimum") { 26 } else { 14 };
         let style = if i == 0 && label == "none" { line(BLACK, 14) } else { line(COLOURS[i % COLOURS.len()], width) };
+        if values.len() == 1 {
+            chart.draw_series(std::iter::once(Circle::new((first, values[0].min(top)), px(4), style)))?;
+        }
         for piece in canvas::clipped(study.speeds_rpm.iter().copied().zip(values.iter().copied()), top) {
             chart.draw_series(LineSeries::new(piece, style))?;
         }

@@ -5,7 +5,7 @@ use super::{dash, significant, table};
 use crate::absorber::Ring;
 use crate::assess::auto::Way;
 use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
-use crate::design::Condition;
+use crate::design::{Condition, Over};
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
 use crate::study::{ObjectiveSpec, Study, UnitOf};
@@ -182,10 +182,16 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() },
         outcome.stop.reason()
     ));
-    for ((words, _), ratio) in study.limits.iter().zip(&o.design.limits) {
+    for ((words, limit), ratio) in study.limits.iter().zip(&o.design.limits) {
         let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
         let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
-        put(format!("  limit: {words}: {} ({:.1} % of it{worst})", if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" }, 100.0 * ratio));
+        let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
+        // of a margin the inverse is limited
+        let size = match limit.measure.over {
+            Over::Margin(_) => format!("it is {}", factor(1.0 / (ratio * limit.limit))),
+            _ => format!("{:.1} % of it", 100.0 * ratio),
+        };
+        put(format!("  limit: {words}: {verdict} ({size}{worst})"));
     }
     text
 }
@@ -194,10 +200,13 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 pub fn summary(study: &Study, results: &Results) -> String {
     let mut text = String::new();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
-    for (i, (words, _)) in study.limits.iter().enumerate() {
+    for (i, (words, limit)) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;
-        let list: Vec<String> =
-            results.designs.iter().filter(broken).map(|d| format!("{} ({:.0} %)", d.name, 100.0 * d.limits[i])).collect();
+        let size = |d: &DesignResult| match limit.measure.over {
+            Over::Margin(_) => factor(1.0 / (d.limits[i] * limit.limit)),
+            _ => format!("{:.0} %", 100.0 * d.limits[i]),
+        };
+        let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("{} ({})", d.name, size(d))).collect();
         if !list.is_empty() {
             let _ = writeln!(text, "Limit {words}: broken by the given {}.", list.join(", "));
         }
@@ -212,7 +221,10 @@ pub fn summary(study: &Study, results: &Results) -> String {
     if let (Some(best), Some(own)) =
         (given.min_by(|a, b| better(a, b)), results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design)))
     {
-        let ratio = 100.0 * (1.0 - objective(&own.design) / objective(best));
+        let is_margin = study.objective.unit == UnitOf::Margin;
+        let share = objective(&own.design) / objective(best);
+        // what is said is said of the margin, not of its inverse
+        let ratio = 100.0 * (1.0 - if is_margin { 1.0 / share } else { share });
         let compare = if !ratio.is_finite() {
             "not comparable".to_owned()
         } else if ratio.abs() < 1e-4 {

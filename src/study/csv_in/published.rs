@@ -44,6 +44,12 @@ impl<'a> Rows<'a> {
         if x > 0.0 { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a number above zero"))) }
     }
 
+    fn factor(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
+        let x = self.table.filled(line, column, cell)?;
+        let sound = (1.0..=20.0).contains(&x);
+        if sound { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a factor of nominal stress from 1 to 20"))) }
+    }
+
     fn not_negative(&self, line: u64, column: usize, cell: &str) -> Result<Option<f64>, InputError> {
         match self.table.number(line, column, cell)? {
             Some(x) if x < 0.0 => Err(self.table.at(line, column, format!("found {x}, expected at least zero"))),
@@ -253,9 +259,12 @@ pub fn factors(path: &Path, engine: &str) -> Result<Vec<PublishedFactor>, InputE
         let row = PublishedFactor {
             table: rows.source(cells),
             fillet: cells[fillet].clone(),
-            bending: rows.positive(*line, bending, &cells[bending])?,
-            torsion: rows.positive(*line, torsion, &cells[torsion])?,
+            bending: rows.factor(*line, bending, &cells[bending])?,
+            torsion: rows.factor(*line, torsion, &cells[torsion])?,
         };
+        if !["crankpin", "journal"].contains(&row.fillet.as_str()) {
+            return Err(table.at(*line, fillet, format!("found fillet `{}`, expected crankpin or journal", shown(&row.fillet))));
+        }
         if list.iter().any(|r| r.fillet == row.fillet) {
             return Err(table.at(*line, fillet, format!("found fillet `{}` a second time", shown(&row.fillet))));
         }

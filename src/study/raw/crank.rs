@@ -22,6 +22,7 @@ pub struct RawCrank {
     pub oil_bore: Option<RawOilBore>,
     #[serde(default)]
     pub missing_bearings: Vec<At<i64>>,
+    pub rod_spacing_mm: Option<At<f64>>,
     pub bearing_stiffness_n_per_m: Option<At<f64>>,
     pub young_modulus_gpa: Option<At<f64>>,
     pub unbalance_kg_m: Option<At<f64>>,

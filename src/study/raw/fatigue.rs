@@ -10,6 +10,8 @@ pub struct RawFatigue {
     pub material: RawMaterial,
     pub endurance: Option<RawEndurance>,
     #[serde(default)]
+    pub mean_bending: RawMeanBending,
+    #[serde(default)]
     pub notch_sensitivity: bool,
     #[serde(default)]
     pub iacs_m53: RawClassRule,
@@ -26,6 +28,14 @@ pub enum RawCriterion {
     AsmeElliptic,
     Langer,
     IacsM53,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawMeanBending {
+    #[default]
+    Signed,
+    AsTension,
 }
 
 #[derive(Debug, Deserialize)]

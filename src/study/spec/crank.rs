@@ -8,11 +8,15 @@ use crate::units::{M_PER_MM, PA_PER_GPA, RAD_PER_DEG};
 
 /// Of steel, GPa.
 const YOUNG_MODULUS: f64 = 206.0;
+/// Bearings that carry a crank, N/m.
+const SOFTEST: f64 = 1e5;
+const STIFFEST: f64 = 1e13;
 /// Spans add up to this, mm.
 const EXACT_MM: f64 = 0.01;
 
 /// Keys that may be marked as assumptions.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
+    "rod_spacing_mm",
     "pitch_mm",
     "crankpin_diameter_mm",
     "crankpin_length_mm",
@@ -54,13 +58,17 @@ pub fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) -> Option
     let journal_diameter = positive(check, &raw.journal_diameter_mm);
     let pitches = each(check, &raw.pitch_mm, throws, "throws");
     let journal_lengths = each(check, &raw.journal_length_mm, throws + 1, "main bearings");
+    let rods = engine.layout.rods_per_throw;
+    let pin_length = positive(check, &raw.crankpin_length_mm);
     let mut crank = Crank {
+        rods,
+        rod_spacing: rod_spacing(check, raw, rods, pin_length),
         crank_radius: geometry.slider_crank.crank_radius,
         pin_diameter,
         pin_bore: bore(check, &raw.crankpin_bore_mm, pin_diameter),
         journal_diameter,
         journal_bore: bore(check, &raw.journal_bore_mm, journal_diameter),
-        pin_length: positive(check, &raw.crankpin_length_mm),
+        pin_length,
         journal_lengths,
         web_thickness: positive(check, &raw.web_thickness_mm),
         web_breadth: positive(check, &raw.web_breadth_mm),
@@ -73,7 +81,10 @@ pub fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) -> Option
             angle: b.angle_deg.as_ref().map_or(0.0, |a| check.within(a, -180.0..=180.0, "an angle from -180 to 180 degrees")) * RAD_PER_DEG,
         }),
         missing_bearings: Vec::new(),
-        bearing_stiffness: raw.bearing_stiffness_n_per_m.as_ref().map(|k| check.positive(k)),
+        bearing_stiffness: raw
+            .bearing_stiffness_n_per_m
+            .as_ref()
+            .map(|k| check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m")),
         young_modulus: raw.young_modulus_gpa.as_ref().map_or(YOUNG_MODULUS, |e| check.positive(e)) * PA_PER_GPA,
         unbalance: raw.unbalance_kg_m.as_ref().map_or(0.0, |u| check.not_negative(u))
             - raw.counterweight_kg_m.as_ref().map_or(0.0, |c| check.not_negative(c)),
@@ -86,10 +97,26 @@ pub fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) -> Option
         crank.assumed.push(key.get_ref().clone());
     }
     missing(check, raw, throws, &mut crank);
+    proportions(check, raw, &crank);
     if check.mistakes.len() == before {
         spans(check, raw, &pitches, &crank);
     }
     (check.mistakes.len() == before).then_some(crank)
+}
+
+/// Distance between the rods on a pin: side by side unless the file says otherwise.
+fn rod_spacing(check: &mut Check, raw: &RawCrank, rods: usize, pin_length: f64) -> f64 {
+    let Some(given) = &raw.rod_spacing_mm else { return if rods > 1 { pin_length / rods as f64 } else { 0.0 } };
+    let spacing = check.not_negative(given) * M_PER_MM;
+    if rods == 1 {
+        check.wrong(given, "found a distance between rods with one rod on a throw, expected it for a V only");
+    } else if spacing >= pin_length {
+        check.wrong(
+            given,
+            format!("found {} mm between the rods, expected less than the crankpin is long, {} mm", given.get_ref(), pin_length / M_PER_MM),
+        );
+    }
+    spacing
 }
 
 /// One value for all, or one each.
@@ -104,6 +131,23 @@ fn each(check: &mut Check, raw: &RawEach, count: usize, of: &str) -> Vec<f64> {
             // a mistake stops the study: the missing values are never used
             values.into_iter().chain(std::iter::repeat(M_PER_MM)).take(count).collect()
         }
+    }
+}
+
+/// Dimensions that no crank has, whatever the formulas.
+fn proportions(check: &mut Check, raw: &RawCrank, crank: &Crank) {
+    let mut below = |value: Option<&At<f64>>, x: f64, most: f64, what: &str, of: &str| {
+        if let Some(v) = value.filter(|_| x >= most) {
+            check.wrong(v, format!("found {what} of {} mm, expected less than {of}, {} mm", v.get_ref(), most / M_PER_MM));
+        }
+    };
+    let (pin, journal, web) = (0.5 * crank.pin_diameter, 0.5 * crank.journal_diameter, 0.5 * crank.web_thickness);
+    below(Some(&raw.crankpin_fillet_mm), crank.pin_fillet, pin, "a fillet", "half the crankpin's diameter");
+    below(Some(&raw.journal_fillet_mm), crank.journal_fillet, journal, "a fillet", "half the journal's diameter");
+    below(raw.crankpin_recess_mm.as_ref(), crank.pin_recess, web, "a recess", "half the web");
+    below(raw.journal_recess_mm.as_ref(), crank.journal_recess, web, "a recess", "half the web");
+    if let (Some(raw), Some(bore)) = (&raw.oil_bore, crank.oil_bore) {
+        below(Some(&raw.diameter_mm), bore.diameter, pin, "a bore", "half the crankpin's diameter");
     }
 }
 

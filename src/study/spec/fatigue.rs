@@ -1,14 +1,15 @@
 //! Fatigue: material, criteria, fillets.
 
-use crate::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion};
-use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture};
+use crate::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
+use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture, STRENGTHS};
 use crate::fatigue::endurance::{self, Endurance, HOTTEST, Loading, RELIABILITIES, Surface};
 use crate::fatigue::{ClassRule, Criterion, Strength};
 use crate::shaft::notch::Formulas;
 use crate::shaft::{Crank, Place};
 use crate::study::input_error::{At, Check};
 use crate::study::raw::fatigue::{
-    RawCriterion, RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawPlace, RawSurface,
+    RawCriterion, RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawMeanBending, RawPlace,
+    RawSurface,
 };
 use crate::units::PA_PER_MPA;
 use std::collections::HashSet;
@@ -50,7 +51,29 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -
         tensile: strength.tensile,
         additional_bending: add.map_or(ADDITIONAL_BENDING, |a| check.not_negative(a) * PA_PER_MPA),
     };
-    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, notch_sensitivity: raw.notch_sensitivity, fillets, rule })
+    let mean_bending = match raw.mean_bending {
+        RawMeanBending::Signed => MeanBending::Signed,
+        RawMeanBending::AsTension => MeanBending::AsTension,
+    };
+    let notch_sensitivity = raw.notch_sensitivity;
+    only_class_rule(check, raw, &criteria);
+    if criteria.contains(&MarginCriterion::IacsM53) && !(STRENGTHS.0..=STRENGTHS.1).contains(&strength.tensile) {
+        let (low, high) = (STRENGTHS.0 / PA_PER_MPA, STRENGTHS.1 / PA_PER_MPA);
+        let at = &raw.material.tensile_strength_mpa;
+        check.wrong(at, format!("found {} MPa, expected a tensile strength from {low} to {high} MPa for `iacs_m53`", at.get_ref()));
+    }
+    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, mean_bending, notch_sensitivity, fillets, rule })
+}
+
+/// What only criteria of mean stress read must not stand without one.
+fn only_class_rule(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion]) {
+    let unused = !raw.fillet.is_empty() || raw.endurance.is_some() || raw.notch_sensitivity;
+    if unused && criteria == [MarginCriterion::IacsM53] {
+        check.wrong(
+            &raw.criteria,
+            "found fillets, endurance factors or notch sensitivity with `iacs_m53` alone, expected a criterion of mean stress beside it: the rule has its own",
+        );
+    }
 }
 
 /// Whether factors come from formulas anywhere.
@@ -152,8 +175,8 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank) -> Vec<FilletSpe
     let mut list = Vec::new();
     for f in raw {
         check.name(&f.name);
-        if !names.insert(f.name.get_ref().clone()) {
-            check.wrong(&f.name, format!("found fillet `{}` a second time, expected different names", f.name.get_ref()));
+        if f.name.get_ref().is_empty() {
+            check.wrong(&f.name, "found an empty name, expected one for tables");
         }
         let throw = f.throw.as_ref().map(|t| {
             let number = *t.get_ref();
@@ -163,6 +186,17 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank) -> Vec<FilletSpe
             }
             index.unwrap_or(0)
         });
+        // the names that tables will show
+        let shown: Vec<String> = match throw {
+            Some(_) => vec![f.name.get_ref().clone()],
+            None => (1..=crank.throws()).map(|t| format!("{}_{t}", f.name.get_ref())).collect(),
+        };
+        for name in shown {
+            if !names.insert(name.clone()) {
+                check.wrong(&f.name, format!("found fillet `{name}` a second time, expected different names"));
+                break;
+            }
+        }
         let factors = match f.factors.get_ref() {
             RawFactors::Given(given) => {
                 let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");

@@ -23,6 +23,7 @@ use super::published::Published;
 use super::raw;
 use crate::absorber::Mounted;
 use crate::chain::{Chain, Modes};
+use crate::design::margin::stations_of_throws;
 use crate::design::{Condition, FatigueSpec, Limit};
 use crate::engine::{Engine, Order, Source as TorqueSource};
 use crate::response::Quantity;
@@ -274,12 +275,15 @@ fn speeds(check: &mut Check, study: &raw::study::RawStudy) -> Vec<f64> {
 
 /// A margin needs the torque beside every throw.
 fn check_throws(check: &mut Check, fatigue: &At<raw::fatigue::RawFatigue>, chain: &Chain) {
-    if chain.len() == 1 || chain.stations.iter().any(|s| s.throws.len() > 1) {
-        check.wrong(
-            fatigue,
-            "found [fatigue] for a chain with several throws on a station or without shafts, expected a station for each throw",
-        );
-    }
+    let throws = chain.stations.iter().map(|s| s.throws.len()).sum();
+    let found = if chain.len() == 1 || chain.stations.iter().any(|s| s.throws.len() > 1) {
+        "found [fatigue] for a chain with several throws on a station or without shafts, expected a station for each throw"
+    } else if stations_of_throws(chain, throws).is_none() {
+        "found [fatigue] for a chain whose throws do not follow each other, expected them in the order of their numbers"
+    } else {
+        return;
+    };
+    check.wrong(fatigue, found);
 }
 
 fn check_load(check: &mut Check, study: &raw::study::RawStudy, engine: &mut Engine) {

@@ -211,9 +211,9 @@ fn bearings_bear_what_acts_on_the_throws() {
                 let acting: f64 = (0..crank.throws()).map(|t| loads.on_throw(t, j)[axis]).sum();
                 assert_close(on, acting, 0.0, 1e-9 * 1e5, "balance");
             }
-            for throw in 0..crank.throws() {
+            for (throw, angle) in angles.iter().enumerate() {
                 let (a, b) = (loads.on_throw(throw, j), without.on_throw(throw, j));
-                let turned = crank_fixed([a[0] - b[0], a[1] - b[1]], loads.theta[j] + angles[throw]);
+                let turned = crank_fixed([a[0] - b[0], a[1] - b[1]], loads.theta[j] + angle);
                 assert_close(turned[0], -0.02 * omega * omega, 1e-9, 1e-6, "the counterweight, outwards");
                 assert_close(turned[1], 0.0, 0.0, 1e-6, "not across");
                 let f = crank_fixed(a, 0.7);

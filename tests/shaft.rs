@@ -161,12 +161,15 @@ fn appendix_a_is_the_rule_expanded() {
     }
 }
 
+/// A dimension, an edge of its range relative to the crankpin, whether it is the lowest, and how it is set.
+type Edge = (&'static str, f64, bool, fn(&mut Geometry, f64));
+
 /// Both sides of every range of the formulas: just inside nothing is reported, just outside the one dimension is.
 #[test]
 fn ranges_of_the_formulas() {
     assert!(EXAMPLE.out_of_range().is_empty());
     let d = EXAMPLE.pin_diameter;
-    let cases: [(&str, f64, bool, fn(&mut Geometry, f64)); 12] = [
+    let cases: [Edge; 12] = [
         ("overlap", 0.5, false, |g, x| g.overlap = x),
         ("web thickness", 0.2, true, |g, x| g.web_thickness = x),
         ("web thickness", 0.8, false, |g, x| g.web_thickness = x),

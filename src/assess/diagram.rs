@@ -2,7 +2,7 @@
 
 use super::SmallestMargin;
 use crate::absorber::Mounted;
-use crate::design::margin::loads::CrankModel;
+use crate::design::margin::loads::{CrankModel, InPlanes};
 use crate::design::{Margin, PeakFinder};
 use crate::numerics::{C64, ZERO};
 use crate::response::{Quantity, ResponseError, Work};
@@ -14,10 +14,10 @@ use crate::units::DEG_PER_RAD;
 pub struct Instant {
     /// Crank angle from the firing of the cylinder that fires at 0°, degrees.
     pub crank_deg: f64,
-    /// (place in m, N) in the plane of the throw and across it: steps.
-    pub shear: [Vec<(f64, f64)>; 2],
-    /// (place in m, N m) likewise: corners.
-    pub moment: [Vec<(f64, f64)>; 2],
+    /// N, steps.
+    pub shear: InPlanes,
+    /// N m, corners.
+    pub moment: InPlanes,
     /// (place in m, N m): steps.
     pub torque: Vec<(f64, f64)>,
 }

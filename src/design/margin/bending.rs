@@ -1,21 +1,18 @@
 //! Local bending stress of every spot over the working cycle, at every speed of a sweep.
 
-use super::Spot;
 use super::loads::{CrankLoads, CrankModel, InPlane};
+use super::{Family, Spot};
 use crate::chain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::Cycle;
 use crate::shaft::{Crank, Place};
 use rayon::prelude::*;
 
+/// Rows by speed: bending of the spots, mean torque of the shafts.
+pub type Table = (Vec<Vec<Cycle>>, Vec<Vec<f64>>);
+
 /// Local bending stress of every spot, Pa, and mean torque of every shaft, N m: a row a speed. Nothing where the torque comes from a table.
-pub fn table(
-    engine: &Engine,
-    chain: &Chain,
-    crank: &Crank,
-    spots: &[Spot],
-    speeds_rpm: &[f64],
-) -> Option<(Vec<Vec<Cycle>>, Vec<Vec<f64>>)> {
+pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], speeds_rpm: &[f64]) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
     // spots of one section share its loads
     let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
@@ -53,10 +50,11 @@ enum Section {
 
 impl Section {
     fn of(spot: &Spot) -> Self {
-        match (spot.allowable, spot.place) {
-            (None, _) => Self::Web(spot.throw, spot.rear),
-            (Some(_), Place::OilBore) => Self::OwnPin(spot.throw),
-            (Some(_), _) => Self::OwnWeb(spot.throw, spot.rear),
+        match (spot.family, spot.place) {
+            // the rule has no other bending for the middle of the pin
+            (_, Place::OilBore) => Self::OwnPin(spot.throw),
+            (Family::Rule, _) => Self::OwnWeb(spot.throw, spot.rear),
+            (Family::MeanStress | Family::RuleContinuous, _) => Self::Web(spot.throw, spot.rear),
         }
     }
 

@@ -40,6 +40,9 @@ pub struct InPlane {
     pub tangential: Vec<f64>,
 }
 
+/// (place in m, value) along the crank, in the plane of a throw and across it.
+pub type InPlanes = [Vec<(f64, f64)>; 2];
+
 impl<'a> CrankModel<'a> {
     /// Reactions by beam elements. Nothing where the torque comes from a table.
     pub fn new(engine: &'a Engine, crank: &'a Crank) -> Option<Self> {
@@ -172,7 +175,7 @@ impl CrankLoads<'_> {
     }
 
     /// Corners of shear force and bending moment along the crank at a sample, in the plane of a throw and across it.
-    pub fn along(&self, j: usize, throw: usize) -> ([Vec<(f64, f64)>; 2], [Vec<(f64, f64)>; 2]) {
+    pub fn along(&self, j: usize, throw: usize) -> (InPlanes, InPlanes) {
         let beam = &self.model.beam;
         let mut places: Vec<f64> = beam.supports.iter().map(|s| s.at).chain(beam.loads_at.iter().copied()).collect();
         places.sort_by(f64::total_cmp);

@@ -14,7 +14,7 @@ mod model;
 pub mod spots;
 
 pub use model::{Margin, Used};
-pub use spots::{Spot, shafts, stations_of_throws};
+pub use spots::{Family, Spot, shafts, stations_of_throws};
 
 use crate::fatigue::{ClassRule, Criterion, Strength, class_rules};
 use crate::shaft::Place;
@@ -27,6 +27,8 @@ pub enum MarginCriterion {
     MeanStress(Criterion),
     /// The class societies' rule, with its own factors and its own bending: one throw between two bearings, statically determinate.
     IacsM53,
+    /// The same with bending of the whole crank on all its bearings: not the rule, but what it leaves out.
+    IacsM53Continuous,
 }
 
 impl MarginCriterion {
@@ -35,6 +37,7 @@ impl MarginCriterion {
         match self {
             Self::MeanStress(c) => c.name(),
             Self::IacsM53 => "iacs_m53",
+            Self::IacsM53Continuous => "iacs_m53_continuous",
         }
     }
 
@@ -47,6 +50,21 @@ impl MarginCriterion {
             Self::MeanStress(Criterion::AsmeElliptic) => "margin_asme_elliptic",
             Self::MeanStress(Criterion::Langer) => "margin_langer",
             Self::IacsM53 => "margin_iacs_m53",
+            Self::IacsM53Continuous => "margin_iacs_m53_continuous",
+        }
+    }
+
+    /// Whether it is the class societies' rule, with either bending.
+    pub fn is_class_rule(self) -> bool {
+        matches!(self, Self::IacsM53 | Self::IacsM53Continuous)
+    }
+
+    /// Which spots it judges.
+    fn family(self) -> Family {
+        match self {
+            Self::MeanStress(_) => Family::MeanStress,
+            Self::IacsM53 => Family::Rule,
+            Self::IacsM53Continuous => Family::RuleContinuous,
         }
     }
 

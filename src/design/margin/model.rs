@@ -1,6 +1,6 @@
 //! How much of its strength every spot uses, at any speed, under the torque that a design leaves.
 
-use super::{FatigueSpec, MarginCriterion, MeanBending, Spot, bending, spots::spots};
+use super::{Family, FatigueSpec, MarginCriterion, MeanBending, Spot, bending, spots::spots};
 use crate::chain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules};
@@ -37,8 +37,8 @@ pub struct Margin {
     bending: Vec<Vec<Cycle>>,
     /// Mean torque of each shaft at each speed (rows), N m.
     mean_torque: Vec<Vec<f64>>,
-    /// Spots of each shaft under criteria of mean stress, and under the class rule.
-    of_shaft: Vec<[Vec<usize>; 2]>,
+    /// Spots of each shaft, by family.
+    of_shaft: Vec<[Vec<usize>; 3]>,
 }
 
 /// A speed in the table: rows on both sides, and the fraction of the way between them.
@@ -61,10 +61,9 @@ impl Margin {
     pub fn new(engine: &Engine, chain: &Chain, crank: &Crank, spec: &FatigueSpec, speeds_rpm: &[f64]) -> Option<Self> {
         let spots = spots(chain, crank, spec)?;
         let (bending, mean_torque) = bending::table(engine, chain, crank, &spots, speeds_rpm)?;
-        let own = |shaft: usize, rule: bool| {
-            (0..spots.len()).filter(|i| spots[*i].shaft == shaft && spots[*i].allowable.is_some() == rule).collect()
-        };
-        let of_shaft = (0..chain.len() - 1).map(|s| [own(s, false), own(s, true)]).collect();
+        let own =
+            |shaft: usize, family: Family| (0..spots.len()).filter(|i| spots[*i].shaft == shaft && spots[*i].family == family).collect();
+        let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
         Some(Self {
             criteria: spec.criteria.clone(),
             spots,
@@ -80,12 +79,12 @@ impl Margin {
 
     /// Whether a criterion is the class societies' rule.
     pub fn is_class_rule(&self, criterion: usize) -> bool {
-        self.criteria[criterion] == MarginCriterion::IacsM53
+        self.criteria[criterion].is_class_rule()
     }
 
     /// Whether a spot is judged by a criterion.
     pub fn judges(&self, criterion: usize, spot: usize) -> bool {
-        self.is_class_rule(criterion) == self.spots[spot].allowable.is_some()
+        self.criteria[criterion].family() == self.spots[spot].family
     }
 
     /// Mean torque of every shaft at a speed, N m.
@@ -136,7 +135,7 @@ impl Margin {
     /// The spot of a shaft that is used most.
     pub fn most_used(&self, criterion: usize, shaft: usize, speed_rpm: f64, torque: &Extremes) -> Option<Used> {
         let at = self.place(speed_rpm);
-        let own = self.of_shaft[shaft][usize::from(self.is_class_rule(criterion))].iter();
+        let own = self.of_shaft[shaft][self.criteria[criterion].family() as usize].iter();
         own.map(|i| self.used_at(criterion, *i, at, torque)).reduce(|m, u| if u.value > m.value { u } else { m })
     }
 

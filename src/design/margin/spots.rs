@@ -6,6 +6,22 @@ use crate::fatigue::endurance;
 use crate::shaft::notch::{Factors, Formulas};
 use crate::shaft::{Concentration, Crank, Place, section};
 
+/// What judges a spot, and by which bending.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// Criteria of mean stress: the whole crank on all its bearings.
+    MeanStress,
+    /// The class rule: one throw on its own bearings.
+    Rule,
+    /// The class rule with the whole crank on all its bearings.
+    RuleContinuous,
+}
+
+impl Family {
+    /// All of them, in the order of their numbers.
+    pub(super) const ALL: [Self; 3] = [Self::MeanStress, Self::Rule, Self::RuleContinuous];
+}
+
 /// A fillet (or oil bore) of one web.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spot {
@@ -25,6 +41,8 @@ pub struct Spot {
     pub(super) radial: f64,
     /// Local shear stress per torque, 1/m³.
     pub(super) torsion: f64,
+    /// Whose it is.
+    pub family: Family,
     /// Of the class rule: allowable amplitude, Pa.
     pub(super) allowable: Option<f64>,
 }
@@ -80,7 +98,7 @@ fn away(rear: bool) -> f64 {
 /// All spots of a study; nothing where a throw has no shaft beside it.
 pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<Spot>> {
     let mut list = Vec::new();
-    let mean_stress = spec.criteria.iter().any(|c| *c != MarginCriterion::IacsM53);
+    let mean_stress = spec.criteria.iter().any(|c| !c.is_class_rule());
     let notch = crank.notch();
     let sensitive = |factor: f64, radius: f64, torsion: bool| {
         let q = if spec.notch_sensitivity { endurance::notch_sensitivity(radius, spec.strength.tensile, torsion) } else { 1.0 };
@@ -116,12 +134,14 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
                     bending: [tension(fillet.place) * nominal * sensitive(factors.bending, radius, false), 0.0],
                     radial: tension(fillet.place) * away(rear) * compression * factors.radial,
                     torsion: torsion(fillet.place) * sensitive(factors.torsion, radius, true),
+                    family: Family::MeanStress,
                     allowable: None,
                 });
             }
         }
     }
-    if spec.criteria.contains(&MarginCriterion::IacsM53) {
+    let rules = [(MarginCriterion::IacsM53, Family::Rule), (MarginCriterion::IacsM53Continuous, Family::RuleContinuous)];
+    for (_, family) in rules.into_iter().filter(|(c, _)| spec.criteria.contains(c)) {
         let all = Concentration::new(&notch, Formulas::IacsM53);
         let mut places = vec![(Place::Crankpin, all.crankpin, [web, 0.0], crank.pin_diameter, crank.pin_fillet)];
         places.push((Place::Journal, all.journal, [web, 0.0], crank.journal_diameter, crank.journal_fillet));
@@ -142,6 +162,7 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
                         bending: nominal.map(|n| tension(*place) * n * factors.bending),
                         radial: tension(*place) * away(rear) * compression * factors.radial,
                         torsion: torsion(*place) * factors.torsion,
+                        family,
                         allowable: Some(spec.rule.fatigue_strength(*diameter, *radius, *place == Place::OilBore)),
                     });
                 }

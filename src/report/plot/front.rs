@@ -38,8 +38,17 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
     let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective).map(|v| in_unit(study, v));
     let floor = results.forced_floor.map(|v| in_unit(study, v));
     let largest = lines.iter().flat_map(|l| l.1.iter()).map(|p| p.1).chain(given.iter().map(|g| g.2.1)).chain(none).fold(0.0, f64::max);
-    let top = canvas::round_up(largest);
-    let unit = if study.objective.unit == UnitOf::Angle { "°" } else { "N m" };
+    let smallest = points().map(|p| p.1).chain(none).fold(f64::INFINITY, f64::min);
+    // margins differ little and have no natural zero
+    let (bottom, top) = match study.objective.unit {
+        UnitOf::Margin => ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3)),
+        _ => (0.0, canvas::round_up(largest)),
+    };
+    let unit = match study.objective.unit {
+        UnitOf::Angle => " / °",
+        UnitOf::Torque => " / N m",
+        UnitOf::Margin => "",
+    };
     canvas::save(folder, "pareto", (900, 560), |area| {
         let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(170));
         let mut chart = ChartBuilder::on(&main)
@@ -49,9 +58,9 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             .y_label_area_size(px(58))
             .build_cartesian_2d(
                 (left * 0.93..right * 1.08).log_scale().with_key_points(canvas::ticks(left * 0.93, right * 1.08)),
-                0.0..top,
+                bottom..top,
             )?;
-        canvas::mesh!(chart, "ring inertia / kg m²", format!("{} / {unit}", study.objective.label.replace('_', " ")), 20, 9);
+        canvas::mesh!(chart, "ring inertia / kg m²", format!("{}{unit}", study.objective.label.replace('_', " ")), 20, 9);
         let mut entries = Vec::new();
         for (kind, points) in &lines {
             chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(*kind), 22)))?;
@@ -67,7 +76,8 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             // names are set to the side with more room; those of designs close together below each other
             let room = (at.0.ln() - left.ln()) / (right.ln() - left.ln());
             let (dx, side) = if room > 0.5 { (-(px(9) as i32), HPos::Right) } else { (px(9) as i32, HPos::Left) };
-            let near = given[..i].iter().filter(|g| (g.2.1 - at.1).abs() < 0.035 * top && (g.2.0 / at.0).ln().abs() < 0.3).count();
+            let near =
+                given[..i].iter().filter(|g| (g.2.1 - at.1).abs() < 0.035 * (top - bottom) && (g.2.0 / at.0).ln().abs() < 0.3).count();
             let style = text(12).pos(Pos::new(side, VPos::Center));
             let dy = -(px(6) as i32) + (px(15) * near as u32) as i32;
             let marker = EmptyElement::at(*at)

@@ -2,7 +2,8 @@
 
 use super::canvas::{self, COLOURS, Drawn, GREY, line, px, text};
 use crate::assess::Results;
-use crate::assess::diagram::Diagram;
+use crate::assess::diagram::{Diagram, Instant};
+use crate::design::margin::loads::InPlanes;
 use crate::report::files::{Folder, WriteError};
 use crate::study::Study;
 use crate::units::{M_PER_MM, N_PER_KN};
@@ -64,25 +65,19 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
 /// Shear force, bending moment and torque along the crank where its most used web is bent most, and at the other end of that range.
 pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let Some(d) = &results.diagram else { return folder.remove(&["crank.svg", "crank.png"]) };
-    let planes = ["in the plane of the throw", "across it"];
-    let lines = |pick: &dyn Fn(usize, usize) -> Vec<(f64, f64)>, unit: f64| -> Vec<(String, Vec<(f64, f64)>, ShapeStyle)> {
-        let mut list = Vec::new();
-        for i in 0..2 {
-            for (p, plane) in planes.iter().enumerate() {
-                let points = pick(i, p).into_iter().map(|(x, y)| (x / M_PER_MM, y / unit)).collect();
-                list.push((format!("{}, {plane}", angle(d, i)), points, line(COLOURS[i], if p == 0 { 22 } else { 10 })));
-            }
-        }
-        list
+    let in_planes = |pick: fn(&Instant) -> &InPlanes, unit: f64| -> Vec<Curve> {
+        let of = |(i, instant): (usize, &Instant)| {
+            let planes = ["in the plane of the throw", "across it"].into_iter().zip(pick(instant)).zip([22, 10]);
+            planes
+                .map(|((plane, points), width)| Curve::new(format!("{}, {plane}", angle(instant)), points, unit, (i, width)))
+                .collect::<Vec<_>>()
+        };
+        d.instants.iter().enumerate().flat_map(of).collect()
     };
-    let shear = lines(&|i, p| d.instants[i].shear[p].clone(), N_PER_KN);
-    let moment = lines(&|i, p| d.instants[i].moment[p].clone(), 1.0);
-    let torque: Vec<_> = (0..2)
-        .map(|i| {
-            let points: Vec<(f64, f64)> = d.instants[i].torque.iter().map(|(x, y)| (x / M_PER_MM, *y)).collect();
-            (angle(d, i), points, line(COLOURS[i], 22))
-        })
-        .collect();
+    let shear = in_planes(|i| &i.shear, N_PER_KN);
+    let moment = in_planes(|i| &i.moment, 1.0);
+    let torque: Vec<Curve> =
+        d.instants.iter().enumerate().map(|(i, instant)| Curve::new(angle(instant), &instant.torque, 1.0, (i, 22))).collect();
     canvas::save(folder, "crank", (1000, 40 + 3 * 270), |area| {
         let title = format!(
             "{}: loads along the crank at {:.0} rpm, {} (smallest margin at {})",
@@ -99,13 +94,26 @@ pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
     })
 }
 
-fn angle(d: &Diagram, i: usize) -> String {
-    format!("{:.1}°", d.instants[i].crank_deg)
+fn angle(instant: &Instant) -> String {
+    format!("{:.1}°", instant.crank_deg)
 }
 
-fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[(String, Vec<(f64, f64)>, ShapeStyle)]) -> Drawn {
+/// A curve along the crank, mm.
+struct Curve {
+    label: String,
+    points: Vec<(f64, f64)>,
+    style: ShapeStyle,
+}
+
+impl Curve {
+    fn new(label: String, points: &[(f64, f64)], unit: f64, (colour, width): (usize, u32)) -> Self {
+        Self { label, points: points.iter().map(|(x, y)| (x / M_PER_MM, y / unit)).collect(), style: line(COLOURS[colour], width) }
+    }
+}
+
+fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[Curve]) -> Drawn {
     let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
-    let all = || curves.iter().flat_map(|c| c.1.iter().map(|p| p.1));
+    let all = || curves.iter().flat_map(|c| c.points.iter().map(|p| p.1));
     let top = canvas::round_up(1.05 * all().map(f64::abs).fold(0.0, f64::max));
     // bending moments of a pushed crank have one sign only: the frame takes what there is
     let (low, high) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
@@ -128,9 +136,9 @@ fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[(String, Vec<(f
         }
     }
     chart.draw_series(LineSeries::new([(-0.01 * end, 0.0), (1.01 * end, 0.0)], line(GREY, 8)))?;
-    for (_, points, style) in curves {
-        chart.draw_series(LineSeries::new(points.iter().copied(), *style))?;
+    for curve in curves {
+        chart.draw_series(LineSeries::new(curve.points.iter().copied(), curve.style))?;
     }
-    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.0.clone(), c.2)).collect();
+    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.label.clone(), c.style)).collect();
     canvas::legend(&side, &entries)
 }

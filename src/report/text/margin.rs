@@ -1,9 +1,8 @@
 //! Margins of the crank, in words.
 
-use super::{dash, significant, table};
+use super::{dash, table};
 use crate::assess::{DesignResult, Results, SmallestMargin};
 use crate::study::Study;
-use crate::units::PA_PER_MPA;
 use std::fmt::Write;
 
 /// A safety factor.
@@ -20,7 +19,7 @@ pub fn margins(study: &Study, results: &Results) -> String {
     let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let mut header = vec!["design".to_owned()];
     for c in &fatigue.criteria {
-        header.extend([c.name().to_owned(), "at/rpm".into(), "fillet".into(), "amplitude/MPa".into(), "mean/MPa".into()]);
+        header.extend([c.name().to_owned(), "at/rpm".into(), "fillet".into()]);
     }
     let cells = |d: &DesignResult, c: usize| -> Vec<String> {
         let m: Option<&SmallestMargin> = d.margins.iter().find(|m| m.criterion == c);
@@ -28,8 +27,6 @@ pub fn margins(study: &Study, results: &Results) -> String {
             m.map_or_else(|| "infinite".into(), |m| factor(m.margin)),
             dash(m.map(|m| format!("{:.0}", m.speed_rpm))),
             dash(m.map(|m| model.spots[m.used.spot].name.clone())),
-            dash(m.map(|m| significant(m.used.cycle.amplitude / PA_PER_MPA, 4))),
-            dash(m.filter(|_| !model.is_class_rule(c)).map(|m| significant(m.used.cycle.mean / PA_PER_MPA, 4))),
         ]
     };
     let row = |d: &&DesignResult| -> Vec<String> {

@@ -28,6 +28,8 @@ pub enum RawCriterion {
     AsmeElliptic,
     Langer,
     IacsM53,
+    #[serde(rename = "iacs_m53_continuous")]
+    IacsM53Continuous,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]

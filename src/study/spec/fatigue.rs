@@ -26,6 +26,7 @@ impl From<RawCriterion> for MarginCriterion {
             RawCriterion::AsmeElliptic => Self::MeanStress(Criterion::AsmeElliptic),
             RawCriterion::Langer => Self::MeanStress(Criterion::Langer),
             RawCriterion::IacsM53 => Self::IacsM53,
+            RawCriterion::IacsM53Continuous => Self::IacsM53Continuous,
         }
     }
 }
@@ -57,7 +58,7 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -
     };
     let notch_sensitivity = raw.notch_sensitivity;
     only_class_rule(check, raw, &criteria);
-    if criteria.contains(&MarginCriterion::IacsM53) && !(STRENGTHS.0..=STRENGTHS.1).contains(&strength.tensile) {
+    if criteria.iter().any(|c| c.is_class_rule()) && !(STRENGTHS.0..=STRENGTHS.1).contains(&strength.tensile) {
         let (low, high) = (STRENGTHS.0 / PA_PER_MPA, STRENGTHS.1 / PA_PER_MPA);
         let at = &raw.material.tensile_strength_mpa;
         check.wrong(at, format!("found {} MPa, expected a tensile strength from {low} to {high} MPa for `iacs_m53`", at.get_ref()));
@@ -68,7 +69,7 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -
 /// What only criteria of mean stress read must not stand without one.
 fn only_class_rule(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion]) {
     let unused = !raw.fillet.is_empty() || raw.endurance.is_some() || raw.notch_sensitivity;
-    if unused && criteria == [MarginCriterion::IacsM53] {
+    if unused && criteria.iter().all(|c| c.is_class_rule()) {
         check.wrong(
             &raw.criteria,
             "found fillets, endurance factors or notch sensitivity with `iacs_m53` alone, expected a criterion of mean stress beside it: the rule has its own",
@@ -78,8 +79,8 @@ fn only_class_rule(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriter
 
 /// Whether factors come from formulas anywhere.
 pub fn needs_formulas(spec: &FatigueSpec) -> bool {
-    let mean_stress = spec.criteria.iter().any(|c| *c != MarginCriterion::IacsM53);
-    spec.criteria.contains(&MarginCriterion::IacsM53)
+    let mean_stress = spec.criteria.iter().any(|c| !c.is_class_rule());
+    spec.criteria.iter().any(|c| c.is_class_rule())
         || (mean_stress && spec.fillets.iter().any(|f| matches!(f.factors, FactorSource::Formulas(_))))
 }
 

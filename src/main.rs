@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::command::{chart, check, compare, run};
+use hartog::command::{chart, check, compare, fatigue, run};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -27,6 +27,8 @@ enum Command {
     Chart(chart::Arguments),
     /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, erratum or unexplained.
     Compare(compare::Arguments),
+    /// Judge stress histories by eleven multiaxial fatigue criteria.
+    Fatigue(fatigue::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -35,5 +37,6 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Fatigue(arguments) => fatigue::fatigue(&arguments),
     })
 }

@@ -15,6 +15,7 @@ mod layering;
 mod long;
 mod margin;
 mod methods;
+mod multiaxial;
 mod numerics;
 mod optima;
 mod peaks;

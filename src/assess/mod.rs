@@ -13,6 +13,7 @@ pub mod families;
 pub mod margins;
 pub mod methods;
 pub mod model_accuracy;
+pub mod multiaxial;
 pub mod probe;
 pub mod run;
 pub mod savings;

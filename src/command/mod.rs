@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod check;
 pub mod compare;
+pub mod fatigue;
 pub mod progress;
 pub mod run;
 

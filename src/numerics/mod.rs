@@ -1,10 +1,12 @@
 //! Physics-free mathematics.
 
 pub mod eigen;
+pub mod enclosing;
 pub mod harmonics;
 pub mod least_squares;
 pub mod maximise;
 pub mod nearest;
+pub mod quadrature;
 pub mod synthesis;
 pub mod tridiagonal;
 

@@ -1,8 +1,9 @@
 //! Whole files or none: each is written under a temporary name and renamed.
 
 use std::cell::RefCell;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// A file or folder could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -75,6 +76,27 @@ impl Folder {
         self.remove(&old.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
+    /// A file that is written as it grows, without a name yet.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub fn stream(&self) -> Result<Stream, WriteError> {
+        let failed = |e: std::io::Error| WriteError { path: self.path.clone(), reason: reason(&e) };
+        let file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
+        Ok(Stream(BufWriter::new(file)))
+    }
+
+    /// Gives a stream its name, in place of an earlier file.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub fn keep(&self, stream: Stream, name: &str) -> Result<(), WriteError> {
+        let target = self.path.join(name);
+        let failed = |e: std::io::Error| WriteError { path: target.clone(), reason: reason(&e) };
+        let file = stream.0.into_inner().map_err(|e| failed(e.into_error()))?;
+        self.named(file, name)
+    }
+
     /// Writes a file.
     ///
     /// # Errors
@@ -84,6 +106,12 @@ impl Folder {
         let failed = |e: std::io::Error| WriteError { path: target.clone(), reason: reason(&e) };
         let mut file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
         file.write_all(content).map_err(failed)?;
+        self.named(file, name)
+    }
+
+    fn named(&self, file: NamedTempFile, name: &str) -> Result<(), WriteError> {
+        let target = self.path.join(name);
+        let failed = |e: std::io::Error| WriteError { path: target.clone(), reason: reason(&e) };
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
@@ -93,6 +121,20 @@ impl Folder {
         file.persist(&target).map_err(|e| failed(e.error))?;
         self.written.borrow_mut().push(name.to_owned());
         Ok(())
+    }
+}
+
+/// A file being written.
+#[derive(Debug)]
+pub struct Stream(BufWriter<NamedTempFile>);
+
+impl Write for Stream {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.0.flush()
     }
 }
 

@@ -15,6 +15,16 @@ pub use spec::{
 use input_error::Source;
 use std::path::Path;
 
+/// Reads and checks a material file.
+///
+/// # Errors
+/// [`InputError`] with every mistake found.
+pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
+    let source = Source::read(path)?;
+    let raw: raw::material::RawMaterialFile = source.parse()?;
+    spec::material::resolve(&source, &raw)
+}
+
 /// Reads and checks a study and everything it names.
 ///
 /// # Errors

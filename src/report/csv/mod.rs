@@ -1,6 +1,7 @@
 //! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly; what does not apply is empty.
 
 pub mod chart;
+pub mod fatigue;
 pub mod margin;
 
 use super::files::{Folder, WriteError};

@@ -5,6 +5,7 @@ mod canvas;
 pub mod chart;
 pub mod comparison;
 mod excitation;
+pub mod fatigue;
 mod front;
 mod margin;
 pub mod models;

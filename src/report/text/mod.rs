@@ -4,6 +4,7 @@ pub mod calibration;
 pub mod chart;
 pub mod comparison;
 pub mod crank;
+pub mod fatigue;
 pub mod margin;
 mod run;
 

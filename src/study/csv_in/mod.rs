@@ -1,8 +1,10 @@
 //! Tables with a header row: cells with their places, for errors with row and column.
 
+mod history;
 mod published;
 mod torque;
 
+pub use history::{HistoryReader, PointHistory};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use torque::{pressure_traces, torque_harmonics};
 

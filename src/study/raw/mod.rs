@@ -3,4 +3,5 @@
 pub mod crank;
 pub mod engine;
 pub mod fatigue;
+pub mod material;
 pub mod study;

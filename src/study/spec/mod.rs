@@ -7,6 +7,7 @@ mod designs;
 mod engine;
 mod fatigue;
 mod inputs;
+pub(super) mod material;
 mod objectives;
 mod optimise;
 mod published;

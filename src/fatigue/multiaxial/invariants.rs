@@ -1,0 +1,68 @@
+//! Invariants of a history: amplitude of sqrt(J2) and hydrostatic stress.
+
+use super::history::History;
+use crate::numerics::enclosing::smallest_ball;
+
+/// Invariants over a cycle, Pa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Invariants {
+    /// Radius of the smallest ball round the path of the deviator in five dimensions.
+    pub sqrt_j2_amplitude: f64,
+    /// Half the range of the hydrostatic stress.
+    pub hydrostatic_amplitude: f64,
+    /// Middle of its range.
+    pub hydrostatic_mean: f64,
+    /// Centre of the ball.
+    centre: [f64; 5],
+}
+
+impl Invariants {
+    /// Of a history.
+    pub fn of(history: &History) -> Self {
+        let path = history.deviator();
+        let ball = smallest_ball(path.each_ref().map(Vec::as_slice));
+        let p = history.hydrostatic();
+        let (low, high) = p.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, v| (m.0.min(*v), m.1.max(*v)));
+        Self {
+            sqrt_j2_amplitude: ball.radius,
+            hydrostatic_amplitude: 0.5 * (high - low),
+            hydrostatic_mean: 0.5 * (high + low),
+            centre: ball.centre,
+        }
+    }
+
+    /// Largest hydrostatic stress, Pa.
+    pub fn hydrostatic_max(&self) -> f64 {
+        self.hydrostatic_amplitude + self.hydrostatic_mean
+    }
+
+    /// Largest over the cycle of the Tresca stress of the deviator about the ball's centre and `k` times the hydrostatic stress \[Dang Van 1989\].
+    pub fn mesoscopic(&self, history: &History, k: f64) -> f64 {
+        let (path, p) = (history.deviator(), history.hydrostatic());
+        let at = |j: usize| tresca([0, 1, 2, 3, 4].map(|d| path[d][j] - self.centre[d])) + k * p[j];
+        (0..history.len()).map(at).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// Largest shear stress of a deviator given as a vector of five dimensions: half the difference of its largest and smallest principal stress, by the angle of
+/// Lode.
+fn tresca([s1, s2, s3, s4, s5]: [f64; 5]) -> f64 {
+    let root = 3f64.sqrt();
+    let xx = 2.0 * s1 / root;
+    let (yy, zz) = (s2 - 0.5 * xx, -s2 - 0.5 * xx);
+    let (xy, zx, yz) = (s3, s4, s5);
+    let j2 = s1 * s1 + s2 * s2 + s3 * s3 + s4 * s4 + s5 * s5;
+    if j2 == 0.0 {
+        return 0.0;
+    }
+    let j3 = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx);
+    let cosine = (1.5 * root * j3 / j2.powf(1.5)).clamp(-1.0, 1.0);
+    // principal stresses are 2 sqrt(J2/3) cos(angle + 2 pi k/3)
+    let angle = cosine.acos() / 3.0;
+    j2.sqrt() * lode(angle)
+}
+
+/// Half the difference of the extreme principal stresses over sqrt(J2): (cos a - cos(a + 2 pi/3))/sqrt 3.
+fn lode(angle: f64) -> f64 {
+    (angle.cos() - (angle + 2.0 * std::f64::consts::FRAC_PI_3).cos()) / 3f64.sqrt()
+}

@@ -1,0 +1,115 @@
+//! Stress on a material plane: the path of its shear stress with the smallest circle round it, and its normal stress.
+
+use super::history::{History, Weights};
+use crate::numerics::enclosing::{Ball, smallest_ball};
+
+/// A plane by its normal, (sin phi cos theta, sin phi sin theta, cos phi); n and -n are one plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// From x towards y, rad.
+    pub theta: f64,
+    /// From z, rad.
+    pub phi: f64,
+}
+
+impl Plane {
+    /// The plane of a normal of any length.
+    pub fn of([x, y, z]: [f64; 3]) -> Self {
+        // the half of the sphere with z above zero stands for both
+        let sign = if z < 0.0 || (z == 0.0 && (y < 0.0 || (y == 0.0 && x < 0.0))) { -1.0 } else { 1.0 };
+        let (x, y, z) = (sign * x, sign * y, sign * z);
+        Self { theta: y.atan2(x), phi: x.hypot(y).atan2(z) }
+    }
+
+    /// Its normal.
+    pub fn normal(&self) -> [f64; 3] {
+        let ((st, ct), (sp, cp)) = (self.theta.sin_cos(), self.phi.sin_cos());
+        [sp * ct, sp * st, cp]
+    }
+
+    /// Two directions on it, at right angles: of growing phi, of growing theta.
+    pub fn directions(&self) -> [[f64; 3]; 2] {
+        let ((st, ct), (sp, cp)) = (self.theta.sin_cos(), self.phi.sin_cos());
+        [[cp * ct, cp * st, -sp], [-st, ct, 0.0]]
+    }
+
+    /// The plane a little further: angles along its two directions.
+    #[must_use]
+    pub fn moved(&self, a: f64, b: f64) -> Self {
+        let (n, [u, v]) = (self.normal(), self.directions());
+        Self::of([0, 1, 2].map(|d| n[d] + a.tan() * u[d] + b.tan() * v[d]))
+    }
+}
+
+/// Weights of the stress resolved along `m` on the plane of normal `n`: m . sigma n.
+pub fn resolved(n: &[f64; 3], m: &[f64; 3]) -> Weights {
+    [m[0] * n[0], m[1] * n[1], m[2] * n[2], m[0] * n[1] + m[1] * n[0], m[1] * n[2] + m[2] * n[1], m[2] * n[0] + m[0] * n[2]]
+}
+
+/// How the amplitude of a shear path is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Amplitude {
+    /// Radius of the smallest circle round it.
+    #[default]
+    Circle,
+    /// Half its longest chord, which is also its longest projection: too small by up to 2/sqrt 3 where the path is round, and its middle is not unique
+    /// \[Minucci 2010\] p. 30.
+    Chord,
+}
+
+/// Buffers of one thread.
+#[derive(Debug, Clone, Default)]
+pub struct Scratch {
+    shear: [Vec<f64>; 2],
+}
+
+/// What a plane bears over the cycle, Pa.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Borne {
+    /// Amplitude of the shear stress.
+    pub shear_amplitude: f64,
+    /// Largest normal stress.
+    pub normal_max: f64,
+    /// Largest over the cycle of the distance to the circle's centre and the weighted hydrostatic stress.
+    pub dang_van: f64,
+}
+
+impl Scratch {
+    /// Shear path on a plane, with its circle.
+    pub fn circle(&mut self, history: &History, plane: &Plane) -> Ball<2> {
+        let n = plane.normal();
+        for (direction, out) in plane.directions().iter().zip(&mut self.shear) {
+            history.project(&resolved(&n, direction), out);
+        }
+        smallest_ball([&self.shear[0], &self.shear[1]])
+    }
+
+    /// Shear path of the last plane asked for.
+    pub fn path(&self) -> [&[f64]; 2] {
+        [&self.shear[0], &self.shear[1]]
+    }
+
+    /// Everything on a plane. `dang_van`: weight of the hydrostatic stress, and that stress at every sample.
+    pub fn borne(&mut self, history: &History, plane: &Plane, amplitude: Amplitude, dang_van: Option<(f64, &[f64])>) -> Borne {
+        let n = plane.normal();
+        let circle = self.circle(history, plane);
+        let (_, normal_max) = history.range(&resolved(&n, &n));
+        let meso = |(k, p): (f64, &[f64])| {
+            let [u, v] = &self.shear;
+            let at = |j: usize| (u[j] - circle.centre[0]).hypot(v[j] - circle.centre[1]) + k * p[j];
+            (0..p.len()).map(at).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let dang_van = dang_van.map_or(0.0, meso);
+        let shear_amplitude = match amplitude {
+            Amplitude::Circle => circle.radius,
+            Amplitude::Chord => self.half_chord(),
+        };
+        Borne { shear_amplitude, normal_max, dang_van }
+    }
+
+    fn half_chord(&mut self) -> f64 {
+        let [u, v] = &self.shear;
+        let from = |i: usize| (0..i).map(|j| (u[i] - u[j]).hypot(v[i] - v[j])).fold(0.0, f64::max);
+        0.5 * (0..u.len()).map(from).fold(0.0, f64::max)
+    }
+}

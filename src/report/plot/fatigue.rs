@@ -1,0 +1,131 @@
+//! The worst point: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
+
+use super::canvas::{self, COLOURS, Drawn, GREY, fill, line, px, text};
+use crate::assess::multiaxial::Summary;
+use crate::fatigue::multiaxial::plane::Scratch;
+use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
+use crate::report::files::{Folder, WriteError};
+use crate::units::PA_PER_MPA;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::f64::consts::TAU;
+
+/// Draws the plots of a summary.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
+    let Some((point, result)) = &summary.critical else { return Ok(()) };
+    let of = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
+    canvas::save(folder, "fatigue", (1180, 470), |area| {
+        let titled = canvas::titled(area, &format!("point {}: the smallest factor of all points", point.name))?;
+        let (left, rest) = titled.split_horizontally(px(390));
+        let (middle, right) = rest.split_horizontally(px(400));
+        if let Some(v) = of(Criterion::Matake) {
+            shear_path(&left, point, v)?;
+        }
+        if let Some(v) = of(Criterion::DangVanPlane) {
+            dang_van(&middle, point, v, limits)?;
+        }
+        factors(&right, &result.verdicts)
+    })
+}
+
+type Point = crate::study::csv_in::PointHistory;
+
+fn closed(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut list: Vec<(f64, f64)> = points.collect();
+    list.extend(list.first().copied());
+    list
+}
+
+fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
+    let Some(plane) = v.plane else { return Ok(()) };
+    let mut scratch = Scratch::default();
+    let circle = scratch.circle(&point.history, &plane);
+    let [x, y] = scratch.path();
+    let path = closed(x.iter().zip(y).map(|(x, y)| (x / PA_PER_MPA, y / PA_PER_MPA)));
+    let (centre, radius) = (circle.centre.map(|c| c / PA_PER_MPA), (circle.radius / PA_PER_MPA).max(1e-9));
+    let reach = 1.15 * radius;
+    let mut chart = ChartBuilder::on(area)
+        .caption("shear on the critical plane and its circle", text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(60))
+        .build_cartesian_2d(centre[0] - reach..centre[0] + reach, centre[1] - reach..centre[1] + reach)?;
+    canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
+    let round = (0..=180).map(|i| {
+        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sin_cos();
+        (centre[0] + radius * cosine, centre[1] + radius * sine)
+    });
+    chart.draw_series(LineSeries::new(round, line(GREY, 12)))?;
+    chart.draw_series(LineSeries::new(path, line(COLOURS[0], 20)))?;
+    chart.draw_series(std::iter::once(Circle::new((centre[0], centre[1]), px(3), fill(GREY, 1.0))))?;
+    Ok(())
+}
+
+fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) -> Drawn {
+    let (Some(plane), Ok(weight)) = (v.plane, Criterion::DangVanPlane.weight(limits)) else { return Ok(()) };
+    let mut scratch = Scratch::default();
+    let circle = scratch.circle(&point.history, &plane);
+    let [x, y] = scratch.path();
+    let p = point.history.hydrostatic();
+    let shear = x.iter().zip(y).map(|(x, y)| (x - circle.centre[0]).hypot(y - circle.centre[1]) / PA_PER_MPA);
+    let path = closed(p.iter().map(|p| p / PA_PER_MPA).zip(shear));
+    let ends = |of: fn(&(f64, f64)) -> f64| path.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |m, v| (m.0.min(v), m.1.max(v)));
+    let (low, high) = ends(|p| p.0);
+    let room = 0.15 * (high - low).max(1.0);
+    let (low, high) = ((low - room).min(0.0), (high + room).max(0.0));
+    let limit = |p: f64| limits.torsion / PA_PER_MPA - weight * p;
+    let top = canvas::round_up(1.05 * limit(low).max(ends(|p| p.1).1));
+    let mut chart = ChartBuilder::on(area)
+        .caption("Dang Van, plane: path and limit", text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(60))
+        .build_cartesian_2d(low..high, 0.0..top)?;
+    canvas::mesh!(chart, "hydrostatic stress / MPa", "mesoscopic shear / MPa", 6, 7);
+    for piece in canvas::clipped([(low, limit(low)), (high, limit(high))].into_iter(), top) {
+        chart.draw_series(LineSeries::new(piece.into_iter().filter(|p| p.1 >= 0.0), line(COLOURS[1], 18)))?;
+    }
+    chart.draw_series(LineSeries::new(path, line(COLOURS[0], 20)))?;
+    Ok(())
+}
+
+fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
+    let finite = verdicts.iter().map(|v| v.safety_factor).filter(|f| f.is_finite());
+    let top = canvas::round_up(1.15 * finite.fold(1.0, f64::max));
+    let count = verdicts.len() as f64;
+    let mut chart = ChartBuilder::on(area)
+        .caption("factors of all criteria", text(14))
+        .margin(px(8))
+        .x_label_area_size(px(36))
+        .y_label_area_size(px(165))
+        .build_cartesian_2d(0.0..top, 0.0..count)?;
+    chart
+        .configure_mesh()
+        .x_desc("safety factor")
+        .x_labels(6)
+        .y_labels(0)
+        .axis_desc_style(text(13))
+        .label_style(text(12))
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(line(canvas::PALE, 8))
+        .axis_style(line(GREY, 10))
+        .x_label_formatter(&|x| canvas::tick(x))
+        .draw()?;
+    chart.draw_series(LineSeries::new([(1.0, 0.0), (1.0, count)], line(GREY, 10)))?;
+    for (i, v) in verdicts.iter().enumerate() {
+        let y = count - 1.0 - i as f64;
+        let length = v.safety_factor.min(top);
+        let style = if v.plane.is_some() { COLOURS[0] } else { COLOURS[2] };
+        chart.draw_series(std::iter::once(Rectangle::new([(0.0, y + 0.2), (length, y + 0.8)], fill(style, 0.85))))?;
+        let label = text(12).pos(Pos::new(HPos::Right, VPos::Center));
+        let name = EmptyElement::at((0.0, y + 0.5)) + Text::new(v.criterion.name().replace('_', " "), (-(px(8) as i32), 0), label);
+        chart.draw_series(std::iter::once(name))?;
+        let value = text(11).pos(Pos::new(HPos::Left, VPos::Center));
+        let words = if v.safety_factor.is_finite() { format!("{:.2}", v.safety_factor) } else { "infinite".into() };
+        chart.draw_series(std::iter::once(EmptyElement::at((length, y + 0.5)) + Text::new(words, (px(5) as i32, 0), value)))?;
+    }
+    Ok(())
+}

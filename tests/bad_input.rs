@@ -86,6 +86,27 @@ fn cranks() {
     }
 }
 
+/// Stress histories and materials of `hartog fatigue`: `history/*.csv` with `material.toml`, `material/*.toml` with `history.csv`. Nothing is written.
+#[test]
+fn histories_and_materials() {
+    let (history, material) = (read(&folder().join("history.csv")), read(&folder().join("material.toml")));
+    let all = cases("history", "csv").into_iter().chain(cases("material", "toml"));
+    for case in all {
+        let of_history = case.extension().is_some_and(|e| e == "csv");
+        let own = read(&case);
+        let place = tempfile::tempdir().expect("folder");
+        let (history, material) = if of_history { (&own, &material) } else { (&history, &own) };
+        fs::write(place.path().join("history.csv"), history).expect("written");
+        fs::write(place.path().join("material.toml"), material).expect("written");
+        let mut command = Command::cargo_bin("hartog").expect("built");
+        let assert = command.current_dir(place.path()).args(["fatigue", "history.csv", "--material", "material.toml"]).assert().code(2);
+        assert!(assert.get_output().stdout.is_empty());
+        compare(&case, &String::from_utf8_lossy(&assert.get_output().stderr));
+        let written = fs::read_dir(place.path().join("out/history")).map_or(0, Iterator::count);
+        assert_eq!(written, 0, "{}", case.display());
+    }
+}
+
 #[test]
 fn tables() {
     let (study, engine) = (read(&folder().join("study.toml")), read(&folder().join("engine.toml")));

@@ -276,10 +276,11 @@ fn constants_have_intervals() {
     assert!(crossland.abs() < 2e-3, "near zero, as a user should know");
 }
 
-/// All criteria on 4160 points of 721 angles: the largest error over all points against a search in steps of one degree is below 0.1 % (the search itself errs by 1.5e-4). Takes
-/// minutes: the thesis dropped to twelve points for want of time. Prints the time of both.
+/// All criteria on 4160 points of 721 angles against a search in steps of one degree: no summit that it found is missed by more than 0.1 % (Dang Van plane by plane, whose hills have
+/// kinks: 0.3 %). What is found may be worse than what the grid met, which misses ridges by as much. Takes ten minutes: the thesis dropped to twelve points for want of time. Prints
+/// the time of both.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "ten minutes"]
 fn four_thousand_points_against_brute_force() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(10);
     let histories: Vec<History> = (0..4160).map(|_| wild(&mut random, 721)).collect();
@@ -289,13 +290,18 @@ fn four_thousand_points_against_brute_force() {
     let start = std::time::Instant::now();
     let brute: Vec<[f64; 5]> = histories.par_iter().map(|h| brute_force(h, 1.0)).collect();
     println!("brute force: {:.1} s", start.elapsed().as_secs_f64());
-    let mut worst = [0.0f64; 5];
+    let (mut missed, mut better, mut often) = ([0.0f64; 5], [0.0f64; 5], [0usize; 5]);
     for (verdicts, brute) in found.iter().zip(&brute) {
         for (i, c) in ON_PLANES.iter().enumerate() {
             let own = verdicts.iter().find(|v| v.criterion == *c).expect("evaluated").safety_factor;
-            worst[i] = worst[i].max((own / brute[i] - 1.0).abs());
+            let off = own / brute[i] - 1.0;
+            missed[i] = missed[i].max(off);
+            better[i] = better[i].max(-off);
+            often[i] += usize::from(off > 1e-3);
         }
     }
-    println!("largest errors: {worst:?}");
-    assert!(worst[2..].iter().all(|w| *w < 1e-3), "{worst:?}");
+    println!("missed at most {missed:?}, better by at most {better:?}, more than 0.1 % missed at {often:?} points");
+    for (i, limit) in [(2, 1e-3), (3, 3e-3), (4, 1e-3)] {
+        assert!(missed[i] < limit, "{}: {:e}", ON_PLANES[i].name(), missed[i]);
+    }
 }

@@ -23,40 +23,50 @@ const DEPENDENT: f64 = 1e-14;
 /// More exchanges than this are rounding.
 const MOST_EXCHANGES: usize = 200;
 
-/// The smallest ball of the points with these coordinates (one slice a dimension, all of one length, at least one point).
+/// A ball with its basis, as the exchange sees it.
+#[derive(Debug, Clone, Copy)]
+struct Held<const D: usize> {
+    centre: [f64; D],
+    radius: f64,
+    /// The first `count` are the basis.
+    basis: [usize; MOST],
+    count: usize,
+}
+
+/// Room for a basis in up to six dimensions, and one more point.
+const MOST: usize = 8;
+
+/// The smallest ball of the points with these coordinates (one slice a dimension, all of one length, at least one point; at most six dimensions).
 pub fn smallest_ball<const D: usize>(points: [&[f64]; D]) -> Ball<D> {
     let at = |i: usize| points.map(|c| c[i]);
-    let mut ball = Ball { centre: at(0), radius: 0.0, support: vec![0] };
-    // a far pair to begin with
-    let far = farthest(&points, &ball.centre).0;
-    if far != 0 {
-        ball = basis(&points, &[0], far).unwrap_or(ball);
-    }
+    let mut ball = Held { centre: at(0), radius: 0.0, basis: [0; MOST], count: 1 };
     for _ in 0..MOST_EXCHANGES {
         let (far, distance2) = farthest(&points, &ball.centre);
         let reached = ball.radius * (1.0 + OUTSIDE);
-        if distance2 <= reached * reached || ball.support.contains(&far) {
+        if distance2 <= reached * reached || ball.basis[..ball.count].contains(&far) {
             break;
         }
-        match basis(&points, &ball.support, far) {
+        match exchange(&points, &ball, far) {
             Some(larger) if larger.radius > ball.radius => ball = larger,
             // rounding: the point lies on the ball
             _ => break,
         }
     }
-    ball
+    Ball { centre: ball.centre, radius: ball.radius, support: ball.basis[..ball.count].to_vec() }
 }
 
 /// Index and squared distance of the farthest point.
 fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, f64) {
     let n = points[0].len();
-    let distance2 = |i: usize| (0..D).map(|d| (points[d][i] - centre[d]).powi(2)).sum::<f64>();
-    let mut best = (0, distance2(0));
-    if D == 2 {
-        let most = farthest_in_plane(points[0], points[1], centre[0], centre[1]);
-        return ((0..n).find(|i| distance2(*i) >= most).unwrap_or(best.0), most);
-    }
-    for i in 1..n {
+    let distance2 = |i: usize| (0..D).map(|d| (points[d][i] - centre[d]) * (points[d][i] - centre[d])).sum::<f64>();
+    let places = if D == 2 {
+        let block = farthest_block(points[0], points[1], centre[0], centre[1]);
+        block * BLOCK..n.min((block + 1) * BLOCK)
+    } else {
+        0..n
+    };
+    let mut best = (places.start, f64::NEG_INFINITY);
+    for i in places {
         let d = distance2(i);
         if d > best.1 {
             best = (i, d);
@@ -65,41 +75,62 @@ fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, 
     best
 }
 
-/// Largest squared distance in two dimensions, several points at a time.
+/// Points looked at together.
+const BLOCK: usize = 64;
+
+/// The block of points in which the farthest one lies, in two dimensions.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn farthest_in_plane(x: &[f64], y: &[f64], cx: f64, cy: f64) -> f64 {
+fn farthest_block(x: &[f64], y: &[f64], cx: f64, cy: f64) -> usize {
     const LANES: usize = 16;
-    let mut most = [0.0f64; LANES];
-    let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
-    for (x, y) in xs.0.iter().zip(ys.0) {
-        for l in 0..LANES {
-            let (dx, dy) = (x[l] - cx, y[l] - cy);
-            let d = dx * dx + dy * dy;
-            most[l] = if d > most[l] { d } else { most[l] };
+    let mut best = (0, f64::NEG_INFINITY);
+    for (block, (x, y)) in x.chunks(BLOCK).zip(y.chunks(BLOCK)).enumerate() {
+        let mut most = [f64::NEG_INFINITY; LANES];
+        let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
+        for (x, y) in xs.0.iter().zip(ys.0) {
+            for l in 0..LANES {
+                let (dx, dy) = (x[l] - cx, y[l] - cy);
+                let d = dx * dx + dy * dy;
+                most[l] = if d > most[l] { d } else { most[l] };
+            }
+        }
+        let rest = xs.1.iter().zip(ys.1).map(|(x, y)| (x - cx) * (x - cx) + (y - cy) * (y - cy));
+        let most = most.into_iter().chain(rest).fold(f64::NEG_INFINITY, |m, d| if d > m { d } else { m });
+        if most > best.1 {
+            best = (block, most);
         }
     }
-    let rest = xs.1.iter().zip(ys.1).map(|(x, y)| (x - cx) * (x - cx) + (y - cy) * (y - cy));
-    most.into_iter().chain(rest).fold(0.0, |m, d| if d > m { d } else { m })
+    best.0
 }
 
 /// The smallest ball of a basis and one more point, which it holds on its surface.
-fn basis<const D: usize>(points: &[&[f64]; D], old: &[usize], new: usize) -> Option<Ball<D>> {
+fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Held<D>, new: usize) -> Option<Held<D>> {
     let at = |i: usize| points.map(|c| c[i]);
-    let mut best: Option<Ball<D>> = None;
+    let old = &ball.basis[..ball.count];
+    let mut best: Option<Held<D>> = None;
     for subset in 0..1u32 << old.len() {
-        let mut support = vec![new];
-        support.extend(old.iter().enumerate().filter(|(k, _)| subset >> k & 1 == 1).map(|(_, i)| *i));
-        if support.len() > D + 1 {
+        let mut basis = [new; MOST];
+        let mut count = 1;
+        for (k, i) in old.iter().enumerate() {
+            if subset >> k & 1 == 1 {
+                basis[count] = *i;
+                count += 1;
+            }
+        }
+        if count > D + 1 {
             continue;
         }
-        let Some((centre, radius)) = circumball(&support.iter().map(|i| at(*i)).collect::<Vec<_>>()) else { continue };
+        let mut places = [[0.0; D]; MOST];
+        for (place, i) in places.iter_mut().zip(&basis[..count]) {
+            *place = at(*i);
+        }
+        let Some((centre, radius)) = circumball(&places[..count]) else { continue };
         let inside = |i: &usize| {
             let p = at(*i);
             let d = (0..D).map(|d| (p[d] - centre[d]).powi(2)).sum::<f64>().sqrt();
             d <= radius * (1.0 + 16.0 * OUTSIDE)
         };
         if best.as_ref().is_none_or(|b| radius < b.radius) && old.iter().all(inside) {
-            best = Some(Ball { centre, radius, support });
+            best = Some(Held { centre, radius, basis, count });
         }
     }
     best

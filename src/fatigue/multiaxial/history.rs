@@ -75,6 +75,12 @@ impl History {
         })
     }
 
+    /// Every so many samples of it.
+    #[must_use]
+    pub fn every(&self, stride: usize) -> Self {
+        Self { components: self.components.each_ref().map(|c| c.iter().step_by(stride).copied().collect()) }
+    }
+
     /// The history in axes turned by a rotation (rows: the new axes in the old ones).
     #[must_use]
     pub fn turned(&self, r: &[[f64; 3]; 3]) -> Self {

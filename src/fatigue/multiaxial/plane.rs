@@ -2,6 +2,7 @@
 
 use super::history::{History, Weights};
 use crate::numerics::enclosing::{Ball, smallest_ball};
+use multiversion::multiversion;
 
 /// A plane by its normal, (sin phi cos theta, sin phi sin theta, cos phi); n and -n are one plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,12 +95,7 @@ impl Scratch {
         let n = plane.normal();
         let circle = self.circle(history, plane);
         let (_, normal_max) = history.range(&resolved(&n, &n));
-        let meso = |(k, p): (f64, &[f64])| {
-            let [u, v] = &self.shear;
-            let at = |j: usize| (u[j] - circle.centre[0]).hypot(v[j] - circle.centre[1]) + k * p[j];
-            (0..p.len()).map(at).fold(f64::NEG_INFINITY, f64::max)
-        };
-        let dang_van = dang_van.map_or(0.0, meso);
+        let dang_van = dang_van.map_or(0.0, |(k, p)| mesoscopic(&self.shear[0], &self.shear[1], circle.centre, k, p));
         let shear_amplitude = match amplitude {
             Amplitude::Circle => circle.radius,
             Amplitude::Chord => self.half_chord(),
@@ -112,4 +108,24 @@ impl Scratch {
         let from = |i: usize| (0..i).map(|j| (u[i] - u[j]).hypot(v[i] - v[j])).fold(0.0, f64::max);
         0.5 * (0..u.len()).map(from).fold(0.0, f64::max)
     }
+}
+
+/// Largest distance to the centre with `k` times the hydrostatic stress at the same time.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn mesoscopic(u: &[f64], v: &[f64], centre: [f64; 2], k: f64, p: &[f64]) -> f64 {
+    const LANES: usize = 16;
+    let value = |u: f64, v: f64, p: f64| {
+        let (x, y) = (u - centre[0], v - centre[1]);
+        (x * x + y * y).sqrt() + k * p
+    };
+    let mut most = [f64::NEG_INFINITY; LANES];
+    let (us, vs, ps) = (u.as_chunks::<LANES>(), v.as_chunks::<LANES>(), p.as_chunks::<LANES>());
+    for ((u, v), p) in us.0.iter().zip(vs.0).zip(ps.0) {
+        for l in 0..LANES {
+            let at = value(u[l], v[l], p[l]);
+            most[l] = if at > most[l] { at } else { most[l] };
+        }
+    }
+    let rest = us.1.iter().zip(vs.1).zip(ps.1).map(|((u, v), p)| value(*u, *v, *p));
+    most.into_iter().chain(rest).fold(f64::NEG_INFINITY, f64::max)
 }

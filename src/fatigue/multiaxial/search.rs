@@ -58,13 +58,19 @@ pub struct Found {
 }
 
 /// Spacing of the coarse hemisphere, rad.
-const COARSE: f64 = 10.0 * PI / 180.0;
+const COARSE: f64 = 5.0 * PI / 180.0;
+/// Samples that are enough to tell hills from valleys.
+const SAMPLES: usize = 180;
 /// Neighbours on it lie within this multiple of the spacing.
 const NEAR: f64 = 1.6;
-/// A summit stands at most this share above the coarse plane nearest to it: stress on a plane turns with twice the angle.
+/// A summit stands at most this share above the coarse plane nearest to it, seen with few samples: stress on a plane turns with twice the angle.
 const RISE: f64 = 0.07;
 /// The climb ends with steps of this, rad: the value is then known to its square.
 const FINEST: f64 = 0.02 * PI / 180.0;
+/// With few samples steps of this are fine enough, rad,
+const ROUGH: f64 = 0.3 * PI / 180.0;
+/// and values err by less than this share.
+const FEW: f64 = 0.012;
 /// Planes whose values differ by less than this share are as critical as each other.
 const LEVEL: f64 = 1e-4;
 /// Summits closer than this are one, rad.
@@ -117,25 +123,40 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
             &own
         }
     };
-    let all: Vec<Borne> = planes.iter().map(&mut borne).collect();
+    let stride = if grid.step.is_some() { 1 } else { (history.len() / SAMPLES).max(1) };
+    let (few, few_p) = (history.every(stride), p.iter().step_by(stride).copied().collect::<Vec<f64>>());
+    let few_dang_van = wanted.dang_van.map(|k| (k, few_p.as_slice()));
+    let mut few_scratch = Scratch::default();
+    let all: Vec<Borne> = planes.iter().map(|plane| few_scratch.borne(&few, plane, grid.amplitude, few_dang_van)).collect();
+    let mut on_few = |plane: &Plane| few_scratch.borne(&few, plane, grid.amplitude, few_dang_van);
     let mut largest = |value: &dyn Fn(&Borne) -> f64| {
+        let critical = |(plane, b): (Plane, Borne)| {
+            let Borne { shear_amplitude, normal_max, .. } = b;
+            Critical { plane, value: value(&b), shear_amplitude, normal_max, note: String::new() }
+        };
         let values: Vec<f64> = all.iter().map(value).collect();
         let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let candidates = (0..planes.len()).filter(|i| {
-            let is_top = grid.step.is_some() || HEMISPHERE.1[*i].iter().all(|n| values[*i] >= values[*n]);
-            is_top && values[*i] >= top - if grid.step.is_some() { LEVEL } else { RISE } * top.abs()
-        });
-        let mut summits: Vec<Critical> = Vec::new();
-        for i in candidates {
-            if grid.step.is_none() && summits.iter().any(|s| apart(&s.plane, &planes[i]) < SAME) {
-                continue;
-            }
-            let (plane, b) =
-                if grid.step.is_some() { (planes[i], all[i].clone()) } else { climb(planes[i], all[i].clone(), value, &mut borne) };
-            let Borne { shear_amplitude, normal_max, .. } = b;
-            summits.push(Critical { plane, value: value(&b), shear_amplitude, normal_max, note: String::new() });
+        if grid.step.is_some() {
+            let level = (0..planes.len()).filter(|i| values[*i] >= top - LEVEL * top.abs());
+            return choose(level.map(|i| critical((planes[i], all[i].clone()))).collect());
         }
-        choose(summits)
+        let is_top = |i: &usize| HEMISPHERE.1[*i].iter().all(|n| values[*i] >= values[*n]);
+        let candidates = (0..planes.len()).filter(is_top).filter(|i| values[*i] >= top - RISE * top.abs());
+        // with few samples first: most hills turn out too low
+        let mut hills: Vec<(Plane, Borne)> = Vec::new();
+        for i in candidates {
+            let hill = climb((planes[i], all[i].clone()), (0.5 * COARSE, ROUGH), value, &mut on_few);
+            if hills.iter().all(|h| apart(&h.0, &hill.0) > SAME) {
+                hills.push(hill);
+            }
+        }
+        let top = hills.iter().map(|h| value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
+        hills.retain(|h| value(&h.1) >= top - FEW * top.abs());
+        let summits = hills.into_iter().map(|(plane, _)| {
+            let start = (plane, borne(&plane));
+            critical(climb(start, (2.0 * ROUGH, FINEST), value, &mut borne))
+        });
+        choose(summits.collect())
     };
     Found {
         shear: wanted.shear.then(|| largest(&|b| b.shear_amplitude)).flatten(),
@@ -144,13 +165,46 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
     }
 }
 
+/// Rings round a summit on which higher ground is looked for, rad, and planes on each: where the path's extremes change hands, ridges have kinks that steps along two
+/// directions do not follow.
+const RINGS: [f64; 3] = [4.0 * PI / 180.0, 1.5 * PI / 180.0, 0.5 * PI / 180.0];
+const ON_RING: usize = 16;
+
+/// To a summit with no higher ground round it, with steps from the first to the last.
+fn climb(
+    start: (Plane, Borne),
+    (first, last): (f64, f64),
+    value: &dyn Fn(&Borne) -> f64,
+    borne: &mut dyn FnMut(&Plane) -> Borne,
+) -> (Plane, Borne) {
+    let mut here = uphill(start, (first, last), value, borne);
+    for radius in RINGS.into_iter().filter(|r| *r < 2.0 * first && *r > last) {
+        let ring = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
+        let best = ring
+            .map(|(sine, cosine)| {
+                let next = here.0.moved(radius * cosine, radius * sine);
+                (next, borne(&next))
+            })
+            .reduce(|m, r| if value(&r.1) > value(&m.1) { r } else { m });
+        if let Some(higher) = best.filter(|b| value(&b.1) > value(&here.1)) {
+            here = uphill(higher, (0.5 * radius, last), value, borne);
+        }
+    }
+    here
+}
+
 /// From a plane uphill, with steps that shrink where no neighbour is higher.
-fn climb(start: Plane, at_start: Borne, value: &dyn Fn(&Borne) -> f64, borne: &mut dyn FnMut(&Plane) -> Borne) -> (Plane, Borne) {
-    let (mut plane, mut here, mut step) = (start, at_start, 0.5 * COARSE);
+fn uphill(
+    (mut plane, mut here): (Plane, Borne),
+    (mut step, last): (f64, f64),
+    value: &dyn Fn(&Borne) -> f64,
+    borne: &mut dyn FnMut(&Plane) -> Borne,
+) -> (Plane, Borne) {
     let mut height = value(&here);
-    while step > FINEST {
+    while step > last {
         let mut best: Option<(Plane, Borne, f64)> = None;
-        for (a, b) in [(step, 0.0), (0.0, step), (-step, 0.0), (0.0, -step)] {
+        let d = step * std::f64::consts::FRAC_1_SQRT_2;
+        for (a, b) in [(step, 0.0), (0.0, step), (-step, 0.0), (0.0, -step), (d, d), (-d, d), (-d, -d), (d, -d)] {
             let next = plane.moved(a, b);
             let there = borne(&next);
             let v = value(&there);

@@ -46,13 +46,16 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
     let [x, y] = scratch.path();
     let path = closed(x.iter().zip(y).map(|(x, y)| (x / PA_PER_MPA, y / PA_PER_MPA)));
     let (centre, radius) = (circle.centre.map(|c| c / PA_PER_MPA), (circle.radius / PA_PER_MPA).max(1e-9));
-    let reach = 1.15 * radius;
+    // a circle is to look like one: both axes have the same MPa in a unit
+    let (width, height) = area.dim_in_pixel();
+    let (width, height) = (f64::from(width - px(76)), f64::from(height - px(74)));
+    let reach = [width, height].map(|side| 1.15 * radius * side / width.min(height));
     let mut chart = ChartBuilder::on(area)
         .caption("shear on the critical plane and its circle", text(14))
         .margin(px(8))
         .x_label_area_size(px(36))
         .y_label_area_size(px(60))
-        .build_cartesian_2d(centre[0] - reach..centre[0] + reach, centre[1] - reach..centre[1] + reach)?;
+        .build_cartesian_2d(centre[0] - reach[0]..centre[0] + reach[0], centre[1] - reach[1]..centre[1] + reach[1])?;
     canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
     let round = (0..=180).map(|i| {
         let (sine, cosine) = (TAU * f64::from(i) / 180.0).sin_cos();

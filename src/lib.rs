@@ -45,7 +45,7 @@
 //! | [`absorber`] | types and closed-form optima |
 //! | [`response`] | response methods, one file each, in frequency and in time; power; natural frequencies with absorbers |
 //! | [`shaft`] | the crank as a beam on its bearings, torsion cases, stress concentration |
-//! | [`fatigue`] | criteria of mean stress, endurance factors, class rules |
+//! | [`fatigue`] | criteria of mean stress, endurance factors, class rules, multiaxial criteria |
 //! | [`design`] | conditions, variables, measures, peaks with their gradients, quick peaks for searches |
 //! | [`optimise`] | gradient-free search, minimax, front |
 //! | [`study`] | the only place that reads files |
@@ -60,6 +60,8 @@
 //! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2 and 3.3.
 //! - \[Dennis, Gay & Welsch 1981\] J. E. Dennis, D. M. Gay, R. E. Welsch, An adaptive nonlinear least-squares algorithm, *ACM Trans. Math.
 //!   Softw.* 7, 348.
+//! - \[Dang Van 1989\] K. Dang Van, B. Griveau, O. Message, On a new multiaxial fatigue limit criterion, *EGF Publ.* 3, 479.
+//! - \[Gärtner 1999\] B. Gärtner, Fast and robust smallest enclosing balls, *Proc. 7th ESA*, LNCS 1643, 325.
 //! - \[Golub & Van Loan 2013\] G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed.
 //! - \[Heywood 1988\] J. B. Heywood, *Internal Combustion Engine Fundamentals*.
 //! - \[IACS UR M53\] International Association of Classification Societies, Unified Requirement M53, *Calculations for I.C. Engine
@@ -72,6 +74,9 @@
 //! - \[Fialho & Almeida 2019\] the thesis behind slider-crank sizing, section 2.3: endurance factors and notch sensitivity.
 //! - \[Norton 2013\] R. L. Norton, *Machine Design*, 4th ed., chapter 6.
 //! - \[Shigley 2004\] J. E. Shigley, C. R. Mischke, R. G. Budynas, *Mechanical Engineering Design*, 7th ed., section 6-12.
+//! - \[Minucci 2010\] the dissertation on multiaxial fatigue of crankshafts, chapter 4.
+//! - \[Papadopoulos et al. 1997\] I. V. Papadopoulos, P. Davoli, C. Gorla, M. Filippini, A. Bernasconi, A comparative study of multiaxial high-cycle
+//!   fatigue criteria for metals, *Int. J. Fatigue* 19, 219.
 //! - \[Villalva 2014\] the dissertation behind CrankLab, chapters 3 to 6: geometry, chains, absorbers and tables of the shipped engines.
 
 #![deny(missing_docs)]

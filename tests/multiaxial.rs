@@ -150,6 +150,68 @@ fn calibration_gives_one() {
     assert!((printed - 1.0).abs() > 0.02, "the printed constant misses its own calibration: {printed}");
 }
 
+/// Source: \[Minucci 2010\] Tables 6.3 and 6.7 with his printed scalars (sqrt(J2)_a, hydrostatic amplitude and mean, MPa), t = 0.577 f and f0 by Goodman: Sines, Crossland and
+/// Kakuno-Kawada as printed give his factors to their one decimal. (At point 1-3 his sqrt(J2)_a, 160, is below his shear amplitude, 174.5, which cannot be: he takes the largest of
+/// pairwise circles, not the ball.)
+#[test]
+fn printed_scalars_give_the_printed_factors() {
+    let steel = Limits { torsion: 0.577 * 720e6, repeated_bending: Limits::goodman_repeated(720e6, 1100e6), ..STEEL };
+    let weight = |c: Criterion| c.weight(&steel).expect("a constant");
+    for (point, [j2, amplitude, mean], printed) in [
+        ("1-3 at 1700 rpm", [160.0, 85.7, 52.4], [1.9, 2.6, 1.9]),
+        ("4-4 at 1700 rpm", [99.8, 135.4, 118.9], [1.8, 4.2, 1.8]),
+        ("4 of the six", [114.5, 60.4, -15.7], [4.3, 3.6, 4.3]),
+        ("1 of the six", [91.3, 77.2, 35.0], [3.2, 4.6, 3.2]),
+    ] {
+        let t = steel.torsion / 1e6;
+        let sines = t / (j2 + weight(Criterion::Sines) * mean);
+        let crossland = t / (j2 + weight(Criterion::Crossland) * (amplitude + mean));
+        let kakuno = t / (j2 + weight(Criterion::KakunoKawada) * amplitude + weight(Criterion::Sines) * mean);
+        for (own, printed) in [sines, crossland, kakuno].into_iter().zip(printed) {
+            assert_close(own, printed, 0.0, 0.06, point);
+        }
+    }
+}
+
+/// `hartog fatigue` from a file with a repeated end of the cycle: the table of the contract, the same bytes at one and two threads, the factors of the library.
+#[test]
+fn a_table_of_histories() {
+    let place = tempfile::tempdir().expect("folder");
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(12);
+    let histories: Vec<History> = (0..12).map(|_| wild(&mut random, 72)).collect();
+    let mut table = "point,crank_deg,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,syz_mpa,szx_mpa\n".to_owned();
+    for (i, h) in histories.iter().enumerate() {
+        for j in 0..=72 {
+            let cells: Vec<String> = h.tensor(j % 72).iter().map(|s| format!("{}", s / 1e6)).collect();
+            table.push_str(&format!("p{i},{},{}\n", 10 * j, cells.join(",")));
+        }
+    }
+    std::fs::write(place.path().join("h.csv"), table).expect("written");
+    let material = "tensile_strength_mpa = 1100\nbending_fatigue_limit_mpa = 720\ntorsion_fatigue_limit_mpa = 450\n";
+    std::fs::write(place.path().join("m.toml"), material).expect("written");
+    let run = |threads: &str| {
+        let mut command = assert_cmd::Command::cargo_bin("hartog").expect("built");
+        let arguments = ["fatigue", "h.csv", "--material", "m.toml", "--out", threads, "--threads", threads];
+        command.current_dir(place.path()).args(arguments).assert().code(0);
+        std::fs::read_to_string(place.path().join(threads).join("fatigue.csv")).expect("a table")
+    };
+    let (one, two) = (run("1"), run("2"));
+    assert_eq!(one, two);
+    let columns = "point,criterion,safety_factor,plane_theta_deg,plane_phi_deg,shear_amplitude_mpa,normal_max_mpa,sqrt_j2_amplitude_mpa,\
+                   hydrostatic_amplitude_mpa,hydrostatic_mean_mpa,hydrostatic_max_mpa,note";
+    assert_eq!(one.lines().next(), Some(columns));
+    assert_eq!(one.lines().count(), 1 + 12 * Criterion::ALL.len());
+    let limits = Limits { repeated_bending: Limits::goodman_repeated(720e6, 1100e6), ..STEEL };
+    for (i, h) in histories.iter().enumerate() {
+        let (verdicts, _) = evaluate(h, &limits, &Criterion::ALL, Grid::default()).expect("constants");
+        for v in verdicts {
+            let row = one.lines().find(|l| l.starts_with(&format!("p{i},{},", v.criterion.name()))).expect("a row");
+            let factor: f64 = row.split(',').nth(2).expect("a factor").parse().expect("a number");
+            assert_close(factor, v.safety_factor, 1e-9, 0.0, row);
+        }
+    }
+}
+
 /// A history that no symmetry helps: three harmonics with random phases in every component.
 fn wild(random: &mut Xoshiro256PlusPlus, samples: usize) -> History {
     let mut component = || -> Vec<(f64, f64, f64)> {
@@ -276,8 +338,8 @@ fn constants_have_intervals() {
     assert!(crossland.abs() < 2e-3, "near zero, as a user should know");
 }
 
-/// All criteria on 4160 points of 721 angles against a search in steps of one degree: no summit that it found is missed by more than 0.1 % (Dang Van plane by plane, whose hills have
-/// kinks: 0.3 %). What is found may be worse than what the grid met, which misses ridges by as much. Takes ten minutes: the thesis dropped to twelve points for want of time. Prints
+/// All criteria on 4160 points of 721 angles against a search in steps of one degree: no summit that it found is missed by more than 0.1 % (Findley 0.3 %, Dang Van plane by plane, whose hills have
+/// kinks, 0.5 %). What is found may be worse than what the grid met, which misses ridges by as much. Takes ten minutes: the thesis dropped to twelve points for want of time. Prints
 /// the time of both.
 #[test]
 #[ignore = "ten minutes"]
@@ -301,7 +363,7 @@ fn four_thousand_points_against_brute_force() {
         }
     }
     println!("missed at most {missed:?}, better by at most {better:?}, more than 0.1 % missed at {often:?} points");
-    for (i, limit) in [(2, 1e-3), (3, 3e-3), (4, 1e-3)] {
+    for (i, limit) in [(2, 1e-3), (3, 5e-3), (4, 3e-3)] {
         assert!(missed[i] < limit, "{}: {:e}", ON_PLANES[i].name(), missed[i]);
     }
 }

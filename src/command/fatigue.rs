@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Amplitude of shear as half the longest chord instead of the smallest circle: to see why not.
     #[arg(long)]
     pub chord: bool,
-    /// Output folder [default: out/<history>].
+    /// Output folder [default: out/HISTORY].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Number of threads [default: all]; results are the same for any number.

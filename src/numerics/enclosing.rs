@@ -156,10 +156,9 @@ fn circumball<const D: usize>(points: &[[f64; D]]) -> Option<([f64; D], f64)> {
         }
         m.swap(c, pivot);
         for r in c + 1..k {
-            let factor = m[r][c] / m[c][c];
-            for j in c..=k {
-                m[r][j] -= factor * m[c][j];
-            }
+            let row = m[c];
+            let factor = m[r][c] / row[c];
+            m[r].iter_mut().zip(row).for_each(|(value, pivot)| *value -= factor * pivot);
         }
     }
     let mut x = [0.0; 8];

@@ -120,8 +120,7 @@ fn range(c: &[&[f64]; 6], w: &Weights) -> (f64, f64) {
         least = if low[l] < least { low[l] } else { least };
         most = if high[l] > most { high[l] } else { most };
     }
-    for i in a.len() * LANES..c[0].len() {
-        let v: f64 = (0..6).map(|k| w[k] * c[k][i]).sum();
+    for v in (a.len() * LANES..c[0].len()).map(|i| (0..6).map(|k| w[k] * c[k][i]).sum::<f64>()) {
         least = least.min(v);
         most = most.max(v);
     }

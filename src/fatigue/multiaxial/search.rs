@@ -64,13 +64,13 @@ const SAMPLES: usize = 180;
 /// Neighbours on it lie within this multiple of the spacing.
 const NEAR: f64 = 1.6;
 /// A summit stands at most this share above the coarse plane nearest to it, seen with few samples: stress on a plane turns with twice the angle.
-const RISE: f64 = 0.07;
+const RISE: f64 = 0.08;
 /// The climb ends with steps of this, rad: the value is then known to its square.
 const FINEST: f64 = 0.02 * PI / 180.0;
 /// With few samples steps of this are fine enough, rad,
 const ROUGH: f64 = 0.3 * PI / 180.0;
 /// and values err by less than this share.
-const FEW: f64 = 0.012;
+const FEW: f64 = 0.02;
 /// Planes whose values differ by less than this share are as critical as each other.
 const LEVEL: f64 = 1e-4;
 /// Summits closer than this are one, rad.
@@ -154,7 +154,7 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
         hills.retain(|h| value(&h.1) >= top - FEW * top.abs());
         let summits = hills.into_iter().map(|(plane, _)| {
             let start = (plane, borne(&plane));
-            critical(climb(start, (2.0 * ROUGH, FINEST), value, &mut borne))
+            critical(climb(start, (4.0 * ROUGH, FINEST), value, &mut borne))
         });
         choose(summits.collect())
     };

@@ -20,6 +20,7 @@ pub mod savings;
 pub mod speed_accuracy;
 pub mod stability;
 pub mod sweeps;
+pub mod systems;
 
 pub use calibrate::{Calibration, calibrate};
 pub use comparison::{Comparison, compare};

@@ -6,6 +6,7 @@ use super::diagram::{self, Diagram};
 use super::evaluate::{self, Classifier, DesignResult, Nature, Wanted};
 use super::margins::{self, MarginSweep};
 use super::sweeps::{self, Sweeps};
+use super::systems::{appearing, systems};
 use super::{Progress, RunError};
 use super::{families, probe};
 use crate::absorber::seeds::EngineMode;
@@ -95,11 +96,6 @@ impl Results {
         self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))
     }
 }
-
-/// A sum of torques below this share of one of them is rounding.
-const SILENT: f64 = 1e-9;
-/// An order appears where it is at least this share.
-const LOUD: f64 = 1e-6;
 
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
@@ -246,28 +242,6 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         timing: clock.timing,
         system,
     })
-}
-
-/// The engine as it should be, then with each cylinder misfiring where the study asks for it.
-fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
-    let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
-    let misfires = study.conditions.contains(&Condition::Misfire);
-    let change = misfires.then(|| excitation.motored_change(&study.engine)).flatten();
-    let cylinders = 0..change.as_ref().map_or(0, |_| study.engine.layout.firing_deg.len());
-    let misfiring = cylinders
-        .zip(std::iter::repeat(&change))
-        .filter_map(|(c, change)| change.as_ref().map(|change| with(excitation.misfiring(&study.engine, c, change))));
-    let misfiring: Vec<System> = misfiring.collect();
-    std::iter::once(with(excitation)).chain(misfiring).collect()
-}
-
-/// Orders whose torques of all throws together cancel while every cylinder fires, and do not with one that misfires.
-fn appearing(firing: &Excitation, misfiring: &Excitation) -> Vec<Order> {
-    let speed = firing.tabulated_rpm.first().copied().unwrap_or(1.0);
-    let whole = |e: &Excitation, n: usize| (0..e.throws()).map(|t| e.throw_torque(t, n, speed)).sum::<crate::numerics::C64>().norm();
-    let unit = (0..firing.orders.len()).map(|n| firing.unit_torque(n, speed).norm()).fold(0.0, f64::max);
-    let silent = |n: &usize| whole(firing, *n) < SILENT * unit && whole(misfiring, *n) > LOUD * unit;
-    (0..firing.orders.len()).filter(silent).map(|n| firing.orders[n]).collect()
 }
 
 /// A condition as scenes of a design problem: one for each cylinder that may misfire.

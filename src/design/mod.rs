@@ -1,11 +1,13 @@
 //! Absorber design: what may vary, what is to be small, and the one pipeline from values to peaks.
 
 pub mod condition;
+mod gradient;
 pub mod level;
 mod local;
 pub mod margin;
 pub mod measure;
 pub mod peaks;
+mod poles;
 pub mod problem;
 pub mod quick;
 mod searched;

@@ -8,7 +8,7 @@ use super::local::{self, Candidate};
 use super::margin::Margin;
 use super::measure::{Measure, Over};
 use super::quick::Quick;
-use super::speeds::{Pole, Resonances, Speeds};
+use super::speeds::{Resonances, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound, dominating};
@@ -49,8 +49,6 @@ pub struct Peak {
 const BRANCHES: f64 = 0.03;
 /// A maximum closer to a neighbouring speed than this share of the distance is none.
 const EDGE: f64 = 1e-3;
-/// Towards an undamped resonance a quantity grows at least this many times in two decades of distance.
-const STEEP: f64 = 50.0;
 /// Peaks that differ by less than this share are level.
 const LEVEL: f64 = 1e-9;
 
@@ -68,7 +66,7 @@ pub struct PeakFinder<'a> {
     /// Whether peaks are refined between grid speeds.
     pub refine: bool,
     resonances: Option<Resonances>,
-    synthesiser: Synthesiser,
+    pub(super) synthesiser: Synthesiser,
     /// The crank, for measures of its margin.
     pub margin: Option<&'a Margin>,
     /// Tables for searches, with the quantity they are of and the largest error they may have.
@@ -376,47 +374,5 @@ impl<'a> PeakFinder<'a> {
             Some(r) if r.unbounded => Err(self.pole(design, quantity, r.speed_rpm)),
             found => Ok(found.map(|r| (r.speed_rpm, r.place))),
         }
-    }
-
-    /// Whether a quantity grows without bound towards an undamped resonance: a hundred times closer, it is a hundred times as large, unless
-    /// the torque does not push the mode or the quantity does not see it.
-    fn check_pole(&self, design: &[Mounted], measure: &Measure, pole: &Pole, work: &mut Work) -> Result<(), ResponseError> {
-        for quantity in &measure.quantities {
-            let mut size = |distance: f64| -> Result<f64, ResponseError> {
-                Ok(self.direct.order_at(design, *quantity, pole.order, pole.speed_rpm * (1.0 + distance), work)?.norm())
-            };
-            if size(1e-6)? > STEEP * size(1e-4)? {
-                return Err(ResponseError::unbounded(self.system.excitation.orders[pole.order], pole.speed_rpm));
-            }
-        }
-        Ok(())
-    }
-
-    /// The error for a quantity that runs away at this speed: its largest order is to blame.
-    fn pole(&self, design: &[Mounted], quantity: Quantity, speed_rpm: f64) -> ResponseError {
-        let size =
-            |n: usize| self.direct.order_at(design, quantity, n, speed_rpm, &mut Work::default()).map_or(f64::INFINITY, |y| y.norm());
-        let n = (0..self.system.orders()).fold((0, 0.0), |m, n| if size(n) > m.1 { (n, size(n)) } else { m }).0;
-        ResponseError::unbounded(self.system.excitation.orders[n], speed_rpm)
-    }
-
-    /// Derivatives of a peak's value with respect to ring inertia, stiffness and damping of absorber `index`, at fixed speed and cycle
-    /// angles: exact, because a peak is stationary in both (or held by an end of the range).
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] at an undamped resonance.
-    pub fn gradient(&self, design: &[Mounted], index: usize, peak: &Peak, work: &mut Work) -> Result<[f64; 3], ResponseError> {
-        let Some(extremes) = &peak.extremes else {
-            let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
-            let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
-            return Ok(change[0].map(|d| (y.conj() * d).re / y.norm()));
-        };
-        let changes = self.direct.sensitivity(design, index, peak.quantity, 0..self.system.orders(), peak.speed_rpm, work)?;
-        let slopes = Level::of(peak.over, peak.quantity, self.margin).slopes(peak.speed_rpm, extremes);
-        Ok([0, 1, 2].map(|p| {
-            let change: Vec<C64> = changes.iter().map(|c| c[p]).collect();
-            let (range, middle) = self.synthesiser.derivatives_of(extremes, &change);
-            slopes.0 * range + slopes.1 * middle
-        }))
     }
 }

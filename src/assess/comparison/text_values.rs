@@ -1,5 +1,6 @@
 //! Numbers of the text: inputs of the engine, and peaks of pin force, throw torque and vibratory torque at named speeds.
 
+use super::predicted::speed_of as speed_of_condition;
 use super::{Entry, Kind, Role};
 use crate::assess::RunError;
 use crate::design::{Measure, Over, PeakFinder};
@@ -78,8 +79,7 @@ fn design_of<'a>(study: &'a Study, word: &str) -> Option<&'a DesignSpec> {
 /// Peaks of the text at the speeds it names (`speed_max_torque`, `speed_max_power`, `speed_max`).
 pub fn peaks(study: &Study, published: &Published, system: &System) -> Result<Vec<Entry>, RunError> {
     let speed_of = |condition: &str| {
-        let key = if condition == "max_speed" { "speed_max".to_owned() } else { format!("speed_{condition}") };
-        let found = published.quantities.iter().find(|q| q.name == key).and_then(|q| q.value.as_ref().ok().copied());
+        let found = speed_of_condition(published, condition);
         found.filter(|s| *s >= study.speeds_rpm[0] && *s <= study.speeds_rpm[study.speeds_rpm.len() - 1])
     };
     let mut loads: Vec<(f64, Option<ThrowLoads>)> = Vec::new();

@@ -3,7 +3,7 @@
 use crate::support::{assert_close, on, study, system};
 use hartog::absorber::{Kind, Mounted};
 use hartog::assess::{Results, Silent, margins, run};
-use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
+use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot};
 use hartog::design::{Condition, Parameter, Space, Variable};
 use hartog::design::{Limit, Margin, Measure, PeakFinder, Problem, Scene};
 use hartog::fatigue::Criterion;
@@ -199,6 +199,23 @@ fn rods_side_by_side_and_signs_of_the_mean() {
     assert!(apart[1] < 0.97 * middle[1], "{apart:?} {middle:?}");
     let tension = smallest(crank, MeanBending::AsTension);
     assert!(tension[0] <= apart[0] && tension[1] == apart[1], "{tension:?} {apart:?}");
+}
+
+/// Sign of mean bending: at 600 rpm gas pushes the pins of the six towards the crankshaft. That opens the fillets of the crankpins and closes those of the journals, so that without any
+/// torque the former have a mean stress and the latter none. At the ends of the crank: between, the throw beside it in the same plane may bend a throw the other way.
+#[test]
+fn gas_opens_crankpin_fillets_and_closes_those_of_journals() {
+    let case = Case::new(short("villalva_i6"));
+    let mean_torque = case.margin.mean_torque(600.0);
+    let at_ends = |(i, s): &(usize, &Spot)| case.margin.judges(0, *i) && [0, 5].contains(&s.throw);
+    for (i, spot) in case.margin.spots.iter().enumerate().filter(at_ends) {
+        let still = Extremes { middle: -mean_torque[spot.shaft], ..Extremes::default() };
+        let mean = case.margin.used(0, i, 600.0, &still).cycle.mean;
+        match spot.place {
+            Place::Journal => assert!(mean < 1.0, "{}: {mean}", spot.name),
+            _ => assert!(mean > 10e6, "{}: {mean}", spot.name),
+        }
+    }
 }
 
 /// Law: no torque whose orders add up to a sum uses more than the bound of that sum, at any speed and shaft.

@@ -80,18 +80,6 @@ impl History {
     pub fn every(&self, stride: usize) -> Self {
         Self { components: self.components.each_ref().map(|c| c.iter().step_by(stride).copied().collect()) }
     }
-
-    /// The history in axes turned by a rotation (rows: the new axes in the old ones).
-    #[must_use]
-    pub fn turned(&self, r: &[[f64; 3]; 3]) -> Self {
-        let turned = |j: usize| {
-            let [xx, yy, zz, xy, yz, zx] = self.tensor(j);
-            let s = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
-            let at = |a: usize, b: usize| -> f64 { (0..3).map(|i| (0..3).map(|k| r[a][i] * s[i][k] * r[b][k]).sum::<f64>()).sum() };
-            [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(1, 2), at(2, 0)]
-        };
-        Self::new((0..self.len()).map(turned))
-    }
 }
 
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]

@@ -30,7 +30,16 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
     let curves: Vec<(String, Vec<f64>)> = results.margins.iter().map(|m| (m.design.replace('_', " "), m.smallest(criterion))).collect();
     let smallest = curves.iter().flat_map(|c| &c.1).copied().fold(f64::INFINITY, f64::min);
     let largest = curves.iter().flat_map(|c| &c.1).copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
-    let top = canvas::round_up((1.05 * largest).min(CUT * smallest));
+    let accepted = model.criteria[criterion].acceptable();
+    // margins differ little between designs: the axis spans what there is, with the accepted margin
+    let (bottom, top) = if smallest.is_finite() && largest > 0.0 {
+        let low = smallest.min(accepted.unwrap_or(smallest));
+        let high = largest.min(CUT * smallest).max(accepted.unwrap_or(0.0));
+        let room = (high - low).max(0.02 * high);
+        ((low - 0.25 * room).max(0.0), high + 0.1 * room)
+    } else {
+        (0.0, accepted.unwrap_or(1.0) * 1.1)
+    };
     let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
@@ -40,10 +49,10 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
         .margin(px(8))
         .x_label_area_size(px(36))
         .y_label_area_size(px(54))
-        .build_cartesian_2d(span.clone(), 0.0..top)?;
+        .build_cartesian_2d(span.clone(), bottom..top)?;
     canvas::mesh!(chart, "speed / rpm", "safety factor", 9, 7);
     let mut entries = Vec::new();
-    if let Some(least) = model.criteria[criterion].acceptable() {
+    if let Some(least) = accepted {
         let style = line(GREY, 12);
         chart.draw_series(DashedLineSeries::new([(span.start, least), (span.end, least)], px(6), px(5), style))?;
         entries.push((format!("accepted from {least} (dashed)"), style));

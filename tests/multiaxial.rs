@@ -54,13 +54,13 @@ fn balls_with_known_answers() {
 fn check_ball<const D: usize>(points: &[[f64; D]]) {
     let b = ball(points);
     let distance = |p: &[f64; D]| (0..D).map(|d| (p[d] - b.centre[d]).powi(2)).sum::<f64>().sqrt();
-    assert!(b.support.len() <= D + 1);
+    assert!(b.support().len() <= D + 1);
     for p in points {
         assert!(distance(p) <= b.radius * (1.0 + 1e-10), "a point lies outside");
     }
-    if b.support.len() > 1 {
-        for out in &b.support {
-            let rest: Vec<[f64; D]> = b.support.iter().filter(|i| *i != out).map(|i| points[*i]).collect();
+    if b.support().len() > 1 {
+        for out in b.support() {
+            let rest: Vec<[f64; D]> = b.support().iter().filter(|i| *i != out).map(|i| points[*i]).collect();
             assert!(ball(&rest).radius < b.radius, "a point of the support can be dropped");
         }
     }
@@ -349,11 +349,12 @@ fn constants_have_intervals() {
     assert!(crossland.abs() < 2e-3, "near zero, as a user should know");
 }
 
-/// All criteria on 4160 points of 721 angles against a search in steps of one degree: no summit that it found is missed by more than 0.1 % (Findley 0.3 %, Dang Van plane by plane, whose hills have
-/// kinks, 0.5 %). What is found may be worse than what the grid met, which misses ridges by as much. Takes ten minutes: the thesis dropped to twelve points for want of time. Prints
-/// the time of both.
+/// All criteria on 4160 points of 721 angles against a search in steps of one degree: nothing that it found is missed by more than 0.1 %. What is found may be worse than what the
+/// grid met, which misses ridges of Dang Van's sum by up to 0.4 %. Matake and McDiarmid ask for the normal stress on the plane of the largest shear, which changes by up to 2 % of the shear
+/// within the grid's half degree and altogether where two planes are level: they are compared by that shear (Dang Van of the thesis), and by their own sum with the planes on which the grid
+/// met as much shear as is found, to what half a degree is worth. The thesis dropped to twelve points for want of time. Prints the time of both.
 #[test]
-#[ignore = "ten minutes"]
+#[ignore = "six minutes"]
 fn four_thousand_points_against_brute_force() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(10);
     let histories: Vec<History> = (0..4160).map(|_| wild(&mut random, 721)).collect();
@@ -374,7 +375,7 @@ fn four_thousand_points_against_brute_force() {
         }
     }
     println!("missed at most {missed:?}, better by at most {better:?}, more than 0.1 % missed at {often:?} points");
-    for (i, limit) in [(2, 1e-3), (3, 5e-3), (4, 3e-3)] {
-        assert!(missed[i] < limit, "{}: {:e}", ON_PLANES[i].name(), missed[i]);
+    for i in [2, 3, 4] {
+        assert!(missed[i] < 1e-3, "{}: {:e}", ON_PLANES[i].name(), missed[i]);
     }
 }

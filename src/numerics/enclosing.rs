@@ -5,15 +5,22 @@
 
 use multiversion::multiversion;
 
-/// A ball.
-#[derive(Debug, Clone, PartialEq)]
+/// A ball with the points that hold it: the first `count` of the basis.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball<const D: usize> {
     /// Its centre.
     pub centre: [f64; D],
     /// Its radius.
     pub radius: f64,
+    basis: [usize; MOST],
+    count: usize,
+}
+
+impl<const D: usize> Ball<D> {
     /// Indices of the points that hold it, at most D + 1.
-    pub support: Vec<usize>,
+    pub fn support(&self) -> &[usize] {
+        &self.basis[..self.count]
+    }
 }
 
 /// A point farther out than this share of the radius is outside.
@@ -23,27 +30,28 @@ const DEPENDENT: f64 = 1e-14;
 /// More exchanges than this are rounding.
 const MOST_EXCHANGES: usize = 200;
 
-/// A ball with its basis, as the exchange sees it.
-#[derive(Debug, Clone, Copy)]
-struct Held<const D: usize> {
-    centre: [f64; D],
-    radius: f64,
-    /// The first `count` are the basis.
-    basis: [usize; MOST],
-    count: usize,
-}
-
 /// Room for a basis in up to six dimensions, and one more point.
 const MOST: usize = 8;
 
 /// The smallest ball of the points with these coordinates (one slice a dimension, all of one length, at least one point; at most six dimensions).
 pub fn smallest_ball<const D: usize>(points: [&[f64]; D]) -> Ball<D> {
-    let at = |i: usize| points.map(|c| c[i]);
-    let mut ball = Held { centre: at(0), radius: 0.0, basis: [0; MOST], count: 1 };
+    smallest_ball_from(points, &[])
+}
+
+/// The same ball, found sooner where most of the points that hold it are known: indices of points, at most D + 1; others than those only cost time.
+pub fn smallest_ball_from<const D: usize>(points: [&[f64]; D], known: &[usize]) -> Ball<D> {
+    let first = known.first().copied().unwrap_or(0);
+    let mut ball = Ball { centre: points.map(|c| c[first]), radius: 0.0, basis: [first; MOST], count: 1 };
+    for new in known.iter().skip(1) {
+        let reached = ball.radius * (1.0 + OUTSIDE);
+        if distance2(&points, &ball.centre, *new) > reached * reached {
+            ball = exchange(&points, &ball, *new).unwrap_or(ball);
+        }
+    }
     for _ in 0..MOST_EXCHANGES {
         let (far, distance2) = farthest(&points, &ball.centre);
         let reached = ball.radius * (1.0 + OUTSIDE);
-        if distance2 <= reached * reached || ball.basis[..ball.count].contains(&far) {
+        if distance2 <= reached * reached || ball.support().contains(&far) {
             break;
         }
         match exchange(&points, &ball, far) {
@@ -52,13 +60,16 @@ pub fn smallest_ball<const D: usize>(points: [&[f64]; D]) -> Ball<D> {
             _ => break,
         }
     }
-    Ball { centre: ball.centre, radius: ball.radius, support: ball.basis[..ball.count].to_vec() }
+    ball
+}
+
+fn distance2<const D: usize>(points: &[&[f64]; D], centre: &[f64; D], i: usize) -> f64 {
+    (0..D).map(|d| (points[d][i] - centre[d]) * (points[d][i] - centre[d])).sum()
 }
 
 /// Index and squared distance of the farthest point.
 fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, f64) {
     let n = points[0].len();
-    let distance2 = |i: usize| (0..D).map(|d| (points[d][i] - centre[d]) * (points[d][i] - centre[d])).sum::<f64>();
     let places = if D == 2 {
         let block = farthest_block(points[0], points[1], centre[0], centre[1]);
         block * BLOCK..n.min((block + 1) * BLOCK)
@@ -67,7 +78,7 @@ fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, 
     };
     let mut best = (places.start, f64::NEG_INFINITY);
     for i in places {
-        let d = distance2(i);
+        let d = distance2(points, centre, i);
         if d > best.1 {
             best = (i, d);
         }
@@ -103,10 +114,10 @@ fn farthest_block(x: &[f64], y: &[f64], cx: f64, cy: f64) -> usize {
 }
 
 /// The smallest ball of a basis and one more point, which it holds on its surface.
-fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Held<D>, new: usize) -> Option<Held<D>> {
+fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Ball<D>, new: usize) -> Option<Ball<D>> {
     let at = |i: usize| points.map(|c| c[i]);
-    let old = &ball.basis[..ball.count];
-    let mut best: Option<Held<D>> = None;
+    let old = ball.support();
+    let mut best: Option<Ball<D>> = None;
     for subset in 0..1u32 << old.len() {
         let mut basis = [new; MOST];
         let mut count = 1;
@@ -124,13 +135,10 @@ fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Held<D>, new: usize) ->
             *place = at(*i);
         }
         let Some((centre, radius)) = circumball(&places[..count]) else { continue };
-        let inside = |i: &usize| {
-            let p = at(*i);
-            let d = (0..D).map(|d| (p[d] - centre[d]).powi(2)).sum::<f64>().sqrt();
-            d <= radius * (1.0 + 16.0 * OUTSIDE)
-        };
+        let reached = radius * (1.0 + 16.0 * OUTSIDE);
+        let inside = |i: &usize| distance2(points, &centre, *i) <= reached * reached;
         if best.as_ref().is_none_or(|b| radius < b.radius) && old.iter().all(inside) {
-            best = Some(Held { centre, radius, basis, count });
+            best = Some(Ball { centre, radius, basis, count });
         }
     }
     best
@@ -140,8 +148,13 @@ fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Held<D>, new: usize) ->
 fn circumball<const D: usize>(points: &[[f64; D]]) -> Option<([f64; D], f64)> {
     let (first, rest) = points.split_first()?;
     let k = rest.len();
+    if let [second] = rest {
+        let centre: [f64; D] = std::array::from_fn(|d| 0.5 * (first[d] + second[d]));
+        let radius = (0..D).map(|d| (first[d] - centre[d]) * (first[d] - centre[d])).sum::<f64>().sqrt();
+        return Some((centre, radius));
+    }
     // 2 q_i . (c - p) = |q_i|² with c - p = sum of x_j q_j
-    let mut m = [[0.0; 8]; 8];
+    let mut m = [[0.0; MOST]; MOST];
     for i in 0..k {
         for j in 0..k {
             m[i][j] = 2.0 * (0..D).map(|d| (rest[i][d] - first[d]) * (rest[j][d] - first[d])).sum::<f64>();
@@ -161,7 +174,7 @@ fn circumball<const D: usize>(points: &[[f64; D]]) -> Option<([f64; D], f64)> {
             m[r].iter_mut().zip(row).for_each(|(value, pivot)| *value -= factor * pivot);
         }
     }
-    let mut x = [0.0; 8];
+    let mut x = [0.0; MOST];
     for c in (0..k).rev() {
         let known: f64 = (c + 1..k).map(|j| m[c][j] * x[j]).sum();
         x[c] = (m[c][k] - known) / m[c][c];

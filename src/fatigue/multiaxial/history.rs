@@ -75,6 +75,12 @@ impl History {
         })
     }
 
+    /// Some of its samples.
+    #[must_use]
+    pub fn only(&self, samples: &[usize]) -> Self {
+        Self { components: self.components.each_ref().map(|c| samples.iter().map(|j| c[*j]).collect()) }
+    }
+
     /// Every so many samples of it.
     #[must_use]
     pub fn every(&self, stride: usize) -> Self {

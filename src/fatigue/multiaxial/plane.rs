@@ -1,7 +1,7 @@
 //! Stress on a material plane: the path of its shear stress with the smallest circle round it, and its normal stress.
 
 use super::history::{History, Weights};
-use crate::numerics::enclosing::{Ball, smallest_ball};
+use crate::numerics::enclosing::{Ball, smallest_ball_from};
 use multiversion::multiversion;
 
 /// A plane by its normal, (sin phi cos theta, sin phi sin theta, cos phi); n and -n are one plane.
@@ -62,6 +62,8 @@ pub enum Amplitude {
 #[derive(Debug, Clone, Default)]
 pub struct Scratch {
     shear: [Vec<f64>; 2],
+    /// The last circle: those of neighbouring planes are held by the same samples.
+    last: Option<Ball<2>>,
 }
 
 /// What a plane bears over the cycle, Pa.
@@ -82,12 +84,21 @@ impl Scratch {
         for (direction, out) in plane.directions().iter().zip(&mut self.shear) {
             history.project(&resolved(&n, direction), out);
         }
-        smallest_ball([&self.shear[0], &self.shear[1]])
+        let last = self.last.filter(|b| b.support().iter().all(|i| *i < history.len()));
+        let known = last.as_ref().map_or(&[][..], |b| b.support());
+        let circle = smallest_ball_from([&self.shear[0], &self.shear[1]], known);
+        self.last = Some(circle);
+        circle
     }
 
     /// Shear path of the last plane asked for.
     pub fn path(&self) -> [&[f64]; 2] {
         [&self.shear[0], &self.shear[1]]
+    }
+
+    /// Circle of the last plane asked for.
+    pub fn last(&self) -> Option<Ball<2>> {
+        self.last
     }
 
     /// Everything on a plane. `dang_van`: weight of the hydrostatic stress, and that stress at every sample.

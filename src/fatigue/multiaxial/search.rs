@@ -1,5 +1,6 @@
-//! The critical planes: a coarse hemisphere, then every plane on it that could win is followed to its summit.
+//! The critical planes: a coarse hemisphere with few samples, then every plane on it that could win is followed to its summit.
 
+use super::climb::{Slope, Sought};
 use super::history::History;
 use super::plane::{Amplitude, Borne, Plane, Scratch};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -61,23 +62,19 @@ pub struct Found {
 const COARSE: f64 = 5.0 * PI / 180.0;
 /// Samples that are enough to tell hills from valleys.
 const SAMPLES: usize = 180;
-/// Neighbours on it lie within this multiple of the spacing.
-const NEAR: f64 = 1.6;
+/// Planes between those of the coarse hemisphere, in its spacing along the two directions of each.
+const BETWEEN: [(f64, f64); 4] = [(0.25, 0.25), (-0.25, 0.25), (-0.25, -0.25), (0.25, -0.25)];
+/// Of planes closer than this to each other only the highest is followed, rad.
+const NEIGHBOURS: f64 = 0.7 * COARSE;
 /// A summit stands at most this share above the coarse plane nearest to it, seen with few samples: stress on a plane turns with twice the angle.
-const RISE: f64 = 0.08;
-/// The climb ends with steps of this, rad: the value is then known to its square.
-const FINEST: f64 = 0.02 * PI / 180.0;
-/// With few samples steps of this are fine enough, rad,
-const ROUGH: f64 = 0.3 * PI / 180.0;
-/// and values err by less than this share.
-const FEW: f64 = 0.02;
+const RISE: f64 = 0.06;
 /// Planes whose values differ by less than this share are as critical as each other.
 const LEVEL: f64 = 1e-4;
 /// Summits closer than this are one, rad.
 const SAME: f64 = 0.5 * PI / 180.0;
 
-/// Planes of the coarse hemisphere with the indices of their neighbours.
-static HEMISPHERE: LazyLock<(Vec<Plane>, Vec<Vec<usize>>)> = LazyLock::new(|| {
+/// Planes of the coarse hemisphere.
+static HEMISPHERE: LazyLock<Vec<Plane>> = LazyLock::new(|| {
     let rings = (FRAC_PI_2 / COARSE).round() as usize;
     let mut planes = vec![Plane { theta: 0.0, phi: 0.0 }];
     for ring in 1..=rings {
@@ -87,10 +84,17 @@ static HEMISPHERE: LazyLock<(Vec<Plane>, Vec<Vec<usize>>)> = LazyLock::new(|| {
         let count = (share * 2.0 * PI * phi.sin() / COARSE).round() as usize;
         planes.extend((0..count).map(|i| Plane { theta: turn * i as f64 / count as f64, phi }));
     }
-    let near = |a: &Plane| (0..planes.len()).filter(|i| (1e-9..NEAR * COARSE).contains(&apart(a, &planes[*i]))).collect();
-    let neighbours = planes.iter().map(near).collect();
-    (planes, neighbours)
+    planes
 });
+
+/// The planes with no higher one among their neighbours, highest first.
+fn tops(mut seen: Vec<(Plane, f64)>) -> Vec<Plane> {
+    seen.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let normals: Vec<[f64; 3]> = seen.iter().map(|s| s.0.normal()).collect();
+    let level = NEIGHBOURS.cos();
+    let far = |a: &[f64; 3], b: &[f64; 3]| (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() < level;
+    (0..seen.len()).filter(|i| normals[..*i].iter().all(|n| far(n, &normals[*i]))).map(|i| seen[i].0).collect()
+}
 
 /// Angle between two planes, rad.
 fn apart(a: &Plane, b: &Plane) -> f64 {
@@ -108,116 +112,53 @@ fn every(step: f64) -> Vec<Plane> {
 
 /// Finds what is wanted.
 pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
-    let p = history.hydrostatic();
-    let mut scratch = Scratch::default();
-    let dang_van = wanted.dang_van.map(|k| (k, p.as_slice()));
-    let mut borne = |plane: &Plane| scratch.borne(history, plane, grid.amplitude, dang_van);
-    if !(wanted.shear || wanted.findley.is_some() || wanted.dang_van.is_some()) {
-        return Found { shear: None, findley: None, dang_van: None };
+    let none = Found { shear: None, findley: None, dang_van: None };
+    if *wanted == (Wanted { shear: false, findley: None, dang_van: None }) {
+        return none;
     }
+    let p = history.hydrostatic();
+    let stride = if grid.step.is_some() { 1 } else { (history.len() / SAMPLES).max(1) };
+    let (few, few_p) = (history.every(stride), p.iter().step_by(stride).copied().collect::<Vec<f64>>());
     let own: Vec<Plane>;
     let planes: &[Plane] = match grid.step {
-        None => &HEMISPHERE.0,
+        None => &HEMISPHERE,
         Some(step) => {
             own = every(step);
             &own
         }
     };
-    let stride = if grid.step.is_some() { 1 } else { (history.len() / SAMPLES).max(1) };
-    let (few, few_p) = (history.every(stride), p.iter().step_by(stride).copied().collect::<Vec<f64>>());
+    let mut scratch = Scratch::default();
     let few_dang_van = wanted.dang_van.map(|k| (k, few_p.as_slice()));
-    let mut few_scratch = Scratch::default();
-    let all: Vec<Borne> = planes.iter().map(|plane| few_scratch.borne(&few, plane, grid.amplitude, few_dang_van)).collect();
-    let mut on_few = |plane: &Plane| few_scratch.borne(&few, plane, grid.amplitude, few_dang_van);
-    let mut largest = |value: &dyn Fn(&Borne) -> f64| {
+    let all: Vec<Borne> = planes.iter().map(|plane| scratch.borne(&few, plane, grid.amplitude, few_dang_van)).collect();
+    let mut largest = |sought: Sought| {
         let critical = |(plane, b): (Plane, Borne)| {
             let Borne { shear_amplitude, normal_max, .. } = b;
-            Critical { plane, value: value(&b), shear_amplitude, normal_max, note: String::new() }
+            Critical { plane, value: sought.value(&b), shear_amplitude, normal_max, note: String::new() }
         };
-        let values: Vec<f64> = all.iter().map(value).collect();
+        let values: Vec<f64> = all.iter().map(|b| sought.value(b)).collect();
         let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if grid.step.is_some() {
             let level = (0..planes.len()).filter(|i| values[*i] >= top - LEVEL * top.abs());
             return choose(level.map(|i| critical((planes[i], all[i].clone()))).collect());
         }
-        let is_top = |i: &usize| HEMISPHERE.1[*i].iter().all(|n| values[*i] >= values[*n]);
-        let candidates = (0..planes.len()).filter(is_top).filter(|i| values[*i] >= top - RISE * top.abs());
-        // with few samples first: most hills turn out too low
-        let mut hills: Vec<(Plane, Borne)> = Vec::new();
-        for i in candidates {
-            let hill = climb((planes[i], all[i].clone()), (0.5 * COARSE, ROUGH), value, &mut on_few);
-            if hills.iter().all(|h| apart(&h.0, &hill.0) > SAME) {
-                hills.push(hill);
+        // what stands close to the top is looked at twice as closely
+        let mut seen: Vec<(Plane, f64)> = Vec::new();
+        for (plane, value) in planes.iter().zip(&values).filter(|v| *v.1 >= top - RISE * top.abs()) {
+            seen.push((*plane, *value));
+            for (a, b) in BETWEEN {
+                let next = plane.moved(a * COARSE, b * COARSE);
+                seen.push((next, sought.value(&scratch.borne(&few, &next, grid.amplitude, few_dang_van))));
             }
         }
-        let top = hills.iter().map(|h| value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
-        hills.retain(|h| value(&h.1) >= top - FEW * top.abs());
-        let summits = hills.into_iter().map(|(plane, _)| {
-            let start = (plane, borne(&plane));
-            critical(climb(start, (4.0 * ROUGH, FINEST), value, &mut borne))
-        });
-        choose(summits.collect())
+        let candidates = tops(seen);
+        let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
+        choose(candidates.iter().map(|plane| critical(slope.climb(*plane, 0.25 * COARSE))).collect())
     };
     Found {
-        shear: wanted.shear.then(|| largest(&|b| b.shear_amplitude)).flatten(),
-        findley: wanted.findley.and_then(|k| largest(&|b| b.shear_amplitude + k * b.normal_max)),
-        dang_van: wanted.dang_van.and_then(|_| largest(&|b| b.dang_van)),
+        shear: wanted.shear.then(|| largest(Sought::Shear)).flatten(),
+        findley: wanted.findley.and_then(|k| largest(Sought::Findley(k))),
+        dang_van: wanted.dang_van.and_then(|k| largest(Sought::DangVan(k))),
     }
-}
-
-/// Rings round a summit on which higher ground is looked for, rad, and planes on each: where the path's extremes change hands, ridges have kinks that steps along two
-/// directions do not follow.
-const RINGS: [f64; 3] = [4.0 * PI / 180.0, 1.5 * PI / 180.0, 0.5 * PI / 180.0];
-const ON_RING: usize = 16;
-
-/// To a summit with no higher ground round it, with steps from the first to the last.
-fn climb(
-    start: (Plane, Borne),
-    (first, last): (f64, f64),
-    value: &dyn Fn(&Borne) -> f64,
-    borne: &mut dyn FnMut(&Plane) -> Borne,
-) -> (Plane, Borne) {
-    let mut here = uphill(start, (first, last), value, borne);
-    for radius in RINGS.into_iter().filter(|r| *r < 2.0 * first && *r > last) {
-        let ring = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
-        let best = ring
-            .map(|(sine, cosine)| {
-                let next = here.0.moved(radius * cosine, radius * sine);
-                (next, borne(&next))
-            })
-            .reduce(|m, r| if value(&r.1) > value(&m.1) { r } else { m });
-        if let Some(higher) = best.filter(|b| value(&b.1) > value(&here.1)) {
-            here = uphill(higher, (0.5 * radius, last), value, borne);
-        }
-    }
-    here
-}
-
-/// From a plane uphill, with steps that shrink where no neighbour is higher.
-fn uphill(
-    (mut plane, mut here): (Plane, Borne),
-    (mut step, last): (f64, f64),
-    value: &dyn Fn(&Borne) -> f64,
-    borne: &mut dyn FnMut(&Plane) -> Borne,
-) -> (Plane, Borne) {
-    let mut height = value(&here);
-    while step > last {
-        let mut best: Option<(Plane, Borne, f64)> = None;
-        let d = step * std::f64::consts::FRAC_1_SQRT_2;
-        for (a, b) in [(step, 0.0), (0.0, step), (-step, 0.0), (0.0, -step), (d, d), (-d, d), (-d, -d), (d, -d)] {
-            let next = plane.moved(a, b);
-            let there = borne(&next);
-            let v = value(&there);
-            if v > best.as_ref().map_or(height, |b| b.2) {
-                best = Some((next, there, v));
-            }
-        }
-        match best {
-            Some((next, there, v)) => (plane, here, height) = (next, there, v),
-            None => step *= 0.5,
-        }
-    }
-    (plane, here)
 }
 
 /// The highest summit; of level ones that with the larger normal stress, and a word about the others.

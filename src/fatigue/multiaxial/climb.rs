@@ -37,13 +37,17 @@ const AGREED: f64 = 1e-9;
 const ROUNDS: usize = 12;
 /// The climb ends with steps of this, rad.
 const FINEST: f64 = 0.02 * PI / 180.0;
+/// With steps of this a summit is known to the share `FLAT`.
+const ROUGH: f64 = 0.2 * PI / 180.0;
+const FLAT: f64 = 2e-3;
 /// Directions of a step. Where the samples that hold the circle change, Dang Van's sum has ridges: the directions turn with every step that finds nothing, so that some
 /// run along the ridge.
 const DIRECTIONS: usize = 8;
 const TURN: f64 = 0.618 * 2.0 * PI / DIRECTIONS as f64;
-/// Rings round a summit on which higher ground is looked for, rad, and planes on each.
-const RINGS: [f64; 3] = [4.0 * PI / 180.0, 1.5 * PI / 180.0, 0.5 * PI / 180.0];
+/// Rings round a summit on which higher ground is looked for, rad, and planes on each. From the heights of a ring that come this close to the summit, the way leads further.
+const RINGS: [f64; 4] = [4.0 * PI / 180.0, 2.7 * PI / 180.0, 1.5 * PI / 180.0, 0.5 * PI / 180.0];
 const ON_RING: usize = 16;
+const CLOSE: f64 = 0.005;
 
 /// A history, and what is sought on its planes.
 #[derive(Debug)]
@@ -66,24 +70,29 @@ impl Slope<'_> {
         self.scratch.borne(self.history, plane, self.amplitude, dang_van)
     }
 
-    /// To a summit, with steps from the first downwards.
-    pub fn climb(&mut self, start: Plane, first: f64) -> (Plane, Borne) {
+    /// Near a summit, with steps from the first downwards; where all the neighbourhood is looked at, to a summit with no higher ground on `RINGS` round it.
+    pub fn climb(&mut self, start: Plane, first: f64, all_round: bool) -> (Plane, Borne) {
         let sought = self.sought;
         let mut here = (start, self.borne(&start));
         let mut chosen = vec![false; self.history.len()];
         self.choose(&here, &mut chosen);
+        let (last, agreed) = if all_round { (FINEST, AGREED) } else { (ROUGH, FLAT) };
         for _ in 0..ROUNDS {
             let indices: Vec<usize> = (0..chosen.len()).filter(|i| chosen[*i]).collect();
             let (history, p) = (self.history.only(&indices), indices.iter().map(|i| self.p[*i]).collect::<Vec<f64>>());
             let mut few = Slope { history: &history, p: &p, sought, amplitude: self.amplitude, scratch: Scratch::default() };
-            let top = few.summit(here.0, first);
+            let start = (here.0, few.borne(&here.0));
+            let mut top = few.uphill(start, (first, last));
+            if all_round {
+                top = few.all_round(top);
+            }
             let there = (top.0, self.borne(&top.0));
-            let agreed = (sought.value(&there.1) - sought.value(&top.1)).abs() <= AGREED * sought.value(&top.1).abs();
+            let apart = (sought.value(&there.1) - sought.value(&top.1)).abs();
             self.choose(&there, &mut chosen);
             if sought.value(&there.1) > sought.value(&here.1) {
                 here = there;
             }
-            if agreed {
+            if apart <= agreed * sought.value(&top.1).abs() {
                 break;
             }
         }
@@ -117,31 +126,34 @@ impl Slope<'_> {
         }
     }
 
-    /// Uphill, then on wherever a ring round the summit has higher ground.
-    fn summit(&mut self, start: Plane, first: f64) -> (Plane, Borne) {
+    /// On wherever a ring round a summit leads to higher ground.
+    fn all_round(&mut self, summit: (Plane, Borne)) -> (Plane, Borne) {
         let sought = self.sought;
-        let start = (start, self.borne(&start));
-        let mut here = self.uphill(start, first);
+        let mut here = summit;
         for radius in RINGS {
-            let ring = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
-            let best = ring
-                .map(|(sine, cosine)| {
-                    let next = here.0.moved(radius * cosine, radius * sine);
-                    (next, self.borne(&next))
-                })
-                .reduce(|m, r| if sought.value(&r.1) > sought.value(&m.1) { r } else { m });
-            if let Some(higher) = best.filter(|b| sought.value(&b.1) > sought.value(&here.1)) {
-                here = self.uphill(higher, 0.5 * radius);
+            let angles = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
+            let ring: Vec<(Plane, Borne)> =
+                angles.map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine)).map(|next| (next, self.borne(&next))).collect();
+            let value = |i: usize| sought.value(&ring[i % ON_RING].1);
+            let level = sought.value(&here.1);
+            // hills of Dang Van's sum may be narrower than a ring: a lower top on it may lead higher
+            let enough = if let Sought::DangVan(_) = sought { level - CLOSE * level.abs() } else { level };
+            for i in (ON_RING..2 * ON_RING).filter(|i| value(*i) > enough && value(*i) >= value(i - 1) && value(*i) >= value(i + 1)) {
+                let top = self.uphill(ring[i % ON_RING].clone(), (0.5 * radius, ROUGH));
+                if sought.value(&top.1) > sought.value(&here.1) * (1.0 - FLAT) {
+                    let top = self.uphill(top, (0.5 * ROUGH, FINEST));
+                    here = if sought.value(&top.1) > sought.value(&here.1) { top } else { here };
+                }
             }
         }
         here
     }
 
-    /// From a plane uphill, with steps that shrink where no neighbour is higher.
-    fn uphill(&mut self, mut here: (Plane, Borne), first: f64) -> (Plane, Borne) {
+    /// From a plane uphill, with steps from the first to the last that shrink where no neighbour is higher.
+    fn uphill(&mut self, mut here: (Plane, Borne), (first, last): (f64, f64)) -> (Plane, Borne) {
         let sought = self.sought;
         let (mut step, mut turn) = (first, 0.0);
-        while step > FINEST {
+        while step > last {
             let mut best: Option<(Plane, Borne)> = None;
             for i in 0..DIRECTIONS {
                 let (sine, cosine) = (turn + 2.0 * PI * i as f64 / DIRECTIONS as f64).sin_cos();

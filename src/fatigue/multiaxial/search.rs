@@ -68,6 +68,8 @@ const BETWEEN: [(f64, f64); 4] = [(0.25, 0.25), (-0.25, 0.25), (-0.25, -0.25), (
 const NEIGHBOURS: f64 = 0.7 * COARSE;
 /// A summit stands at most this share above the coarse plane nearest to it, seen with few samples: stress on a plane turns with twice the angle.
 const RISE: f64 = 0.06;
+/// Hills this much lower than the highest are looked at all round: a higher one may hide beside them.
+const HIDDEN: f64 = 0.004;
 /// Planes whose values differ by less than this share are as critical as each other.
 const LEVEL: f64 = 1e-4;
 /// Summits closer than this are one, rad.
@@ -87,11 +89,11 @@ static HEMISPHERE: LazyLock<Vec<Plane>> = LazyLock::new(|| {
     planes
 });
 
-/// The planes with no higher one among their neighbours, highest first.
-fn tops(mut seen: Vec<(Plane, f64)>) -> Vec<Plane> {
+/// The planes with no higher one closer than so many rad, highest first.
+fn tops(mut seen: Vec<(Plane, f64)>, near: f64) -> Vec<Plane> {
     seen.sort_by(|a, b| b.1.total_cmp(&a.1));
     let normals: Vec<[f64; 3]> = seen.iter().map(|s| s.0.normal()).collect();
-    let level = NEIGHBOURS.cos();
+    let level = near.cos();
     let far = |a: &[f64; 3], b: &[f64; 3]| (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() < level;
     (0..seen.len()).filter(|i| normals[..*i].iter().all(|n| far(n, &normals[*i]))).map(|i| seen[i].0).collect()
 }
@@ -150,9 +152,12 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
                 seen.push((next, sought.value(&scratch.borne(&few, &next, grid.amplitude, few_dang_van))));
             }
         }
-        let candidates = tops(seen);
+        let candidates = tops(seen, NEIGHBOURS);
         let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
-        choose(candidates.iter().map(|plane| critical(slope.climb(*plane, 0.25 * COARSE))).collect())
+        let hills: Vec<(Plane, Borne)> = candidates.iter().map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
+        let top = hills.iter().map(|h| sought.value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
+        let high = hills.iter().filter(|h| sought.value(&h.1) >= top - HIDDEN * top.abs()).map(|h| (h.0, sought.value(&h.1)));
+        choose(tops(high.collect(), SAME).iter().map(|plane| critical(slope.climb(*plane, 0.05 * COARSE, true))).collect())
     };
     Found {
         shear: wanted.shear.then(|| largest(Sought::Shear)).flatten(),

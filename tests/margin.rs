@@ -3,16 +3,19 @@
 use crate::support::{assert_close, on, study, system};
 use hartog::absorber::{Kind, Mounted};
 use hartog::assess::{Results, Silent, margins, run};
-use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot};
+use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot, Torque};
 use hartog::design::{Condition, Parameter, Space, Variable};
 use hartog::design::{Limit, Margin, Measure, PeakFinder, Problem, Scene};
 use hartog::fatigue::Criterion;
-use hartog::numerics::synthesis::Extremes;
+use hartog::fatigue::multiaxial::Criterion as Multiaxial;
+use hartog::numerics::C64;
+use hartog::numerics::synthesis::{self, Extremes, Synthesiser};
 use hartog::response::{Direct, Grid, Method, Quantity, Response, System, Work};
 use hartog::shaft::{Crank, Place};
 use hartog::study::Study;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use std::f64::consts::TAU;
 
 const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
 
@@ -41,7 +44,7 @@ impl Case {
     fn new(study: Study) -> Self {
         let system = system(&study);
         let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
-        let margin = margins::model(&study, &grid).expect("[fatigue]");
+        let margin = margins::model(&study, &system.excitation.harmonics, &grid).expect("[fatigue]");
         Self { study, system, grid, margin }
     }
 
@@ -72,7 +75,7 @@ fn skipping_by_the_bound_changes_nothing() {
                 let mut work = Work::default();
                 let found = margins::smallest(finder, &design, &measures, &mut work).expect("finite");
                 let all = case.grid.len() as u64 * 7 * found.len() as u64;
-                assert!(work.syntheses < all / 2 + 4000, "{} of {all} sums: nothing is left out", work.syntheses);
+                assert!(work.syntheses < all / 2 + 1400 * found.len() as u64, "{} of {all} sums: nothing is left out", work.syntheses);
                 for m in &found {
                     let full = everything(&case, finder, &design, m.criterion);
                     assert!(m.margin <= full * (1.0 + 1e-9), "{name}: {} above the full evaluation's {full}", m.margin);
@@ -92,8 +95,9 @@ fn everything(case: &Case, finder: &PeakFinder, design: &[Mounted], criterion: u
         let sweeps = Direct::new(&case.system, &grid).sweep_each(design, &shafts, &mut Work::default()).expect("finite");
         let mut worst = (0.0, 0.0);
         for (shaft, sweep) in sweeps.iter().enumerate() {
-            for (speed, torque) in speeds.iter().zip(finder.extremes(sweep)) {
-                let value = case.margin.most_used(criterion, shaft, *speed, &torque).map_or(0.0, |u| u.value);
+            let torques = finder.extremes(sweep).into_iter().zip(sweep.chunks(case.system.orders()));
+            for (speed, (extremes, phasors)) in speeds.iter().zip(torques) {
+                let value = case.margin.most_used(criterion, shaft, *speed, &Torque { extremes, phasors }).map_or(0.0, |u| u.value);
                 if value > worst.0 {
                     worst = (value, *speed);
                 }
@@ -109,13 +113,16 @@ fn everything(case: &Case, finder: &PeakFinder, design: &[Mounted], criterion: u
     1.0 / used(&fine).0.max(used(speeds).0)
 }
 
-/// Law: the derivative of a margin's row with respect to ring inertia, stiffness and damping is that of central differences of the peak, for random absorbers.
+/// Law: the derivative of a margin's row with respect to ring inertia, stiffness and damping is that of central differences of the peak, for random absorbers and by every criterion.
 #[test]
 fn gradients_of_margins() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
     for name in ENGINES {
         let case = Case::new(short(name));
-        for measure in &margins::measures(&case.study) {
+        for (measure, criterion) in margins::measures(&case.study).iter().zip(&case.margin.criteria) {
+            // the centre of Dang Van's ball jumps from one way of moving to another: a peak over speed may sit on such a ridge, where the speed moves with the design
+            let on_ridges = *criterion == MarginCriterion::Multiaxial(Multiaxial::DangVanMesoscopic);
+            let tolerance = if on_ridges { 0.1 } else { 2e-3 };
             for _ in 0..4 {
                 let design = random_absorber(&mut random, name);
                 case.with(|finder| {
@@ -138,9 +145,9 @@ fn gradients_of_margins() {
                         assert_close(
                             gradient[p],
                             difference,
-                            2e-3,
+                            tolerance,
                             1e-5 * at.value / values(&design)[p],
-                            &format!("{name}, parameter {p}"),
+                            &format!("{name}, {:?}, parameter {p}", measure.over),
                         );
                     }
                 });
@@ -210,7 +217,7 @@ fn gas_opens_crankpin_fillets_and_closes_those_of_journals() {
     let at_ends = |(i, s): &(usize, &Spot)| case.margin.judges(0, *i) && [0, 5].contains(&s.throw);
     for (i, spot) in case.margin.spots.iter().enumerate().filter(at_ends) {
         let still = Extremes { middle: -mean_torque[spot.shaft], ..Extremes::default() };
-        let mean = case.margin.used(0, i, 600.0, &still).cycle.mean;
+        let mean = case.margin.used(0, i, 600.0, &Torque { extremes: still, phasors: &[] }).cycle.mean;
         match spot.place {
             Place::Journal => assert!(mean < 1.0, "{}: {mean}", spot.name),
             _ => assert!(mean > 10e6, "{}: {mean}", spot.name),
@@ -218,21 +225,27 @@ fn gas_opens_crankpin_fillets_and_closes_those_of_journals() {
     }
 }
 
-/// Law: no torque whose orders add up to a sum uses more than the bound of that sum, at any speed and shaft.
+/// Law: no torque uses more than the bound from its extremes, nor than that from the sum of its orders, at any speed and shaft and by any criterion.
 #[test]
 fn bounds_hold() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(9);
     for name in ENGINES {
         let case = Case::new(short(name));
-        for _ in 0..2000 {
-            let (criterion, shaft) = (random.random_range(0..2), random.random_range(0..6));
+        let harmonics = &case.system.excitation.harmonics;
+        let synthesiser = Synthesiser::new(harmonics);
+        for _ in 0..3000 {
+            let (criterion, shaft) = (random.random_range(0..case.margin.criteria.len()), random.random_range(0..6));
             let speed = random.random_range(case.grid.speed_rpm[0]..case.grid.speed_rpm[case.grid.len() - 1]);
-            let sum = random.random_range(0.0..5e3);
-            let half_peak_to_peak = sum * random.random_range(0.0..1.0);
-            let middle = (sum - half_peak_to_peak) * random.random_range(-1.0..1.0);
-            let torque = Extremes { half_peak_to_peak, middle, ..Extremes::default() };
-            let used = case.margin.most_used(criterion, shaft, speed, &torque).map_or(0.0, |u| u.value);
+            let size = random.random_range(0.0..1e3);
+            let phasors: Vec<C64> = harmonics
+                .iter()
+                .map(|_| C64::from_polar(size * random.random_range(0.0..1.0f64).powi(4), random.random_range(0.0..TAU)))
+                .collect();
+            let (extremes, sum) = (synthesiser.extremes(&phasors), synthesis::bound(&phasors));
+            let used = case.margin.most_used(criterion, shaft, speed, &Torque { extremes, phasors: &phasors }).map_or(0.0, |u| u.value);
             assert!(used <= case.margin.at_most(criterion, shaft, speed, sum, sum) * (1.0 + 1e-12));
+            let (half, middle) = (extremes.half_peak_to_peak, extremes.middle);
+            assert!(used <= case.margin.at_most(criterion, shaft, speed, half, middle) * (1.0 + 1e-12));
         }
     }
 }
@@ -267,8 +280,10 @@ fn tendencies_on_random_cranks() {
         let torque = Extremes { half_peak_to_peak: r(200.0, 3000.0), middle: r(-100.0, 100.0), ..Extremes::default() };
         let more = Extremes { half_peak_to_peak: 1.1 * torque.half_peak_to_peak, ..torque };
         let all = |crank: &Crank, spec: &FatigueSpec, torque: &Extremes| -> Vec<f64> {
-            let model = Margin::new(&base.engine, &base.chain, crank, spec, &speeds).expect("a model");
-            let each = |c: usize| speeds.map(|s| 1.0 / model.most_used(c, 3, s, torque).expect("spots").value);
+            let model = Margin::new(&base.engine, &base.chain, crank, spec, &speeds, &[]).expect("a model");
+            let each = |c: usize| {
+                speeds.map(|s| 1.0 / model.most_used(c, 3, s, &Torque { extremes: *torque, phasors: &[] }).expect("spots").value)
+            };
             (0..spec.criteria.len()).flat_map(each).collect()
         };
         let smaller = |a: &[f64], b: &[f64], what: &str| {

@@ -1,11 +1,12 @@
 //! Margins of the crank over the speeds of the study, for tables and plots, and the smallest of each design.
 
 use crate::absorber::Mounted;
-use crate::design::margin::{self, Used};
+use crate::design::margin::{self, Torque, Used};
 use crate::design::{Margin, Measure, Over, Peak, PeakFinder};
-use crate::numerics::synthesis::Extremes;
+use crate::numerics::ZERO;
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::study::Study;
+use rayon::prelude::*;
 
 /// The smallest margin of a design by one criterion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,9 +52,9 @@ impl MarginSweep {
     }
 }
 
-/// The margin model of a study on the speeds of a sweep; nothing without `[fatigue]`.
-pub fn model(study: &Study, grid: &Grid) -> Option<Margin> {
-    Margin::new(&study.engine, &study.chain, study.crank.as_ref()?, study.fatigue.as_ref()?, &grid.speed_rpm)
+/// The margin model of a study on the speeds of a sweep, with the harmonics of its torque; nothing without `[fatigue]`.
+pub fn model(study: &Study, harmonics: &[u32], grid: &Grid) -> Option<Margin> {
+    Margin::new(&study.engine, &study.chain, study.crank.as_ref()?, study.fatigue.as_ref()?, &grid.speed_rpm, harmonics)
 }
 
 /// What the smallest margins are asked with: one measure a criterion.
@@ -78,7 +79,9 @@ pub fn smallest(
         let (Some(model), Over::Margin(criterion)) = (finder.margin, measure.over) else { continue };
         let Some(peak) = finder.peak(design, measure, work)? else { continue };
         let (Quantity::ShaftTorque(shaft), Some(extremes)) = (peak.quantity, peak.extremes) else { continue };
-        let used = model.most_used(criterion, shaft, peak.speed_rpm, &extremes);
+        let mut phasors = vec![ZERO; finder.system.orders()];
+        finder.direct.at(design, peak.quantity, peak.speed_rpm, &mut phasors, work)?;
+        let used = model.most_used(criterion, shaft, peak.speed_rpm, &Torque { extremes, phasors: &phasors });
         list.extend(used.map(|used| SmallestMargin { criterion, margin: 1.0 / peak.value, speed_rpm: peak.speed_rpm, used, peak }));
     }
     Ok(list)
@@ -92,24 +95,38 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
     let Some(model) = finder.margin else { return Ok(None) };
     let direct = Direct::new(finder.system, grid);
     let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
-    let torques: Vec<Vec<Extremes>> =
-        direct.sweep_each(design, &shafts, &mut Work::default())?.iter().map(|sweep| finder.extremes(sweep)).collect();
+    let sweeps = direct.sweep_each(design, &shafts, &mut Work::default())?;
+    let orders = finder.system.orders();
+    let torques: Vec<Vec<Torque>> = sweeps
+        .iter()
+        .map(|sweep| {
+            finder.extremes(sweep).into_iter().zip(sweep.chunks(orders)).map(|(e, y)| Torque { extremes: e, phasors: y }).collect()
+        })
+        .collect();
     let mut fillets: Vec<FilletSweep> = Vec::new();
     for criterion in 0..model.criteria.len() {
-        for (i, spot) in model.spots.iter().enumerate().filter(|(i, _)| model.judges(criterion, *i)) {
-            let used: Vec<Used> =
-                grid.speed_rpm.iter().zip(&torques[spot.shaft]).map(|(speed, torque)| model.used(criterion, i, *speed, torque)).collect();
-            match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == spot.name) {
-                Some(other) => {
-                    for (worst, own) in other.used.iter_mut().zip(used) {
-                        if own.value > worst.value {
-                            *worst = own;
+        for (shaft, torques) in torques.iter().enumerate() {
+            let spots: Vec<usize> = model.spots_of(criterion, shaft).collect();
+            let rows: Vec<Vec<Used>> =
+                grid.speed_rpm.par_iter().zip(torques).map(|(speed, torque)| model.used_each(criterion, &spots, *speed, torque)).collect();
+            for (k, spot) in spots.iter().enumerate() {
+                let used = rows.iter().map(|row| row[k]);
+                let name = &model.spots[*spot].name;
+                match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
+                    Some(other) => {
+                        for (worst, own) in other.used.iter_mut().zip(used) {
+                            if own.value > worst.value {
+                                *worst = own;
+                            }
                         }
                     }
+                    None => fillets.push(FilletSweep { criterion, name: name.clone(), used: used.collect() }),
                 }
-                None => fillets.push(FilletSweep { criterion, name: spot.name.clone(), used }),
             }
         }
     }
+    // in the order of the spots, not of the shafts
+    let place = |f: &FilletSweep| (0..model.spots.len()).find(|i| model.spots[*i].name == f.name && model.judges(f.criterion, *i));
+    fillets.sort_by_key(|f| (f.criterion, place(f)));
     Ok(Some(MarginSweep { design: name.to_owned(), fillets }))
 }

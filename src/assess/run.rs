@@ -137,7 +137,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         setup += if let Method::Receptance(r) = method { r.setup } else { Work::default() };
     }
     clock.lap("base", setup);
-    let margin = margins::model(study, &grid);
+    let margin = margins::model(study, &systems[0].excitation.harmonics, &grid);
     if margin.is_some() {
         clock.lap("crank", Work::default());
     }

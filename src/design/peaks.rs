@@ -225,7 +225,7 @@ impl<'a> PeakFinder<'a> {
                 Level::Used { .. } => self
                     .synthesiser
                     .extremes_if(y, |half, middle| level.at_most(speed, half * rise, middle * rise) >= wanted)
-                    .map_or(f64::NEG_INFINITY, |e| level.value(speed, &e)),
+                    .map_or(f64::NEG_INFINITY, |e| level.value_above(speed, &e, y, (rise, wanted))),
             };
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
@@ -253,7 +253,7 @@ impl<'a> PeakFinder<'a> {
             Ok(self.synthesiser.extremes(y))
         };
         for candidate in local::maxima(&speeds.rpm, &values) {
-            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| level.value(speed, &e));
+            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| level.value(speed, &e, &y));
             let Some((mut speed_rpm, place)) =
                 self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
             else {
@@ -261,27 +261,30 @@ impl<'a> PeakFinder<'a> {
             };
             let mut extremes = at(speed_rpm, &mut y, work)?;
             let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
-            if self.refine && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
+            let followed = self.refine && !level.asks_for_all();
+            if followed && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
                 // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
                 let (up, value) = self.top_of_branch((design, quantity, level), &extremes, reach, work)?;
-                speed_rpm = if value > level.value(speed_rpm, &extremes) { up } else { speed_rpm };
+                speed_rpm = if value > level.value(speed_rpm, &extremes, &y) { up } else { speed_rpm };
                 extremes = at(speed_rpm, &mut y, work)?;
             }
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
-                let value = level.value(speed_rpm, &extremes);
+                let value = level.value(speed_rpm, &extremes, y);
                 Peak { value, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
             found.put(peak(extremes, speed_rpm, place, &y));
-            if !self.refine {
+            if !followed {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
                 let top = self.top_of_branch((design, quantity, level), &start, reach, work)?;
                 // a branch may be held by the same end of the range
-                let held = place == Place::End
-                    && level.value(speed_rpm, &self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?) >= top.1;
+                let held = place == Place::End && {
+                    let extremes = self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?;
+                    level.value(speed_rpm, &extremes, &y) >= top.1
+                };
                 let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
                 let margin = EDGE * (reach.1 - reach.0);
                 if !held && !(reach.0 + margin..=reach.1 - margin).contains(&at) {
@@ -290,7 +293,7 @@ impl<'a> PeakFinder<'a> {
                 }
                 let extremes = self.on_branch((design, quantity), &start, at, &mut y, work)?;
                 // a smaller range round a higher mean may use more than the whole cycle does: it is no row of its own
-                if level.value(at, &extremes) <= level.value(at, &self.synthesiser.extremes(&y)) * (1.0 + LEVEL) {
+                if level.value(at, &extremes, &y) <= level.value(at, &self.synthesiser.extremes(&y), &y) * (1.0 + LEVEL) {
                     found.put(peak(extremes, at, place, &y));
                 }
             }
@@ -320,7 +323,7 @@ impl<'a> PeakFinder<'a> {
         work: &mut Work,
     ) -> Result<(f64, f64), ResponseError> {
         let mut y = vec![ZERO; self.system.orders()];
-        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| level.value(speed, &e));
+        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| level.value(speed, &e, &y));
         if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 

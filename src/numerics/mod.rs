@@ -3,6 +3,7 @@
 pub mod eigen;
 pub mod enclosing;
 pub mod harmonics;
+pub mod hull;
 pub mod least_squares;
 pub mod maximise;
 pub mod nearest;

@@ -6,6 +6,7 @@ use super::notches::published_factors;
 use super::{Entry, Kind, Role};
 use crate::assess::RunError;
 use crate::assess::margins;
+use crate::design::margin::Torque;
 use crate::design::margin::loads::{CrankLoads, CrankModel};
 use crate::design::{Margin, MarginCriterion, PeakFinder};
 use crate::fatigue::{Criterion, Cycle, Strength};
@@ -149,7 +150,9 @@ fn beside(f: &PublishedFatigue, design: &str, own: Cycle, strength: Strength) ->
 fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<Vec<Entry>, RunError> {
     let conditions: Vec<&str> = ["max_torque", "max_power", "max_speed"].into_iter().filter(|c| speed_of(published, c).is_some()).collect();
     let speeds: Vec<f64> = conditions.iter().filter_map(|c| speed_of(published, c)).collect();
-    let Some(model) = margins::model(study, &Grid::new(&speeds, &[])).filter(|_| !speeds.is_empty()) else { return Ok(Vec::new()) };
+    let Some(model) = margins::model(study, &system.excitation.harmonics, &Grid::new(&speeds, &[])).filter(|_| !speeds.is_empty()) else {
+        return Ok(Vec::new());
+    };
     let criterion = model.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
     let Some(criterion) = criterion else { return Ok(Vec::new()) };
     let mut list = Vec::new();
@@ -206,6 +209,7 @@ fn worst(
     torques: &[Extremes],
 ) -> Option<(String, crate::design::margin::Used)> {
     let own = model.spots.iter().enumerate().filter(|(i, s)| s.place == place && model.judges(criterion, *i));
-    let used = own.map(|(i, s)| (s.name.clone(), model.used(criterion, i, speed_rpm, &torques[s.shaft])));
+    let used =
+        own.map(|(i, s)| (s.name.clone(), model.used(criterion, i, speed_rpm, &Torque { extremes: torques[s.shaft], phasors: &[] })));
     used.reduce(|m, u| if u.1.value > m.1.value { u } else { m })
 }

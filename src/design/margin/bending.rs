@@ -1,5 +1,6 @@
 //! Local bending stress of every spot over the working cycle, at every speed of a sweep.
 
+use super::histories::Section as History;
 use super::loads::{CrankLoads, CrankModel, InPlane};
 use super::{Family, Spot};
 use crate::chain::Chain;
@@ -8,11 +9,22 @@ use crate::fatigue::Cycle;
 use crate::shaft::{Crank, Place};
 use rayon::prelude::*;
 
-/// Rows by speed: bending of the spots, mean torque of the shafts.
-pub type Table = (Vec<Vec<Cycle>>, Vec<Vec<f64>>);
+/// What no absorber changes, in rows by speed.
+#[derive(Debug, Default)]
+pub struct Table {
+    /// Local bending stress of every spot, Pa.
+    pub bending: Vec<Vec<Cycle>>,
+    /// Mean torque of every shaft, N m.
+    pub mean_torque: Vec<Vec<f64>>,
+    /// Loads of the front and rear web of every throw over the cycle, where histories are asked for.
+    pub histories: Vec<Vec<History>>,
+}
 
-/// Local bending stress of every spot, Pa, and mean torque of every shaft, N m: a row a speed. Nothing where the torque comes from a table.
-pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], speeds_rpm: &[f64]) -> Option<Table> {
+/// Every so many samples of the loads are enough for histories: 1° apart.
+const APART: usize = 5;
+
+/// The table. Nothing where the torque comes from a table.
+pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], speeds_rpm: &[f64], with_histories: bool) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
     // spots of one section share its loads
     let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
@@ -32,9 +44,23 @@ pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], spee
                 local[*i] = stress(&spots[*i], &in_plane);
             }
         }
-        (local, mean_torque(chain, &loads))
+        let webs = if with_histories { histories(crank, &loads) } else { Vec::new() };
+        (local, mean_torque(chain, &loads), webs)
     };
-    Some(speeds_rpm.par_iter().map(row).unzip())
+    let rows: Vec<_> = speeds_rpm.par_iter().map(row).collect();
+    let mut table = Table::default();
+    for (bending, mean_torque, histories) in rows {
+        table.bending.push(bending);
+        table.mean_torque.push(mean_torque);
+        table.histories.push(histories);
+    }
+    Some(table)
+}
+
+fn histories(crank: &Crank, loads: &CrankLoads) -> Vec<History> {
+    let webs = (0..crank.throws()).flat_map(|throw| [(throw, false), (throw, true)]);
+    let own = webs.map(|(throw, rear)| loads.web(throw, rear));
+    own.map(|w| [w.moment, w.tangential, w.shear].map(|load| load.into_iter().step_by(APART).collect())).collect()
 }
 
 /// A section of the crank, and how its loads are found.
@@ -54,7 +80,7 @@ impl Section {
             // the rule has no other bending for the middle of the pin
             (_, Place::OilBore) => Self::OwnPin(spot.throw),
             (Family::Rule, _) => Self::OwnWeb(spot.throw, spot.rear),
-            (Family::MeanStress | Family::RuleContinuous, _) => Self::Web(spot.throw, spot.rear),
+            (Family::Nominal | Family::UnitLoads | Family::RuleContinuous, _) => Self::Web(spot.throw, spot.rear),
         }
     }
 

@@ -7,24 +7,32 @@
 //! A journal carries the torque of the shaft on its side. A crankpin carries one between those on both sides (their mean, where its throw is statically
 //! determinate): its fillets are judged with either. Bending across the throw is left out, as in the rule. With a misfire, the vibratory torque is that of the
 //! misfiring engine; bending and mean torque stay those of the firing one, which are larger.
+//!
+//! Multiaxial criteria judge the history itself (`histories`): bending and torque with their phase. Without a mean, and with a torsion limit of 1/sqrt 3 of the bending limit, none is above
+//! what a criterion of amplitudes says.
 
 mod bending;
+pub mod histories;
 pub mod loads;
 mod model;
 pub mod spots;
 
-pub use model::{Margin, Used};
+pub use histories::UnitLoads;
+pub use model::{Margin, Torque, Used};
 pub use spots::{Family, Spot, shafts, stations_of_throws};
 
-use crate::fatigue::{ClassRule, Criterion, Strength, class_rules};
-use crate::shaft::Place;
+use crate::fatigue::multiaxial::Limits;
+use crate::fatigue::{ClassRule, Criterion, Strength, class_rules, multiaxial};
 use crate::shaft::notch::Formulas;
+use crate::shaft::{Crank, Place};
 
 /// A way to judge a cycle of stress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MarginCriterion {
     /// Amplitude and mean, with the factors that the study gives to its fillets.
     MeanStress(Criterion),
+    /// The whole history of the stress tensor, with the same factors or with stresses per unit load.
+    Multiaxial(multiaxial::Criterion),
     /// The class societies' rule, with its own factors and its own bending: one throw between two bearings, statically determinate.
     IacsM53,
     /// The same with bending of the whole crank on all its bearings: not the rule, but what it leaves out.
@@ -36,22 +44,15 @@ impl MarginCriterion {
     pub fn name(self) -> &'static str {
         match self {
             Self::MeanStress(c) => c.name(),
+            Self::Multiaxial(c) => c.name(),
             Self::IacsM53 => "iacs_m53",
             Self::IacsM53Continuous => "iacs_m53_continuous",
         }
     }
 
     /// Column of the smallest margin in tables.
-    pub fn column(self) -> &'static str {
-        match self {
-            Self::MeanStress(Criterion::Goodman) => "margin_goodman",
-            Self::MeanStress(Criterion::Soderberg) => "margin_soderberg",
-            Self::MeanStress(Criterion::Gerber) => "margin_gerber",
-            Self::MeanStress(Criterion::AsmeElliptic) => "margin_asme_elliptic",
-            Self::MeanStress(Criterion::Langer) => "margin_langer",
-            Self::IacsM53 => "margin_iacs_m53",
-            Self::IacsM53Continuous => "margin_iacs_m53_continuous",
-        }
+    pub fn column(self) -> String {
+        format!("margin_{}", self.name())
     }
 
     /// Whether it is the class societies' rule, with either bending.
@@ -60,11 +61,12 @@ impl MarginCriterion {
     }
 
     /// Which spots it judges.
-    fn family(self) -> Family {
+    fn families(self) -> &'static [Family] {
         match self {
-            Self::MeanStress(_) => Family::MeanStress,
-            Self::IacsM53 => Family::Rule,
-            Self::IacsM53Continuous => Family::RuleContinuous,
+            Self::MeanStress(_) => &[Family::Nominal],
+            Self::Multiaxial(_) => &[Family::Nominal, Family::UnitLoads],
+            Self::IacsM53 => &[Family::Rule],
+            Self::IacsM53Continuous => &[Family::RuleContinuous],
         }
     }
 
@@ -75,7 +77,7 @@ impl MarginCriterion {
 }
 
 /// Where the factors of a fillet come from.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum FactorSource {
     /// Given, of the nominal stress in the round section of pin or journal.
     Given {
@@ -86,6 +88,8 @@ pub enum FactorSource {
     },
     /// Formulas; bending on the section of the web.
     Formulas(Formulas),
+    /// Stresses per unit load at some points of the fillet, by name: for multiaxial criteria only.
+    UnitLoads(Vec<(String, UnitLoads)>),
 }
 
 /// What mean bending counts for criteria of mean stress.
@@ -110,6 +114,18 @@ pub struct FilletSpec {
     pub factors: FactorSource,
 }
 
+impl FilletSpec {
+    /// The throws it stands for.
+    fn throws(&self, crank: &Crank) -> std::ops::Range<usize> {
+        self.throw.map_or(0..crank.throws(), |t| t..t + 1)
+    }
+
+    /// Its name on one of them.
+    fn name_of(&self, throw: usize) -> String {
+        if self.throw.is_some() { self.name.clone() } else { format!("{}_{}", self.name, throw + 1) }
+    }
+}
+
 /// What a study says of fatigue.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FatigueSpec {
@@ -117,6 +133,8 @@ pub struct FatigueSpec {
     pub criteria: Vec<MarginCriterion>,
     /// Of the part, endurance factors included.
     pub strength: Strength,
+    /// Of the part for multiaxial criteria, where there are any.
+    pub limits: Option<Limits>,
     /// What mean bending counts for.
     pub mean_bending: MeanBending,
     /// Whether factors are lessened by the notch sensitivity of the material.

@@ -1,6 +1,7 @@
 //! Spots of a crank that are judged: fillets of every web and outlets of oil bores, with their factors and the shafts whose torque they carry.
 
-use super::{FactorSource, FatigueSpec, MarginCriterion};
+use super::histories::UnitLoads;
+use super::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion};
 use crate::chain::Chain;
 use crate::fatigue::endurance;
 use crate::shaft::notch::{Factors, Formulas};
@@ -9,8 +10,10 @@ use crate::shaft::{Concentration, Crank, Place, section};
 /// What judges a spot, and by which bending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
-    /// Criteria of mean stress: the whole crank on all its bearings.
-    MeanStress,
+    /// Criteria of mean stress and multiaxial ones, with factors of nominal stress: the whole crank on all its bearings.
+    Nominal,
+    /// Multiaxial criteria, with stresses per unit load: the whole crank on all its bearings.
+    UnitLoads,
     /// The class rule: one throw on its own bearings.
     Rule,
     /// The class rule with the whole crank on all its bearings.
@@ -19,7 +22,7 @@ pub enum Family {
 
 impl Family {
     /// All of them, in the order of their numbers.
-    pub(super) const ALL: [Self; 3] = [Self::MeanStress, Self::Rule, Self::RuleContinuous];
+    pub(super) const ALL: [Self; 4] = [Self::Nominal, Self::UnitLoads, Self::Rule, Self::RuleContinuous];
 }
 
 /// A fillet (or oil bore) of one web.
@@ -41,6 +44,8 @@ pub struct Spot {
     pub(super) radial: f64,
     /// Local shear stress per torque, 1/m³.
     pub(super) torsion: f64,
+    /// Stresses per unit load, instead of the nominal ones.
+    pub(super) unit_loads: Option<UnitLoads>,
     /// Whose it is.
     pub family: Family,
     /// Of the class rule: allowable amplitude, Pa.
@@ -98,7 +103,7 @@ fn away(rear: bool) -> f64 {
 /// All spots of a study; nothing where a throw has no shaft beside it.
 pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<Spot>> {
     let mut list = Vec::new();
-    let mean_stress = spec.criteria.iter().any(|c| !c.is_class_rule());
+    let by_fillets = spec.criteria.iter().any(|c| !c.is_class_rule());
     let notch = crank.notch();
     let sensitive = |factor: f64, radius: f64, torsion: bool| {
         let q = if spec.notch_sensitivity { endurance::notch_sensitivity(radius, spec.strength.tensile, torsion) } else { 1.0 };
@@ -110,23 +115,26 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
     };
     let web = section::web_bending(crank.web_breadth, crank.bearing_web());
     let compression = section::web_compression(crank.web_breadth, crank.bearing_web());
-    for fillet in spec.fillets.iter().filter(|_| mean_stress) {
+    for fillet in spec.fillets.iter().filter(|_| by_fillets) {
         let (radius, round) = match fillet.place {
             Place::Journal => (crank.journal_fillet, section::bending(crank.journal_diameter, crank.journal_bore)),
             _ => (crank.pin_fillet, section::bending(crank.pin_diameter, crank.pin_bore)),
         };
-        let (nominal, factors) = match fillet.factors {
-            FactorSource::Given { bending, torsion } => (round, Factors { bending, radial: 0.0, torsion }),
+        let (nominal, factors) = match &fillet.factors {
+            FactorSource::Given { bending, torsion } => (round, Factors { bending: *bending, radial: 0.0, torsion: *torsion }),
+            FactorSource::UnitLoads(points) => {
+                list.extend(points_of(chain, crank, fillet, points)?);
+                continue;
+            }
             FactorSource::Formulas(formulas) => {
-                let all = Concentration::new(&notch, formulas);
+                let all = Concentration::new(&notch, *formulas);
                 (web, if fillet.place == Place::Journal { all.journal } else { all.crankpin })
             }
         };
-        let throws = fillet.throw.map_or(0..crank.throws(), |t| t..t + 1);
-        for throw in throws {
+        for throw in fillet.throws(crank) {
             for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
                 list.push(Spot {
-                    name: if fillet.throw.is_some() { fillet.name.clone() } else { format!("{}_{}", fillet.name, throw + 1) },
+                    name: fillet.name_of(throw),
                     throw,
                     rear,
                     place: fillet.place,
@@ -134,7 +142,8 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
                     bending: [tension(fillet.place) * nominal * sensitive(factors.bending, radius, false), 0.0],
                     radial: tension(fillet.place) * away(rear) * compression * factors.radial,
                     torsion: torsion(fillet.place) * sensitive(factors.torsion, radius, true),
-                    family: Family::MeanStress,
+                    unit_loads: None,
+                    family: Family::Nominal,
                     allowable: None,
                 });
             }
@@ -162,10 +171,40 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
                         bending: nominal.map(|n| tension(*place) * n * factors.bending),
                         radial: tension(*place) * away(rear) * compression * factors.radial,
                         torsion: torsion(*place) * factors.torsion,
+                        unit_loads: None,
                         family,
                         allowable: Some(spec.rule.fatigue_strength(*diameter, *radius, *place == Place::OilBore)),
                     });
                 }
+            }
+        }
+    }
+    Some(list)
+}
+
+/// Spots with stresses per unit load: every point on the webs of its fillet.
+fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(String, UnitLoads)]) -> Option<Vec<Spot>> {
+    let mut list = Vec::new();
+    for throw in fillet.throws(crank) {
+        for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
+            for (point, unit_loads) in points {
+                // the table is of a front web; the rear one is its mirror image, in which shear force and torque have the other sign
+                let mirrored = |tensor: [f64; 6]| tensor.map(|s| away(rear) * s);
+                let unit_loads = UnitLoads { shear: mirrored(unit_loads.shear), torque: mirrored(unit_loads.torque), ..*unit_loads };
+                let name = fillet.name_of(throw);
+                list.push(Spot {
+                    name: if points.len() == 1 { name } else { format!("{name}:{point}") },
+                    throw,
+                    rear,
+                    place: fillet.place,
+                    shaft,
+                    bending: [0.0; 2],
+                    radial: 0.0,
+                    torsion: 0.0,
+                    unit_loads: Some(unit_loads),
+                    family: Family::UnitLoads,
+                    allowable: None,
+                });
             }
         }
     }

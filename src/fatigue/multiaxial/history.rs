@@ -24,6 +24,13 @@ impl History {
         history
     }
 
+    /// A plane state of one normal stress and its shear: xx and xy.
+    pub fn plane_state(xx: Vec<f64>, xy: Vec<f64>) -> Self {
+        let none = || vec![0.0; xx.len()];
+        let [yy, zz, yz, zx] = [none(), none(), none(), none()];
+        Self { components: [xx, yy, zz, xy, yz, zx] }
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.components[0].len()
@@ -60,15 +67,7 @@ impl History {
 
     /// The deviator as a vector of five dimensions whose length is sqrt(J2), \[Minucci 2010\] eq. (4.20): one row a dimension, Pa.
     pub fn deviator(&self) -> [Vec<f64>; 5] {
-        let root = 3f64.sqrt();
-        let weights: [Weights; 5] = [
-            [1.0 / root, -0.5 / root, -0.5 / root, 0.0, 0.0, 0.0],
-            [0.0, 0.5, -0.5, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
-            [0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
-        ];
-        weights.map(|w| {
+        deviator_weights().map(|w| {
             let mut row = Vec::new();
             self.project(&w, &mut row);
             row
@@ -86,6 +85,22 @@ impl History {
     pub fn every(&self, stride: usize) -> Self {
         Self { components: self.components.each_ref().map(|c| c.iter().step_by(stride).copied().collect()) }
     }
+}
+
+fn deviator_weights() -> [Weights; 5] {
+    let root = 3f64.sqrt();
+    [
+        [1.0 / root, -0.5 / root, -0.5 / root, 0.0, 0.0, 0.0],
+        [0.0, 0.5, -0.5, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        [0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    ]
+}
+
+/// The deviator of one tensor in the same five dimensions.
+pub fn deviator_of(tensor: &[f64; 6]) -> [f64; 5] {
+    deviator_weights().map(|w| w.iter().zip(tensor).map(|(w, t)| w * t).sum())
 }
 
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]

@@ -21,6 +21,7 @@
 //!
 //! Out of phase, criteria of the critical plane and of the invariants disagree by up to some ten per cent.
 
+pub mod bound;
 pub mod climb;
 pub mod history;
 pub mod invariants;

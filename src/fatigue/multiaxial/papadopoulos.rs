@@ -6,10 +6,11 @@ use crate::numerics::quadrature::gauss_legendre;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Nodes over the height of a hemisphere, planes round it, directions on half a turn of a plane: 1e-4 of the mean.
-const HEIGHTS: usize = 8;
-const ROUND: usize = 16;
-const DIRECTIONS: usize = 8;
+/// Nodes over the height of a hemisphere, planes round it, directions on half a turn of a plane. Odd numbers: the planes and directions of even ones pair off, and say less. Within 0.1 %
+/// of a rule of 65 536 on histories that no symmetry helps, within 2e-5 in bending and torsion.
+const HEIGHTS: usize = 6;
+const ROUND: usize = 17;
+const DIRECTIONS: usize = 7;
 
 /// Weights of the resolved shear stress in the components, with those of the mean.
 static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
@@ -28,6 +29,12 @@ static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
     }
     rule
 });
+
+/// Of a plane state whose xx stays within an amplitude s and whose xy stays within t, whatever their phase: at least sqrt(5 <T_a²>), Pa.
+pub fn at_most(s: f64, t: f64) -> f64 {
+    static CROSSED: LazyLock<f64> = LazyLock::new(|| RULE.iter().map(|(w, share)| 5.0 * share * (w[0] * w[3]).abs()).sum());
+    (s * s / 3.0 + t * t + 2.0 * *CROSSED * s * t).sqrt()
+}
 
 /// sqrt(5 <T_a²>), Pa.
 pub fn mean_shear(history: &History) -> f64 {

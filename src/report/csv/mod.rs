@@ -202,12 +202,12 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "ring_inertia_kg_m2",
         "stiffness_n_m_per_rad",
         "damping_n_m_s_per_rad",
-        study.objective.column,
+        &study.objective.column,
         "kkt_residual",
         "limits_hold",
         "dominated",
     ];
-    header.extend(study.more_objectives.iter().map(|o| o.column));
+    header.extend(study.more_objectives.iter().map(|o| o.column.as_str()));
     let mut table = Table::new(&header);
     for front in &results.fronts {
         for (point, others) in front.front.points.iter().zip(&front.others) {

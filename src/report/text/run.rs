@@ -83,7 +83,7 @@ pub fn designs(study: &Study, results: &Results) -> String {
         "lost/W",
     ];
     if other_objective(study) {
-        header.push(study.objective.column);
+        header.push(&study.objective.column);
     }
     let all = results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     let rows: Vec<Vec<String>> = all.map(|d| design_row(study, results, d)).collect();

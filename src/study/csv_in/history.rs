@@ -1,16 +1,14 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
 use super::shown;
+use super::stream::Stream;
 use crate::fatigue::multiaxial::History;
-use crate::study::input_error::{InputError, Mistake, Place};
+use crate::study::input_error::InputError;
 use crate::units::{DEG_PER_REV, PA_PER_MPA};
 use std::collections::HashSet;
-use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Columns of a history, in this order or another.
-const COLUMNS: [&str; 8] = ["point", "crank_deg", "sxx_mpa", "syy_mpa", "szz_mpa", "sxy_mpa", "syz_mpa", "szx_mpa"];
 /// Angles are as equal as this, degrees.
 const EQUAL_DEG: f64 = 1e-6;
 /// The end of a cycle is its beginning again to this share of the largest stress.
@@ -29,10 +27,7 @@ pub struct PointHistory {
 
 /// Reads a table of histories. Rows of a point follow each other; all points have the same angles.
 pub struct HistoryReader {
-    path: PathBuf,
-    rows: csv::StringRecordsIntoIter<File>,
-    /// Cell of each of [`COLUMNS`].
-    places: [usize; 8],
+    stream: Stream,
     /// First row of the next point, already read.
     waiting: Option<Row>,
     /// Angles of the first point.
@@ -55,61 +50,21 @@ impl HistoryReader {
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
     pub fn open(path: &Path) -> Result<Self, InputError> {
-        let whole = |message: String| InputError::from(Mistake { message, place: Place::File(path.to_path_buf()), help: None });
-        if !path.is_file() {
-            return Err(whole(if path.exists() { "found no file there, expected a table".into() } else { "file not found".into() }));
-        }
-        let file = File::open(path).map_err(|e| whole(format!("cannot be read: {e}")))?;
-        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).comment(Some(b'#')).from_reader(file);
-        let header = reader.headers().map_err(|e| whole(format!("the header could not be read: {e}")))?.clone();
-        let mut places = [0; 8];
-        for (place, name) in places.iter_mut().zip(COLUMNS) {
-            let found: Vec<usize> = (0..header.len()).filter(|i| header[*i].trim_start_matches('\u{feff}') == name).collect();
-            let wrong = match found.as_slice() {
-                [one] => {
-                    *place = *one;
-                    continue;
-                }
-                [] => format!("found no column `{name}`, expected {}", COLUMNS.join(", ")),
-                _ => format!("found column `{name}` a second time"),
-            };
-            let place = Place::Cell { path: path.to_path_buf(), row: 1, column: name.to_owned() };
-            return Err(Mistake { message: wrong, place, help: None }.into());
-        }
-        let rows = reader.into_records();
-        let path = path.to_path_buf();
-        Ok(Self { path, rows, places, waiting: None, angles: Vec::new(), seen: HashSet::new(), ended: false })
+        let stream = Stream::open(path, ["point", "crank_deg"])?;
+        Ok(Self { stream, waiting: None, angles: Vec::new(), seen: HashSet::new(), ended: false })
     }
 
     fn at(&self, line: u64, column: usize, message: String) -> InputError {
-        Mistake { message, place: Place::Cell { path: self.path.clone(), row: line, column: COLUMNS[column].to_owned() }, help: None }
-            .into()
+        self.stream.at(line, column, message)
     }
 
     fn row(&mut self) -> Result<Option<Row>, InputError> {
         if let Some(row) = self.waiting.take() {
             return Ok(Some(row));
         }
-        let Some(record) = self.rows.next() else { return Ok(None) };
-        let record = record.map_err(|e| {
-            let line = e.position().map_or(0, csv::Position::line);
-            self.at(line, 0, format!("the table could not be read: {e}"))
-        })?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let cell = |c: usize| record.get(self.places[c]).unwrap_or("");
-        let number = |c: usize| match cell(c).parse::<f64>() {
-            Ok(x) if x.abs() <= 1e20 => Ok(x),
-            _ => Err(self.at(line, c, format!("found `{}`, expected a number up to 1e20", shown(cell(c))))),
-        };
-        let name = cell(0).to_owned();
-        if name.is_empty() {
-            return Err(self.at(line, 0, "found an empty cell, expected the name of a point".into()));
-        }
-        let mut tensor = [0.0; 6];
-        for (i, t) in tensor.iter_mut().enumerate() {
-            *t = number(i + 2)? * PA_PER_MPA;
-        }
-        Ok(Some(Row { line, name, angle: number(1)?, tensor }))
+        let Some((line, record)) = self.stream.next()? else { return Ok(None) };
+        let name = self.stream.name(line, &record, 0, "point")?;
+        Ok(Some(Row { line, name, angle: self.stream.number(line, &record, 1)?, tensor: self.stream.tensor(line, &record)? }))
     }
 
     /// The next point; nothing after the last.

@@ -2,11 +2,14 @@
 
 mod history;
 mod published;
+mod stream;
 mod torque;
+mod unit_loads;
 
 pub use history::{HistoryReader, PointHistory};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use torque::{pressure_traces, torque_harmonics};
+pub use unit_loads::{UnitLoadReader, UnitPoint};
 
 use super::input_error::{InputError, Mistake, Place, read_bytes};
 use std::path::{Path, PathBuf};

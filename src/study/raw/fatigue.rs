@@ -30,6 +30,18 @@ pub enum RawCriterion {
     IacsM53,
     #[serde(rename = "iacs_m53_continuous")]
     IacsM53Continuous,
+    Matake,
+    #[serde(rename = "mcdiarmid")]
+    McDiarmid,
+    DangVanThesis,
+    DangVanPlane,
+    DangVanMesoscopic,
+    Sines,
+    Crossland,
+    KakunoKawada,
+    KakunoKawadaConsistent,
+    Findley,
+    Papadopoulos,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
@@ -47,6 +59,7 @@ pub struct RawMaterial {
     pub yield_strength_mpa: Option<At<f64>>,
     pub bending_fatigue_limit_mpa: Option<At<f64>>,
     pub torsion_fatigue_limit_mpa: Option<At<f64>>,
+    pub repeated_bending_fatigue_limit_mpa: Option<At<f64>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -115,6 +128,7 @@ pub enum RawPlace {
 #[serde(rename_all = "snake_case")]
 pub enum RawFactors {
     Given(RawGiven),
+    UnitLoads(At<String>),
     IacsM53,
     #[serde(rename = "fvv_1973")]
     Fvv1973,

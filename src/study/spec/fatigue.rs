@@ -1,18 +1,22 @@
 //! Fatigue: material, criteria, fillets.
 
-use crate::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
+use super::table;
+use crate::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, UnitLoads};
 use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture, STRENGTHS};
 use crate::fatigue::endurance::{self, Endurance, HOTTEST, Loading, RELIABILITIES, Surface};
+use crate::fatigue::multiaxial::{Criterion as Multiaxial, Limits};
 use crate::fatigue::{ClassRule, Criterion, Strength};
 use crate::shaft::notch::Formulas;
 use crate::shaft::{Crank, Place};
-use crate::study::input_error::{At, Check};
+use crate::study::csv_in::{UnitLoadReader, UnitPoint};
+use crate::study::input_error::{At, Check, InputError};
 use crate::study::raw::fatigue::{
     RawCriterion, RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawMeanBending, RawPlace,
     RawSurface,
 };
 use crate::units::PA_PER_MPA;
 use std::collections::HashSet;
+use std::path::Path;
 
 /// Largest factor that is not a slip of the pen.
 const LARGEST_FACTOR: f64 = 20.0;
@@ -27,12 +31,23 @@ impl From<RawCriterion> for MarginCriterion {
             RawCriterion::Langer => Self::MeanStress(Criterion::Langer),
             RawCriterion::IacsM53 => Self::IacsM53,
             RawCriterion::IacsM53Continuous => Self::IacsM53Continuous,
+            RawCriterion::Matake => Self::Multiaxial(Multiaxial::Matake),
+            RawCriterion::McDiarmid => Self::Multiaxial(Multiaxial::McDiarmid),
+            RawCriterion::DangVanThesis => Self::Multiaxial(Multiaxial::DangVanThesis),
+            RawCriterion::DangVanPlane => Self::Multiaxial(Multiaxial::DangVanPlane),
+            RawCriterion::DangVanMesoscopic => Self::Multiaxial(Multiaxial::DangVanMesoscopic),
+            RawCriterion::Sines => Self::Multiaxial(Multiaxial::Sines),
+            RawCriterion::Crossland => Self::Multiaxial(Multiaxial::Crossland),
+            RawCriterion::KakunoKawada => Self::Multiaxial(Multiaxial::KakunoKawada),
+            RawCriterion::KakunoKawadaConsistent => Self::Multiaxial(Multiaxial::KakunoKawadaConsistent),
+            RawCriterion::Findley => Self::Multiaxial(Multiaxial::Findley),
+            RawCriterion::Papadopoulos => Self::Multiaxial(Multiaxial::Papadopoulos),
         }
     }
 }
 
-/// The table, or nothing where a mistake leaves none. Whether formulas for the factors are needed comes with it.
-pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -> Option<FatigueSpec> {
+/// The table, or nothing where a mistake leaves none. Paths are relative to `folder`.
+pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
     let Some(crank) = crank else {
         check.wrong(raw, "found [fatigue] for an engine without [crank], expected its dimensions in the engine file");
         return None;
@@ -40,8 +55,25 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -
     let raw = raw.get_ref();
     let before = check.mistakes.len();
     let criteria = criteria(check, raw, crank);
-    let strength = strength(check, raw, &criteria, crank);
-    let fillets = if raw.fillet.is_empty() { every_fillet() } else { fillets(check, &raw.fillet, crank) };
+    let (strength, limits) = strength(check, raw, &criteria, crank);
+    let fillets = if raw.fillet.is_empty() { every_fillet() } else { fillets(check, &raw.fillet, crank, folder) };
+    for (f, spec) in raw.fillet.iter().zip(&fillets) {
+        if matches!(spec.factors, FactorSource::UnitLoads(_)) && limits.is_none() {
+            check.wrong(
+                &f.factors,
+                "found stresses per unit load without a multiaxial criterion, expected one like `crossland`: others need factors",
+            );
+        }
+    }
+    let nominal = fillets.is_empty() || fillets.iter().any(|f| !matches!(f.factors, FactorSource::UnitLoads(_)));
+    if let (false, Some(c)) =
+        (nominal, raw.criteria.get_ref().iter().find(|c| matches!(MarginCriterion::from(*c.get_ref()), MarginCriterion::MeanStress(_))))
+    {
+        check.wrong(
+            c,
+            "found a criterion of mean stress where every fillet has stresses per unit load, expected a fillet with factors for it",
+        );
+    }
     let add = raw.iacs_m53.additional_bending_mpa.as_ref();
     let rule = ClassRule {
         manufacture: match raw.iacs_m53.manufacture {
@@ -63,7 +95,7 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>) -
         let at = &raw.material.tensile_strength_mpa;
         check.wrong(at, format!("found {} MPa, expected a tensile strength from {low} to {high} MPa for `iacs_m53`", at.get_ref()));
     }
-    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, mean_bending, notch_sensitivity, fillets, rule })
+    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, limits, mean_bending, notch_sensitivity, fillets, rule })
 }
 
 /// What only criteria of mean stress read must not stand without one.
@@ -105,8 +137,15 @@ fn criteria(check: &mut Check, raw: &RawFatigue, crank: &Crank) -> Vec<MarginCri
     list
 }
 
-fn strength(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], crank: &Crank) -> Strength {
-    let RawMaterial { tensile_strength_mpa, yield_strength_mpa, bending_fatigue_limit_mpa, torsion_fatigue_limit_mpa } = &raw.material;
+/// Strengths, and the limits of multiaxial criteria where there are any.
+fn strength(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], crank: &Crank) -> (Strength, Option<Limits>) {
+    let RawMaterial {
+        tensile_strength_mpa,
+        yield_strength_mpa,
+        bending_fatigue_limit_mpa,
+        torsion_fatigue_limit_mpa,
+        repeated_bending_fatigue_limit_mpa,
+    } = &raw.material;
     let tensile = check.positive(tensile_strength_mpa);
     let below = |check: &mut Check, value: &Option<At<f64>>, what: &str, most: f64, of: &str| {
         let x = value.as_ref().map(|v| check.positive(v))?;
@@ -119,7 +158,8 @@ fn strength(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], c
     let limit = below(check, bending_fatigue_limit_mpa, "bending fatigue limit", tensile, "tensile strength");
     let most = limit.unwrap_or(tensile);
     let of = if limit.is_some() { "bending fatigue limit" } else { "tensile strength" };
-    let _for_multiaxial_criteria = below(check, torsion_fatigue_limit_mpa, "torsion fatigue limit", most, of);
+    let torsion = below(check, torsion_fatigue_limit_mpa, "torsion fatigue limit", most, of);
+    let repeated = below(check, repeated_bending_fatigue_limit_mpa, "repeated bending fatigue limit", most, of);
     for c in criteria {
         if let MarginCriterion::MeanStress(line) = c
             && line.needs_yield()
@@ -132,11 +172,43 @@ fn strength(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], c
         }
     }
     let mut fatigue_limit = limit.map_or_else(|| endurance::estimated_limit(tensile * PA_PER_MPA), |l| l * PA_PER_MPA);
+    let polished = fatigue_limit;
     if let Some(e) = &raw.endurance {
         let factors = endurance(check, e, crank).factors(tensile * PA_PER_MPA);
         fatigue_limit *= factors.iter().product::<f64>();
     }
-    Strength { tensile: tensile * PA_PER_MPA, yielding: yielding.map(|y| y * PA_PER_MPA), fatigue_limit }
+    // what lessens one fatigue limit of the part lessens them all
+    let lessened = fatigue_limit / polished;
+    let tensile = tensile * PA_PER_MPA;
+    let limits = torsion.map(|t| Limits {
+        tensile,
+        bending: fatigue_limit,
+        torsion: t * PA_PER_MPA * lessened,
+        repeated_bending: repeated.map_or_else(|| Limits::goodman_repeated(fatigue_limit, tensile), |r| r * PA_PER_MPA * lessened),
+    });
+    let asked = multiaxial(check, raw, criteria, limits.as_ref());
+    (Strength { tensile, yielding: yielding.map(|y| y * PA_PER_MPA), fatigue_limit }, limits.filter(|_| asked))
+}
+
+/// Whether a multiaxial criterion is asked for; each needs a torsion limit, and a constant.
+fn multiaxial(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion], limits: Option<&Limits>) -> bool {
+    let mut asked = false;
+    for (at, criterion) in raw.criteria.get_ref().iter().zip(criteria) {
+        let MarginCriterion::Multiaxial(criterion) = criterion else { continue };
+        asked = true;
+        let Some(limits) = limits else {
+            let words = format!(
+                "found `{}` without a torsion fatigue limit, expected `torsion_fatigue_limit_mpa` in the material",
+                criterion.name()
+            );
+            check.wrong(at, words);
+            continue;
+        };
+        if let Err(undefined) = criterion.weight(limits) {
+            check.wrong(at, format!("found a criterion without a constant: {undefined}"));
+        }
+    }
+    asked
 }
 
 fn endurance(check: &mut Check, raw: &RawEndurance, crank: &Crank) -> Endurance {
@@ -164,6 +236,18 @@ fn endurance(check: &mut Check, raw: &RawEndurance, crank: &Crank) -> Endurance 
     }
 }
 
+/// Loads of a web for which a table may have stresses: moments in the plane of the throw and across it, shear force in the plane, torque.
+const UNIT_LOADS: [&str; 4] = ["moment_n_m", "tangential_moment_n_m", "shear_n", "torque_n_m"];
+
+/// Stresses per unit load at the points of a table.
+fn unit_loads(check: &mut Check, file: &At<String>, folder: &Path) -> Vec<(String, UnitLoads)> {
+    let read = |path: &Path| -> Result<Vec<(String, UnitLoads)>, InputError> {
+        let point = |(name, t): UnitPoint| (name, UnitLoads { moment: t[0], tangential: t[1], shear: t[2], torque: t[3] });
+        UnitLoadReader::open(path, &UNIT_LOADS.map(str::to_owned))?.map(|p| p.map(point)).collect()
+    };
+    table(check, file, folder, read).unwrap_or_default()
+}
+
 /// Crankpin and journal of every throw, with the factors of the class rule.
 fn every_fillet() -> Vec<FilletSpec> {
     let one =
@@ -171,7 +255,7 @@ fn every_fillet() -> Vec<FilletSpec> {
     vec![one(Place::Crankpin), one(Place::Journal)]
 }
 
-fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank) -> Vec<FilletSpec> {
+fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank, folder: &Path) -> Vec<FilletSpec> {
     let mut names = HashSet::new();
     let mut list = Vec::new();
     for f in raw {
@@ -203,6 +287,7 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank) -> Vec<FilletSpe
                 let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");
                 FactorSource::Given { bending: factor(&given.bending), torsion: factor(&given.torsion) }
             }
+            RawFactors::UnitLoads(file) => FactorSource::UnitLoads(unit_loads(check, file, folder)),
             RawFactors::IacsM53 => FactorSource::Formulas(Formulas::IacsM53),
             RawFactors::Fvv1973 => FactorSource::Formulas(Formulas::Fvv1973),
         };

@@ -155,9 +155,10 @@ pub(super) fn resolve(
         (None, Some(a)) => a.station,
         (None, None) => 0,
     };
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let fatigue = study.fatigue.as_ref().and_then(|f| {
         check_throws(&mut check, f, &chain);
-        let spec = fatigue::resolve(&mut check, f, crank.as_ref())?;
+        let spec = fatigue::resolve(&mut check, f, crank.as_ref(), folder)?;
         if let (Some(raw), Some(crank), true) = (&raw_engine.crank, &crank, fatigue::needs_formulas(&spec)) {
             crank::check_ranges(&mut in_engine, raw.get_ref(), crank);
         }
@@ -180,7 +181,6 @@ pub(super) fn resolve(
         .as_ref()
         .map_or(DEFAULT_TOLERANCE, |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)"));
     let front = optimise::front(&mut check, study, optimise.as_ref(), &chain, &modes);
-    let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(&mut check, c, &engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
     let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();

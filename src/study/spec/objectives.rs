@@ -26,7 +26,7 @@ pub struct ObjectiveSpec {
     /// The measure.
     pub measure: Measure,
     /// Its column in tables, unit included.
-    pub column: &'static str,
+    pub column: String,
     /// In words, for titles.
     pub label: String,
     /// Its unit.
@@ -34,7 +34,7 @@ pub struct ObjectiveSpec {
     /// Whether it is a twist.
     pub is_twist: bool,
     /// A word for names of optima.
-    pub word: &'static str,
+    pub word: String,
 }
 
 fn over(raw: RawOver) -> Over {
@@ -145,11 +145,11 @@ fn spec(chain: &Chain, quantities: Vec<Quantity>, over: Over, kind: Kind) -> Obj
     };
     ObjectiveSpec {
         measure: Measure { quantities, over },
-        column,
+        column: column.into(),
         label: format!("{prefix} {of}"),
         unit: if kind == Kind::Torque { UnitOf::Torque } else { UnitOf::Angle },
         is_twist: kind == Kind::Twist,
-        word,
+        word: word.into(),
     }
 }
 
@@ -157,7 +157,7 @@ fn margin_spec(chain: &Chain, index: usize, fatigue: &FatigueSpec) -> ObjectiveS
     let column = fatigue.criteria[index].column();
     ObjectiveSpec {
         measure: Measure { quantities: crank_torques(chain), over: Over::Margin(index) },
-        column,
+        column: column.clone(),
         label: format!("smallest margin by {}", fatigue.criteria[index].name()),
         unit: UnitOf::Margin,
         is_twist: false,

@@ -120,9 +120,9 @@ fn gradients_of_margins() {
     for name in ENGINES {
         let case = Case::new(short(name));
         for (measure, criterion) in margins::measures(&case.study).iter().zip(&case.margin.criteria) {
-            // the centre of Dang Van's ball jumps from one way of moving to another: a peak over speed may sit on such a ridge, where the speed moves with the design
+            // peaks of Dang Van's sum on ridges are found again for a slightly other design
             let on_ridges = *criterion == MarginCriterion::Multiaxial(Multiaxial::DangVanMesoscopic);
-            let tolerance = if on_ridges { 0.1 } else { 2e-3 };
+            let tolerance = if on_ridges { 0.05 } else { 2e-3 };
             for _ in 0..4 {
                 let design = random_absorber(&mut random, name);
                 case.with(|finder| {

@@ -56,6 +56,11 @@ impl<'a> Level<'a> {
         matches!(self, Self::Used { margin, criterion, .. } if margin.is_multiaxial(*criterion))
     }
 
+    /// Whether its peaks over speed may sit on ridges.
+    pub fn has_ridges(&self) -> bool {
+        matches!(self, Self::Used { margin, criterion, .. } if margin.has_ridges(*criterion))
+    }
+
     /// No value is above this where half peak-to-peak and size of the middle are not above these.
     pub fn at_most(&self, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
         match self {
@@ -107,4 +112,4 @@ impl<'a> Level<'a> {
 }
 
 /// Steps of differences, relative to the size of the sum: their error is its square.
-const DIFFERENCE: f64 = 1e-5;
+pub const DIFFERENCE: f64 = 1e-5;

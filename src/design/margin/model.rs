@@ -105,6 +105,12 @@ impl Margin {
         matches!(self.criteria[criterion], MarginCriterion::Multiaxial(_))
     }
 
+    /// Whether the share that is used has ridges: Dang Van's sums take distances to the centre of a ball, which moves abruptly.
+    pub fn has_ridges(&self, criterion: usize) -> bool {
+        let by = self.criteria[criterion];
+        [multiaxial::Criterion::DangVanPlane, multiaxial::Criterion::DangVanMesoscopic].map(MarginCriterion::Multiaxial).contains(&by)
+    }
+
     /// Whether a spot is judged by a criterion.
     pub fn judges(&self, criterion: usize, spot: usize) -> bool {
         self.criteria[criterion].families().contains(&self.spots[spot].family)

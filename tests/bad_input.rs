@@ -78,11 +78,13 @@ fn studies() {
 #[test]
 fn cranks() {
     let (study, engine) = (read(&folder().join("crank_study.toml")), read(&folder().join("crank_engine.toml")));
+    let (units, unknown) = (read(&folder().join("units.csv")), read(&folder().join("unknown.csv")));
     for case in cases("crank", "toml") {
         let of_engine = case.file_name().is_some_and(|n| n.to_string_lossy().starts_with("engine"));
         let own = read(&case);
         let (engine, study) = if of_engine { (&own, &study) } else { (&engine, &own) };
-        compare(&case, &error(&[("engine.toml", engine.as_bytes()), ("study.toml", study.as_bytes())]));
+        let files = [("engine.toml", engine), ("study.toml", study), ("units.csv", &units), ("unknown.csv", &unknown)];
+        compare(&case, &error(&files.map(|(name, text)| (name, text.as_bytes()))));
     }
 }
 
@@ -104,6 +106,29 @@ fn histories_and_materials() {
         compare(&case, &String::from_utf8_lossy(&assert.get_output().stderr));
         let written = fs::read_dir(place.path().join("out/history")).map_or(0, Iterator::count);
         assert_eq!(written, 0, "{}", case.display());
+    }
+}
+
+/// Stresses per unit load and loads of `hartog fatigue`: `units/*.csv` with `loads.csv`, `loads/*.csv` with `units.csv`; the two together are right.
+#[test]
+fn unit_loads() {
+    let all =
+        [("units", "loads"), ("loads", "units")].map(|(kind, other)| cases(kind, "csv").into_iter().map(move |case| (case, kind, other)));
+    for (case, kind, other) in all.into_iter().flatten().chain([(folder().join("units.csv"), "units", "loads")]) {
+        let place = tempfile::tempdir().expect("folder");
+        fs::copy(&case, place.path().join(format!("{kind}.csv"))).expect("copied");
+        for name in [format!("{other}.csv"), "material.toml".into()] {
+            fs::copy(folder().join(&name), place.path().join(&name)).expect("copied");
+        }
+        let arguments = ["fatigue", "--unit-loads", "units.csv", "--loads", "loads.csv", "--material", "material.toml"];
+        let output = Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(arguments).output().expect("run");
+        if case.parent() == Some(&folder()) {
+            assert_eq!(output.status.code(), Some(0));
+            continue;
+        }
+        assert_eq!(output.status.code(), Some(2), "{}", case.display());
+        assert!(output.stdout.is_empty());
+        compare(&case, &String::from_utf8_lossy(&output.stderr));
     }
 }
 

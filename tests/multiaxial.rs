@@ -1,10 +1,11 @@
 //! Multiaxial criteria: enclosing balls, closed forms under bending and torsion, calibration, axes, and a brute-force search.
 
 use crate::support::assert_close;
-use hartog::fatigue::multiaxial::invariants::Invariants;
+use hartog::fatigue::multiaxial::invariants::{self, Invariants};
 use hartog::fatigue::multiaxial::plane::{Amplitude, Plane, Scratch};
 use hartog::fatigue::multiaxial::{Criterion, Grid, History, Limits, evaluate, papadopoulos};
 use hartog::numerics::enclosing::{Ball, smallest_ball};
+use hartog::numerics::hull::hull;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
@@ -82,6 +83,30 @@ fn balls_of_random_points() {
         let five: Vec<[f64; 5]> = (0..n).map(|_| std::array::from_fn(&mut value)).collect();
         check_ball(&plane);
         check_ball(&five);
+    }
+}
+
+/// Law: the hull has corners only, in order, and holds every point; one point and points on a line leave one and two corners.
+#[test]
+fn hulls() {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(15);
+    assert_eq!(hull(&[2.0; 5], &[1.0; 5]).len(), 1);
+    assert_eq!(hull(&[0.0, 1.0, 2.0, 3.0], &[1.0, 3.0, 5.0, 7.0]).len(), 2);
+    assert_eq!(hull(&[0.0, 1.0, 1.0, 0.0, 0.5, 1.0], &[0.0, 0.0, 1.0, 1.0, 0.5, 0.5]).len(), 4);
+    for case in 0..500 {
+        let n = random.random_range(3..200);
+        let mut value = |size: f64| if case % 3 == 0 { random.random_range(-3i32..4).into() } else { random.random_range(-size..size) };
+        let (x, y): (Vec<f64>, Vec<f64>) = (0..n).map(|_| (value(1.0), value(1e8))).unzip();
+        let corners = hull(&x, &y);
+        for (i, a) in corners.iter().enumerate() {
+            let b = corners[(i + 1) % corners.len()];
+            let (dx, dy) = (x[b] - x[*a], y[b] - y[*a]);
+            for p in 0..n {
+                let left = dx * (y[p] - y[*a]) - dy * (x[p] - x[*a]);
+                assert!(left >= -1e-12 * 1e8, "a point outside");
+                assert!(!corners.contains(&p) || p == *a || p == b || left > 0.0, "no corner");
+            }
+        }
     }
 }
 
@@ -212,6 +237,48 @@ fn a_table_of_histories() {
     }
 }
 
+/// Law: `--unit-loads` with `--loads` gives the table that the same histories, added up by hand, give: superposition is linear.
+#[test]
+fn superposition_of_unit_loads() {
+    let place = tempfile::tempdir().expect("folder");
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(14);
+    let names = ["x_1", "y_1", "torque_1"];
+    let units: Vec<Vec<[f64; 6]>> =
+        (0..5).map(|_| (0..3).map(|_| std::array::from_fn(|_| random.random_range(-0.02..0.02))).collect()).collect();
+    let loads: Vec<[f64; 3]> = (0..72).map(|_| std::array::from_fn(|_| random.random_range(-3e3..9e3))).collect();
+    let header = "sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,syz_mpa,szx_mpa";
+    let cells = |v: &[f64]| v.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+    let (mut unit, mut load) = (format!("point,load,{header}\n"), format!("crank_deg,{}\n", names.join(",")));
+    let mut history = format!("point,crank_deg,{header}\n");
+    for (i, point) in units.iter().enumerate() {
+        for (name, tensor) in names.iter().zip(point) {
+            unit += &format!("p{i},{name},{}\n", cells(tensor));
+        }
+        for (j, loads) in loads.iter().enumerate() {
+            let sum: [f64; 6] = std::array::from_fn(|c| point.iter().zip(loads).map(|(t, l)| t[c] * l).sum());
+            history += &format!("p{i},{},{}\n", 10 * j, cells(&sum));
+        }
+    }
+    (0..72).for_each(|j| load += &format!("{},{}\n", 10 * j, cells(&loads[j])));
+    let material = "tensile_strength_mpa = 1100\nbending_fatigue_limit_mpa = 720\ntorsion_fatigue_limit_mpa = 450\n";
+    for (name, text) in [("u.csv", unit.as_str()), ("l.csv", &load), ("h.csv", &history), ("m.toml", material)] {
+        std::fs::write(place.path().join(name), text).expect("written");
+    }
+    let run = |arguments: &[&str]| {
+        let mut command = assert_cmd::Command::cargo_bin("hartog").expect("built");
+        command.current_dir(place.path()).arg("fatigue").args(arguments).args(["--material", "m.toml", "--out", "o"]).assert().code(0);
+        let table = std::fs::read_to_string(place.path().join("o/fatigue.csv")).expect("a table");
+        let factor = |line: &str| line.split(',').nth(2).and_then(|f| f.parse::<f64>().ok()).expect("a factor");
+        table.lines().skip(1).map(factor).collect::<Vec<f64>>()
+    };
+    let (own, by_hand) = (run(&["--unit-loads", "u.csv", "--loads", "l.csv"]), run(&["h.csv"]));
+    assert_eq!(own.len(), 5 * Criterion::ALL.len());
+    for (own, by_hand) in own.iter().zip(&by_hand) {
+        // rounding may choose another of two level planes
+        assert_close(*own, *by_hand, 1e-6, 0.0, "a factor");
+    }
+}
+
 /// A history that no symmetry helps: three harmonics with random phases in every component.
 fn wild(random: &mut Xoshiro256PlusPlus, samples: usize) -> History {
     let mut component = || -> Vec<(f64, f64, f64)> {
@@ -282,22 +349,27 @@ fn critical_planes_against_brute_force() {
 }
 
 /// Law: the amplitude of sqrt(J2) is never below the shear amplitude of any plane (the circle is a shadow of the ball); the longest chord is never above the circle, nor below
-/// sqrt(3)/2 of it.
+/// sqrt(3)/2 of it; the largest circle of two dimensions is never above the ball, nor below sqrt(2/5) of it, and does lie below the shear amplitude of a plane, as in \[Minucci 2010\].
 #[test]
 fn shadows_are_smaller() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(6);
+    let mut below = 0;
     for _ in 0..60 {
         let h = wild(&mut random, 90);
         let ball = Invariants::of(&h).sqrt_j2_amplitude;
+        let pairs = Invariants::by(&h, invariants::Amplitude::Pairs).sqrt_j2_amplitude;
+        assert!(pairs <= ball * (1.0 + 1e-12) && pairs >= 0.4f64.sqrt() * ball);
         let mut scratch = Scratch::default();
         for _ in 0..40 {
             let plane = Plane { theta: random.random_range(0.0..TAU), phi: random.random_range(0.0..PI) };
             let circle = scratch.borne(&h, &plane, Amplitude::Circle, None).shear_amplitude;
             let chord = scratch.borne(&h, &plane, Amplitude::Chord, None).shear_amplitude;
             assert!(circle <= ball * (1.0 + 1e-12));
+            below += usize::from(pairs < circle);
             assert!(chord <= circle * (1.0 + 1e-12) && chord >= 0.5 * 3f64.sqrt() * circle * (1.0 - 1e-12));
         }
     }
+    assert!(below > 0, "circles of two dimensions lie below the shear of a plane");
 }
 
 /// A history in axes turned by a rotation (rows: the new axes in the old ones).

@@ -104,6 +104,55 @@ pub struct PublishedFactor {
     pub torsion: f64,
 }
 
+/// The six criteria of \[Minucci 2010\], in the order of his tables.
+pub const SIX_CRITERIA: [&str; 6] = ["matake", "mcdiarmid", "dang_van", "sines", "crossland", "kakuno_kawada"];
+
+/// A point of a crank, at a speed where one is given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedPoint {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Word of the crank, which need not be the engine's.
+    pub crank: String,
+    /// rpm, as printed.
+    pub speed: String,
+    /// Its name.
+    pub point: String,
+}
+
+impl PublishedPoint {
+    /// Whether it is the same place under the same load, in whatever table.
+    pub fn is_same(&self, other: &Self) -> bool {
+        (&self.crank, &self.speed, &self.point) == (&other.crank, &other.speed, &other.point)
+    }
+}
+
+/// Multiaxial safety factors at a point, by [`SIX_CRITERIA`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedMultiaxial {
+    /// Where.
+    pub at: PublishedPoint,
+    /// One a criterion.
+    pub factors: [f64; 6],
+}
+
+/// What a stress history comes to at a point, Pa; `None`: not printed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedHistory {
+    /// Where.
+    pub at: PublishedPoint,
+    /// On the plane where it is largest.
+    pub shear_amplitude: Option<f64>,
+    /// On that plane.
+    pub normal_max: Option<f64>,
+    /// Of the invariant.
+    pub sqrt_j2_amplitude: f64,
+    /// Half the range of the hydrostatic stress.
+    pub hydrostatic_amplitude: f64,
+    /// Middle of its range.
+    pub hydrostatic_mean: f64,
+}
+
 /// Largest deviations that a comparison is asked to hold, per cent; `None`: nothing asked.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tolerances {
@@ -121,6 +170,8 @@ pub struct Tolerances {
     pub amplitude_worst: Option<f64>,
     /// Safety factors from their stresses.
     pub safety_factor: Option<f64>,
+    /// Multiaxial safety factors from their stresses.
+    pub multiaxial_factor: Option<f64>,
 }
 
 /// Tables of one engine.
@@ -142,6 +193,10 @@ pub struct Published {
     pub stresses: Vec<PublishedStress>,
     /// Factors of stress concentration of the crank.
     pub factors: Vec<PublishedFactor>,
+    /// Multiaxial safety factors.
+    pub multiaxial: Vec<PublishedMultiaxial>,
+    /// Stresses behind them.
+    pub histories: Vec<PublishedHistory>,
     /// Predicted amplitudes below this are too small for a percentage, rad.
     pub least_amplitude: f64,
     /// What is to hold.

@@ -4,6 +4,7 @@ mod absorbers;
 mod amplitudes;
 mod fatigue;
 mod frequencies;
+mod multiaxial;
 mod notches;
 mod predicted;
 mod text_values;
@@ -65,6 +66,10 @@ pub enum Kind {
     OwnStress,
     /// Safety factor by them.
     OwnMargin,
+    /// Multiaxial safety factor, and stress behind it.
+    Multiaxial,
+    /// Such a factor where the stresses behind it are not printed.
+    MultiaxialAlone,
     /// Anything else.
     Other,
 }
@@ -125,6 +130,7 @@ pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibr
     entries.extend(text_values::peaks(study, published, &results.system)?);
     entries.extend(fatigue::entries(study, published));
     entries.extend(notches::entries(study, published));
+    entries.extend(multiaxial::entries(study, published));
     entries.extend(predicted::entries(study, published, &results.system, fatigue::strength(published))?);
     let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
     Ok(Comparison { entries, amplitudes, verdict })

@@ -121,6 +121,7 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         ("median of the predicted amplitudes", t.amplitude_median, all.median()),
         ("worst predicted amplitude", t.amplitude_worst, all.worst()),
         ("safety factors from their stresses", t.safety_factor, worst(Kind::SafetyFactor)),
+        ("multiaxial safety factors from their stresses", t.multiaxial_factor, worst(Kind::Multiaxial)),
     ];
     let check = |(what, tolerance, found): (&'static str, Option<f64>, Option<f64>)| Some(Check { what, tolerance: tolerance?, found });
     Verdict {

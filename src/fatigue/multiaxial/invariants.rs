@@ -3,6 +3,17 @@
 use super::history::History;
 use crate::numerics::enclosing::smallest_ball;
 
+/// How the amplitude of the deviator's path is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Amplitude {
+    /// Radius of the smallest ball in five dimensions.
+    #[default]
+    Ball,
+    /// The largest radius of the smallest circles in the ten pairs of dimensions \[Minucci 2010\] section 6.1.4.2: it depends on the axes, and is too small by up to sqrt(5/2), so that it
+    /// may lie below the shear amplitude of a plane.
+    Pairs,
+}
+
 /// Invariants over a cycle, Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Invariants {
@@ -19,12 +30,20 @@ pub struct Invariants {
 impl Invariants {
     /// Of a history.
     pub fn of(history: &History) -> Self {
+        Self::by(history, Amplitude::Ball)
+    }
+
+    /// Of a history, with the amplitude of the deviator taken in a way.
+    pub fn by(history: &History, amplitude: Amplitude) -> Self {
         let path = history.deviator();
         let ball = smallest_ball(path.each_ref().map(Vec::as_slice));
         let p = history.hydrostatic();
         let (low, high) = p.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, v| (m.0.min(*v), m.1.max(*v)));
         Self {
-            sqrt_j2_amplitude: ball.radius,
+            sqrt_j2_amplitude: match amplitude {
+                Amplitude::Ball => ball.radius,
+                Amplitude::Pairs => pairs(&path),
+            },
             hydrostatic_amplitude: 0.5 * (high - low),
             hydrostatic_mean: 0.5 * (high + low),
             centre: ball.centre,
@@ -42,6 +61,12 @@ impl Invariants {
         let at = |j: usize| tresca([0, 1, 2, 3, 4].map(|d| path[d][j] - self.centre[d])) + k * p[j];
         (0..history.len()).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
+}
+
+/// The largest radius of the smallest circles in pairs of dimensions.
+fn pairs(path: &[Vec<f64>; 5]) -> f64 {
+    let pairs = (0..5).flat_map(|a| (0..a).map(move |b| (a, b)));
+    pairs.map(|(a, b)| smallest_ball([&path[a], &path[b]]).radius).fold(0.0, f64::max)
 }
 
 /// Largest shear stress of a deviator given as a vector of five dimensions: half the difference of its largest and smallest principal stress, by the angle of

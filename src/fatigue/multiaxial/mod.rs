@@ -174,7 +174,7 @@ impl Criterion {
 /// # Errors
 /// [`Undefined`] where the limits leave no constant for one of them.
 pub fn evaluate(history: &History, limits: &Limits, criteria: &[Criterion], grid: Grid) -> Result<(Vec<Verdict>, Invariants), Undefined> {
-    let invariants = Invariants::of(history);
+    let invariants = Invariants::by(history, grid.deviator);
     let findley = if criteria.contains(&Criterion::Findley) { Criterion::Findley.weight(limits)? } else { 0.0 };
     let dang_van = Criterion::DangVanPlane.weight(limits)?;
     let wanted = |c: &[Criterion]| criteria.iter().any(|w| c.contains(w));

@@ -2,6 +2,7 @@
 
 use super::climb::{Slope, Sought};
 use super::history::History;
+use super::invariants;
 use super::plane::{Amplitude, Borne, Plane, Scratch};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
@@ -13,11 +14,13 @@ pub struct Grid {
     pub step: Option<f64>,
     /// How the amplitude of shear is taken.
     pub amplitude: Amplitude,
+    /// How the amplitude of the deviator is taken.
+    pub deviator: invariants::Amplitude,
 }
 
 impl Default for Grid {
     fn default() -> Self {
-        Self { step: None, amplitude: Amplitude::Circle }
+        Self { step: None, amplitude: Amplitude::Circle, deviator: invariants::Amplitude::Ball }
     }
 }
 
@@ -68,6 +71,10 @@ const BETWEEN: [(f64, f64); 4] = [(0.25, 0.25), (-0.25, 0.25), (-0.25, -0.25), (
 const NEIGHBOURS: f64 = 0.7 * COARSE;
 /// A summit stands at most this share above the coarse plane nearest to it, seen with few samples: stress on a plane turns with twice the angle.
 const RISE: f64 = 0.06;
+/// More hills than this are parts of a ridge, as the planes at 45° to a single normal stress are: so many are climbed,
+const MOST: usize = 24;
+/// and so many of the highest looked at all round.
+const ALL_ROUND: usize = 6;
 /// Hills this much lower than the highest are looked at all round: a higher one may hide beside them.
 const HIDDEN: f64 = 0.004;
 /// Planes whose values differ by less than this share are as critical as each other.
@@ -154,10 +161,13 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
         }
         let candidates = tops(seen, NEIGHBOURS);
         let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
-        let hills: Vec<(Plane, Borne)> = candidates.iter().map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
+        let hills: Vec<(Plane, Borne)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
         let top = hills.iter().map(|h| sought.value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
         let high = hills.iter().filter(|h| sought.value(&h.1) >= top - HIDDEN * top.abs()).map(|h| (h.0, sought.value(&h.1)));
-        choose(tops(high.collect(), SAME).iter().map(|plane| critical(slope.climb(*plane, 0.05 * COARSE, true))).collect())
+        let mut summits: Vec<(Plane, Borne)> =
+            tops(high.collect(), SAME).iter().take(ALL_ROUND).map(|plane| slope.climb(*plane, 0.05 * COARSE, true)).collect();
+        summits.extend(hills);
+        choose(summits.into_iter().map(critical).collect())
     };
     Found {
         shear: wanted.shear.then(|| largest(Sought::Shear)).flatten(),

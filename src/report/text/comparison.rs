@@ -10,7 +10,9 @@ use std::fmt::Write;
 /// An input that differs from the printed one by more than its digits.
 fn differs(e: &Entry) -> bool {
     const DIGITS: f64 = 0.5;
-    e.role == Role::Given && (e.computed.is_none() && e.published.is_some() || e.deviation_percent().is_some_and(|d| d.abs() > DIGITS))
+    e.role == Role::Given
+        && !is_own(e)
+        && (e.computed.is_none() && e.published.is_some() || e.deviation_percent().is_some_and(|d| d.abs() > DIGITS))
 }
 
 /// A deviation with its sign; none where it rounds to zero.
@@ -32,9 +34,9 @@ fn row(e: &Entry) -> Vec<String> {
     ]
 }
 
-/// Stresses by our own loads on assumed lengths: in `comparison.csv`, and summed up below.
+/// Stresses by our own loads on assumed lengths, and factors without stresses: in `comparison.csv`, and summed up below.
 fn is_own(e: &Entry) -> bool {
-    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin)
+    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin | Kind::MultiaxialAlone)
 }
 
 /// Every number that is not an input, and inputs that differ from the printed ones. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
@@ -64,6 +66,9 @@ fn named(e: &Entry) -> String {
     let number = |x: Option<f64>| dash(x.map(|x| significant(x, 4)));
     format!("{} {}{design} ({} printed, {} computed, {})", e.table, e.quantity, number(e.published), number(e.computed), e.unit)
 }
+
+/// Factors printed with one digit that differ by no more than it are the same.
+const ONE_DIGIT: f64 = 0.1 + 1e-9;
 
 /// Rings whose inertias differ by less than this share are the same.
 const SAME_RING: f64 = 1e-9;
@@ -125,6 +130,19 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     }
     for line in own_stresses(c) {
         put(line);
+    }
+    let pairs: Vec<(f64, f64)> = c
+        .entries
+        .iter()
+        .filter(|e| e.kind == Kind::MultiaxialAlone && e.role == Role::Predicted)
+        .filter_map(|e| e.published.zip(e.computed))
+        .collect();
+    if !pairs.is_empty() {
+        let same = pairs.iter().filter(|(a, b)| (a - b).abs() <= ONE_DIGIT).count();
+        put(format!(
+            "Multiaxial factors without printed stresses: those by Kakuno-Kawada are those by Sines, to their digit, at {same} of {} points.",
+            pairs.len()
+        ));
     }
     for (role, words) in [(Role::Erratum, "Erratum"), (Role::Unexplained, "Unexplained")] {
         let of_role: Vec<&Entry> = c.entries.iter().filter(|e| e.role == role).collect();

@@ -1,20 +1,14 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
+use super::cycle::{CLOSED, ends_where_it_began, follows};
 use super::shown;
 use super::stream::Stream;
 use crate::fatigue::multiaxial::History;
 use crate::study::input_error::InputError;
-use crate::units::{DEG_PER_REV, PA_PER_MPA};
+use crate::units::PA_PER_MPA;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
-
-/// Angles are as equal as this, degrees.
-const EQUAL_DEG: f64 = 1e-6;
-/// The end of a cycle is its beginning again to this share of the largest stress.
-const CLOSED: f64 = 1e-6;
-/// Fewer samples are no cycle.
-const FEWEST: usize = 3;
 
 /// The stress of one point over a cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,39 +96,18 @@ impl HistoryReader {
 
     /// Angles rise in equal steps, and are those of the first point.
     fn check_angle(&self, angles: &[f64], row: &Row) -> Result<(), InputError> {
-        let before = angles[angles.len() - 1];
-        let expected = match (self.angles.get(angles.len()), angles) {
-            (Some(known), _) => *known,
-            (None, [first, second, ..]) => before + (second - first),
-            (None, _) if row.angle > before => return Ok(()),
-            (None, _) => return Err(self.at(row.line, 1, format!("found {} after {before}, expected a larger angle", row.angle))),
-        };
-        if (row.angle - expected).abs() > EQUAL_DEG * expected.abs().max(1.0) {
-            return Err(self.at(
-                row.line,
-                1,
-                format!("found {} after {before}, expected {expected}: equal steps, the same for all points", row.angle),
-            ));
-        }
-        Ok(())
+        follows(angles, row.angle, self.angles.get(angles.len()).copied()).map_err(|words| self.at(row.line, 1, words))
     }
 
     /// Samples make up a closed cycle of whole turns; an end that repeats the beginning is left out.
     fn check_cycle(&self, name: &str, angles: &[f64], tensors: &mut Vec<[f64; 6]>, last: u64) -> Result<(), InputError> {
         let n = angles.len();
-        if n < FEWEST {
-            return Err(self.at(last, 1, format!("found {n} samples of point `{}`, expected at least {FEWEST}", shown(name))));
-        }
         if !self.angles.is_empty() && n != self.angles.len() {
             let words = format!("found {n} samples of point `{}`, expected {}, as the first point has", shown(name), self.angles.len());
             return Err(self.at(last, 1, words));
         }
-        let step = angles[1] - angles[0];
-        let turns = |length: f64| {
-            let turns = length / DEG_PER_REV;
-            turns.round() >= 1.0 && (turns - turns.round()).abs() < EQUAL_DEG
-        };
-        if turns(angles[n - 1] - angles[0]) {
+        let again = ends_where_it_began(angles, &format!(" of point `{}`", shown(name)));
+        if again.map_err(|words| self.at(last, 1, words))? {
             let largest = tensors.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
             let off = tensors[0].iter().zip(&tensors[n - 1]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             if off > CLOSED * largest {
@@ -143,9 +116,6 @@ impl HistoryReader {
                 return Err(self.at(last, 2, words));
             }
             tensors.pop();
-        } else if !turns(angles[n - 1] - angles[0] + step) {
-            let words = format!("found angles from {} to {} in steps of {step}, expected whole turns", angles[0], angles[n - 1]);
-            return Err(self.at(last, 1, words));
         }
         if tensors.iter().flatten().all(|v| *v == 0.0) {
             return Err(self.at(last, 2, format!("found no stress at all at point `{}`, expected some", shown(name))));

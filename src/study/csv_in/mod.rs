@@ -1,13 +1,18 @@
 //! Tables with a header row: cells with their places, for errors with row and column.
 
+mod cycle;
 mod history;
+mod multiaxial;
 mod published;
 mod stream;
+mod superposed;
 mod torque;
 mod unit_loads;
 
 pub use history::{HistoryReader, PointHistory};
+pub use multiaxial::{histories, multiaxial};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
+pub use superposed::Superposed;
 pub use torque::{pressure_traces, torque_harmonics};
 pub use unit_loads::{UnitLoadReader, UnitPoint};
 
@@ -19,6 +24,11 @@ fn shown(cell: &str) -> String {
     const MOST: usize = 40;
     let line = cell.lines().next().unwrap_or("");
     if line.chars().count() > MOST || line.len() < cell.len() { line.chars().take(MOST).chain(['…']).collect() } else { line.to_owned() }
+}
+
+/// A mistake of a whole file.
+fn whole(path: &Path, message: String) -> InputError {
+    Mistake { message, place: Place::File(path.to_path_buf()), help: None }.into()
 }
 
 struct Table {
@@ -35,7 +45,7 @@ impl Table {
     }
 
     fn whole(&self, message: String) -> InputError {
-        Mistake { message, place: Place::File(self.path.clone()), help: None }.into()
+        whole(&self.path, message)
     }
 
     /// Cells under a header row.

@@ -1,6 +1,6 @@
 //! Tables too long to be kept: rows one after the other, for errors with row and column.
 
-use super::shown;
+use super::{shown, whole};
 use crate::study::input_error::{InputError, Mistake, Place};
 use crate::units::PA_PER_MPA;
 use csv::StringRecord;
@@ -22,7 +22,7 @@ pub struct Stream {
 impl Stream {
     /// Opens a table with two columns and those of a tensor.
     pub fn open(path: &Path, first: [&'static str; 2]) -> Result<Self, InputError> {
-        let whole = |message: String| InputError::from(Mistake { message, place: Place::File(path.to_path_buf()), help: None });
+        let whole = |message: String| whole(path, message);
         if !path.is_file() {
             return Err(whole(if path.exists() { "found no file there, expected a table".into() } else { "file not found".into() }));
         }

@@ -302,6 +302,8 @@ pub struct RawPublished {
     pub fatigue: Option<At<String>>,
     pub stresses: Option<At<String>>,
     pub factors: Option<At<String>>,
+    pub multiaxial: Option<At<String>>,
+    pub histories: Option<At<String>>,
     pub least_amplitude_deg: Option<At<f64>>,
     #[serde(default)]
     pub tolerance_percent: RawTolerances,
@@ -317,6 +319,7 @@ pub struct RawTolerances {
     pub amplitude_median: Option<At<f64>>,
     pub amplitude_worst: Option<At<f64>>,
     pub safety_factor: Option<At<f64>>,
+    pub multiaxial_factor: Option<At<f64>>,
 }
 
 #[derive(Debug, Deserialize)]

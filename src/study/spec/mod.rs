@@ -189,7 +189,8 @@ pub(super) fn resolve(
         TorqueSource::Harmonics(table) => table.harmonics.iter().map(|h| h.0).filter(|o| o.value() <= order_limit).collect(),
     };
     let reach = Reach { designs: &names, speeds_rpm: (speeds_rpm[0], speeds_rpm[speeds_rpm.len() - 1]), orders: &orders };
-    let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &reach));
+    let limits_of_fatigue = fatigue.as_ref().and_then(|f| f.limits.as_ref());
+    let published = study.published.as_ref().map(|p| published::resolve(&mut check, p.get_ref(), folder, &reach, limits_of_fatigue));
     let read = check.mistakes.is_empty();
     let calibrate = study
         .calibrate

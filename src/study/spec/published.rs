@@ -1,6 +1,7 @@
 //! Published tables of a study.
 
 use super::table;
+use crate::fatigue::multiaxial::Limits;
 use crate::study::csv_in::{self, Reach};
 use crate::study::input_error::{At, Check};
 use crate::study::published::{Published, Tolerances};
@@ -11,7 +12,8 @@ use std::path::Path;
 /// Amplitudes below this are printed with too few digits for a percentage, degrees.
 const LEAST_AMPLITUDE_DEG: f64 = 0.1;
 
-pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach) -> Published {
+/// The tables. `limits`: those of multiaxial criteria, where the study has any.
+pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
     let engine = raw.engine.get_ref().clone();
     let mut published = Published {
         frequencies: Vec::new(),
@@ -21,6 +23,8 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
         fatigue: Vec::new(),
         stresses: Vec::new(),
         factors: Vec::new(),
+        multiaxial: Vec::new(),
+        histories: Vec::new(),
         least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
         tolerances: tolerances(check, &raw.tolerance_percent),
         engine,
@@ -50,9 +54,31 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
     if let Some(file) = &raw.factors {
         published.factors = table(check, file, folder, |p| csv_in::factors(p, e)).unwrap_or_default();
     }
-    let tables = [&raw.frequencies, &raw.absorbers, &raw.amplitudes, &raw.engines, &raw.fatigue, &raw.stresses, &raw.factors];
+    if let Some(file) = &raw.multiaxial {
+        published.multiaxial = table(check, file, folder, csv_in::multiaxial).unwrap_or_default();
+        if limits.is_none() {
+            check.wrong(
+                file,
+                "found multiaxial safety factors without limits, expected a multiaxial criterion and its material in [fatigue]",
+            );
+        }
+    }
+    if let Some(file) = &raw.histories {
+        published.histories = table(check, file, folder, csv_in::histories).unwrap_or_default();
+    }
+    let tables = [
+        &raw.frequencies,
+        &raw.absorbers,
+        &raw.amplitudes,
+        &raw.engines,
+        &raw.fatigue,
+        &raw.stresses,
+        &raw.factors,
+        &raw.multiaxial,
+        &raw.histories,
+    ];
     if tables.iter().all(|f| f.is_none()) {
-        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`";
+        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published
@@ -68,5 +94,6 @@ fn tolerances(check: &mut Check, raw: &RawTolerances) -> Tolerances {
         amplitude_median: percent(&raw.amplitude_median),
         amplitude_worst: percent(&raw.amplitude_worst),
         safety_factor: percent(&raw.safety_factor),
+        multiaxial_factor: percent(&raw.multiaxial_factor),
     }
 }

@@ -55,6 +55,8 @@
 //!
 //! # References
 //!
+//! - \[Akl & Toussaint 1978\] S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, *Inf. Process. Lett.* 7, 219.
+//! - \[Andrew 1979\] A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, *Inf. Process. Lett.* 9, 216.
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
 //! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2 and 3.3.

@@ -290,6 +290,16 @@ fn wild(random: &mut Xoshiro256PlusPlus, samples: usize) -> History {
     History::new((0..samples).map(|j| TAU * j as f64 / samples as f64).map(|a| std::array::from_fn(|k| at(k, a))))
 }
 
+/// Planes every so many degrees over half the sphere, azimuth by as much over the sine of the other angle.
+fn hemisphere(step_deg: f64) -> impl Iterator<Item = Plane> {
+    let rings = (90.0 / step_deg).round() as usize;
+    (0..=rings).flat_map(move |i| {
+        let phi = FRAC_PI_2 * i as f64 / rings as f64;
+        let count = ((360.0 * phi.sin() / step_deg).round() as usize).max(1);
+        (0..count).map(move |j| Plane { theta: TAU * j as f64 / count as f64, phi })
+    })
+}
+
 /// Factors by planes every `step` degrees (azimuth by `step` over the sine of the other angle): Matake's and McDiarmid's plane with the largest shear, Dang Van, Findley.
 fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
     let weight = |c: Criterion| c.weight(&STEEL).expect("a constant");
@@ -297,19 +307,13 @@ fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
     let p = history.hydrostatic();
     let mut scratch = Scratch::default();
     let (mut shear, mut normal, mut dang_van, mut findley) = (0.0, f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY);
-    let rings = (90.0 / step_deg).round() as usize;
-    for i in 0..=rings {
-        let phi = FRAC_PI_2 * i as f64 / rings as f64;
-        let count = ((360.0 * phi.sin() / step_deg).round() as usize).max(1);
-        for j in 0..count {
-            let plane = Plane { theta: TAU * j as f64 / count as f64, phi };
-            let b = scratch.borne(history, &plane, Amplitude::Circle, Some((k_dv, &p)));
-            if b.shear_amplitude > shear {
-                (shear, normal) = (b.shear_amplitude, b.normal_max);
-            }
-            dang_van = f64::max(dang_van, b.dang_van);
-            findley = f64::max(findley, b.shear_amplitude + k_findley * b.normal_max);
+    for plane in hemisphere(step_deg) {
+        let b = scratch.borne(history, &plane, Amplitude::Circle, Some((k_dv, &p)));
+        if b.shear_amplitude > shear {
+            (shear, normal) = (b.shear_amplitude, b.normal_max);
         }
+        dang_van = f64::max(dang_van, b.dang_van);
+        findley = f64::max(findley, b.shear_amplitude + k_findley * b.normal_max);
     }
     let p_max = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let t = STEEL.torsion;
@@ -421,12 +425,40 @@ fn constants_have_intervals() {
     assert!(crossland.abs() < 2e-3, "near zero, as a user should know");
 }
 
+/// Shear amplitude and largest normal stress of the planes of largest shear: the best of a search in steps of one degree, each followed on finer grids of 21 by 21 planes to 0.007 degrees.
+fn planes_of_largest_shear(history: &History) -> Vec<(f64, f64)> {
+    let mut scratch = Scratch::default();
+    let mut shear = |plane: &Plane| scratch.borne(history, plane, Amplitude::Circle, None);
+    let all: Vec<(Plane, f64)> = hemisphere(1.0).map(|plane| (plane, shear(&plane).shear_amplitude)).collect();
+    let top = all.iter().map(|a| a.1).fold(0.0, f64::max);
+    let mut best: Vec<(Plane, f64)> = all.into_iter().filter(|a| a.1 > 0.998 * top).collect();
+    best.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut hills: Vec<Plane> = Vec::new();
+    for (plane, _) in best {
+        let apart = |a: &Plane| a.normal().iter().zip(plane.normal()).map(|(a, b)| a * b).sum::<f64>().abs() < 2f64.to_radians().cos();
+        if hills.iter().all(apart) {
+            hills.push(plane);
+        }
+    }
+    let finer = |mut centre: Plane| {
+        for step in [0.07f64, 0.007] {
+            let grid = (0..441).map(|i| (f64::from(i % 21 - 10), f64::from(i / 21 - 10)));
+            let planes = grid.map(|(a, b)| centre.moved((a * step).to_radians(), (b * step).to_radians()));
+            let values: Vec<(Plane, f64)> = planes.map(|p| (p, shear(&p).shear_amplitude)).collect();
+            centre = values.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("planes").0;
+        }
+        let b = shear(&centre);
+        (b.shear_amplitude, b.normal_max)
+    };
+    hills.into_iter().map(finer).collect()
+}
+
 /// All criteria on 4160 points of 721 angles against a search in steps of one degree: nothing that it found is missed by more than 0.1 %. What is found may be worse than what the
-/// grid met, which misses ridges of Dang Van's sum by up to 0.4 %. Matake and McDiarmid ask for the normal stress on the plane of the largest shear, which changes by up to 2 % of the shear
-/// within the grid's half degree and altogether where two planes are level: they are compared by that shear (Dang Van of the thesis), and by their own sum with the planes on which the grid
-/// met as much shear as is found, to what half a degree is worth. The thesis dropped to twelve points for want of time. Prints the time of both.
+/// grid met, which misses ridges of Dang Van's sum by up to 0.4 %. Matake and McDiarmid ask for the normal stress on the plane of the largest shear, which changes by up to 2 % of the shear within
+/// the grid's half degree: for them the grid's best planes are followed to their summits, and the normal stress is that of one that is level with the highest to 0.02 %. The thesis
+/// dropped to twelve points for want of time. Prints the time of both.
 #[test]
-#[ignore = "six minutes"]
+#[ignore = "five minutes"]
 fn four_thousand_points_against_brute_force() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(10);
     let histories: Vec<History> = (0..4160).map(|_| wild(&mut random, 721)).collect();
@@ -436,18 +468,29 @@ fn four_thousand_points_against_brute_force() {
     let start = std::time::Instant::now();
     let brute: Vec<[f64; 5]> = histories.par_iter().map(|h| brute_force(h, 1.0)).collect();
     println!("brute force: {:.1} s", start.elapsed().as_secs_f64());
-    let (mut missed, mut better, mut often) = ([0.0f64; 5], [0.0f64; 5], [0usize; 5]);
-    for (verdicts, brute) in found.iter().zip(&brute) {
+    let largest: Vec<Vec<(f64, f64)>> = histories.par_iter().map(planes_of_largest_shear).collect();
+    let (mut missed, mut better) = ([0.0f64; 5], [0.0f64; 5]);
+    for ((verdicts, brute), largest) in found.iter().zip(&brute).zip(&largest) {
         for (i, c) in ON_PLANES.iter().enumerate() {
             let own = verdicts.iter().find(|v| v.criterion == *c).expect("evaluated").safety_factor;
-            let off = own / brute[i] - 1.0;
+            let off = if i < 2 {
+                let k = c.weight(&STEEL).expect("a constant");
+                let top = largest.iter().map(|l| l.0).fold(0.0, f64::max);
+                let level = largest.iter().filter(|l| l.0 > top * (1.0 - 2e-4));
+                let off = level.map(|(shear, normal)| own * (shear + k * normal) / STEEL.torsion - 1.0);
+                off.min_by(|a, b| a.abs().total_cmp(&b.abs())).expect("a plane")
+            } else {
+                own / brute[i] - 1.0
+            };
             missed[i] = missed[i].max(off);
             better[i] = better[i].max(-off);
-            often[i] += usize::from(off > 1e-3);
         }
     }
-    println!("missed at most {missed:?}, better by at most {better:?}, more than 0.1 % missed at {often:?} points");
-    for i in [2, 3, 4] {
-        assert!(missed[i] < 1e-3, "{}: {:e}", ON_PLANES[i].name(), missed[i]);
+    println!("missed at most {missed:?}, better by at most {better:?}");
+    for (c, missed) in ON_PLANES.iter().zip(missed) {
+        assert!(missed < 1e-3, "{}: {missed:e}", c.name());
+    }
+    for (c, better) in ON_PLANES.iter().zip(better).take(2) {
+        assert!(better < 1e-3, "{}: {better:e}", c.name());
     }
 }

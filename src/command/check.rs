@@ -240,10 +240,11 @@ fn work(study: &Study, excitation: &Excitation) -> String {
         let names: Vec<&str> = f.criteria.iter().map(|c| c.name()).collect();
         let _ = writeln!(
             text,
-            "  margin of the crank: {}; tensile strength {} MPa, fatigue limit {} MPa",
+            "  margin of the crank: {}; tensile strength {} MPa, fatigue limit {} MPa{}",
             names.join(", "),
             significant(f.strength.tensile / PA_PER_MPA, 4),
-            significant(f.strength.fatigue_limit / PA_PER_MPA, 4)
+            significant(f.strength.fatigue_limit / PA_PER_MPA, 4),
+            f.limits.map_or_else(String::new, |l| format!(", in torsion {} MPa", significant(l.torsion / PA_PER_MPA, 4)))
         );
     }
     for (words, _) in &study.limits {

@@ -3,7 +3,8 @@
 use multiversion::multiversion;
 
 /// Indices of the corners of the convex hull, counter-clockwise; points on its sides and repeated ones are left out. One index where all points are one, two where they
-/// lie on a line. Andrew's monotone chain, of the points that the octagon of the extremes in eight directions does not hold (Akl and Toussaint).
+/// lie on a line. Andrew's monotone chain \[Andrew 1979\], of the points that the octagon of the extremes in eight directions does not hold
+/// \[Akl & Toussaint 1978\].
 pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
     let mut order = outside(x, y, &octagon(x, y));
     order.sort_unstable_by(|a, b| x[*a].total_cmp(&x[*b]).then(y[*a].total_cmp(&y[*b])));

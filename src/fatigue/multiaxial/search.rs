@@ -161,12 +161,14 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
         }
         let candidates = tops(seen, NEIGHBOURS);
         let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
-        let hills: Vec<(Plane, Borne)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
+        let mut hills: Vec<(Plane, Borne)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
         let top = hills.iter().map(|h| sought.value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
         let high = hills.iter().filter(|h| sought.value(&h.1) >= top - HIDDEN * top.abs()).map(|h| (h.0, sought.value(&h.1)));
         let mut summits: Vec<(Plane, Borne)> =
             tops(high.collect(), SAME).iter().take(ALL_ROUND).map(|plane| slope.climb(*plane, 0.05 * COARSE, true)).collect();
-        summits.extend(hills);
+        // the others are known roughly: near a summit they are that summit again
+        hills.retain(|h| summits.iter().all(|s| apart(&s.0, &h.0) > NEIGHBOURS));
+        summits.append(&mut hills);
         choose(summits.into_iter().map(critical).collect())
     };
     Found {

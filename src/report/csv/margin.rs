@@ -23,7 +23,8 @@ pub fn cells(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> 
     (0..criteria).flat_map(cells).collect()
 }
 
-/// `margin.csv`: a row a design, speed, fillet (the worse of its two webs) and criterion. Stresses are equivalent ones; the class rule has no mean.
+/// `margin.csv`: a row a design, speed, fillet (the worse of its two webs) and criterion. Stresses are equivalent ones (by von Mises; by a
+/// multiaxial criterion the shear stress held against the torsion limit); the class rule and multiaxial criteria have no mean.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -35,7 +36,8 @@ pub fn margin(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         for fillet in &sweep.fillets {
             let criterion = model.criteria[fillet.criterion];
             for (speed, used) in study.speeds_rpm.iter().zip(&fillet.used) {
-                let mean = Some(used.cycle.mean / PA_PER_MPA).filter(|_| !model.is_class_rule(fillet.criterion));
+                let mean = Some(used.cycle.mean / PA_PER_MPA)
+                    .filter(|_| !model.is_class_rule(fillet.criterion) && !model.is_multiaxial(fillet.criterion));
                 // without any stress the margin has no limit
                 let factor = Some(1.0 / used.value).filter(|n| n.is_finite());
                 table.row([

@@ -12,13 +12,18 @@ use plotters::prelude::*;
 /// Margins above this multiple of the smallest are cut off.
 const CUT: f64 = 4.0;
 
+/// More panels than this stand in two columns.
+const ABREAST: usize = 3;
+
 /// Smallest margin of every design at every speed, a panel a criterion.
 pub fn margins(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let Some(model) = &results.margin else { return folder.remove(&["margin.svg", "margin.png"]) };
-    let panels = model.criteria.len() as u32;
-    canvas::save(folder, "margin", (940, 34 + 330 * panels), |area| {
+    let panels = model.criteria.len();
+    let columns = if panels > ABREAST { 2 } else { 1 };
+    let rows = panels.div_ceil(columns);
+    canvas::save(folder, "margin", (880 * columns as u32, 34 + 330 * rows as u32), |area| {
         let titled = canvas::titled(area, &format!("{}: margin of the crank", study.engine.name))?;
-        for (c, area) in titled.split_evenly((panels as usize, 1)).iter().enumerate() {
+        for (c, area) in titled.split_evenly((rows, columns)).iter().take(panels).enumerate() {
             panel(area, study, results, c)?;
         }
         Ok(())

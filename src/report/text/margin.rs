@@ -2,6 +2,8 @@
 
 use super::{dash, table};
 use crate::assess::{DesignResult, Results, SmallestMargin};
+use crate::design::{FatigueSpec, MarginCriterion};
+use crate::fatigue::multiaxial::Criterion as Multiaxial;
 use crate::study::Study;
 use std::fmt::Write;
 
@@ -13,28 +15,38 @@ pub fn factor(n: f64) -> String {
 /// Optima whose margins differ by less than this share are the same to a designer.
 const SAME: f64 = 0.005;
 
+/// So many criteria have their places beside them; more have a table of their own.
+const ABREAST: usize = 3;
+/// A constant below this leaves next to nothing of a mean stress.
+const LITTLE: f64 = 0.05;
+
 /// The smallest margin of every design by every criterion, and what the objectives mean for it; empty without `[fatigue]`.
 pub fn margins(study: &Study, results: &Results) -> String {
     let (Some(model), Some(fatigue)) = (&results.margin, &study.fatigue) else { return String::new() };
     let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let mut header = vec!["design".to_owned()];
-    for c in &fatigue.criteria {
-        header.extend([c.name().to_owned(), "at/rpm".into(), "fillet".into()]);
+    let found = |d: &DesignResult, c: usize| -> Option<SmallestMargin> { d.margins.iter().find(|m| m.criterion == c).copied() };
+    let margin_of = |d: &DesignResult, c: usize| found(d, c).map_or_else(|| "infinite".into(), |m| factor(m.margin));
+    let place = |m: &SmallestMargin| model.spots[m.used.spot].name.clone();
+    let with_names = |cells: &dyn Fn(&DesignResult, usize) -> Vec<String>| -> Vec<Vec<String>> {
+        let all_cells = |d: &DesignResult| (0..fatigue.criteria.len()).flat_map(|c| cells(d, c)).collect::<Vec<String>>();
+        all.iter().map(|d| std::iter::once(d.name.clone()).chain(all_cells(d)).collect()).collect()
+    };
+    let names = fatigue.criteria.iter().map(|c| c.name());
+    let mut text = "Smallest margin of the crank over the speeds:\n".to_owned();
+    if fatigue.criteria.len() <= ABREAST {
+        let header: Vec<&str> = std::iter::once("design").chain(names.flat_map(|name| [name, "at/rpm", "fillet"])).collect();
+        let rows = with_names(&|d, c| {
+            let m = found(d, c);
+            vec![margin_of(d, c), dash(m.map(|m| format!("{:.0}", m.speed_rpm))), dash(m.as_ref().map(place))]
+        });
+        text.push_str(&table(&header, &rows));
+    } else {
+        let header: Vec<&str> = std::iter::once("design").chain(names).collect();
+        text.push_str(&table(&header, &with_names(&|d, c| vec![margin_of(d, c)])));
+        text.push_str("At the fillet and speed (rpm):\n");
+        let rows = with_names(&|d, c| vec![dash(found(d, c).map(|m| format!("{} @ {:.0}", place(&m), m.speed_rpm)))]);
+        text.push_str(&table(&header, &rows));
     }
-    let cells = |d: &DesignResult, c: usize| -> Vec<String> {
-        let m: Option<&SmallestMargin> = d.margins.iter().find(|m| m.criterion == c);
-        vec![
-            m.map_or_else(|| "infinite".into(), |m| factor(m.margin)),
-            dash(m.map(|m| format!("{:.0}", m.speed_rpm))),
-            dash(m.map(|m| model.spots[m.used.spot].name.clone())),
-        ]
-    };
-    let row = |d: &&DesignResult| -> Vec<String> {
-        std::iter::once(d.name.clone()).chain((0..fatigue.criteria.len()).flat_map(|c| cells(d, c))).collect()
-    };
-    let rows: Vec<Vec<String>> = all.iter().map(row).collect();
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let mut text = format!("Smallest margin of the crank over the speeds:\n{}", table(&header, &rows));
     if let Some(crank) = study.crank.as_ref().filter(|c| !c.assumed.is_empty()) {
         let _ = writeln!(text, "  Assumed dimensions of the crank: {}. Margins are as good as those.", crank.assumed.join(", "));
     }
@@ -45,7 +57,44 @@ pub fn margins(study: &Study, results: &Results) -> String {
         let words = if below.is_empty() { "every design reaches it".to_owned() } else { format!("not reached by {}", below.join(", ")) };
         let _ = writeln!(text, "  {} asks for at least {least}: {words}.", c.name());
     }
+    text.push_str(&multiaxial(fatigue, &all));
     text.push_str(&differ(study, results));
+    text
+}
+
+/// One sentence a multiaxial criterion: how far it is from the first one over the designs, whether it prefers another, and how much mean stress counts in it.
+fn multiaxial(fatigue: &FatigueSpec, all: &[&DesignResult]) -> String {
+    let margin = |d: &DesignResult, c: usize| d.margins.iter().find(|m| m.criterion == c).map(|m| m.margin);
+    let best = |c: usize| all.iter().max_by(|a, b| margin(a, c).unwrap_or(0.0).total_cmp(&margin(b, c).unwrap_or(0.0)));
+    let first = fatigue.criteria[0].name();
+    let mut text = String::new();
+    for (c, criterion) in fatigue.criteria.iter().enumerate() {
+        let (MarginCriterion::Multiaxial(word), Some(limits)) = (criterion, &fatigue.limits) else { continue };
+        if text.is_empty() {
+            text.push_str("  Multiaxial criteria follow bending and torque with their phase; criteria of amplitude and mean take both at their worst.\n");
+        }
+        let mut ratios: Vec<f64> = all.iter().filter_map(|d| Some(margin(d, c)? / margin(d, 0)?)).collect();
+        ratios.sort_by(f64::total_cmp);
+        let (Some(low), Some(high)) = (ratios.first(), ratios.last()) else { continue };
+        let _ = write!(text, "  {}", criterion.name());
+        if c > 0 {
+            let _ = write!(text, ": {low:.2} to {high:.2} times {first}");
+        }
+        if let (Some(own), Some(of_first)) = (best(c), best(0).filter(|_| c > 0)) {
+            let behind = margin(of_first, c).zip(margin(own, c)).map_or(0.0, |(a, b)| 1.0 - a / b);
+            if behind < SAME {
+                let _ = write!(text, "; {} is best by both, or as good as the best", of_first.name);
+            } else {
+                let _ = write!(text, "; best by it is {}, by {first} {} ({:.1} % behind)", own.name, of_first.name, 100.0 * behind);
+            }
+        }
+        if let (Ok(k), Multiaxial::Crossland | Multiaxial::Papadopoulos) = (word.weight(limits), word)
+            && k.abs() < LITTLE
+        {
+            let _ = write!(text, "; mean stress hardly counts in it, its constant being {:.3} for this torsion limit", k.abs());
+        }
+        text.push_str(".\n");
+    }
     text
 }
 

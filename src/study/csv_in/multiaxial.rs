@@ -9,12 +9,15 @@ use std::path::Path;
 /// Columns that name a point.
 const POINT: [&str; 4] = ["table", "crank", "speed_rpm", "point"];
 
+/// A point with the cells of some columns.
+type Row = (PublishedPoint, Vec<Option<f64>>);
+
 /// Rows of a table with the point of each, and the cells of some further columns.
-fn rows(path: &Path, columns: &[&str]) -> Result<Vec<(PublishedPoint, Vec<Option<f64>>)>, InputError> {
+fn rows(path: &Path, columns: &[&str]) -> Result<Vec<Row>, InputError> {
     let table = Table::read(path)?;
     let named: Vec<usize> = POINT.iter().map(|c| table.column(c)).collect::<Result<_, _>>()?;
     let places: Vec<usize> = columns.iter().map(|c| table.column(c)).collect::<Result<_, _>>()?;
-    let mut list: Vec<(PublishedPoint, Vec<Option<f64>>)> = Vec::new();
+    let mut list: Vec<Row> = Vec::new();
     for (line, cells) in &table.rows {
         let [number, crank, speed, point] = [0, 1, 2, 3].map(|i| cells[named[i]].clone());
         let at = PublishedPoint { table: number, crank, speed, point };
@@ -40,7 +43,7 @@ fn filled(path: &Path, at: &PublishedPoint, column: &str, value: Option<f64>, le
 /// # Errors
 /// [`InputError`] with the place.
 pub fn multiaxial(path: &Path) -> Result<Vec<PublishedMultiaxial>, InputError> {
-    let row = |(at, values): (PublishedPoint, Vec<Option<f64>>)| {
+    let row = |(at, values): Row| {
         let mut factors = [0.0; 6];
         for ((factor, value), column) in factors.iter_mut().zip(values).zip(SIX_CRITERIA) {
             *factor = filled(path, &at, column, value, 1e-3)?;
@@ -58,7 +61,7 @@ pub fn multiaxial(path: &Path) -> Result<Vec<PublishedMultiaxial>, InputError> {
 pub fn histories(path: &Path) -> Result<Vec<PublishedHistory>, InputError> {
     const COLUMNS: [&str; 5] =
         ["shear_amplitude_mpa", "normal_max_mpa", "sqrt_j2_amplitude_mpa", "hydrostatic_amplitude_mpa", "hydrostatic_mean_mpa"];
-    let row = |(at, v): (PublishedPoint, Vec<Option<f64>>)| {
+    let row = |(at, v): Row| {
         let needed = |i: usize, least: f64| filled(path, &at, COLUMNS[i], v[i], least).map(|s| s * PA_PER_MPA);
         Ok(PublishedHistory {
             shear_amplitude: v[0].map(|s| s * PA_PER_MPA),

@@ -455,8 +455,8 @@ fn planes_of_largest_shear(history: &History) -> Vec<(f64, f64)> {
 
 /// All criteria on 4160 points of 721 angles against a search in steps of one degree: nothing that it found is missed by more than 0.1 %. What is found may be worse than what the
 /// grid met, which misses ridges of Dang Van's sum by up to 0.4 %. Matake and McDiarmid ask for the normal stress on the plane of the largest shear, which changes by up to 2 % of the shear within
-/// the grid's half degree: for them the grid's best planes are followed to their summits, and the normal stress is that of one that is level with the highest to 0.02 %. The thesis
-/// dropped to twelve points for want of time. Prints the time of both.
+/// the grid's half degree: for them the grid's best planes are followed to their summits. The shear found is theirs to 0.02 % (of planes level to 0.01 % the one with the larger normal stress is named); where it is that level along a ridge, the normal stress depends on the place on
+/// the ridge, and the factor by up to 0.5 %. The thesis dropped to twelve points for want of time. Prints the time of both.
 #[test]
 #[ignore = "five minutes"]
 fn four_thousand_points_against_brute_force() {
@@ -470,12 +470,14 @@ fn four_thousand_points_against_brute_force() {
     println!("brute force: {:.1} s", start.elapsed().as_secs_f64());
     let largest: Vec<Vec<(f64, f64)>> = histories.par_iter().map(planes_of_largest_shear).collect();
     let (mut missed, mut better) = ([0.0f64; 5], [0.0f64; 5]);
+    let mut lower = 0.0f64;
     for ((verdicts, brute), largest) in found.iter().zip(&brute).zip(&largest) {
+        let top = largest.iter().map(|l| l.0).fold(0.0, f64::max);
+        lower = lower.max(1.0 - verdicts[0].shear_amplitude.expect("a plane") / top);
         for (i, c) in ON_PLANES.iter().enumerate() {
             let own = verdicts.iter().find(|v| v.criterion == *c).expect("evaluated").safety_factor;
             let off = if i < 2 {
                 let k = c.weight(&STEEL).expect("a constant");
-                let top = largest.iter().map(|l| l.0).fold(0.0, f64::max);
                 let level = largest.iter().filter(|l| l.0 > top * (1.0 - 2e-4));
                 let off = level.map(|(shear, normal)| own * (shear + k * normal) / STEEL.torsion - 1.0);
                 off.min_by(|a, b| a.abs().total_cmp(&b.abs())).expect("a plane")
@@ -486,11 +488,11 @@ fn four_thousand_points_against_brute_force() {
             better[i] = better[i].max(-off);
         }
     }
-    println!("missed at most {missed:?}, better by at most {better:?}");
-    for (c, missed) in ON_PLANES.iter().zip(missed) {
-        assert!(missed < 1e-3, "{}: {missed:e}", c.name());
-    }
-    for (c, better) in ON_PLANES.iter().zip(better).take(2) {
-        assert!(better < 1e-3, "{}: {better:e}", c.name());
+    println!("missed at most {missed:?}, better by at most {better:?}; shear lower by at most {lower:e}");
+    assert!(lower < 2e-4, "a plane of larger shear: {lower:e}");
+    for (i, c) in ON_PLANES.iter().enumerate() {
+        let on_ridges = i < 2;
+        assert!(missed[i] < if on_ridges { 5e-3 } else { 1e-3 }, "{}: {:e}", c.name(), missed[i]);
+        assert!(!on_ridges || better[i] < 5e-3, "{}: {:e}", c.name(), better[i]);
     }
 }

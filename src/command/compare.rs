@@ -3,6 +3,8 @@
 use super::progress::Bar;
 use super::{BAD_INPUT, DONE, FAILED, fail, say};
 use crate::assess::{self, Calibration, Comparison, Results, RunError};
+use crate::design::{MarginCriterion, Over};
+use crate::fatigue::Criterion;
 use crate::report::{Folder, text, write_comparison};
 use crate::study::{self, Published, Size, Study};
 use std::path::{Path, PathBuf};
@@ -118,10 +120,17 @@ fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
     Ok(Page { study, calibration, comparison, results })
 }
 
-/// What a comparison needs: no front, only the conditions that an optimum is to hold in, and optima for the ring sizes that were published.
+/// What a comparison needs: no front, only the conditions that an optimum is to hold in, optima for the ring sizes that were published, and no criterion of fatigue after
+/// the last that an optimum or a table asks for.
 fn only_published_rings(study: &mut Study, published: &Published) {
     study.front = None;
     study.more_objectives.clear();
+    let measures = std::iter::once(&study.objective.measure).chain(study.limits.iter().map(|l| &l.1.measure));
+    let of_optima = measures.filter_map(|m| if let Over::Margin(c) = m.over { Some(c) } else { None }).max();
+    if let Some(fatigue) = &mut study.fatigue {
+        let of_tables = fatigue.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
+        fatigue.criteria.truncate(1 + of_optima.max(of_tables).unwrap_or(0));
+    }
     let held = study.optimise.as_ref().map_or_else(Vec::new, |o| o.conditions.clone());
     study.conditions.retain(|c| held.contains(c));
     if let Some(o) = &mut study.optimise

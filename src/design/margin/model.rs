@@ -76,8 +76,9 @@ impl Margin {
     /// Nothing where the torque comes from a table or a throw has no shaft beside it.
     pub fn new(engine: &Engine, chain: &Chain, crank: &Crank, spec: &FatigueSpec, speeds_rpm: &[f64], harmonics: &[u32]) -> Option<Self> {
         let spots = spots(chain, crank, spec)?;
-        let table = bending::table(engine, chain, crank, &spots, speeds_rpm, spec.limits.is_some())?;
-        let histories = spec.limits.map(|limits| Histories::new(limits, harmonics, &spots, table.histories));
+        let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
+        let table = bending::table(engine, chain, crank, &spots, speeds_rpm, multiaxial)?;
+        let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &spots, table.histories));
         let own =
             |shaft: usize, family: Family| (0..spots.len()).filter(|i| spots[*i].shaft == shaft && spots[*i].family == family).collect();
         let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();

@@ -460,6 +460,29 @@ fn unit_loads_of_the_nominal_state() {
     }
 }
 
+/// Law: the smallest margin is that of all spots, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.
+#[test]
+fn bounds_of_unit_loads_hold() {
+    let mut study = short("villalva_i6");
+    study.refine_peaks = false;
+    let shear = |s: f64| [0.0, 0.0, 0.0, s, 0.0, 0.0];
+    let round = UnitLoads { moment: shear(1e5), tangential: [0.0, 0.0, 0.0, 0.0, 0.0, 1e5], shear: [0.0; 6], torque: [0.0; 6] };
+    let plain = UnitLoads { moment: shear(1.05e5), tangential: [0.0; 6], shear: [0.0; 6], torque: [0.0, 2e4, 0.0, 1e4, 0.0, 0.0] };
+    let fatigue = study.fatigue.as_mut().expect("[fatigue]");
+    fatigue.criteria = [Multiaxial::Papadopoulos, Multiaxial::Crossland, Multiaxial::Sines, Multiaxial::DangVanMesoscopic]
+        .map(MarginCriterion::Multiaxial)
+        .to_vec();
+    let factors = FactorSource::UnitLoads(vec![("a".into(), round), ("b".into(), plain)]);
+    fatigue.fillets = vec![FilletSpec { name: "p".into(), throw: None, place: Place::Crankpin, factors }];
+    let results = run(&study, &Silent).expect("finite");
+    for (d, sweep) in results.designs.iter().zip(&results.margins) {
+        for m in &d.margins {
+            let least = sweep.smallest(m.criterion).into_iter().fold(f64::INFINITY, f64::min);
+            assert!(m.margin <= least * (1.0 + 1e-12), "{}, criterion {}: {} {least}", d.name, m.criterion, m.margin);
+        }
+    }
+}
+
 /// What is optimised by a multiaxial margin has the largest one: no random design of the same ring does better.
 #[test]
 fn optimum_by_a_multiaxial_margin() {

@@ -1,4 +1,4 @@
-//! What is to be small at one speed, from the extremes of a sum of orders: half their distance, or how much of the crank's strength they use.
+//! What is to be small at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
 
 use super::margin::{Margin, Torque};
 use super::measure::Over;

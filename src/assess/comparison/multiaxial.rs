@@ -59,25 +59,32 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
         4 => j2 + weight(Criterion::Crossland)? * (amplitude + mean),
         _ => j2 + weight(Criterion::KakunoKawada)? * amplitude + weight(Criterion::Sines)? * mean,
     };
+    if stress <= 0.0 {
+        return Some((None, Kind::Multiaxial, Role::Unexplained, "from the printed stresses it never fails".into()));
+    }
     let own = l.torsion / stress;
     if (own - printed).abs() <= DIGITS {
         return Some((Some(own), Kind::Multiaxial, Role::Predicted, "from the printed stresses".into()));
     }
     let needed = printed * stress / PA_PER_MPA;
-    let plane = "at the printed plane; a torsion limit of";
-    let note = format!("{plane} {needed:.0} MPa would give the printed factor, the stated one is {:.0} MPa", l.torsion / PA_PER_MPA);
+    let from = if which < 2 { "at the printed plane" } else { "from the printed stresses" };
+    let stated = l.torsion / PA_PER_MPA;
+    let note = format!("{from}; a torsion limit of {needed:.0} MPa would give the printed factor, the stated one is {stated:.0} MPa");
     Some((Some(own), Kind::Multiaxial, Role::Unexplained, note))
 }
 
 /// Dang Van's factor beside its bounds; the nearer bound where it lies outside.
 fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Found> {
     let (shear, k) = (h.shear_amplitude?, Criterion::DangVanPlane.weight(l).ok()?);
-    let at = |p: f64| l.torsion / (shear + k * p);
+    let at = |p: f64| if shear + k * p > 0.0 { l.torsion / (shear + k * p) } else { f64::INFINITY };
     let least = at(h.hydrostatic_mean + h.hydrostatic_amplitude);
     let most = at(h.hydrostatic_mean - h.hydrostatic_amplitude);
     let bounds = format!(
         "between {least:.2}, if shear met the largest hydrostatic stress (the thesis's form), and {most:.2}, if it met the smallest"
     );
+    if least == f64::INFINITY {
+        return None;
+    }
     Some(if printed > most + DIGITS {
         (Some(most), Kind::Multiaxial, Role::Erratum, format!("impossible: {bounds}"))
     } else if printed < least - DIGITS {

@@ -39,6 +39,8 @@ pub type Section = [Vec<f64>; 3];
 #[derive(Debug, Clone, Copy, Default)]
 struct Bent {
     sqrt_j2_amplitude: f64,
+    /// Of stresses per unit load only: those of a nominal state follow from the amplitude.
+    mean_shear: f64,
     low: f64,
     high: f64,
     normal: f64,
@@ -108,6 +110,9 @@ impl Histories {
 
     /// Share of the strength that a history uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.
     pub fn used(&self, criterion: Criterion, history: &History) -> f64 {
+        if history.components.iter().flatten().all(|s| *s == 0.0) {
+            return 0.0;
+        }
         match evaluate(history, &self.limits, &[criterion], Grid::default()) {
             Ok((verdicts, _)) => 1.0 / verdicts[0].safety_factor,
             Err(undefined) => unreachable!("checked in the study: {undefined}"),
@@ -131,7 +136,8 @@ impl Histories {
             sqrt_j2_amplitude: if spot.1.unit_loads.is_none() { bent.hypot(twisted) } else { bent + twisted },
             mean_shear: match &spot.1.unit_loads {
                 None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
-                Some(_) => bent + twisted,
+                // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
+                Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
             },
             hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
             normal: at.between(low.normal, high.normal) + size(&per_torque) * largest,
@@ -162,6 +168,7 @@ fn bent(spot: &Spot, section: &Section) -> Bent {
     let i = Invariants::of(&history);
     Bent {
         sqrt_j2_amplitude: i.sqrt_j2_amplitude,
+        mean_shear: if spot.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
         low: i.hydrostatic_mean - i.hydrostatic_amplitude,
         high: i.hydrostatic_max(),
         normal: (0..history.len()).map(|j| size(&history.tensor(j))).fold(0.0, f64::max),

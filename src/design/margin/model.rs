@@ -36,7 +36,7 @@ pub struct Used {
 pub struct Margin {
     /// Criteria, in the study's order.
     pub criteria: Vec<MarginCriterion>,
-    /// Fillets for criteria of mean stress, then those of the class rule.
+    /// Fillets for criteria of mean stress and multiaxial ones (with factors, and with stresses per unit load, as the study lists them), then those of the class rule.
     pub spots: Vec<Spot>,
     strength: Strength,
     mean_bending: MeanBending,

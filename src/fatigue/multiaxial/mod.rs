@@ -161,7 +161,11 @@ impl Criterion {
             Self::Findley => {
                 let d = 2.0 * t - f;
                 if !(0.0..f).contains(&d) {
-                    return Err(Undefined { criterion: self.name(), expected: "from half to the whole of", ratio: t / f });
+                    return Err(Undefined {
+                        criterion: self.name(),
+                        expected: "of at least half, and less than the whole, of",
+                        ratio: t / f,
+                    });
                 }
                 d / (f * f - d * d).sqrt()
             }

@@ -73,9 +73,14 @@ fn multiaxial(fatigue: &FatigueSpec, all: &[&DesignResult]) -> String {
         if text.is_empty() {
             text.push_str("  Multiaxial criteria follow bending and torque with their phase; criteria of amplitude and mean take both at their worst.\n");
         }
-        let mut ratios: Vec<f64> = all.iter().filter_map(|d| Some(margin(d, c)? / margin(d, 0)?)).collect();
+        let mut ratios: Vec<f64> = all.iter().filter_map(|d| Some(margin(d, c)? / margin(d, 0)?)).filter(|r| r.is_finite()).collect();
         ratios.sort_by(f64::total_cmp);
         let (Some(low), Some(high)) = (ratios.first(), ratios.last()) else { continue };
+        let constant = word.weight(limits).ok().filter(|k| k.abs() < LITTLE);
+        let constant = constant.filter(|_| matches!(word, Multiaxial::Crossland | Multiaxial::Papadopoulos));
+        if c == 0 && constant.is_none() {
+            continue;
+        }
         let _ = write!(text, "  {}", criterion.name());
         if c > 0 {
             let _ = write!(text, ": {low:.2} to {high:.2} times {first}");
@@ -88,9 +93,7 @@ fn multiaxial(fatigue: &FatigueSpec, all: &[&DesignResult]) -> String {
                 let _ = write!(text, "; best by it is {}, by {first} {} ({:.1} % behind)", own.name, of_first.name, 100.0 * behind);
             }
         }
-        if let (Ok(k), Multiaxial::Crossland | Multiaxial::Papadopoulos) = (word.weight(limits), word)
-            && k.abs() < LITTLE
-        {
+        if let Some(k) = constant {
             let _ = write!(text, "; mean stress hardly counts in it, its constant being {:.3} for this torsion limit", k.abs());
         }
         text.push_str(".\n");

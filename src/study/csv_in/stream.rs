@@ -71,6 +71,9 @@ impl Stream {
     pub fn name(&self, line: u64, record: &StringRecord, column: usize, of: &str) -> Result<String, InputError> {
         match self.cell(record, column) {
             "" => Err(self.at(line, column, format!("found an empty cell, expected the name of a {of}"))),
+            name if name.chars().any(char::is_control) => {
+                Err(self.at(line, column, format!("found a control character in the name of a {of}, expected none")))
+            }
             name => Ok(name.to_owned()),
         }
     }

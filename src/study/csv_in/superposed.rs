@@ -20,6 +20,9 @@ impl Loads {
         let table = Table::read(path)?;
         let angle = table.column("crank_deg")?;
         let columns: Vec<usize> = (0..table.header.len()).filter(|c| *c != angle).collect();
+        if let Some(c) = columns.iter().find(|c| table.header[**c].is_empty()) {
+            return Err(table.at(1, *c, "found a column without a name, expected that of a load".into()));
+        }
         if columns.is_empty() {
             return Err(table.whole("found no column beside `crank_deg`, expected one a load".into()));
         }

@@ -98,22 +98,22 @@ pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, f
     (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, limits, mean_bending, notch_sensitivity, fillets, rule })
 }
 
-/// What only criteria of mean stress read must not stand without one.
+/// What only other criteria than the class rule read must not stand without one.
 fn only_class_rule(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion]) {
     let unused = !raw.fillet.is_empty() || raw.endurance.is_some() || raw.notch_sensitivity;
     if unused && criteria.iter().all(|c| c.is_class_rule()) {
         check.wrong(
             &raw.criteria,
-            "found fillets, endurance factors or notch sensitivity with `iacs_m53` alone, expected a criterion of mean stress beside it: the rule has its own",
+            "found fillets, endurance factors or notch sensitivity with `iacs_m53` alone, expected another criterion beside it: the rule has its own",
         );
     }
 }
 
 /// Whether factors come from formulas anywhere.
 pub fn needs_formulas(spec: &FatigueSpec) -> bool {
-    let mean_stress = spec.criteria.iter().any(|c| !c.is_class_rule());
+    let by_fillets = spec.criteria.iter().any(|c| !c.is_class_rule());
     spec.criteria.iter().any(|c| c.is_class_rule())
-        || (mean_stress && spec.fillets.iter().any(|f| matches!(f.factors, FactorSource::Formulas(_))))
+        || (by_fillets && spec.fillets.iter().any(|f| matches!(f.factors, FactorSource::Formulas(_))))
 }
 
 fn criteria(check: &mut Check, raw: &RawFatigue, crank: &Crank) -> Vec<MarginCriterion> {
@@ -245,7 +245,12 @@ fn unit_loads(check: &mut Check, file: &At<String>, folder: &Path) -> Vec<(Strin
         let point = |(name, t): UnitPoint| (name, UnitLoads { moment: t[0], tangential: t[1], shear: t[2], torque: t[3] });
         UnitLoadReader::open(path, &UNIT_LOADS.map(str::to_owned))?.map(|p| p.map(point)).collect()
     };
-    table(check, file, folder, read).unwrap_or_default()
+    let points = table(check, file, folder, read).unwrap_or_default();
+    let nothing = |u: &UnitLoads| [u.moment, u.tangential, u.shear, u.torque].iter().flatten().all(|s| *s == 0.0);
+    if let Some((name, _)) = points.iter().find(|p| nothing(&p.1)) {
+        check.wrong(file, format!("found no stress at all at point `{name}` of the table, expected some"));
+    }
+    points
 }
 
 /// Crankpin and journal of every throw, with the factors of the class rule.
@@ -271,17 +276,6 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank, folder: &Path) -
             }
             index.unwrap_or(0)
         });
-        // the names that tables will show
-        let shown: Vec<String> = match throw {
-            Some(_) => vec![f.name.get_ref().clone()],
-            None => (1..=crank.throws()).map(|t| format!("{}_{t}", f.name.get_ref())).collect(),
-        };
-        for name in shown {
-            if !names.insert(name.clone()) {
-                check.wrong(&f.name, format!("found fillet `{name}` a second time, expected different names"));
-                break;
-            }
-        }
         let factors = match f.factors.get_ref() {
             RawFactors::Given(given) => {
                 let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");
@@ -291,6 +285,22 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank, folder: &Path) -
             RawFactors::IacsM53 => FactorSource::Formulas(Formulas::IacsM53),
             RawFactors::Fvv1973 => FactorSource::Formulas(Formulas::Fvv1973),
         };
+        // the names that tables will show
+        let mut shown: Vec<String> = match throw {
+            Some(_) => vec![f.name.get_ref().clone()],
+            None => (1..=crank.throws()).map(|t| format!("{}_{t}", f.name.get_ref())).collect(),
+        };
+        if let FactorSource::UnitLoads(points) = &factors
+            && points.len() > 1
+        {
+            shown = shown.iter().flat_map(|name| points.iter().map(move |(point, _)| format!("{name}:{point}"))).collect();
+        }
+        for name in shown {
+            if !names.insert(name.clone()) {
+                check.wrong(&f.name, format!("found fillet `{name}` a second time, expected different names"));
+                break;
+            }
+        }
         let place = match f.on {
             RawPlace::Crankpin => Place::Crankpin,
             RawPlace::Journal => Place::Journal,

@@ -65,6 +65,12 @@ pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Rea
     }
     if let Some(file) = &raw.histories {
         published.histories = table(check, file, folder, csv_in::histories).unwrap_or_default();
+        let alone = published.histories.iter().find(|h| !published.multiaxial.iter().any(|m| m.at.is_same(&h.at)));
+        if let Some(h) = alone {
+            let words =
+                format!("found stresses of point `{}` of `{}` without factors, expected its row in `multiaxial`", h.at.point, h.at.crank);
+            check.wrong(file, words);
+        }
     }
     let tables = [
         &raw.frequencies,

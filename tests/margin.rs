@@ -3,25 +3,24 @@
 use crate::support::{assert_close, on, study, system};
 use hartog::absorber::{Kind, Mounted};
 use hartog::assess::{Results, Silent, margins, run};
-use hartog::design::margin::loads::CrankModel;
-use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot, Torque, UnitLoads};
+use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot, Torque};
 use hartog::design::{Condition, Parameter, Space, Variable};
 use hartog::design::{Limit, Margin, Measure, PeakFinder, Problem, Scene};
 use hartog::fatigue::Criterion;
-use hartog::fatigue::multiaxial::{Criterion as Multiaxial, Limits};
+use hartog::fatigue::multiaxial::Criterion as Multiaxial;
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::{self, Extremes, Synthesiser};
 use hartog::response::{Direct, Grid, Method, Quantity, Response, System, Work};
-use hartog::shaft::{Crank, Place, section};
+use hartog::shaft::{Crank, Place};
 use hartog::study::Study;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::TAU;
 
-const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
+pub const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
 
 /// A study with every fifth speed and nothing to optimise.
-fn short(name: &str) -> Study {
+pub fn short(name: &str) -> Study {
     let mut s = study(name);
     (s.optimise, s.front) = (None, None);
     s.more_objectives.clear();
@@ -34,22 +33,22 @@ fn short(name: &str) -> Study {
     s
 }
 
-struct Case {
-    study: Study,
-    system: System,
-    grid: Grid,
-    margin: Margin,
+pub struct Case {
+    pub study: Study,
+    pub system: System,
+    pub grid: Grid,
+    pub margin: Margin,
 }
 
 impl Case {
-    fn new(study: Study) -> Self {
+    pub fn new(study: Study) -> Self {
         let system = system(&study);
         let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
         let margin = margins::model(&study, &system.excitation.harmonics, &grid).expect("[fatigue]");
         Self { study, system, grid, margin }
     }
 
-    fn with<T>(&self, job: impl FnOnce(&PeakFinder) -> T) -> T {
+    pub fn with<T>(&self, job: impl FnOnce(&PeakFinder) -> T) -> T {
         let method = Method::Direct(Direct::new(&self.system, &self.grid));
         job(&PeakFinder::new(&self.system, &self.grid, &method, true).with_margin(Some(&self.margin)))
     }
@@ -390,123 +389,4 @@ fn smallest_margins_of_the_shipped_engines() {
             }
         }
     }
-}
-
-/// Law: torque and bending share their angle. The orders of a throw's torque are those of its history over the cycle, which also gives the bending.
-#[test]
-fn torque_and_bending_share_their_angle() {
-    for name in ENGINES {
-        let study = short(name);
-        let excitation = system(&study).excitation;
-        let model = CrankModel::new(&study.engine, study.crank.as_ref().expect("a crank")).expect("cylinders");
-        let speed = excitation.tabulated_rpm[0];
-        let loads = model.at(speed);
-        for throw in [0, 3] {
-            let torque = &loads.torque[throw];
-            let size = torque.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
-            for (order, h) in excitation.harmonics.iter().enumerate() {
-                let turn = |j: usize| C64::cis(-TAU * f64::from(*h) * j as f64 / torque.len() as f64);
-                let of_history: C64 = torque.iter().enumerate().map(|(j, t)| turn(j) * *t).sum::<C64>() * (2.0 / torque.len() as f64);
-                let off = (of_history - excitation.throw_torque(throw, order, speed)).norm();
-                assert!(off < 1e-4 * size, "{name}, throw {throw}, harmonic {h}: {off}");
-            }
-        }
-    }
-}
-
-/// Law: stresses per unit load that are those of the nominal state say what its factors say, by every multiaxial criterion: the corners of a plane path decide for all its samples, and rear
-/// webs are mirror images.
-#[test]
-fn unit_loads_of_the_nominal_state() {
-    let base = short("villalva_v10");
-    let crank = base.crank.clone().expect("a crank");
-    let (bending, torsion) = (1.9, 2.2);
-    let bent = bending * section::bending(crank.pin_diameter, crank.pin_bore);
-    let twisted = torsion * section::torsion(crank.pin_diameter, crank.pin_bore);
-    let units = UnitLoads {
-        moment: [bent, 0.0, 0.0, 0.0, 0.0, 0.0],
-        tangential: [0.0; 6],
-        shear: [0.0; 6],
-        torque: [0.0, 0.0, 0.0, twisted, 0.0, 0.0],
-    };
-    let spec = |factors: FactorSource| FatigueSpec {
-        criteria: Multiaxial::ALL.map(MarginCriterion::Multiaxial).to_vec(),
-        limits: Some(Limits { tensile: 1500e6, bending: 750e6, torsion: 460e6, repeated_bending: 500e6 }),
-        fillets: vec![FilletSpec { name: "pin".into(), throw: Some(2), place: Place::Crankpin, factors }],
-        ..base.fatigue.clone().expect("[fatigue]")
-    };
-    let sources = [FactorSource::Given { bending, torsion }, FactorSource::UnitLoads(vec![("pin".into(), units)])];
-    let system = system(&base);
-    let harmonics = &system.excitation.harmonics;
-    let models = sources.map(|s| Margin::new(&base.engine, &base.chain, &crank, &spec(s), &[2000.0, 6500.0], harmonics).expect("a model"));
-    let synthesiser = Synthesiser::new(harmonics);
-    let mut random = Xoshiro256PlusPlus::seed_from_u64(31);
-    for case in 0..12 {
-        let speed = random.random_range(2000.0..6500.0);
-        let phasors: Vec<C64> =
-            harmonics.iter().map(|_| C64::from_polar(random.random_range(0.0..150.0), random.random_range(0.0..TAU))).collect();
-        let torque = Torque { extremes: synthesiser.extremes(&phasors), phasors: &phasors };
-        for (c, criterion) in Multiaxial::ALL.iter().enumerate() {
-            let on_planes = matches!(
-                criterion,
-                Multiaxial::Matake | Multiaxial::McDiarmid | Multiaxial::Findley | Multiaxial::DangVanThesis | Multiaxial::DangVanPlane
-            );
-            if on_planes && case > 2 {
-                continue;
-            }
-            let [nominal, units] = models.each_ref().map(|m| m.most_used(c, 3, speed, &torque).expect("spots").value);
-            assert_close(units, nominal, if on_planes { 2e-3 } else { 1e-9 }, 0.0, criterion.name());
-        }
-    }
-}
-
-/// Law: the smallest margin is that of all spots, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.
-#[test]
-fn bounds_of_unit_loads_hold() {
-    let mut study = short("villalva_i6");
-    study.refine_peaks = false;
-    let shear = |s: f64| [0.0, 0.0, 0.0, s, 0.0, 0.0];
-    let round = UnitLoads { moment: shear(1e5), tangential: [0.0, 0.0, 0.0, 0.0, 0.0, 1e5], shear: [0.0; 6], torque: [0.0; 6] };
-    let plain = UnitLoads { moment: shear(1.05e5), tangential: [0.0; 6], shear: [0.0; 6], torque: [0.0; 6] };
-    let fatigue = study.fatigue.as_mut().expect("[fatigue]");
-    fatigue.criteria = [Multiaxial::Papadopoulos, Multiaxial::Crossland, Multiaxial::Sines, Multiaxial::DangVanMesoscopic]
-        .map(MarginCriterion::Multiaxial)
-        .to_vec();
-    let factors = FactorSource::UnitLoads(vec![("a".into(), round), ("b".into(), plain)]);
-    fatigue.fillets = vec![FilletSpec { name: "p".into(), throw: None, place: Place::Crankpin, factors }];
-    let results = run(&study, &Silent).expect("finite");
-    for (d, sweep) in results.designs.iter().zip(&results.margins) {
-        for m in &d.margins {
-            let least = sweep.smallest(m.criterion).into_iter().fold(f64::INFINITY, f64::min);
-            assert!(m.margin <= least * (1.0 + 1e-12), "{}, criterion {}: {} {least}", d.name, m.criterion, m.margin);
-        }
-    }
-}
-
-/// What is optimised by a multiaxial margin has the largest one: no random design of the same ring does better.
-#[test]
-fn optimum_by_a_multiaxial_margin() {
-    let mut study = short("villalva_v10");
-    let fatigue = study.fatigue.as_mut().expect("[fatigue]");
-    fatigue.criteria = vec![MarginCriterion::Multiaxial(Multiaxial::Papadopoulos)];
-    let case = Case::new(study);
-    let measure = &margins::measures(&case.study)[0];
-    let variable = |parameter, upper, scale| Variable { parameter, lower: 0.0, upper, scale };
-    let variables = vec![variable(Parameter::Stiffness, 1e7, 1e2), variable(Parameter::Damping, 1e4, 0.1)];
-    let space = Space { kind: Kind::Tuned, station: 0, hub_inertia: 0.0, fixed: [0.01, 0.0, 0.0], variables };
-    case.with(|finder| {
-        let scenes = [Scene { condition: Condition::Firing, cylinder: None, finder }];
-        let problem = Problem { scenes: &scenes, space: space.clone(), objective: measure, limits: &[] };
-        let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(2.0)];
-        let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 60, &mut Work::default());
-        let best = hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite");
-        let used = |w: &[f64]| finder.peak(&[space.absorber(w)], measure, &mut Work::default()).expect("finite").expect("a peak").value;
-        let least = used(&best.point);
-        assert!(least < 0.98 * used(&start), "the start is no optimum");
-        let mut random = Xoshiro256PlusPlus::seed_from_u64(29);
-        for _ in 0..40 {
-            let w: Vec<f64> = best.point.iter().map(|w| w + random.random_range(-0.7..0.7)).collect();
-            assert!(used(&w) >= least * (1.0 - 1e-6), "a random design does better: {} {least}", used(&w));
-        }
-    });
 }

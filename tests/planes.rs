@@ -70,6 +70,23 @@ fn critical_planes_against_brute_force() {
     }
 }
 
+/// Harmonic bending and torsion at any phase and mean against a search in steps of a tenth of a degree, to 1e-3; Matake and McDiarmid too, where no second plane is as critical.
+#[test]
+#[ignore = "a minute"]
+fn harmonic_histories_against_a_tenth_of_a_degree() {
+    let cases: Vec<f64> = (0..8).map(|i| 0.2 * f64::from(i)).collect();
+    cases.par_iter().for_each(|phase| {
+        let h = bending_and_torsion((80e6 * phase, -30e6), (200e6, 150e6 - 40e6 * phase), *phase);
+        let (verdicts, _) = evaluate(&h, &STEEL, &ON_PLANES, Grid::default()).expect("constants");
+        let brute = brute_force(&h, 0.1);
+        for (v, brute) in verdicts.iter().zip(brute) {
+            let off = v.safety_factor / brute - 1.0;
+            println!("phase {phase}: {} {off:e}, {}", v.criterion.name(), v.note);
+            assert!(!v.note.is_empty() || off.abs() < 1e-3, "{} at phase {phase}: {off:e}", v.criterion.name());
+        }
+    });
+}
+
 /// Shear amplitude and largest normal stress of the planes of largest shear: the best of a search in steps of one degree, each followed on finer grids of 21 by 21 planes to 0.007 degrees.
 fn planes_of_largest_shear(history: &History) -> Vec<(f64, f64)> {
     let mut scratch = Scratch::default();

@@ -31,6 +31,8 @@ impl Sought {
 
 /// Samples within this share of the circle's radius may come to matter.
 const NEAR: f64 = 0.15;
+/// The ends of the longest chord lie within this share: it is at least sqrt 3 radii long.
+const OF_CHORD: f64 = 0.3;
 /// A summit is where all samples say the same as the few, to this share.
 const AGREED: f64 = 1e-9;
 /// Rounds after which what has been reached must do.
@@ -104,7 +106,8 @@ impl Slope<'_> {
         let Some(circle) = self.scratch.last() else { return };
         let [u, v] = self.scratch.path();
         let out = |j: usize| (u[j] - circle.centre[0]).hypot(v[j] - circle.centre[1]);
-        let far = (1.0 - NEAR) * circle.radius;
+        let near = if self.amplitude == Amplitude::Chord { OF_CHORD } else { NEAR };
+        let far = (1.0 - near) * circle.radius;
         for (j, chosen) in chosen.iter_mut().enumerate() {
             *chosen |= out(j) >= far;
         }

@@ -70,9 +70,10 @@ fn critical_planes_against_brute_force() {
     }
 }
 
-/// Harmonic bending and torsion at any phase and mean against a search in steps of a tenth of a degree, to 1e-3; Matake and McDiarmid too, where no second plane is as critical.
+/// Harmonic bending and torsion at any phase and mean against a search in steps of a tenth of a degree, to 1e-3. Two planes are always level there, and the search meets the one or
+/// the other first: for Matake and McDiarmid ours is that with the larger normal stress, whose factor is the smaller.
 #[test]
-#[ignore = "a minute"]
+#[ignore = "half a minute"]
 fn harmonic_histories_against_a_tenth_of_a_degree() {
     let cases: Vec<f64> = (0..8).map(|i| 0.2 * f64::from(i)).collect();
     cases.par_iter().for_each(|phase| {
@@ -81,8 +82,9 @@ fn harmonic_histories_against_a_tenth_of_a_degree() {
         let brute = brute_force(&h, 0.1);
         for (v, brute) in verdicts.iter().zip(brute) {
             let off = v.safety_factor / brute - 1.0;
-            println!("phase {phase}: {} {off:e}, {}", v.criterion.name(), v.note);
-            assert!(!v.note.is_empty() || off.abs() < 1e-3, "{} at phase {phase}: {off:e}", v.criterion.name());
+            println!("phase {phase:.1}: {} {off:e}, {}", v.criterion.name(), v.note);
+            let larger_normal = matches!(v.criterion, Criterion::Matake | Criterion::McDiarmid) && !v.note.is_empty() && off < 0.0;
+            assert!(larger_normal || off.abs() < 1e-3, "{} at phase {phase}: {off:e}", v.criterion.name());
         }
     });
 }

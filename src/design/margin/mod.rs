@@ -8,8 +8,7 @@
 //! determinate): its fillets are judged with either. Bending across the throw is left out, as in the rule. With a misfire, the vibratory torque is that of the
 //! misfiring engine; bending and mean torque stay those of the firing one, which are larger.
 //!
-//! Multiaxial criteria judge the history itself (`histories`): bending and torque with their phase. Without a mean, and with a torsion limit of 1/sqrt 3 of the bending limit, none is above
-//! what a criterion of amplitudes says.
+//! Multiaxial criteria judge the history itself (`histories`): bending and torque with their phase.
 
 mod bending;
 pub mod histories;

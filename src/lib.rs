@@ -40,18 +40,20 @@
 //! | --- | --- |
 //! | [`units`] | every conversion factor |
 //! | [`numerics`] | physics-free mathematics |
-//! | [`engine`] | kinematics, pressure, forces, orders, layout |
-//! | [`chain`] | stations, matrices, modes |
-//! | [`absorber`] | types and closed-form optima |
-//! | [`response`] | response methods, one file each, in frequency and in time; power; natural frequencies with absorbers |
-//! | [`shaft`] | the crank as a beam on its bearings, torsion cases, stress concentration |
-//! | [`fatigue`] | criteria of mean stress, endurance factors, class rules, multiaxial criteria |
-//! | [`design`] | conditions, variables, measures, peaks with their gradients, quick peaks for searches |
-//! | [`optimise`] | gradient-free search, minimax, front |
-//! | [`study`] | the only place that reads files |
-//! | [`assess`] | a whole study, calibration, comparison with published tables, choice of method, speed against accuracy, stability |
-//! | [`report`] | the only place that writes files |
-//! | [`command`] | one file a command |
+//! | [`engine`] | kinematics, pressure, forces, orders, layout: the torque harmonics of a throw |
+//! | [`absorber`] | one file a type: its law, derivatives, parameters and closed-form optima; absorbers on stations and on each other |
+//! | [`drivetrain`] | stations and shafts, their modes, natural frequencies with absorbers |
+//! | [`response`] | response methods, one file each, in frequency and in time; power |
+//! | [`fatigue`] | criteria of mean stress (Goodman and others), endurance factors, class rules, multiaxial criteria |
+//! | [`crankshaft`] | the crank as a beam on its bearings, stress concentration, critical locations and their margins |
+//! | [`objective`] | measures, conditions, the search of peaks over speed with their gradients, surrogates for searches |
+//! | [`optimise`] | problem, variables, starts, gradient-free search, minimax, front |
+//! | [`input`] | schema, validation (where a TOML key is checked), tables, errors: the only place that reads files |
+//! | [`analysis`] | a whole study: calibrate, evaluate, optimise, margins |
+//! | [`benchmark`] | what `hartog chart` measures: speed against accuracy, growth, energy, stability |
+//! | [`validation`] | what `hartog compare` does: published tables, formulas that only their sources use |
+//! | [`report`] | text, tables and plots: the only place that writes files |
+//! | [`cli`] | one file a command |
 //!
 //! # References
 //!
@@ -84,16 +86,18 @@
 #![deny(missing_docs)]
 
 pub mod absorber;
-pub mod assess;
-pub mod chain;
-pub mod command;
-pub mod design;
+pub mod analysis;
+pub mod benchmark;
+pub mod cli;
+pub mod crankshaft;
+pub mod drivetrain;
 pub mod engine;
 pub mod fatigue;
+pub mod input;
 pub mod numerics;
+pub mod objective;
 pub mod optimise;
 pub mod report;
 pub mod response;
-pub mod shaft;
-pub mod study;
 pub mod units;
+pub mod validation;

@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::command::{chart, check, compare, fatigue, run};
+use hartog::cli::{chart, check, compare, fatigue, run};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.

@@ -124,7 +124,7 @@ fn limits_of_every_absorber() {
     let sys = system(&s);
     let grid = Grid::new(&[800.0, 1500.0, 2290.0, 3100.0], &[]);
     let direct = Direct::new(&sys, &grid);
-    let sweep = |design: &[Mounted], of: &hartog::response::System| {
+    let sweep = |design: &[Mounted], of: &hartog::drivetrain::System| {
         let mut out = Vec::new();
         Direct::new(of, &grid).sweep(design, s.twist, &mut out, &mut Work::default()).expect("damped");
         out
@@ -141,7 +141,7 @@ fn limits_of_every_absorber() {
     }
     let mut heavier = s.chain.clone();
     heavier.stations[0].inertia += 0.05;
-    let heavier = hartog::response::System::new(heavier, sys.excitation.clone());
+    let heavier = hartog::drivetrain::System::new(heavier, sys.excitation.clone());
     let locked = on(0, Kind::Undamped, 0.05, 1e13, 0.0);
     differ(&sweep(&[], &heavier), &sweep(&[locked], &sys), 1e-5, "rigid link");
     for m in every_type(0.03) {

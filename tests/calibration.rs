@@ -1,14 +1,16 @@
 //! Calibration: recovers what is known, says how well, and names what the rows cannot tell.
 
 use crate::support::{assert_close, study};
-use hartog::assess::amplitude::near;
-use hartog::assess::calibrate::{Known, statistics::statistics};
-use hartog::assess::{Calibration, Silent, calibrate};
+use hartog::analysis::amplitude::near;
+use hartog::analysis::calibrate::Known;
+use hartog::analysis::calibrate::statistics::statistics;
+use hartog::analysis::{self, Calibration, Silent};
+use hartog::drivetrain::System;
 use hartog::engine::{Excitation, Order, Pressure, Source};
+use hartog::input::published::PublishedAmplitude;
+use hartog::input::{FreeInput, Input, Study};
 use hartog::numerics::least_squares::{Range, fit};
-use hartog::response::{Direct, Grid, System, Work};
-use hartog::study::published::PublishedAmplitude;
-use hartog::study::{FreeInput, Input, Study};
+use hartog::response::{Direct, Grid, Work};
 use hartog::units::RAD_PER_DEG;
 use nalgebra::DMatrix;
 use rand::{Rng, SeedableRng};
@@ -51,7 +53,7 @@ fn synthetic(truth: &[(Input, f64)]) -> Study {
 const TRUTH: [(Input, f64); 2] = [(Input::PressureScale, 1.13), (Input::ThrowDamping, 7.2)];
 
 fn fitted(s: &Study) -> Calibration {
-    calibrate(s, &Silent).expect("damped").1.expect("calibrates")
+    analysis::calibrate(s, &Silent).expect("damped").1.expect("calibrates")
 }
 
 /// Without noise the inputs come back to rounding.

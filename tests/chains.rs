@@ -1,7 +1,7 @@
 //! Torsional chain: modes and what follows from them.
 
 use crate::support::{assert_close, study, uniform_chain};
-use hartog::chain::{Chain, Modes, Station};
+use hartog::drivetrain::{Chain, Modes, Station};
 use hartog::engine::Order;
 
 /// Source: [Villalva 2014] Tables 4.1 and 4.7. Independent method: eigenvalues of J⁻¹K by the unsymmetric Schur form, to 1e-9. The printed

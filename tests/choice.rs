@@ -1,13 +1,15 @@
 //! `method = "auto"`: what it chooses, how honest its estimates are, and that skipping changes nothing.
 
 use crate::support::{study, system};
-use hartog::assess::auto::{self, Way};
-use hartog::assess::methods::Candidate;
-use hartog::assess::{Silent, audit, calibrate, families, savings};
-use hartog::design::quick::{Quick, Scratch};
-use hartog::design::{Measure, Over, PeakFinder};
-use hartog::response::{Grid, Method, Receptance, System, Work};
-use hartog::study::Study;
+use hartog::analysis::choice::{self, Way};
+use hartog::analysis::{Silent, audit, calibrate, families};
+use hartog::benchmark::methods::Candidate;
+use hartog::benchmark::savings;
+use hartog::drivetrain::System;
+use hartog::input::Study;
+use hartog::objective::surrogate::{Quick, Scratch};
+use hartog::objective::{Measure, Over, PeakFinder};
+use hartog::response::{Grid, Method, Receptance, Work};
 
 /// A shipped study as `run` sees it.
 fn calibrated(name: &str) -> Study {
@@ -59,7 +61,7 @@ fn giving_up_early_keeps_the_best() {
     let sys = system(&s);
     let spec = s.optimise.as_ref().expect("a search");
     let modes = families::engine_modes(&s, &spec.absorber, audit::highest_frequency_hz(&s, &sys.excitation.orders));
-    let designs = auto::random_absorbers(&s, &modes, 300, 7);
+    let designs = choice::random_absorbers(&s, &modes, 300, 7);
     with_tables(&s, &sys, |_, tables| {
         for stride in [1, 4, 16] {
             let quick = Quick::new(tables, s.twist, stride).expect("damped");

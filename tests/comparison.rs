@@ -3,12 +3,12 @@
 //! that its source takes beside the common point.
 
 use crate::support::{assert_close, study};
-use hartog::absorber::common_point::{self, Point};
 use hartog::absorber::seeds;
-use hartog::assess::comparison::{Comparison, Entry, Kind, Role, Spread};
-use hartog::assess::{self, Calibration, Silent};
-use hartog::study::Study;
-use hartog::study::published::{PublishedAbsorber, PublishedFrequency};
+use hartog::analysis::{self, Calibration, Silent};
+use hartog::input::Study;
+use hartog::input::published::{PublishedAbsorber, PublishedFrequency};
+use hartog::validation::fixed_points::{self, Point};
+use hartog::validation::{Comparison, Entry, Kind, Role, Spread};
 
 /// Both engines, fitted, without optima.
 fn page(name: &str, change: impl FnOnce(&mut Study)) -> (Study, Option<Calibration>, Comparison) {
@@ -16,10 +16,10 @@ fn page(name: &str, change: impl FnOnce(&mut Study)) -> (Study, Option<Calibrati
     (s.optimise, s.front) = (None, None);
     s.conditions.clear();
     change(&mut s);
-    let (fitted, calibration) = assess::calibrate(&s, &Silent).expect("damped");
-    let results = assess::run(&fitted, &Silent).expect("damped");
+    let (fitted, calibration) = analysis::calibrate(&s, &Silent).expect("damped");
+    let results = analysis::run(&fitted, &Silent).expect("damped");
     let published = s.published.expect("tables");
-    let comparison = assess::compare(&fitted, &published, calibration.as_ref(), &results).expect("damped");
+    let comparison = hartog::validation::compare(&fitted, &published, calibration.as_ref(), &results).expect("damped");
     (fitted, calibration, comparison)
 }
 
@@ -130,7 +130,7 @@ fn errata_are_found_not_listed() {
     let c = page("villalva_i6", |s| {
         let chain = s.modes.frequencies_hz();
         let damped: Vec<Vec<f64>> =
-            s.designs.iter().map(|d| hartog::response::natural::frequencies_hz(&s.chain, &s.modes, &d.absorbers)).collect();
+            s.designs.iter().map(|d| hartog::drivetrain::natural::frequencies_hz(&s.chain, &s.modes, &d.absorbers)).collect();
         let published = s.published.as_mut().expect("tables");
         for f in published.frequencies.iter_mut().filter(|f| f.source == "cranklab_cc2") {
             f.frequency_hz = chain[f.mode - 1];
@@ -160,17 +160,17 @@ fn common_points_and_their_damping() {
     for mu in [0.055, 0.34, 1.0] {
         for tuning in [1.0, 1.0 / (1.0 + mu)] {
             for point in [Point::I, Point::II] {
-                let (x, level) = (common_point::frequency2(mu, tuning, point), common_point::amplification(mu, tuning, point));
+                let (x, level) = (fixed_points::frequency2(mu, tuning, point), fixed_points::amplification(mu, tuning, point));
                 for zeta in [0.01, 0.1, 0.7] {
                     assert_close(amplitude(x, mu, tuning, zeta), level, 1e-9, 0.0, &format!("{point:?} mu = {mu}"));
                 }
                 for step in [1.01, 0.99] {
-                    let Some(zeta) = common_point::damping(mu, tuning, point, step) else { continue };
+                    let Some(zeta) = fixed_points::damping(mu, tuning, point, step) else { continue };
                     assert_close(amplitude(step * x, mu, tuning, zeta), level, 1e-9, 0.0, &format!("step {step}, mu = {mu}"));
                 }
             }
         }
-        let (up, down) = (common_point::damping(mu, 1.0, Point::I, 1.0 + 1e-5), common_point::damping(mu, 1.0, Point::I, 1.0 - 1e-5));
+        let (up, down) = (fixed_points::damping(mu, 1.0, Point::I, 1.0 + 1e-5), fixed_points::damping(mu, 1.0, Point::I, 1.0 - 1e-5));
         let level = 0.5 * (up.expect("damped") + down.expect("damped"));
         assert_close(level, seeds::brock_unity(mu), 1e-6, 0.0, "small step is Brock's");
     }

@@ -2,14 +2,16 @@
 
 use crate::support::{assert_close, on, study, system};
 use hartog::absorber::{Absorber, Kind, Locked, Mounted, Ring};
-use hartog::assess::{self, Silent};
-use hartog::design::{Condition, Measure, Over, PeakFinder, Problem, Row, Scene};
+use hartog::analysis::{self, Silent};
+use hartog::drivetrain::{System, natural};
 use hartog::engine::forces::gas_torque;
 use hartog::engine::pressure::{sample_angle, samples};
 use hartog::engine::{Excitation, Source};
+use hartog::input::{Size, Study};
 use hartog::numerics::{C64, harmonics};
-use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, System, Work, natural};
-use hartog::study::{Size, Study};
+use hartog::objective::{Condition, Measure, Over, PeakFinder};
+use hartog::optimise::{Problem, Row, Scene};
+use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 
 fn misfiring(study: &Study, cylinder: usize) -> Excitation {
@@ -57,7 +59,7 @@ fn misfire_brings_the_half_orders() {
     for (name, spacing, cancelled) in [("villalva_i6", 3.0, None), ("villalva_v10", 2.5, Some(10.0))] {
         let mut s = study(name);
         (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::Misfire]);
-        let appearing: Vec<f64> = assess::run(&s, &Silent).expect("damped").appearing.iter().map(|o| o.value()).collect();
+        let appearing: Vec<f64> = analysis::run(&s, &Silent).expect("damped").appearing.iter().map(|o| o.value()).collect();
         let silent = |o: &f64| o % spacing != 0.0 || Some(*o) == cancelled;
         let theory: Vec<f64> = (1..=24).map(|i| 0.5 * f64::from(i)).filter(silent).collect();
         assert_eq!(appearing, theory, "{name}");
@@ -133,7 +135,7 @@ fn gradients_in_every_condition() {
     ];
     let mut spec = s.optimise.clone().expect("optimises").absorber;
     spec.size = Size::Between(0.01, 0.1);
-    let space = hartog::assess::families::family(&spec, Kind::Tuned, None, &[]);
+    let space = hartog::analysis::families::family(&spec, Kind::Tuned, None, &[]);
     let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
     // a locked ring is far worse than a working one: together only its rows would count
     let problem =
@@ -178,12 +180,12 @@ fn an_optimum_that_holds_in_a_misfire() {
         let o = s.optimise.as_mut().expect("optimises");
         (o.absorber.kinds, o.absorber.size, o.conditions) = (vec![Kind::Tuned], Size::Each(vec![0.01]), conditions.to_vec());
         s.designs.clear();
-        assess::run(&s, &Silent).expect("damped")
+        analysis::run(&s, &Silent).expect("damped")
     };
     let (plain, held) = (run(&[Condition::Firing]), run(&[Condition::Firing, Condition::Misfire]));
     let (plain, held) = (&plain.optima[0], &held.optima[0]);
-    let misfire = |o: &assess::OptimumResult| o.design.conditions[0].objective;
-    let firing = |o: &assess::OptimumResult| o.design.twist.expect("excited").value;
+    let misfire = |o: &analysis::OptimumResult| o.design.conditions[0].objective;
+    let firing = |o: &analysis::OptimumResult| o.design.twist.expect("excited").value;
     assert!(misfire(held) < misfire(plain) * (1.0 - 1e-4), "{} {}", misfire(held), misfire(plain));
     assert!(firing(held) >= firing(plain) * (1.0 - 1e-9));
     assert_close(held.optimum.value(), misfire(held).max(firing(held)), 1e-9, 0.0, "the worst condition counts");
@@ -196,7 +198,7 @@ fn an_optimum_that_holds_in_a_misfire() {
 fn conditions_of_the_given_designs() {
     let mut s = study("villalva_i6");
     (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::AbsorberLocked, Condition::AbsorberLost]);
-    let results = assess::run(&s, &Silent).expect("damped");
+    let results = analysis::run(&s, &Silent).expect("damped");
     assert!(results.designs[0].conditions.is_empty(), "no absorber");
     let none = results.designs[0].twist.expect("excited").value;
     for d in &results.designs[1..] {

@@ -1,11 +1,11 @@
 //! Criteria of mean stress, and the safety factors of the literature from their stresses.
 
 use crate::support::{assert_close, study};
-use hartog::assess::comparison::{Entry, Kind, Role};
-use hartog::assess::{Silent, compare, run};
+use hartog::analysis::{Silent, run};
 use hartog::fatigue::endurance::{Endurance, Loading, Surface, estimated_limit, fatigue_factor, notch_sensitivity};
 use hartog::fatigue::mean_stress::goodman_limit;
 use hartog::fatigue::{Criterion, Cycle, Strength};
+use hartog::validation::{Entry, Kind, Role, compare};
 use proptest::prelude::*;
 
 const STEEL: Strength = Strength { tensile: 1500e6, yielding: Some(1200e6), fatigue_limit: 756e6 };

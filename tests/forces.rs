@@ -1,7 +1,8 @@
 //! Forces in a cylinder unit: laws that hold whatever the method.
 
 use crate::support::{assert_close, study};
-use hartog::design::margin::loads::CrankModel;
+use hartog::crankshaft::Crank;
+use hartog::crankshaft::loads::CrankModel;
 use hartog::engine::cycle::{crank_fixed, pin_angles, throw_loads};
 use hartog::engine::forces::{
     Moment, UnitForces, friction_torque, gas_torque, inertia_for_growth, inertia_force_across, inertia_torque_per_omega2, newton_euler,
@@ -9,7 +10,6 @@ use hartog::engine::forces::{
 };
 use hartog::engine::{Excitation, Geometry, RodModel, Source};
 use hartog::numerics::harmonics;
-use hartog::shaft::Crank;
 use std::f64::consts::TAU;
 
 const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];

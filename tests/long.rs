@@ -3,12 +3,12 @@
 use crate::support::{study, system};
 use hartog::absorber::seeds::EngineMode;
 use hartog::absorber::{Kind, Ring};
-use hartog::assess::audit::highest_frequency_hz;
-use hartog::assess::{self, OptimumResult, Silent, families};
-use hartog::design::{Condition, PeakFinder, Problem, Scene};
-use hartog::optimise::{minimax, search, starts};
+use hartog::analysis::audit::highest_frequency_hz;
+use hartog::analysis::{self, OptimumResult, Silent, families};
+use hartog::input::{AbsorberSpec, Study};
+use hartog::objective::{Condition, PeakFinder};
+use hartog::optimise::{Problem, Scene, minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
-use hartog::study::{AbsorberSpec, Study};
 use rayon::prelude::*;
 
 fn with_scenes(study: &Study, f: impl FnOnce(&[Scene], &[EngineMode])) {
@@ -35,7 +35,7 @@ fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[EngineMode
     for name in ["villalva_i6", "villalva_v10"] {
         let mut s = study(name);
         s.front = None;
-        let results = assess::run(&s, &Silent).expect("damped");
+        let results = analysis::run(&s, &Silent).expect("damped");
         with_scenes(&s, |scenes, modes| {
             for o in &results.optima {
                 let a = &o.optimum.design.absorber;
@@ -85,7 +85,7 @@ fn no_grid_beats_an_optimum() {
 fn fronts_are_optimal() {
     for name in ["villalva_i6", "villalva_v10"] {
         let s = study(name);
-        let results = assess::run(&s, &Silent).expect("damped");
+        let results = analysis::run(&s, &Silent).expect("damped");
         with_scenes(&s, |scenes, modes| {
             for front in &results.fronts {
                 let mut worst = 0.0f64;

@@ -2,17 +2,17 @@
 
 use crate::support::{assert_close, on, study, system};
 use hartog::absorber::{Kind, Mounted};
-use hartog::assess::{Results, Silent, margins, run};
-use hartog::design::margin::{FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Spot, Torque};
-use hartog::design::{Condition, Parameter, Space, Variable};
-use hartog::design::{Limit, Margin, Measure, PeakFinder, Problem, Scene};
+use hartog::analysis::{Results, Silent, margins, run};
+use hartog::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, MeanBending, Place, Spot, Torque};
+use hartog::drivetrain::System;
 use hartog::fatigue::Criterion;
 use hartog::fatigue::multiaxial::Criterion as Multiaxial;
+use hartog::input::Study;
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::{self, Extremes, Synthesiser};
-use hartog::response::{Direct, Grid, Method, Quantity, Response, System, Work};
-use hartog::shaft::{Crank, Place};
-use hartog::study::Study;
+use hartog::objective::{Condition, Limit, Measure, PeakFinder};
+use hartog::optimise::{Parameter, Problem, Scene, Space, Variable};
+use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::TAU;

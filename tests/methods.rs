@@ -2,11 +2,12 @@
 //! or known to be wrong by at least some share. A new method needs its outcomes only.
 
 use crate::support::{assert_close, one_throw, uniform_chain};
-use hartog::assess::energy::balances;
-use hartog::assess::methods::Candidate;
-use hartog::assess::stability::scenarios;
+use hartog::benchmark::energy::balances;
+use hartog::benchmark::methods::Candidate;
+use hartog::benchmark::stability::scenarios;
+use hartog::drivetrain::System;
 use hartog::numerics::I;
-use hartog::response::{Grid, Newmark, Quantity, Response, System, Work};
+use hartog::response::{Grid, Newmark, Quantity, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 
 #[test]

@@ -2,14 +2,15 @@
 
 use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::{Kind, Ring};
-use hartog::assess::{self, Results, Silent};
-use hartog::chain::{Chain, Modes, Station};
-use hartog::design::{Limit, Measure, Over, Parameter, Variable};
+use hartog::analysis::{self, Results, Silent};
+use hartog::drivetrain::{Chain, Modes, Station};
+use hartog::input::{DesignSpec, FrontSpec, Size, Study};
+use hartog::objective::{Limit, Measure, Over};
+use hartog::optimise::{Parameter, Variable};
 use hartog::response::Quantity;
-use hartog::study::{DesignSpec, FrontSpec, Size, Study};
 
 fn run(study: &Study) -> Results {
-    assess::run(study, &Silent).unwrap_or_else(|e| panic!("{e}"))
+    analysis::run(study, &Silent).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Leaves a study with one size and one type, and no front.

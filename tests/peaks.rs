@@ -2,13 +2,14 @@
 
 use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
 use hartog::absorber::{Kind, Mounted, Ring};
-use hartog::assess::evaluate::{Wanted, evaluate};
-use hartog::design::{Measure, Over, PeakFinder, Place};
+use hartog::analysis::{evaluate::evaluate, wanted::Wanted};
+use hartog::drivetrain::System;
 use hartog::engine::Excitation;
+use hartog::input::Study;
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::Synthesiser;
-use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, System, Work};
-use hartog::study::Study;
+use hartog::objective::{Measure, Over, PeakFinder, Place};
+use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
 
 fn measure(quantity: Quantity, over: Over) -> Measure {
     Measure { quantities: vec![quantity], over }

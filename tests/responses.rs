@@ -2,9 +2,9 @@
 
 use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
 use hartog::absorber::{Kind, Mounted, Ring};
-use hartog::chain::{Chain, Station};
+use hartog::drivetrain::{Chain, Station, System, natural};
 use hartog::numerics::{C64, I};
-use hartog::response::{Direct, Grid, Quantity, Receptance, Response, ResponseError, System, Work, natural};
+use hartog::response::{Direct, Grid, Quantity, Receptance, Response, ResponseError, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -256,9 +256,9 @@ fn frequencies_with_a_ring_equal_a_longer_chain() {
         let mut longer = chain.clone();
         longer.stations[n - 1].stiffness_to_next = 2e5;
         longer.stations.push(Station { name: "ring".into(), inertia: 0.05, ..Station::default() });
-        let modes = hartog::chain::Modes::new(&chain);
+        let modes = hartog::drivetrain::Modes::new(&chain);
         let own = natural::frequencies_hz(&chain, &modes, &[on(n - 1, Kind::Undamped, 0.05, 2e5, 0.0)]);
-        for (a, b) in own.iter().zip(hartog::chain::Modes::new(&longer).frequencies_hz()).take(3) {
+        for (a, b) in own.iter().zip(hartog::drivetrain::Modes::new(&longer).frequencies_hz()).take(3) {
             assert_close(*a, b, rtol, 0.0, &format!("{n} stations"));
         }
     }

@@ -1,11 +1,11 @@
 //! The crank as a structure: a beam on its bearings by two methods, stress concentration against the rule's own arithmetic, torsion cases.
 
 use crate::support::{assert_close, study};
-use hartog::assess::comparison::inverse;
+use hartog::crankshaft::stress_concentration::{Concentration, Formulas, Geometry};
+use hartog::crankshaft::{Beam, Crank, Support, elements, section, singularity};
 use hartog::fatigue::class_rules::{ClassRule, Manufacture, bore_stress};
-use hartog::shaft::notch::{Concentration, Formulas, Geometry};
-use hartog::shaft::torsion::{Case, halves};
-use hartog::shaft::{Beam, Crank, Support, elements, section, singularity};
+use hartog::validation::inverse;
+use hartog::validation::torsion_cases::{Case, halves};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 

@@ -1,12 +1,11 @@
 //! Shared by all tests.
 
 use hartog::absorber::{Kind, Mounted};
-use hartog::chain::{Chain, Station};
+use hartog::drivetrain::{Chain, Station, System};
 use hartog::engine::excitation::HarmonicTable;
 use hartog::engine::{Engine, Excitation, Layout, Order, Source};
+use hartog::input::Study;
 use hartog::numerics::C64;
-use hartog::response::System;
-use hartog::study::Study;
 use std::path::Path;
 
 /// Fails unless |actual - expected| <= atol + rtol |expected|.
@@ -19,7 +18,7 @@ pub fn assert_close(actual: f64, expected: f64, rtol: f64, atol: f64, what: &str
 /// A shipped study.
 pub fn study(name: &str) -> Study {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies").join(format!("{name}.toml"));
-    hartog::study::read(&path).unwrap_or_else(|e| panic!("{e}"))
+    hartog::input::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The system of a study.

@@ -1,6 +1,5 @@
 //! Torsional vibration absorbers: a ring coupled to a station. One file a type.
 
-pub mod common_point;
 mod locked;
 pub mod seeds;
 mod tuned;

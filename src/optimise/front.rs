@@ -1,9 +1,9 @@
 //! The front of ring inertia against the objective: the optimum followed along the inertia.
 
-use super::search::{self, Optimum};
-use super::{Outcome, Recorder, minimax};
+use super::minimax::{self, Outcome};
+use super::search::{self, Optimum, Recorder};
+use super::{Problem, Space};
 use crate::absorber::Mounted;
-use crate::design::{Problem, Space};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 

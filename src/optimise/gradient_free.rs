@@ -1,7 +1,7 @@
 //! Bounded search without derivatives: Nelder and Mead's simplex \[Nelder & Mead 1965\] by argmin, from one start.
 
-use crate::design::Problem;
-use crate::design::problem::UNBOUNDED_COST;
+use super::Problem;
+use super::problem::UNBOUNDED_COST;
 use crate::response::Work;
 use argmin::core::{CostFunction, Error, Executor};
 use argmin::solver::neldermead::NelderMead;

@@ -4,9 +4,10 @@
 //! curvature of the Lagrangian), then measures the true peaks. Without curvature the method stalls wherever fewer peaks are level than
 //! there are variables: Den Hartog's problem has two level peaks and two variables, and its optimum is not a vertex of the linear model.
 
+use super::problem::PENALTY;
 use super::subproblem::{Line, Step, solve};
-use crate::design::problem::PENALTY;
-use crate::design::{Peak, Problem, Row, Rows};
+use super::{Problem, Row, Rows};
+use crate::objective::Peak;
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 

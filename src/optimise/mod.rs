@@ -1,15 +1,16 @@
-//! Optimisers: gradient-free search, sequential quadratic minimax, their combination from many starts, and the front over ring inertia.
+//! Optimisation: the problem and its variables, starts, gradient-free search, sequential quadratic minimax, and the front over ring inertia.
 
 pub mod front;
 pub mod gradient_free;
 pub mod minimax;
+pub mod problem;
 pub mod search;
 pub mod starts;
 mod subproblem;
+pub mod variables;
 
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
-pub use search::{Optimum, Stages, Start};
-
-/// Told of progress: once for every start and every front point that is done.
-pub type Recorder<'a> = &'a (dyn Fn() + Sync);
+pub use problem::{Problem, Row, Rows, Scene};
+pub use search::{Optimum, Recorder, Stages, Start};
+pub use variables::{Parameter, Space, Variable};

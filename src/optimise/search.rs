@@ -1,12 +1,14 @@
 //! A global search: closed-form and random starts, each searched without derivatives, then finished by the minimax method.
 
-use super::{Recorder, gradient_free, minimax};
+use super::problem::PENALTY;
+use super::{Problem, gradient_free, minimax};
 use crate::absorber::Mounted;
-use crate::design::Problem;
-use crate::design::problem::PENALTY;
 use crate::response::{ResponseError, Work};
 use minimax::Outcome;
 use rayon::prelude::*;
+
+/// Told of progress: once for every start and every front point that is done.
+pub type Recorder<'a> = &'a (dyn Fn() + Sync);
 
 /// Evaluations without derivatives from each start.
 const SEARCH_EVALUATIONS: u64 = 150;

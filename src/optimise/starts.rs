@@ -1,8 +1,8 @@
 //! Where searches start: closed forms for every mode the torque reaches, and random points.
 
+use super::{Parameter, Space};
 use crate::absorber::seeds::{EngineMode, RULES, Rule};
 use crate::absorber::{Kind, Ring};
-use crate::design::{Parameter, Space};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 

@@ -7,9 +7,10 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 
-use crate::assess::Chart;
-use crate::assess::{Calibration, Comparison, Results};
-use crate::study::Study;
+use crate::analysis::{Calibration, Results};
+use crate::benchmark::Chart;
+use crate::input::Study;
+use crate::validation::Comparison;
 
 /// Writes everything a run gives.
 ///

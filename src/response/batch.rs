@@ -10,7 +10,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::absorber::{Kind, Mounted, Ring};
-use crate::chain::Station;
+use crate::drivetrain::Station;
 use crate::numerics::C64;
 use multiversion::multiversion;
 

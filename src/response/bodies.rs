@@ -1,8 +1,8 @@
 //! Chain and rings as bodies of their own: matrices of the whole system, for methods that do not condense the rings.
 
-use super::{Quantity, System};
+use super::Quantity;
 use crate::absorber::{Kind, Mounted, Ring};
-use crate::chain::Station;
+use crate::drivetrain::{Station, System};
 use nalgebra::DMatrix;
 
 /// Stations, then rings that move.

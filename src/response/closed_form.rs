@@ -1,7 +1,9 @@
 //! One elastic mode of the engine with one absorber, solved by hand: the two-mass system of the closed-form rules, with the engine's damping.
 
-use super::{Grid, Quantity, RESONANT, Response, ResponseError, System, Work};
+use super::method::RESONANT;
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -21,7 +23,7 @@ impl<'a> ClosedForm<'a> {
     /// Of the first elastic mode; nothing where there is none.
     pub fn new(system: &'a System, grid: &'a Grid) -> Option<Self> {
         let mode = system.modes.elastic().next()?;
-        let bodies = super::bodies::Bodies::new(system, &[]);
+        let bodies = crate::response::bodies::Bodies::new(system, &[]);
         let shape = system.modes.shapes.column(mode);
         let along = |matrix: &nalgebra::DMatrix<f64>| shape.dot(&(matrix * shape));
         Some(Self { system, grid, mode, viscous: along(&bodies.damping), hysteretic: along(&bodies.hysteresis) })
@@ -29,7 +31,7 @@ impl<'a> ClosedForm<'a> {
 }
 
 impl Response for ClosedForm<'_> {
-    super::identity!("closed_form");
+    super::method::identity!("closed_form");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -1,8 +1,9 @@
 //! Dense complex LU of the whole system, rings as bodies of their own: slow, and independent of every other method.
 
 use super::bodies::Bodies;
-use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
@@ -44,7 +45,7 @@ impl<'a> Dense<'a> {
 }
 
 impl Response for Dense<'_> {
-    super::identity!("dense");
+    super::method::identity!("dense");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -1,8 +1,9 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
 use super::batch::{Block, LANES, Lane};
-use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::{Mounted, Ring};
+use crate::drivetrain::System;
 use crate::numerics::tridiagonal::Tridiagonal;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -355,7 +356,7 @@ impl<'a> Direct<'a> {
 }
 
 impl Response for Direct<'_> {
-    super::identity!("direct");
+    super::method::identity!("direct");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

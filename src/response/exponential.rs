@@ -6,8 +6,9 @@
 use super::bodies::Bodies;
 use super::periodic::{self, Motion, Step};
 use super::power::Power;
-use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::C64;
 use nalgebra::DMatrix;
 
@@ -96,7 +97,7 @@ fn step(bodies: &Bodies, dt: f64) -> Step {
 }
 
 impl Response for Exponential<'_> {
-    super::identity!("exponential");
+    super::method::identity!("exponential");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

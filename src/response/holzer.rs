@@ -4,8 +4,9 @@
 //! station must vanish. On long chains and above the resonances of single shafts both grow and their difference loses digits: more than
 //! [`LARGEST_CANCELLATION`] is refused.
 
-use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -27,7 +28,7 @@ impl<'a> Holzer<'a> {
 }
 
 impl Response for Holzer<'_> {
-    super::identity!("holzer");
+    super::method::identity!("holzer");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -4,8 +4,10 @@
 //! shipped six-cylinder. Kept to show that, and for chains that are damped lightly and alike.
 
 use super::bodies::Bodies;
-use super::{Grid, Quantity, RESONANT, Response, ResponseError, System, Work};
+use super::method::RESONANT;
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO, eigen};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::DMatrix;
@@ -79,7 +81,7 @@ impl<'a> Modal<'a> {
 }
 
 impl Response for Modal<'_> {
-    super::identity!("modal");
+    super::method::identity!("modal");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -8,8 +8,9 @@
 use super::bodies::Bodies;
 use super::periodic::{self, Motion, Step};
 use super::power::Power;
-use super::{Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, eigen};
 use nalgebra::DMatrix;
 
@@ -99,7 +100,7 @@ fn step(bodies: &Bodies, dt: f64, beta: f64, gamma: f64) -> Option<Step> {
 }
 
 impl Response for Newmark<'_> {
-    super::identity!("newmark");
+    super::method::identity!("newmark");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

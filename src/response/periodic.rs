@@ -6,7 +6,8 @@
 
 use super::bodies::Bodies;
 use super::power::Power;
-use super::{Quantity, ResponseError, System};
+use super::{Quantity, ResponseError};
+use crate::drivetrain::System;
 use crate::numerics::C64;
 use crate::numerics::harmonics::Analyser;
 use crate::units::RAD_PER_S_PER_RPM;

@@ -79,7 +79,7 @@ fn physical(method: &dyn Response, design: &[Mounted], omega: f64, bodies: &Bodi
     let viscous = |c: f64, y: &C64| 0.5 * c * omega * omega * y.norm_sqr();
     let stations = &method.system().chain.stations;
     let ground: f64 = stations.iter().zip(&bodies.stations).map(|(s, y)| viscous(s.damping_to_ground, y)).sum();
-    let shaft = |(s, y): (&crate::chain::Station, &C64)| {
+    let shaft = |(s, y): (&crate::drivetrain::Station, &C64)| {
         viscous(s.damping_to_next, y) + 0.5 * omega * s.stiffness_to_next * s.loss_factor_to_next * y.norm_sqr()
     };
     let shafts: f64 = stations.iter().zip(&bodies.shafts).map(shaft).sum();

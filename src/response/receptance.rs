@@ -4,8 +4,9 @@
 //! z the absorber's dynamic stiffness: y = y0 - h z u0/(1 + z H) = (y0 + z (y0 H - h u0))/(1 + z H), exactly.
 
 use super::kernel::{self, Points, Values};
-use super::{Direct, Grid, Quantity, Response, ResponseError, System, Work};
+use super::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::{Kind, Mounted, Ring};
+use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 

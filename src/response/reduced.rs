@@ -4,8 +4,10 @@
 //! out follow as if static (residual flexibility). Absorbers act on their hubs with their exact dynamic stiffness. With all modes the method is
 //! exact.
 
-use super::{Grid, Quantity, RESONANT, Response, ResponseError, System, Work};
+use super::method::RESONANT;
+use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
@@ -28,7 +30,7 @@ impl<'a> Reduced<'a> {
     /// The lowest `elastic` elastic modes, and all rigid ones.
     pub fn new(system: &'a System, grid: &'a Grid, elastic: usize) -> Self {
         let kept = system.modes.rigid.saturating_add(elastic).min(system.modes.omega.len());
-        let bodies = super::bodies::Bodies::new(system, &[]);
+        let bodies = crate::response::bodies::Bodies::new(system, &[]);
         let shapes = system.modes.shapes.columns(0, kept);
         let viscous = shapes.transpose() * &bodies.damping * shapes;
         let hysteretic = shapes.transpose() * &bodies.hysteresis * shapes;
@@ -51,7 +53,7 @@ impl<'a> Reduced<'a> {
 }
 
 impl Response for Reduced<'_> {
-    super::identity!("reduced");
+    super::method::identity!("reduced");
 
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;

@@ -18,12 +18,12 @@ static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
     for (x, weight) in gauss_legendre(HEIGHTS) {
         let phi = (0.5 * (x + 1.0)).acos();
         for i in 0..ROUND {
-            let plane = super::Plane { theta: 2.0 * PI * (i as f64 + 0.5) / ROUND as f64, phi };
+            let plane = crate::fatigue::multiaxial::Plane { theta: 2.0 * PI * (i as f64 + 0.5) / ROUND as f64, phi };
             let [u, v] = plane.directions();
             for k in 0..DIRECTIONS {
                 let (sine, cosine) = (PI * (k as f64 + 0.5) / DIRECTIONS as f64).sin_cos();
                 let m = [0, 1, 2].map(|d| cosine * u[d] + sine * v[d]);
-                rule.push((super::plane::resolved(&plane.normal(), &m), 0.5 * weight / (ROUND * DIRECTIONS) as f64));
+                rule.push((crate::fatigue::multiaxial::plane::resolved(&plane.normal(), &m), 0.5 * weight / (ROUND * DIRECTIONS) as f64));
             }
         }
     }

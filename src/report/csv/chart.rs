@@ -1,9 +1,9 @@
 //! The table of a chart.
 
 use super::{Table, number, optional};
-use crate::assess::Chart;
-use crate::assess::methods::Candidate;
-use crate::assess::savings::Savings;
+use crate::benchmark::Chart;
+use crate::benchmark::methods::Candidate;
+use crate::benchmark::savings::Savings;
 use crate::report::files::{Folder, WriteError};
 use crate::response::Work;
 

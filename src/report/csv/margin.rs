@@ -1,9 +1,9 @@
 //! `margin.csv`, and the columns that margins add to other tables.
 
 use super::{Table, number, optional};
-use crate::assess::{DesignResult, Results};
+use crate::analysis::{DesignResult, Results};
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use crate::units::PA_PER_MPA;
 
 /// Columns of the smallest margins in `designs.csv`: three a criterion.

@@ -6,11 +6,12 @@ pub mod margin;
 
 use super::files::{Folder, WriteError};
 use crate::absorber::Ring;
-use crate::assess::{Calibration, Comparison, ConditionResult, DesignResult, Results, Timing};
-use crate::design::{Condition, Peak};
+use crate::analysis::{Calibration, ConditionResult, DesignResult, Results, Timing};
+use crate::input::{ObjectiveSpec, Study, UnitOf};
+use crate::objective::{Condition, Peak};
 use crate::response::Quantity;
-use crate::study::{ObjectiveSpec, Study, UnitOf};
 use crate::units::DEG_PER_RAD;
+use crate::validation::Comparison;
 
 /// Columns of `designs.csv`, in order.
 pub const DESIGN_COLUMNS: [&str; 22] = [
@@ -239,7 +240,7 @@ pub fn calibration(calibration: &Calibration, folder: &Folder) -> Result<(), Wri
     for i in &calibration.inputs {
         let cells = [i.free.start, i.value].map(number);
         let error = optional(i.standard_error.filter(|e| e.is_finite()));
-        let note = super::text::calibration::known(i.known).to_owned();
+        let note = crate::report::text::calibration::known(i.known).to_owned();
         table.row([i.free.input.key().to_owned()].into_iter().chain(cells).chain([
             error,
             number(i.free.lower),

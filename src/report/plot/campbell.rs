@@ -1,10 +1,10 @@
 //! Campbell diagram: natural frequencies, order lines, speed range and the resonances in it.
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
-use crate::assess::Results;
+use crate::analysis::Results;
 use crate::engine::Order;
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 

@@ -1,12 +1,12 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
-use crate::assess::auto::Way;
-use crate::assess::methods::Candidate;
-use crate::assess::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
-use crate::assess::stability::{Cell, Scenario};
+use crate::analysis::choice::Way;
+use crate::benchmark::methods::Candidate;
+use crate::benchmark::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
+use crate::benchmark::stability::{Cell, Scenario};
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 

@@ -1,13 +1,12 @@
 //! Computed against published amplitudes, before and after a calibration, and the orders of each design with the published points.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, PALE, fill, line, px, text};
-use crate::assess::Sweeps;
-use crate::assess::comparison::Role;
-use crate::assess::{Calibration, Comparison, Results};
+use crate::analysis::{Calibration, Results, Sweeps};
 use crate::engine::Order;
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use crate::units::DEG_PER_RAD;
+use crate::validation::{Comparison, Role};
 use plotters::prelude::*;
 
 /// Lines of deviation drawn beside equality.

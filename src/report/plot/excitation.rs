@@ -1,10 +1,10 @@
 //! Order spectrum of the excitation: torque of a throw, and what of it pushes the first mode.
 
 use super::canvas::{self, COLOURS, Drawn, fill, line, px, text};
-use crate::assess::Results;
+use crate::analysis::Results;
+use crate::input::Study;
 use crate::numerics::C64;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use plotters::prelude::*;
 
 fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec<f64>)]) -> Drawn {

@@ -1,7 +1,7 @@
 //! The worst point: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, fill, line, px, text};
-use crate::assess::multiaxial::Summary;
+use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
 use crate::report::files::{Folder, WriteError};
@@ -31,7 +31,7 @@ pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), W
     })
 }
 
-type Point = crate::study::csv_in::PointHistory;
+type Point = crate::input::tables::PointHistory;
 
 fn closed(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut list: Vec<(f64, f64)> = points.collect();

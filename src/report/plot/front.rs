@@ -2,10 +2,10 @@
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::absorber::{Kind, Ring};
-use crate::assess::Results;
+use crate::analysis::Results;
+use crate::input::{Study, UnitOf};
 use crate::report::csv::in_unit;
 use crate::report::files::{Folder, WriteError};
-use crate::study::{Study, UnitOf};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -19,7 +19,7 @@ fn colour(kind: Kind) -> RGBColor {
 }
 
 pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let front = |kind: &crate::assess::FrontResult| -> Vec<(f64, f64)> {
+    let front = |kind: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
         kind.front.points.iter().map(|p| (p.design.absorber.ring_inertia(), in_unit(study, p.value))).collect()
     };
     let lines: Vec<(Kind, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.kind, front(f))).collect();

@@ -1,11 +1,11 @@
 //! Margin of the crank over speed, and the loads along it.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, line, px, text};
-use crate::assess::Results;
-use crate::assess::diagram::{Diagram, Instant};
-use crate::design::margin::loads::InPlanes;
+use crate::analysis::Results;
+use crate::analysis::diagram::{Diagram, Instant};
+use crate::crankshaft::loads::InPlanes;
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use crate::units::{M_PER_MM, N_PER_KN};
 use plotters::prelude::*;
 

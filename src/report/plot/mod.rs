@@ -12,8 +12,8 @@ pub mod models;
 mod response;
 
 use super::files::{Folder, WriteError};
-use crate::assess::Results;
-use crate::study::Study;
+use crate::analysis::Results;
+use crate::input::Study;
 
 /// Draws every plot of a run.
 ///

@@ -2,9 +2,9 @@
 
 use super::canvas::{self, COLOURS, fill, line, px};
 use super::chart::decades;
-use crate::assess::model_accuracy::ModelError;
+use crate::benchmark::model_accuracy::ModelError;
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use plotters::prelude::*;
 
 /// Smaller errors are drawn on this.

@@ -1,10 +1,10 @@
 //! Response over speed: one design with its main orders, and all designs together.
 
 use super::canvas::{self, COLOURS, Drawn, line, px, text};
-use crate::assess::Results;
-use crate::assess::sweeps::{QuantitySweep, Sweeps};
+use crate::analysis::Results;
+use crate::analysis::sweeps::{QuantitySweep, Sweeps};
+use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
-use crate::study::Study;
 use plotters::prelude::*;
 
 /// Orders drawn on their own: those with the largest peaks.

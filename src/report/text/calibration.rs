@@ -1,9 +1,9 @@
 //! What is printed of a calibration.
 
 use super::{significant, table};
-use crate::assess::Calibration;
-use crate::assess::calibrate::Known;
-use crate::study::Study;
+use crate::analysis::Calibration;
+use crate::analysis::calibrate::Known;
+use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 

@@ -1,13 +1,13 @@
 //! What is printed of a chart.
 
 use super::table;
-use crate::assess::auto::Considered;
-use crate::assess::energy::Balance;
-use crate::assess::methods::Candidate;
-use crate::assess::model_accuracy::ModelError;
-use crate::assess::savings::Savings;
-use crate::assess::speed_accuracy::{Growth, Search, SpeedAccuracy};
-use crate::assess::stability::{Cell, Scenario};
+use crate::analysis::choice::Considered;
+use crate::benchmark::energy::Balance;
+use crate::benchmark::methods::Candidate;
+use crate::benchmark::model_accuracy::ModelError;
+use crate::benchmark::savings::Savings;
+use crate::benchmark::speed_accuracy::{Growth, Search, SpeedAccuracy};
+use crate::benchmark::stability::{Cell, Scenario};
 
 fn duration(seconds: f64) -> String {
     if seconds < 1e-3 { format!("{:.1} µs", 1e6 * seconds) } else { format!("{:.2} ms", 1e3 * seconds) }
@@ -20,7 +20,7 @@ pub fn methods(measured: &SpeedAccuracy) -> String {
         let own: Vec<_> = measured.points.iter().filter(|p| p.candidate == candidate).collect();
         let finest = own.iter().rfind(|p| matches!(p.search, Search::Grid(_)));
         let refined = own.iter().find(|p| matches!(p.search, Search::Refined(_)));
-        let cells = |p: Option<&&&crate::assess::speed_accuracy::Point>| match p {
+        let cells = |p: Option<&&&crate::benchmark::speed_accuracy::Point>| match p {
             Some(p) => match &p.error {
                 Ok(e) => [p.search.label(), duration(p.seconds), format!("{e:.1e}")],
                 Err(_) => [p.search.label(), "-".into(), "refused".into()],

@@ -1,10 +1,9 @@
 //! What is printed of a comparison: a table that lines up, and a paragraph generated from the numbers.
 
 use super::{aligned, dash, significant};
-use crate::assess::Comparison;
-use crate::assess::comparison::{Entry, Kind, Ranked, Role, Spread};
-use crate::study::{Study, UnitOf};
+use crate::input::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
+use crate::validation::{Comparison, Entry, Kind, Ranked, Role, Spread};
 use std::fmt::Write;
 
 /// An input that differs from the printed one by more than its digits.
@@ -56,7 +55,7 @@ fn value(study: &Study, v: f64) -> String {
     match study.objective.unit {
         UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
         UnitOf::Torque => format!("{} N m", significant(v, 4)),
-        UnitOf::Margin => super::margin::factor(1.0 / v),
+        UnitOf::Margin => crate::report::text::margin::factor(1.0 / v),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The crank of a study: factors of stress concentration, loads of its main bearings.
 
 use super::{significant, table};
-use crate::design::margin::loads::CrankModel;
+use crate::crankshaft::loads::CrankModel;
+use crate::crankshaft::stress_concentration::Formulas;
+use crate::crankshaft::{Concentration, Crank};
 use crate::engine::cycle::crank_fixed;
-use crate::shaft::notch::Formulas;
-use crate::shaft::{Concentration, Crank};
-use crate::study::Study;
+use crate::input::Study;
 use crate::units::{DEG_PER_RAD, M_PER_MM, N_PER_KN};
 use std::fmt::Write;
 

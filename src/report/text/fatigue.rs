@@ -2,7 +2,7 @@
 
 use super::margin::factor;
 use super::{aligned, dash, significant};
-use crate::assess::multiaxial::Summary;
+use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::{Criterion, Limits};
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 use std::fmt::Write;

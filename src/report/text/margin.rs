@@ -1,10 +1,10 @@
 //! Margins of the crank, in words.
 
 use super::{dash, table};
-use crate::assess::{DesignResult, Results, SmallestMargin};
-use crate::design::{FatigueSpec, MarginCriterion};
+use crate::analysis::{DesignResult, Results, SmallestMargin};
+use crate::crankshaft::{FatigueSpec, MarginCriterion};
 use crate::fatigue::multiaxial::Criterion as Multiaxial;
-use crate::study::Study;
+use crate::input::Study;
 use std::fmt::Write;
 
 /// A safety factor.

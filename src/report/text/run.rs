@@ -3,12 +3,12 @@
 use super::margin::factor;
 use super::{dash, significant, table};
 use crate::absorber::Ring;
-use crate::assess::auto::Way;
-use crate::assess::{DesignResult, Nature, OptimumResult, PeakKind, Results};
-use crate::design::{Condition, Over};
+use crate::analysis::choice::Way;
+use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
+use crate::input::{ObjectiveSpec, Study, UnitOf};
+use crate::objective::{Condition, Over};
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
-use crate::study::{ObjectiveSpec, Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 

@@ -1,0 +1,47 @@
+//! What an engine file means: modes, critical speeds and a check of the pressure against the brake torque.
+
+use crate::engine::Order;
+use crate::input::Study;
+use crate::units::{HZ_PER_RPM, RAD_PER_S_PER_RPM};
+
+/// A resonance in the speed range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Critical {
+    /// Elastic mode, from 1.
+    pub mode: usize,
+    /// The order.
+    pub order: Order,
+    /// rpm.
+    pub speed_rpm: f64,
+}
+
+/// Speeds within the range at which an order of the torque meets an elastic mode, by mode and order.
+pub fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let modes = study.modes.elastic().enumerate();
+    modes
+        .flat_map(|(m, mode)| {
+            orders.iter().map(move |&order| Critical { mode: m + 1, order, speed_rpm: study.modes.critical_speed_rpm(mode, order) })
+        })
+        .filter(|c| (low..=high).contains(&c.speed_rpm))
+        .collect()
+}
+
+/// Highest frequency the torque reaches, Hz.
+pub fn highest_frequency_hz(study: &Study, orders: &[Order]) -> f64 {
+    let speed = study.speeds_rpm[study.speeds_rpm.len() - 1];
+    orders.last().map_or(0.0, |o| o.value() * speed * HZ_PER_RPM)
+}
+
+/// Friction torque implied by the pressure model: order-zero torque less brake torque, N m, and as mean pressure, Pa.
+pub fn implied_friction(study: &Study, audit: &crate::engine::excitation::Audit) -> Option<(f64, f64)> {
+    let crate::engine::Source::Cylinder { geometry, .. } = &study.engine.source else { return None };
+    let torque = audit.mean_torque - audit.brake_torque?;
+    let cycle = study.engine.cycle_deg() * crate::units::RAD_PER_DEG;
+    Some((torque, torque * cycle / (study.engine.layout.firing_deg.len() as f64 * geometry.displacement())))
+}
+
+/// Power of a torque at a speed, W.
+pub fn power(torque: f64, speed_rpm: f64) -> f64 {
+    torque * speed_rpm * RAD_PER_S_PER_RPM
+}

@@ -1,0 +1,63 @@
+//! The model as a calibration sees it: amplitudes of the fitted rows from values of the inputs.
+
+use crate::analysis::RunError;
+use crate::analysis::amplitude::near;
+use crate::drivetrain::System;
+use crate::engine::Excitation;
+use crate::input::{CalibrateSpec, Input, Study};
+use crate::response::{Direct, Grid, ResponseError, Work};
+use std::sync::Arc;
+
+/// Amplitudes of the fitted rows for inputs of given values, rad. Torques are kept while only the chain changes.
+pub struct Model<'a> {
+    study: &'a Study,
+    spec: &'a CalibrateSpec,
+    grid: Grid,
+    torques: Vec<(Vec<f64>, Arc<Excitation>)>,
+}
+
+/// Torques kept: those of a point and of its neighbours in the first inputs.
+const KEPT: usize = 4;
+
+impl<'a> Model<'a> {
+    /// Of a study.
+    pub fn new(study: &'a Study, spec: &'a CalibrateSpec) -> Self {
+        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new() }
+    }
+
+    /// With the engine file as it is.
+    pub fn as_in_the_file(&self) -> Result<Vec<f64>, RunError> {
+        self.of(self.study, Excitation::new(&self.study.engine, self.study.order_limit))
+    }
+
+    /// Of inputs with these values, in their order.
+    pub fn amplitudes(&mut self, values: &[f64]) -> Result<Vec<f64>, RunError> {
+        let inputs: Vec<(Input, f64)> = self.spec.inputs.iter().map(|f| f.input).zip(values.iter().copied()).collect();
+        let study = self.study.with_inputs(&inputs);
+        let key: Vec<f64> = inputs.iter().filter(|i| i.0.changes_torque()).map(|i| i.1).collect();
+        let torque = match self.torques.iter().find(|t| t.0 == key) {
+            Some((_, torque)) => torque.clone(),
+            None => {
+                let torque = Arc::new(Excitation::new(&study.engine, study.order_limit));
+                self.torques.truncate(KEPT - 1);
+                self.torques.insert(0, (key, torque.clone()));
+                torque
+            }
+        };
+        self.of(&study, (*torque).clone())
+    }
+
+    fn of(&self, study: &Study, torque: Excitation) -> Result<Vec<f64>, RunError> {
+        let system = System::with_modes(study.chain.clone(), study.modes.clone(), torque);
+        let direct = Direct::new(&system, &self.grid);
+        let Some(published) = &study.published else { return Ok(Vec::new()) };
+        let amplitude = |row: &usize| {
+            let row = &published.amplitudes[*row];
+            let design = &study.designs[row.design];
+            let found = near(study, &direct, &design.absorbers, row.order, row.speed_rpm, &mut Work::default());
+            let failed = |error: ResponseError| RunError { what: format!("calibration, design `{}`", design.name), error };
+            Ok(found.map_err(failed)?.map_or(0.0, |n| n.amplitude))
+        };
+        self.spec.rows.iter().map(amplitude).collect()
+    }
+}

@@ -1,0 +1,71 @@
+//! A design where not everything works: a cylinder misfires, the absorber is locked or lost.
+
+use super::RunError;
+use super::wanted::{Wanted, asked, shafts};
+use crate::absorber::Mounted;
+use crate::objective::{Condition, Measure, Over, Peak, PeakFinder};
+use crate::response::{Quantity, ResponseError, Work};
+use rayon::prelude::*;
+
+/// Numbers of a design where not everything works, SI.
+#[derive(Debug, Clone)]
+pub struct ConditionResult {
+    /// The condition.
+    pub condition: Condition,
+    /// Of a misfire: the cylinder (from 0) with the largest objective.
+    pub cylinder: Option<usize>,
+    /// Synthesised twist.
+    pub twist: Option<Peak>,
+    /// Synthesised vibratory torque of all shafts; of a misfire the largest of all cylinders.
+    pub torque: Option<Peak>,
+    /// The study's objective.
+    pub objective: f64,
+    /// Value of each limited measure over its limit; of a misfire the largest of all cylinders.
+    pub limits: Vec<f64>,
+}
+
+/// Evaluates a design in every condition of the study that makes a difference to it. `finders`: of the engine as it should be, then with each
+/// cylinder misfiring.
+///
+/// # Errors
+/// [`RunError`] where nothing damps a resonance, with the condition.
+pub fn in_conditions(
+    finders: &[PeakFinder],
+    name: &str,
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<Vec<ConditionResult>, RunError> {
+    let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };
+    let one = |condition: Condition, cylinder: Option<usize>| -> Result<(ConditionResult, Work), ResponseError> {
+        let finder = &finders[cylinder.map_or(0, |c| c + 1)];
+        let (design, mut work) = (condition.absorbers(design), Work::default());
+        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure { quantities, over: Over::Synthesis }, &mut work);
+        let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
+        let torque = if shafts.is_empty() { None } else { peak(shafts)? };
+        let (objective, limits) = asked(finder, &design, wanted, &mut work)?;
+        Ok((ConditionResult { condition, cylinder, twist, torque, objective, limits }, work))
+    };
+    let mut results = Vec::new();
+    for &condition in wanted.conditions {
+        let found: Vec<(ConditionResult, Work)> = match condition {
+            Condition::Firing => continue,
+            Condition::Misfire => (1..finders.len())
+                .into_par_iter()
+                .map(|f| one(condition, Some(f - 1)))
+                .collect::<Result<_, _>>()
+                .map_err(|e| failed(condition, e))?,
+            Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
+            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None).map_err(|e| failed(condition, e))?],
+        };
+        found.iter().for_each(|f| *work += f.1);
+        let limits = (0..wanted.limits.len()).map(|l| found.iter().map(|f| f.0.limits[l]).fold(0.0, f64::max)).collect();
+        // the torque may be largest with another cylinder than the objective
+        let torques = found.iter().filter_map(|f| f.0.torque);
+        let torque = torques.reduce(|m, t| if t.value > m.value { t } else { m });
+        // the first of equals: symmetric engines have several worst cylinders
+        let worst = found.into_iter().map(|f| f.0).reduce(|m, f| if f.objective > m.objective * (1.0 + 1e-9) { f } else { m });
+        results.extend(worst.map(|w| ConditionResult { limits, torque, ..w }));
+    }
+    Ok(results)
+}

@@ -1,0 +1,233 @@
+//! Everything that is reported of one design.
+
+use super::margins::{self, SmallestMargin};
+use super::wanted::{Wanted, asked, shafts};
+use super::{ConditionResult, RunError, conditions};
+use crate::absorber::Mounted;
+use crate::drivetrain::{System, natural};
+use crate::numerics::C64;
+use crate::numerics::maximise::maximise;
+use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
+use crate::response::{Quantity, ResponseError, Work, quasi_static};
+
+/// What makes a peak.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PeakKind {
+    /// An order is amplified by a resonance.
+    Resonant,
+    /// Forced: no order is amplified much.
+    Forced,
+    /// At the lowest or highest speed.
+    EndOfRange,
+}
+
+/// A peak set against the quasi-static response at its speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nature {
+    /// What makes it.
+    pub kind: PeakKind,
+    /// The peak over the quasi-static value.
+    pub over_static: f64,
+    /// Index of the order that adds most to its quasi-static value.
+    pub order: usize,
+    /// That order over its quasi-static value.
+    pub amplification: f64,
+}
+
+/// A peak is resonant where the order that adds most is amplified at least this much and adds at least a fifth of the peak.
+const RESONANT: f64 = 1.5;
+const SHARE: f64 = 0.2;
+
+/// Sets peaks against the quasi-static response of the chain.
+#[derive(Debug, Clone)]
+pub struct Classifier {
+    quantity: Quantity,
+    /// Per torque at each station.
+    per_torque: Vec<f64>,
+}
+
+impl Classifier {
+    /// For one quantity.
+    pub fn new(system: &System, quantity: Quantity) -> Self {
+        Self { quantity, per_torque: quasi_static(system, quantity) }
+    }
+
+    /// Phasors of the quasi-static response at one speed.
+    fn phasors(&self, system: &System, speed_rpm: f64) -> Vec<C64> {
+        let mut torque = vec![C64::default(); system.chain.len()];
+        (0..system.orders())
+            .map(|n| {
+                system.torque(n, speed_rpm, &mut torque);
+                torque.iter().zip(&self.per_torque).map(|(t, s)| t * s).sum()
+            })
+            .collect()
+    }
+
+    /// What makes this peak of a design; `None` for a peak of another quantity.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
+        if peak.quantity != self.quantity {
+            return Ok(None);
+        }
+        let still = self.phasors(finder.system, peak.speed_rpm);
+        let mut moving = vec![C64::default(); still.len()];
+        finder.direct.at(design, self.quantity, peak.speed_rpm, &mut moving, &mut Work::default())?;
+        let orders = if peak.extremes.is_some() { 0..still.len() } else { peak.order..peak.order + 1 };
+        let adds = |n: usize| moving[n].norm() - still[n].norm();
+        let order = orders.fold(peak.order, |m, n| if adds(n) > adds(m) { n } else { m });
+        let reference = if peak.extremes.is_some() { finder.synthesis(&still)[0] } else { still[peak.order].norm() };
+        let amplification = moving[order].norm() / still[order].norm();
+        if !(amplification.is_finite() && reference > 0.0) {
+            // the torque does not push any elastic mode: there is nothing to compare with
+            return Ok(None);
+        }
+        let kind = match peak.place {
+            Place::End => PeakKind::EndOfRange,
+            Place::Interior if amplification >= RESONANT && adds(order) >= SHARE * peak.value => PeakKind::Resonant,
+            Place::Interior => PeakKind::Forced,
+        };
+        Ok(Some(Nature { kind, over_static: peak.value / reference, order, amplification }))
+    }
+
+    /// Largest quasi-static value over the grid: the twist that would be left if nothing resonated.
+    pub fn floor(&self, finder: &PeakFinder, over: Over) -> f64 {
+        let mut work = vec![];
+        for &speed in &finder.grid.speed_rpm {
+            work.extend(self.phasors(finder.system, speed));
+        }
+        match over {
+            Over::Synthesis | Over::Margin(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
+            Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Numbers of one design, SI.
+#[derive(Debug, Clone)]
+pub struct DesignResult {
+    /// Its name.
+    pub name: String,
+    /// Its absorbers.
+    pub absorbers: Vec<Mounted>,
+    /// Without rigid modes and the engine's own damping, Hz, ascending.
+    pub frequencies_hz: Vec<f64>,
+    /// Synthesised twist.
+    pub twist: Option<Peak>,
+    /// Largest order of the twist.
+    pub order_twist: Option<Peak>,
+    /// Largest order of the hub's amplitude.
+    pub order_hub: Option<Peak>,
+    /// Synthesised vibratory torque of all shafts.
+    pub torque: Option<Peak>,
+    /// Largest mean power dissipated by the absorbers together, W.
+    pub power: Option<f64>,
+    /// Largest synthesised ring twist, rad.
+    pub ring_twist: Option<f64>,
+    /// The study's objective, the largest over the conditions that an optimum is to hold in.
+    pub objective: Option<f64>,
+    /// Value of each limited measure over its limit, the largest over the same conditions.
+    pub limits: Vec<f64>,
+    /// Smallest margin of the crank by each criterion of the study.
+    pub margins: Vec<SmallestMargin>,
+    /// In the other conditions of the study that make a difference to it.
+    pub conditions: Vec<ConditionResult>,
+}
+
+/// Evaluates one design. `finders`: of the engine as it should be, then with each cylinder misfiring where a condition asks for it.
+///
+/// # Errors
+/// [`RunError`] where nothing damps a resonance, with the condition.
+pub fn evaluate(
+    finders: &[PeakFinder],
+    name: &str,
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<DesignResult, RunError> {
+    let firing = firing(&finders[0], name, design, wanted, work);
+    let (mut result, own_limits) = firing.map_err(|error| RunError { what: name.to_owned(), error })?;
+    let conditions = conditions::in_conditions(finders, name, design, wanted, work)?;
+    let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
+    // a condition that makes no difference to the design is that of firing
+    asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
+    if !wanted.held.contains(&Condition::Firing) && asked.len() > 1 {
+        asked.remove(0);
+    }
+    result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
+    result.limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
+    result.conditions = conditions;
+    Ok(result)
+}
+
+/// The design where everything works, and each limited measure over its limit.
+fn firing(
+    finder: &PeakFinder,
+    name: &str,
+    design: &[Mounted],
+    wanted: &Wanted,
+    work: &mut Work,
+) -> Result<(DesignResult, Vec<f64>), ResponseError> {
+    let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure { quantities, over }, work);
+    let hub = Quantity::Twist { from: wanted.hub, to: None };
+    let shafts = shafts(finder);
+    let twist = peak(vec![wanted.twist], Over::Synthesis)?;
+    let order_twist = peak(vec![wanted.twist], Over::Orders)?;
+    let order_hub = peak(vec![hub], Over::Orders)?;
+    let torque = if shafts.is_empty() { None } else { peak(shafts, Over::Synthesis)? };
+    let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
+    let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
+    let (objective, limits) = asked(finder, design, wanted, work)?;
+    let result = DesignResult {
+        name: name.to_owned(),
+        absorbers: design.to_vec(),
+        frequencies_hz: natural::frequencies_hz(&finder.system.chain, &finder.system.modes, design),
+        twist,
+        order_twist,
+        order_hub,
+        torque,
+        power: largest_power(finder, design, work)?,
+        ring_twist,
+        objective: Some(objective),
+        limits: Vec::new(),
+        margins: margins::smallest(finder, design, wanted.margins, work)?,
+        conditions: Vec::new(),
+    };
+    Ok((result, limits))
+}
+
+/// A power this share of the largest known one is refined between speeds.
+const POWER_SHARE: f64 = 0.3;
+
+/// Largest power over the speeds a design is evaluated at, refined between them where the study refines.
+fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Result<Option<f64>, ResponseError> {
+    if design.is_empty() {
+        return Ok(None);
+    }
+    let speeds = finder.speeds(design).rpm;
+    let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
+    let twists = finder.direct.at_each(design, &rings, &speeds, work)?;
+    let orders = finder.system.orders();
+    let at = |i: usize| -> f64 {
+        let ring = |(r, y): (usize, &Vec<C64>)| finder.direct.power_of_twist(design, r, speeds[i], &y[i * orders..(i + 1) * orders]);
+        twists.iter().enumerate().map(ring).sum()
+    };
+    let values: Vec<f64> = (0..speeds.len()).map(at).collect();
+    let known = values.iter().copied().fold(0.0, f64::max);
+    let mut largest = known;
+    if finder.refine {
+        let last = values.len() - 1;
+        for i in 0..=last {
+            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
+            if values[i] >= POWER_SHARE * known && values[i] >= values[before] && values[i] >= values[after] {
+                // each side apart, whatever the distances of the neighbours
+                for (a, b) in [(before, i), (i, after)].into_iter().filter(|(a, b)| a < b) {
+                    let total = |speed: f64| (0..design.len()).map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
+                    largest = largest.max(maximise(speeds[a], speeds[b], total)?.1);
+                }
+            }
+        }
+    }
+    Ok(Some(largest))
+}

@@ -1,0 +1,132 @@
+//! Margins of the crank over the speeds of the study, for tables and plots, and the smallest of each design.
+
+use crate::absorber::Mounted;
+use crate::crankshaft::{self, Margin, Torque, Used};
+use crate::input::Study;
+use crate::numerics::ZERO;
+use crate::objective::{Measure, Over, Peak, PeakFinder};
+use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
+use rayon::prelude::*;
+
+/// The smallest margin of a design by one criterion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmallestMargin {
+    /// Index of the criterion.
+    pub criterion: usize,
+    /// Safety factor.
+    pub margin: f64,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// The spot, and what it bears there.
+    pub used: Used,
+    /// The peak behind it: a largest share of the strength.
+    pub peak: Peak,
+}
+
+/// A fillet (the worse of its webs) by one criterion over the speeds.
+#[derive(Debug, Clone)]
+pub struct FilletSweep {
+    /// Index of the criterion.
+    pub criterion: usize,
+    /// Name of the fillet.
+    pub name: String,
+    /// At each speed.
+    pub used: Vec<Used>,
+}
+
+/// All fillets of a design.
+#[derive(Debug, Clone)]
+pub struct MarginSweep {
+    /// The design.
+    pub design: String,
+    /// By criterion, then as the spots are listed.
+    pub fillets: Vec<FilletSweep>,
+}
+
+impl MarginSweep {
+    /// Smallest safety factor of all fillets at each speed by a criterion.
+    pub fn smallest(&self, criterion: usize) -> Vec<f64> {
+        let own: Vec<&FilletSweep> = self.fillets.iter().filter(|f| f.criterion == criterion).collect();
+        let count = own.first().map_or(0, |f| f.used.len());
+        (0..count).map(|i| 1.0 / own.iter().map(|f| f.used[i].value).fold(0.0, f64::max)).collect()
+    }
+}
+
+/// The margin model of a study on the speeds of a sweep, with the harmonics of its torque; nothing without `[fatigue]`.
+pub fn model(study: &Study, harmonics: &[u32], grid: &Grid) -> Option<Margin> {
+    Margin::new(&study.engine, &study.chain, study.crank.as_ref()?, study.fatigue.as_ref()?, &grid.speed_rpm, harmonics)
+}
+
+/// What the smallest margins are asked with: one measure a criterion.
+pub fn measures(study: &Study) -> Vec<Measure> {
+    let (Some(fatigue), Some(crank)) = (&study.fatigue, &study.crank) else { return Vec::new() };
+    let quantities: Vec<Quantity> = crankshaft::shafts(&study.chain, crank.throws()).into_iter().map(Quantity::ShaftTorque).collect();
+    (0..fatigue.criteria.len()).map(|c| Measure { quantities: quantities.clone(), over: Over::Margin(c) }).collect()
+}
+
+/// The smallest margin of a design by each criterion.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub fn smallest(
+    finder: &PeakFinder,
+    design: &[Mounted],
+    measures: &[Measure],
+    work: &mut Work,
+) -> Result<Vec<SmallestMargin>, ResponseError> {
+    let mut list = Vec::new();
+    for measure in measures {
+        let (Some(model), Over::Margin(criterion)) = (finder.margin, measure.over) else { continue };
+        let Some(peak) = finder.peak(design, measure, work)? else { continue };
+        let (Quantity::ShaftTorque(shaft), Some(extremes)) = (peak.quantity, peak.extremes) else { continue };
+        let mut phasors = vec![ZERO; finder.system.orders()];
+        finder.direct.at(design, peak.quantity, peak.speed_rpm, &mut phasors, work)?;
+        let used = model.most_used(criterion, shaft, peak.speed_rpm, &Torque { extremes, phasors: &phasors });
+        list.extend(used.map(|used| SmallestMargin { criterion, margin: 1.0 / peak.value, speed_rpm: peak.speed_rpm, used, peak }));
+    }
+    Ok(list)
+}
+
+/// Every fillet of a design over the speeds of `grid`.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
+pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -> Result<Option<MarginSweep>, ResponseError> {
+    let Some(model) = finder.margin else { return Ok(None) };
+    let direct = Direct::new(finder.system, grid);
+    let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
+    let sweeps = direct.sweep_each(design, &shafts, &mut Work::default())?;
+    let orders = finder.system.orders();
+    let torques: Vec<Vec<Torque>> = sweeps
+        .iter()
+        .map(|sweep| {
+            finder.extremes(sweep).into_iter().zip(sweep.chunks(orders)).map(|(e, y)| Torque { extremes: e, phasors: y }).collect()
+        })
+        .collect();
+    let mut fillets: Vec<FilletSweep> = Vec::new();
+    for criterion in 0..model.criteria.len() {
+        for (shaft, torques) in torques.iter().enumerate() {
+            let spots: Vec<usize> = model.spots_of(criterion, shaft).collect();
+            let rows: Vec<Vec<Used>> =
+                grid.speed_rpm.par_iter().zip(torques).map(|(speed, torque)| model.used_each(criterion, &spots, *speed, torque)).collect();
+            for (k, spot) in spots.iter().enumerate() {
+                let used = rows.iter().map(|row| row[k]);
+                let name = &model.spots[*spot].name;
+                match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
+                    Some(other) => {
+                        for (worst, own) in other.used.iter_mut().zip(used) {
+                            if own.value > worst.value {
+                                *worst = own;
+                            }
+                        }
+                    }
+                    None => fillets.push(FilletSweep { criterion, name: name.clone(), used: used.collect() }),
+                }
+            }
+        }
+    }
+    // in the order of the spots, not of the shafts
+    let place = |f: &FilletSweep| (0..model.spots.len()).find(|i| model.spots[*i].name == f.name && model.judges(f.criterion, *i));
+    fillets.sort_by_key(|f| (f.criterion, place(f)));
+    Ok(Some(MarginSweep { design: name.to_owned(), fillets }))
+}

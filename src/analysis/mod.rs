@@ -1,0 +1,28 @@
+//! Whole studies: calibration, designs evaluated, optima and fronts found, margins.
+
+pub mod amplitude;
+pub mod audit;
+pub mod calibrate;
+pub mod choice;
+pub mod conditions;
+pub mod cost;
+pub mod diagram;
+pub mod evaluate;
+pub mod families;
+pub mod margins;
+pub mod progress;
+pub mod results;
+pub mod run;
+pub mod stress_histories;
+pub mod sweeps;
+pub mod systems;
+pub mod wanted;
+
+pub use calibrate::{Calibration, calibrate};
+pub use conditions::ConditionResult;
+pub use evaluate::{DesignResult, Nature, PeakKind};
+pub use margins::{MarginSweep, SmallestMargin};
+pub use progress::{Progress, RunError, Silent};
+pub use results::{FrontResult, OptimumResult, Results, Timing};
+pub use run::run;
+pub use sweeps::Sweeps;

@@ -1,0 +1,28 @@
+//! What a long computation tells while it runs, and what it says when it cannot go on.
+
+/// Told of progress.
+pub trait Progress: Sync {
+    /// A stage of `steps` steps begins.
+    fn stage(&self, name: &str, steps: usize);
+    /// A step is done.
+    fn step(&self);
+}
+
+/// Says nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: &str, _: usize) {}
+    fn step(&self) {}
+}
+
+/// A response that does not exist, and whose.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{what}: {error}")]
+pub struct RunError {
+    /// Design or optimum.
+    pub what: String,
+    /// Why.
+    pub error: crate::response::ResponseError,
+}

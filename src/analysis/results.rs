@@ -1,0 +1,91 @@
+//! Everything a study gives.
+
+use super::choice::Choice;
+use super::diagram::Diagram;
+use super::evaluate::{DesignResult, Nature};
+use super::margins::MarginSweep;
+use super::sweeps::Sweeps;
+use crate::absorber::Kind;
+use crate::crankshaft::Margin;
+use crate::drivetrain::System;
+use crate::engine::Order;
+use crate::objective::Condition;
+use crate::optimise::{Front, Optimum};
+use crate::response::Work;
+
+/// An optimum with what is reported of it.
+#[derive(Debug, Clone)]
+pub struct OptimumResult {
+    /// How it was found.
+    pub optimum: Optimum,
+    /// Its numbers.
+    pub design: DesignResult,
+    /// What makes each row's peak (`None`: another quantity than the reported twist).
+    pub natures: Vec<Option<Nature>>,
+    /// Condition of each row, and the cylinder that misfires.
+    pub scenes: Vec<(Condition, Option<usize>)>,
+    /// Whether it is the main size of its type.
+    pub main: bool,
+    /// Which objective it makes small, the first being 0.
+    pub objective: usize,
+}
+
+/// The front of one type.
+#[derive(Debug, Clone)]
+pub struct FrontResult {
+    /// The type.
+    pub kind: Kind,
+    /// The front.
+    pub front: Front,
+    /// Values of the study's other objectives at each point.
+    pub others: Vec<Vec<f64>>,
+}
+
+/// Time of a stage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timing {
+    /// The stage.
+    pub stage: String,
+    /// Wall-clock time, s.
+    pub seconds: f64,
+    /// Work done in it.
+    pub work: Work,
+}
+
+/// Everything a study gives.
+#[derive(Debug)]
+pub struct Results {
+    /// The system.
+    pub system: System,
+    /// Method of the sweeps.
+    pub method: &'static str,
+    /// What searches evaluate designs by, where the method is `auto`.
+    pub choice: Option<Choice>,
+    /// Given designs.
+    pub designs: Vec<DesignResult>,
+    /// Optima.
+    pub optima: Vec<OptimumResult>,
+    /// Fronts.
+    pub fronts: Vec<FrontResult>,
+    /// Largest value of the objective without absorber if nothing resonated; `None` where it is not a twist.
+    pub forced_floor: Option<f64>,
+    /// Given designs and main optima, over the study's speeds.
+    pub sweeps: Vec<Sweeps>,
+    /// The crank, where the study judges it.
+    pub margin: Option<Margin>,
+    /// Margins of the same designs, where the study has `[fatigue]`.
+    pub margins: Vec<MarginSweep>,
+    /// Loads along the crank at the smallest margin of the best design, by the first criterion.
+    pub diagram: Option<Diagram>,
+    /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
+    pub appearing: Vec<Order>,
+    /// Times.
+    pub timing: Vec<Timing>,
+}
+
+impl Results {
+    /// Whether every limit holds for every optimum.
+    pub fn limits_hold(&self) -> bool {
+        self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))
+    }
+}

@@ -1,0 +1,36 @@
+//! What a study asks of every design.
+
+use crate::absorber::Mounted;
+use crate::objective::{Condition, Limit, Measure, PeakFinder};
+use crate::response::{Quantity, ResponseError, Work};
+
+/// What to evaluate.
+#[derive(Debug)]
+pub struct Wanted<'a> {
+    /// Reported twist.
+    pub twist: Quantity,
+    /// Reported station.
+    pub hub: usize,
+    /// Objective.
+    pub objective: &'a Measure,
+    /// Limits.
+    pub limits: Vec<&'a Limit>,
+    /// Margins of the crank.
+    pub margins: &'a [Measure],
+    /// Conditions besides firing.
+    pub conditions: &'a [Condition],
+    /// Conditions an optimum is to hold in.
+    pub held: &'a [Condition],
+}
+
+/// All shafts.
+pub fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
+    (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect()
+}
+
+/// Objective, and each limited measure over its limit.
+pub fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
+    let mut largest = |m: &Measure| Ok(finder.peak(design, m, work)?.map_or(0.0, |p| p.value));
+    let limits = wanted.limits.iter().map(|l| Ok(largest(&l.measure)? / l.limit)).collect::<Result<_, _>>()?;
+    Ok((largest(wanted.objective)?, limits))
+}

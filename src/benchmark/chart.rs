@@ -1,0 +1,83 @@
+//! Everything that `hartog chart` measures, put together.
+
+use super::stability::{self, Cell, Scenario};
+use super::{energy, model_accuracy, savings, speed_accuracy};
+use crate::analysis::{Progress, RunError, calibrate};
+use crate::input::Study;
+
+/// What `chart` measures whatever the study.
+#[derive(Debug)]
+pub struct Common {
+    /// How cost grows.
+    pub growth: Vec<speed_accuracy::Growth>,
+    /// Where methods fail.
+    pub map: Vec<(Scenario, Vec<Cell>)>,
+    /// Energy put in against energy dissipated.
+    pub energy: Vec<energy::Balance>,
+    /// What a grid without refinement misses.
+    pub grid: model_accuracy::ModelError,
+}
+
+impl Common {
+    /// Measures it.
+    pub fn measure(progress: &dyn Progress) -> Self {
+        let growth = speed_accuracy::growth(progress);
+        let scenarios = stability::scenarios();
+        progress.stage("stability and energy", scenarios.len() + 1);
+        let map = scenarios
+            .into_iter()
+            .map(|s| {
+                let cells = s.cells();
+                progress.step();
+                (s, cells)
+            })
+            .collect();
+        Self { growth, map, energy: energy::balances(), grid: model_accuracy::coarse_grid() }
+    }
+
+    /// Whether every method does on every scenario what is declared of it.
+    pub fn holds(&self) -> bool {
+        self.map.iter().flat_map(|m| &m.1).all(Cell::as_declared)
+    }
+}
+
+/// Everything that `chart` measures with one study.
+#[derive(Debug)]
+pub struct Chart<'a> {
+    /// The study, calibrated where it says so.
+    pub study: Study,
+    /// Methods with their settings.
+    pub methods: speed_accuracy::SpeedAccuracy,
+    /// What choosing and skipping save.
+    pub savings: Option<savings::Savings>,
+    /// What simplifications cost.
+    pub models: Vec<model_accuracy::ModelError>,
+    /// What is the same for all studies.
+    pub common: &'a Common,
+}
+
+impl<'a> Chart<'a> {
+    /// Measures a study.
+    ///
+    /// # Errors
+    /// [`RunError`] where a design has no finite response.
+    pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
+        let (study, _) = calibrate(study, progress)?;
+        let methods = speed_accuracy::measure(&study, progress)?;
+        progress.stage("random absorbers, simplified models", 2);
+        let savings = savings::measure(&study)?;
+        progress.step();
+        let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
+        if designs.is_empty() {
+            designs.push(Vec::new());
+        }
+        let models = model_accuracy::measure(&study, &designs)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, common })
+    }
+
+    /// Whether skipping changes nothing.
+    pub fn holds(&self) -> bool {
+        self.savings.as_ref().is_none_or(|s| s.identical && s.same_best)
+    }
+}

@@ -1,0 +1,11 @@
+//! What `hartog chart` measures: speed against accuracy of every method, growth of cost, energy balance, stability, and what simpler models cost.
+
+pub mod chart;
+pub mod energy;
+pub mod methods;
+pub mod model_accuracy;
+pub mod savings;
+pub mod speed_accuracy;
+pub mod stability;
+
+pub use chart::{Chart, Common};

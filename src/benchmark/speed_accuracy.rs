@@ -1,0 +1,344 @@
+//! What each response method costs and how wrong it is: seconds per design against the error of its peak twist, and how cost grows.
+
+use super::methods::Candidate;
+use crate::absorber::{Kind, Mounted, Ring, seeds};
+use crate::analysis::choice::{Considered, STRIDES, Way};
+use crate::analysis::{Progress, RunError, audit, families};
+use crate::drivetrain::{Chain, Station, System};
+use crate::engine::Excitation;
+use crate::input::Study;
+use crate::numerics::C64;
+use crate::numerics::maximise::maximise;
+use crate::numerics::synthesis::Synthesiser;
+use crate::objective::surrogate::{Quick, Scratch};
+use crate::objective::{Measure, Over, PeakFinder};
+use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
+use std::time::Instant;
+
+/// How the peak over speed is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Search {
+    /// The largest value on a grid of this many speeds.
+    Grid(usize),
+    /// The same, then refined by the method itself between speeds.
+    Refined(usize),
+}
+
+impl Search {
+    /// In words.
+    pub fn label(self) -> String {
+        match self {
+            Self::Grid(n) => format!("{n} speeds"),
+            Self::Refined(n) => format!("{n} speeds refined"),
+        }
+    }
+}
+
+/// One method with one setting on one study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// The method.
+    pub candidate: Candidate,
+    /// Its setting.
+    pub search: Search,
+    /// Seconds for the peak twist of one design on one thread, the median of repetitions.
+    pub seconds: f64,
+    /// Largest error of the peak over the probe designs, relative; the refusal where there is one.
+    pub error: Result<f64, ResponseError>,
+}
+
+/// Cost against a size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Growth {
+    /// The method.
+    pub candidate: Candidate,
+    /// Of what: stations, orders or speeds.
+    pub size: &'static str,
+    /// Size and seconds per sweep of one design.
+    pub points: Vec<(f64, f64)>,
+    /// Exponent of the cost in the size, fitted to the upper half of the points.
+    pub exponent: f64,
+}
+
+/// Methods on one study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpeedAccuracy {
+    /// Methods and settings.
+    pub points: Vec<Point>,
+    /// The ways of a search: tables at several strides, and exactly.
+    pub ways: Vec<Considered>,
+    /// The probe designs and their names.
+    pub probes: Vec<(String, Vec<Mounted>)>,
+}
+
+/// Numbers of speeds tried.
+const SPEEDS: [usize; 6] = [14, 27, 53, 105, 261, 521];
+/// Seconds spent on one measurement at least, and most repetitions.
+const LEAST_SECONDS: f64 = 0.02;
+const MOST_REPEATS: usize = 25;
+/// Local maxima that are refined.
+const REFINED: usize = 3;
+/// Quick peaks timed together.
+const REPEATED: usize = 20;
+
+pub(super) fn median_seconds(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+    let (begun, mut times) = (Instant::now(), Vec::new());
+    while times.len() < 3 || (begun.elapsed().as_secs_f64() < LEAST_SECONDS && times.len() < MOST_REPEATS) {
+        let start = Instant::now();
+        once()?;
+        times.push(start.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    Ok(times[times.len() / 2])
+}
+
+/// Probe designs: those of the study with one absorber, and the closed-form optima for the ring of the optimum.
+fn probes(study: &Study, excitation: &Excitation) -> Vec<(String, Vec<Mounted>)> {
+    let given = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| (d.name.clone(), d.absorbers.clone()));
+    let mut list: Vec<_> = given.collect();
+    if let Some(o) = &study.optimise {
+        let modes = families::engine_modes(study, &o.absorber, audit::highest_frequency_hz(study, &excitation.orders));
+        for (kind, rule) in [(Kind::Tuned, seeds::Rule::HInfinity), (Kind::Viscous, seeds::Rule::ViscousUntuned)] {
+            let space = families::family(&o.absorber, kind, None, &modes);
+            if let Some(engine) = modes.first() {
+                let ring = space.absorber(&space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect::<Vec<_>>()).absorber.ring_inertia();
+                let absorber = rule.absorber(ring, *engine);
+                list.push((
+                    format!("seed_{}", kind.name()),
+                    vec![Mounted { station: space.station, hub_inertia: space.hub_inertia, absorber }],
+                ));
+            }
+        }
+    }
+    list
+}
+
+/// Speed and value of the peak of a synthesised quantity by one method, on the method's grid and, with `refine`, between its speeds.
+///
+/// # Errors
+/// Those of the method.
+pub fn peak(
+    method: &dyn Response,
+    synthesiser: &Synthesiser,
+    design: &[Mounted],
+    quantity: Quantity,
+    refine: bool,
+    work: &mut Work,
+) -> Result<(f64, f64), ResponseError> {
+    let mut sweep = Vec::new();
+    method.sweep(design, quantity, &mut sweep, work)?;
+    let (orders, speeds) = (method.orders().len(), &method.grid().speed_rpm);
+    let values: Vec<f64> = sweep.chunks(orders).map(|y| synthesiser.extremes(y).half_peak_to_peak).collect();
+    work.syntheses += values.len() as u64;
+    let largest = (0..values.len()).fold(0, |m, i| if values[i] > values[m] { i } else { m });
+    let mut best = (speeds[largest], values[largest]);
+    if !refine {
+        return Ok(best);
+    }
+    let last = values.len() - 1;
+    let is_top = |i: &usize| values[*i] >= values[i.saturating_sub(1)] && values[*i] >= values[(i + 1).min(last)];
+    let mut tops: Vec<usize> = (0..=last).filter(is_top).collect();
+    tops.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    for &i in tops.iter().take(REFINED) {
+        let mut value = |speed: f64| -> Result<f64, ResponseError> {
+            let y = method.all_orders_at(design, quantity, speed, work)?;
+            work.syntheses += 1;
+            Ok(synthesiser.extremes(&y).half_peak_to_peak)
+        };
+        for (a, b) in [(i.saturating_sub(1), i), (i, (i + 1).min(last))].into_iter().filter(|(a, b)| a < b) {
+            let found = maximise(speeds[a], speeds[b], &mut value)?;
+            best = if found.1 > best.1 { found } else { best };
+        }
+    }
+    Ok(best)
+}
+
+/// Measures a study.
+///
+/// # Errors
+/// [`RunError`] where a probe design has no finite peak.
+pub fn measure(study: &Study, progress: &dyn Progress) -> Result<SpeedAccuracy, RunError> {
+    let excitation = Excitation::new(&study.engine, study.order_limit);
+    let probes = probes(study, &excitation);
+    let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+    let synthesiser = Synthesiser::new(&system.excitation.harmonics);
+    // the reference: every speed of the study and of the pressure table, refined to rounding by direct solutions
+    let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
+    let direct = Method::Direct(Direct::new(&system, &grid));
+    let finder = PeakFinder::new(&system, &grid, &direct, true);
+    let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
+    let mut exact = Vec::new();
+    for (name, design) in &probes {
+        let found = finder.peak(design, &measure, &mut Work::default());
+        let failed = |error| RunError { what: format!("design `{name}`"), error };
+        exact.push(found.map_err(failed)?.map_or(0.0, |p| p.value));
+    }
+    progress.stage("speed against accuracy", Candidate::ALL.len());
+    let mut points = Vec::new();
+    for candidate in Candidate::ALL {
+        // what takes long enough at few speeds is not asked for many
+        let (grids, refined) = if candidate.in_time() { (4, 2) } else { (SPEEDS.len(), 4) };
+        let searches = SPEEDS[..grids].iter().map(|n| Search::Grid(*n)).chain(SPEEDS[1..refined].iter().map(|n| Search::Refined(*n)));
+        for search in searches.filter(|_| !probes.is_empty()) {
+            points.extend(point(study, &system, &synthesiser, (&probes, &exact), candidate, search));
+        }
+        progress.step();
+    }
+    let ways = ways(&system, study, &grid, (&probes, &exact)).map_err(|error| RunError { what: "a probe design".into(), error })?;
+    Ok(SpeedAccuracy { points, ways, probes })
+}
+
+/// Measured seconds and true errors of the ways of a search.
+fn ways(
+    system: &System,
+    study: &Study,
+    grid: &Grid,
+    (probes, exact): (&[(String, Vec<Mounted>)], &[f64]),
+) -> Result<Vec<Considered>, ResponseError> {
+    let Some(first) = probes.first() else { return Ok(Vec::new()) };
+    let station = first.1[0].station;
+    let method = Method::Receptance(Receptance::new(system, grid, station, &[study.twist]));
+    let finder = PeakFinder::new(system, grid, &method, true);
+    let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
+    let seconds = median_seconds(|| finder.peak(&first.1, &measure, &mut Work::default()).map(|_| ()))?;
+    // the reference sweeps by direct solutions, this way by receptances
+    let mut error = 0.0;
+    for ((_, design), exact) in probes.iter().zip(exact) {
+        let found = finder.peak(design, &measure, &mut Work::default())?.map_or(0.0, |p| p.value);
+        error = f64::max(error, (found / exact - 1.0).abs());
+    }
+    let mut list = vec![Considered { way: Way::Exact, seconds, error }];
+    let Method::Receptance(receptance) = &method else { return Ok(list) };
+    for stride in STRIDES {
+        let Some(quick) = Quick::new(receptance, study.twist, stride) else { continue };
+        let (mut scratch, mut work) = (Scratch::default(), Work::default());
+        let mut error = 0.0;
+        for ((_, design), exact) in probes.iter().zip(exact).filter(|((_, d), _)| quick.takes(&d[0])) {
+            error = f64::max(error, (quick.peak(&design[0], &mut scratch, &mut work).value / exact - 1.0).abs());
+        }
+        let mut once = || {
+            // one is over too soon to be timed
+            for _ in 0..REPEATED {
+                quick.peak(&first.1[0], &mut scratch, &mut work);
+            }
+            Ok(())
+        };
+        list.push(Considered { way: Way::Tables(stride), seconds: median_seconds(&mut once)? / REPEATED as f64, error });
+    }
+    Ok(list)
+}
+
+fn point(
+    study: &Study,
+    system: &System,
+    synthesiser: &Synthesiser,
+    (probes, exact): (&[(String, Vec<Mounted>)], &[f64]),
+    candidate: Candidate,
+    search: Search,
+) -> Option<Point> {
+    let (count, refine) = match search {
+        Search::Grid(n) => (n, false),
+        Search::Refined(n) => (n, true),
+    };
+    let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let speeds: Vec<f64> = (0..count).map(|i| first + (last - first) * i as f64 / (count - 1) as f64).collect();
+    let grid = Grid::new(&speeds, &[]);
+    let method = candidate.build(system, &grid, &probes[0].1, study.twist)?;
+    let mut worst = Ok(0.0);
+    for ((_, design), exact) in probes.iter().zip(exact) {
+        let found = peak(method.as_ref(), synthesiser, design, study.twist, refine, &mut Work::default());
+        worst = worst.and_then(|w: f64| found.map(|f| w.max((f.1 / exact - 1.0).abs())));
+    }
+    let once = || peak(method.as_ref(), synthesiser, &probes[0].1, study.twist, refine, &mut Work::default()).map(|_| ());
+    let seconds = median_seconds(once).unwrap_or(f64::NAN);
+    Some(Point { candidate, search, seconds, error: worst })
+}
+
+/// A chain of alike stations under one throw of a four-stroke with half orders.
+fn long_chain(stations: usize, orders: usize) -> System {
+    use crate::engine::excitation::HarmonicTable;
+    use crate::engine::{Engine, Layout, Order, Source};
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia: 0.03,
+        stiffness_to_next: if i + 1 < stations { 1.2e6 } else { 0.0 },
+        damping_to_ground: 5.0,
+        throws: if i == 0 { vec![0] } else { Vec::new() },
+        ..Station::default()
+    };
+    let harmonics = (1..=orders).map(|n| (Order::from_twice(n as u32), C64::from(1e3 / n as f64))).collect();
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+    let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(HarmonicTable { harmonics }) };
+    System::new(Chain { stations: (0..stations).map(station).collect() }, Excitation::new(&engine, orders as f64))
+}
+
+/// Sizes of the growth curves: stations, orders, speeds; the others stay at 8, 24 and 200.
+const STATIONS: [usize; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+const ORDERS: [usize; 5] = [6, 12, 24, 48, 96];
+const COUNTS: [usize; 5] = [50, 100, 200, 400, 800];
+/// Chains longer than this are not given to methods whose cost grows faster than the chain.
+const LONGEST_DENSE: usize = 64;
+
+/// A sweep of the growth curves.
+struct Size {
+    stations: usize,
+    orders: usize,
+    speeds: usize,
+}
+
+/// Measures how the cost of a sweep grows with stations, orders and speeds.
+pub fn growth(progress: &dyn Progress) -> Vec<Growth> {
+    let candidates =
+        [Candidate::Direct, Candidate::Receptance, Candidate::Reduced(2), Candidate::Modal, Candidate::Holzer, Candidate::Dense];
+    let size = |stations, orders, speeds| Size { stations, orders, speeds };
+    // fewer points on long chains: the cost of a point is what is asked
+    let sweeps: Vec<(&'static str, f64, Size)> = STATIONS
+        .iter()
+        .map(|n| ("stations", *n as f64, size(*n, 8, 20)))
+        .chain(ORDERS.iter().map(|n| ("orders", *n as f64, size(8, *n, 50))))
+        .chain(COUNTS.iter().map(|n| ("speeds", *n as f64, size(8, 24, *n))))
+        .collect();
+    progress.stage("growth of cost", sweeps.len());
+    let mut seconds: Vec<(Candidate, &'static str, f64, f64)> = Vec::new();
+    for (what, x, size) in sweeps {
+        let system = long_chain(size.stations, size.orders);
+        for candidate in candidates {
+            let dense = matches!(candidate, Candidate::Dense | Candidate::Modal | Candidate::Reduced(_));
+            if !dense || size.stations <= LONGEST_DENSE {
+                seconds.extend(sweep_seconds(candidate, &system, size.speeds).map(|s| (candidate, what, x, s)));
+            }
+        }
+        progress.step();
+    }
+    let mut list = Vec::new();
+    for candidate in candidates {
+        for size in ["stations", "orders", "speeds"] {
+            let of = seconds.iter().filter(|s| s.0 == candidate && s.1 == size);
+            let points: Vec<(f64, f64)> = of.map(|s| (s.2, s.3)).collect();
+            if points.len() > 1 {
+                list.push(Growth { candidate, size, exponent: exponent(&points), points });
+            }
+        }
+    }
+    list
+}
+
+/// Seconds of one sweep of one design, set-up aside.
+fn sweep_seconds(candidate: Candidate, system: &System, speeds: usize) -> Option<f64> {
+    let grid = Grid::new(&(0..speeds).map(|i| 600.0 + 3000.0 * i as f64 / speeds as f64).collect::<Vec<_>>(), &[]);
+    let design = [Mounted { station: 0, hub_inertia: 0.0, absorber: Kind::Tuned.build(0.02, 5e4, 10.0) }];
+    let quantity = Quantity::Twist { from: 0, to: Some(system.chain.len() - 1) };
+    let method = candidate.build(system, &grid, &design, quantity)?;
+    let mut out = Vec::new();
+    median_seconds(|| method.sweep(&design, quantity, &mut out, &mut Work::default())).ok()
+}
+
+/// Slope of the logarithms, by least squares over the upper half of the points: small sizes pay for what does not grow.
+fn exponent(points: &[(f64, f64)]) -> f64 {
+    let upper: Vec<(f64, f64)> = points[points.len() / 2..].iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+    let upper = if upper.len() < 2 { points.iter().map(|(x, y)| (x.ln(), y.ln())).collect() } else { upper };
+    let n = upper.len() as f64;
+    let (mx, my) = (upper.iter().map(|p| p.0).sum::<f64>() / n, upper.iter().map(|p| p.1).sum::<f64>() / n);
+    let (sxy, sxx) = upper.iter().fold((0.0, 0.0), |(a, b), p| (a + (p.0 - mx) * (p.1 - my), b + (p.0 - mx).powi(2)));
+    sxy / sxx
+}

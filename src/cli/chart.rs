@@ -1,0 +1,100 @@
+//! `hartog chart`: speed against accuracy of every response method, and where each fails.
+
+use super::progress::Bar;
+use super::{DONE, FAILED, fail, say};
+use crate::benchmark::{Chart, Common};
+use crate::input::{self, Study};
+use crate::report::{Folder, text, write_chart};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Arguments of `chart`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  hartog chart\n  hartog chart studies/villalva_i6.toml --out out/six\n\n\
+Times are medians of repetitions on one thread; they differ from run to run and from machine to machine, errors do not.\n\n\
+Exit code: 0 done, 1 a method does not do what is declared of it in a scenario or skipping changes a peak, 2 bad input or no finite\n\
+response.")]
+pub struct Arguments {
+    /// Study files (TOML).
+    #[arg(default_values = ["studies/villalva_i6.toml", "studies/villalva_v10.toml"])]
+    pub studies: Vec<PathBuf>,
+    /// Output folder; of several studies each gets its own in it [default: out/chart, with a folder for each study].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Measures every method on studies and on the scenarios, prints and plots.
+pub fn chart(arguments: &Arguments) -> u8 {
+    let start = Instant::now();
+    let jobs = match jobs(arguments) {
+        Ok(jobs) => jobs,
+        Err(code) => return code,
+    };
+    let bar = Bar::default();
+    let common = Common::measure(&bar);
+    drop(bar);
+    let mut holds = common.holds();
+    for (study, folder) in jobs {
+        let bar = Bar::default();
+        let chart = Chart::measure(&study, &common, &bar);
+        drop(bar);
+        let chart = match chart {
+            Ok(chart) => chart,
+            Err(error) => return fail(&format!("error: {error}")),
+        };
+        if let Err(error) = write_chart(&chart, &folder) {
+            return fail(&error);
+        }
+        print(&chart);
+        say(&format!("{} files written to {}\n\n", folder.written(), folder.path().display()));
+        holds &= chart.holds();
+    }
+    say(&format!("{}\n{}\n", text::chart::growth(&common.growth), text::chart::energy(&common.energy)));
+    say(&format!(
+        "{}\n",
+        text::chart::models("Without refinement a grid misses the peak of one mode, share:", std::slice::from_ref(&common.grid))
+    ));
+    say(&text::chart::stability(&common.map));
+    say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
+    if holds { DONE } else { FAILED }
+}
+
+/// The studies with the folders of their charts.
+fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Folder)>, u8> {
+    let mut studies: Vec<Study> = Vec::new();
+    for path in &arguments.studies {
+        let study = input::read(path).map_err(|error| fail(&error))?;
+        if studies.iter().any(|s| s.name == study.name) {
+            return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
+        }
+        studies.push(study);
+    }
+    let mut jobs = Vec::new();
+    for study in studies {
+        let folder = match &arguments.out {
+            Some(out) if arguments.studies.len() == 1 => out.clone(),
+            Some(out) => out.join(&study.name),
+            None => Path::new("out").join("chart").join(&study.name),
+        };
+        jobs.push((study, Folder::create(&folder).map_err(|error| fail(&error))?));
+    }
+    Ok(jobs)
+}
+
+fn print(chart: &Chart) {
+    let engine = &chart.study.engine.name;
+    if chart.methods.probes.is_empty() {
+        say(&format!("{engine}: no design with one absorber to probe\n"));
+    } else {
+        let names: Vec<&str> = chart.methods.probes.iter().map(|p| p.0.as_str()).collect();
+        say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", names.len(), names.join(", ")));
+        say(&text::chart::methods(&chart.methods));
+        say(&format!("\n{}", text::chart::ways(&chart.methods)));
+    }
+    if let Some(savings) = &chart.savings {
+        say(&format!("\n{}", text::chart::savings(savings)));
+    }
+    if !chart.models.is_empty() {
+        say(&format!("\n{}", text::chart::models("What a simpler model costs, error of the peak:", &chart.models)));
+    }
+}

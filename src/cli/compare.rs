@@ -1,0 +1,156 @@
+//! `hartog compare`: published tables beside our own numbers.
+
+use super::progress::Bar;
+use super::{BAD_INPUT, DONE, FAILED, fail, say};
+use crate::analysis::{self, Calibration, Results, RunError};
+use crate::crankshaft::MarginCriterion;
+use crate::fatigue::Criterion;
+use crate::input::{self, Published, Size, Study};
+use crate::objective::Over;
+use crate::report::{Folder, text, write_comparison};
+use crate::validation::Comparison;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Arguments of `compare`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  hartog compare\n  hartog compare studies/villalva_v10.toml --out out/v10\n\n\
+Every published number has a role: given (an input of the model), calibrated (fitted to), predicted (computed without it), erratum (it\n\
+contradicts its own source, as the computation shows) or unexplained (no model comes near it). Notes are in comparison.csv.\n\n\
+Exit code: 0 done, 1 a tolerance stated in a study fails, 2 bad input or no finite response.")]
+pub struct Arguments {
+    /// Study files (TOML) with published tables [default: those in ./studies].
+    pub studies: Vec<PathBuf>,
+    /// Output folder; each study gets its own in it [default: out/compare].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Number of threads [default: all]; results are the same for any number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub threads: Option<u16>,
+}
+
+/// A study with what it is compared with.
+struct Job {
+    study: Study,
+    published: Published,
+}
+
+/// What a job gives.
+struct Page {
+    study: Study,
+    calibration: Option<Calibration>,
+    comparison: Comparison,
+    results: Results,
+}
+
+/// Compares studies with their published tables, prints the pages and writes their files.
+pub fn compare(arguments: &Arguments) -> u8 {
+    crate::cli::threads(arguments.threads.map(usize::from));
+    let start = Instant::now();
+    let jobs = match jobs(&arguments.studies) {
+        Ok(jobs) => jobs,
+        Err(code) => return code,
+    };
+    let root = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("compare"));
+    let mut pages = Vec::new();
+    for job in jobs {
+        let folder = match Folder::create(&root.join(&job.study.name)) {
+            Ok(folder) => folder,
+            Err(error) => return fail(&error),
+        };
+        let bar = Bar::default();
+        let page = page(job, &bar);
+        drop(bar);
+        let page = match page {
+            Ok(page) => page,
+            Err(error) => return fail(&format!("error: {error}")),
+        };
+        if let Err(error) = write_comparison(&page.study, page.calibration.as_ref(), &page.comparison, &page.results, &folder) {
+            return fail(&error);
+        }
+        print(&page, &folder);
+        pages.push(page);
+    }
+    if pages.len() > 1 {
+        let all: Vec<&Comparison> = pages.iter().map(|p| &p.comparison).collect();
+        say(&text::comparison::pooled(&all));
+    }
+    say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
+    if pages.iter().all(|p| p.comparison.verdict.holds()) { DONE } else { FAILED }
+}
+
+/// The studies named, or all in the folder of shipped ones that have tables.
+fn jobs(named: &[PathBuf]) -> Result<Vec<Job>, u8> {
+    let mut jobs: Vec<Job> = Vec::new();
+    let paths = if named.is_empty() { shipped()? } else { named.to_vec() };
+    for path in paths {
+        let study = input::read(&path).map_err(|error| fail(&error))?;
+        match study.published.clone() {
+            Some(_) if jobs.iter().any(|j| j.study.name == study.name) => {
+                return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
+            }
+            Some(published) => jobs.push(Job { study, published }),
+            None if named.is_empty() => {}
+            None => return Err(fail(&format!("error: {} has no [published] table, expected one to compare with", path.display()))),
+        }
+    }
+    if jobs.is_empty() {
+        return Err(fail(&"error: no study in ./studies has a [published] table; name one: hartog compare STUDY.toml"));
+    }
+    Ok(jobs)
+}
+
+fn shipped() -> Result<Vec<PathBuf>, u8> {
+    let Ok(folder) = std::fs::read_dir("studies") else {
+        return Err(fail(&"error: there is no folder ./studies here; name a study: hartog compare STUDY.toml"));
+    };
+    let mut paths: Vec<PathBuf> =
+        folder.filter_map(|e| e.ok().map(|e| e.path())).filter(|p| p.extension().is_some_and(|e| e == "toml")).collect();
+    paths.sort();
+    if paths.is_empty() {
+        let _code = fail(&"error: there is no study in ./studies; name one: hartog compare STUDY.toml");
+        return Err(BAD_INPUT);
+    }
+    Ok(paths)
+}
+
+fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
+    let (mut study, calibration) = analysis::calibrate(&job.study, bar)?;
+    only_published_rings(&mut study, &job.published);
+    let results = analysis::run(&study, bar)?;
+    let comparison = crate::validation::compare(&study, &job.published, calibration.as_ref(), &results)?;
+    Ok(Page { study, calibration, comparison, results })
+}
+
+/// What a comparison needs: no front, only the conditions that an optimum is to hold in, optima for the ring sizes that were published, and no criterion of fatigue after
+/// the last that an optimum or a table asks for.
+fn only_published_rings(study: &mut Study, published: &Published) {
+    study.front = None;
+    study.more_objectives.clear();
+    let measures = std::iter::once(&study.objective.measure).chain(study.limits.iter().map(|l| &l.1.measure));
+    let of_optima = measures.filter_map(|m| if let Over::Margin(c) = m.over { Some(c) } else { None }).max();
+    if let Some(fatigue) = &mut study.fatigue {
+        let of_tables = fatigue.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
+        fatigue.criteria.truncate(1 + of_optima.max(of_tables).unwrap_or(0));
+    }
+    let held = study.optimise.as_ref().map_or_else(Vec::new, |o| o.conditions.clone());
+    study.conditions.retain(|c| held.contains(c));
+    if let Some(o) = &mut study.optimise
+        && let Size::Each(sizes) = &mut o.absorber.size
+    {
+        let is_published = |j: &f64| published.absorbers.iter().any(|a| a.ring_inertia.is_some_and(|r| (r / j - 1.0).abs() < 1e-9));
+        if sizes.iter().any(is_published) {
+            sizes.retain(is_published);
+        }
+    }
+}
+
+fn print(page: &Page, folder: &Folder) {
+    let Page { study, calibration, comparison, .. } = page;
+    say(&format!("{}\n\n{}\n", study.engine.name, text::comparison::entries(comparison)));
+    if let Some(calibration) = calibration {
+        say(&format!("{}\n", text::calibration::calibration(study, calibration)));
+    }
+    say(&format!("In short:\n{}", text::comparison::paragraph(study, comparison)));
+    say(&format!("  {} files written to {}\n\n", folder.written(), folder.path().display()));
+}

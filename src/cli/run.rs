@@ -1,0 +1,113 @@
+//! `hartog run`: the main job.
+
+use super::progress::Bar;
+use super::{DONE, FAILED, fail, say};
+use crate::analysis::{self, Calibration, Progress, Results, Timing};
+use crate::input::{self, Study};
+use crate::report::{Folder, csv, plot, text};
+use crate::response::Work;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Arguments of `run`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  hartog run studies/villalva_i6.toml --out out/six\n\n\
+The objective of a study is, by default, half the peak-to-peak twist of all orders together (over = \"synthesis\"), from the\n\
+absorber's hub to the last station, at its worst speed. Neither the hub's amplitude nor a single order will do: at low speed the hub\n\
+rolls with the whole engine, which no absorber changes; and the largest single order saturates on forced twist, so that a ring that\n\
+wins by order can lose by the sum. Both can be chosen: hub_amplitude, and over = \"orders\".\n\n\
+Exit code: 0 done, 1 a limit of the study fails for an optimum, 2 bad input or no finite response.")]
+pub struct Arguments {
+    /// Study file (TOML).
+    pub study: PathBuf,
+    /// Output folder [default: out/STUDY].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Number of threads [default: all]; results are the same for any number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub threads: Option<u16>,
+}
+
+/// Runs a study, prints its tables and writes its files.
+pub fn run(arguments: &Arguments) -> u8 {
+    crate::cli::threads(arguments.threads.map(usize::from));
+    let start = Instant::now();
+    let study = match input::read(&arguments.study) {
+        Ok(study) => study,
+        Err(error) => return fail(&error),
+    };
+    let default = Path::new("out").join(&study.name);
+    let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
+        Ok(folder) => folder,
+        Err(error) => return fail(&error),
+    };
+    let bar = Bar::default();
+    let done = analysis::calibrate(&study, &bar).and_then(|(study, calibration)| {
+        let calibrated = start.elapsed().as_secs_f64();
+        analysis::run(&study, &bar).map(|results| (study, calibration, calibrated, results))
+    });
+    let (study, calibration, calibrated, results) = match done {
+        Ok(done) => done,
+        Err(error) => {
+            drop(bar);
+            return fail(&format!("error: {error}"));
+        }
+    };
+    let before_files = start.elapsed().as_secs_f64();
+    bar.stage("tables and plots", 1 + plot::count(&results));
+    let written = crate::report::write_run(&study, calibration.as_ref(), &results, &folder, &|| bar.step());
+    drop(bar);
+    if let Err(error) = written {
+        return fail(&error);
+    }
+    let total = start.elapsed().as_secs_f64();
+    let mut timing = results.timing.clone();
+    if calibration.is_some() {
+        timing.insert(0, Timing { stage: "calibration".into(), seconds: calibrated, work: Work::default() });
+    }
+    timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
+    timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
+    if let Err(error) = csv::timing(&timing, &folder) {
+        return fail(&error);
+    }
+    print(&study, calibration.as_ref(), &results, &folder, &timing);
+    if results.limits_hold() { DONE } else { FAILED }
+}
+
+fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, folder: &Folder, timing: &[Timing]) {
+    let chain = study.modes.frequencies_hz();
+    let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
+    say(&format!("{}: natural frequencies {} Hz\n\n", study.engine.name, frequencies.join(", ")));
+    if let Some(calibration) = calibration {
+        say(&format!("{}\n", text::calibration::calibration(study, calibration)));
+    }
+    say(&text::designs(study, results));
+    let margins = text::margin::margins(study, results);
+    if !margins.is_empty() {
+        say(&format!("\n{margins}"));
+    }
+    let conditions = text::conditions(study, results);
+    if !conditions.is_empty() {
+        say(&format!("\n{conditions}"));
+    }
+    for optimum in results.optima.iter().filter(|o| o.main) {
+        say(&format!("\n{}", text::optimum(study, results, optimum)));
+    }
+    say(&format!("\n{}", text::summary(study, results)));
+    if let Some(choice) = text::choice(results) {
+        say(&format!("\n{choice}"));
+    }
+    let cost: Vec<String> = timing
+        .iter()
+        .filter_map(|t| t.stage.strip_prefix("one_design_").map(|what| format!("{} {}", what.replace('_', " "), duration(t.seconds))))
+        .collect();
+    if !cost.is_empty() {
+        say(&format!("\nOne design on one thread: {}\n", cost.join(", ")));
+    }
+    let stages: Vec<String> = timing.iter().filter(|t| t.seconds >= 0.05).map(|t| format!("{} {:.1} s", t.stage, t.seconds)).collect();
+    say(&format!("{} files written to {} ({})\n", folder.written(), folder.path().display(), stages.join(", ")));
+}
+
+fn duration(seconds: f64) -> String {
+    if seconds < 1e-3 { format!("{:.1} µs", 1e6 * seconds) } else { format!("{:.2} ms", 1e3 * seconds) }
+}

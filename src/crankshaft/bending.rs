@@ -1,0 +1,119 @@
+//! Local bending stress of every spot over the working cycle, at every speed of a sweep.
+
+use super::loads::{CrankLoads, CrankModel, InPlane};
+use super::stress_histories::Section as History;
+use super::{Crank, Family, Place, Spot};
+use crate::drivetrain::Chain;
+use crate::engine::Engine;
+use crate::fatigue::Cycle;
+use rayon::prelude::*;
+
+/// What no absorber changes, in rows by speed.
+#[derive(Debug, Default)]
+pub struct Table {
+    /// Local bending stress of every spot, Pa.
+    pub bending: Vec<Vec<Cycle>>,
+    /// Mean torque of every shaft, N m.
+    pub mean_torque: Vec<Vec<f64>>,
+    /// Loads of the front and rear web of every throw over the cycle, where histories are asked for.
+    pub histories: Vec<Vec<History>>,
+}
+
+/// Every so many samples of the loads are enough for histories: 1° apart.
+const APART: usize = 5;
+
+/// The table. Nothing where the torque comes from a table.
+pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], speeds_rpm: &[f64], with_histories: bool) -> Option<Table> {
+    let model = CrankModel::new(engine, crank)?;
+    // spots of one section share its loads
+    let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
+    for (i, spot) in spots.iter().enumerate() {
+        let section = Section::of(spot);
+        match sections.iter_mut().find(|s| s.0 == section) {
+            Some(known) => known.1.push(i),
+            None => sections.push((section, vec![i])),
+        }
+    }
+    let row = |speed: &f64| {
+        let loads = model.at(*speed);
+        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; spots.len()];
+        for (section, own) in &sections {
+            let in_plane = section.loads(crank, &loads);
+            for i in own {
+                local[*i] = stress(&spots[*i], &in_plane);
+            }
+        }
+        let webs = if with_histories { histories(crank, &loads) } else { Vec::new() };
+        (local, mean_torque(chain, &loads), webs)
+    };
+    let rows: Vec<_> = speeds_rpm.par_iter().map(row).collect();
+    let mut table = Table::default();
+    for (bending, mean_torque, histories) in rows {
+        table.bending.push(bending);
+        table.mean_torque.push(mean_torque);
+        table.histories.push(histories);
+    }
+    Some(table)
+}
+
+fn histories(crank: &Crank, loads: &CrankLoads) -> Vec<History> {
+    let webs = (0..crank.throws()).flat_map(|throw| [(throw, false), (throw, true)]);
+    let own = webs.map(|(throw, rear)| loads.web(throw, rear));
+    own.map(|w| [w.moment, w.tangential, w.shear].map(|load| load.into_iter().step_by(APART).collect())).collect()
+}
+
+/// A section of the crank, and how its loads are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Section {
+    /// A web (front, rear) of the crank on all its bearings.
+    Web(usize, bool),
+    /// A web of one throw on its own bearings.
+    OwnWeb(usize, bool),
+    /// The middle of the crankpin of such a throw.
+    OwnPin(usize),
+}
+
+impl Section {
+    fn of(spot: &Spot) -> Self {
+        match (spot.family, spot.place) {
+            // the rule has no other bending for the middle of the pin
+            (_, Place::OilBore) => Self::OwnPin(spot.throw),
+            (Family::Rule, _) => Self::OwnWeb(spot.throw, spot.rear),
+            (Family::Nominal | Family::UnitLoads | Family::RuleContinuous, _) => Self::Web(spot.throw, spot.rear),
+        }
+    }
+
+    fn loads(self, crank: &Crank, loads: &CrankLoads) -> InPlane {
+        let own = |throw: usize, which: usize| loads.determinate(throw, crank.places(throw)[which] - crank.bearings()[throw]);
+        match self {
+            Self::Web(throw, rear) => loads.web(throw, rear),
+            Self::OwnWeb(throw, rear) => own(throw, if rear { 2 } else { 0 }),
+            Self::OwnPin(throw) => own(throw, 1),
+        }
+    }
+}
+
+fn stress(spot: &Spot, own: &InPlane) -> Cycle {
+    let at = |j: usize| spot.bending[0] * own.moment[j] + spot.bending[1] * own.tangential[j] + spot.radial * own.shear[j];
+    let wider = |m: (f64, f64), v: f64| (m.0.min(v), m.1.max(v));
+    let (low, high) = (0..own.moment.len()).map(at).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
+    Cycle { amplitude: 0.5 * (high - low), mean: 0.5 * (high + low) }
+}
+
+/// Mean torque in every shaft. What the engine delivers leaves at the end of the chain with the flywheel, the heavier one: before that, a shaft carries the
+/// torque of all throws on its other side.
+fn mean_torque(chain: &Chain, loads: &CrankLoads) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mean = |throw: &usize| loads.torque[*throw].iter().sum::<f64>() / loads.theta.len() as f64;
+    let mut shafts = Vec::new();
+    for station in &chain.stations {
+        sum += station.throws.iter().map(mean).sum::<f64>();
+        shafts.push(sum);
+    }
+    shafts.pop();
+    let heavier_first = chain.stations.first().zip(chain.stations.last()).is_some_and(|(first, last)| first.inertia > last.inertia);
+    if heavier_first {
+        shafts.iter_mut().for_each(|s| *s -= sum);
+    }
+    shafts
+}

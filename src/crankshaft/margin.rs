@@ -1,0 +1,252 @@
+//! How much of its strength every spot uses, at any speed, under the torque that a design leaves.
+
+use super::critical_locations::spots;
+use super::speed_table::At;
+use super::stress_histories::Histories;
+use super::{Crank, Family, FatigueSpec, MarginCriterion, MeanBending, Place, Spot, bending};
+use crate::drivetrain::Chain;
+use crate::engine::Engine;
+use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
+use crate::numerics::synthesis::Extremes;
+use crate::numerics::{C64, nearest};
+
+/// The vibratory torque of a shaft at a speed, N m.
+#[derive(Debug, Clone, Copy)]
+pub struct Torque<'a> {
+    /// Its extremes over the cycle: enough for criteria of amplitude and mean.
+    pub extremes: Extremes,
+    /// Its orders, for multiaxial criteria.
+    pub phasors: &'a [C64],
+}
+
+/// A spot with what it bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Used {
+    /// Index of the spot.
+    pub spot: usize,
+    /// Share of the strength that is used: the inverse of the margin.
+    pub value: f64,
+    /// Its derivatives by half peak-to-peak and middle of the torque, 1/(N m); none by a multiaxial criterion, which asks for the whole torque.
+    pub slopes: (f64, f64),
+    /// The cycle of equivalent stress; of a multiaxial criterion the shear stress that is held against the torsion limit, without a mean.
+    pub cycle: Cycle,
+}
+
+/// Everything of a crank's margin that no absorber changes.
+#[derive(Debug, Clone)]
+pub struct Margin {
+    /// Criteria, in the study's order.
+    pub criteria: Vec<MarginCriterion>,
+    /// Fillets for criteria of mean stress and multiaxial ones (with factors, and with stresses per unit load, as the study lists them), then those of the class rule.
+    pub spots: Vec<Spot>,
+    strength: Strength,
+    mean_bending: MeanBending,
+    rule: ClassRule,
+    /// Squares of the speeds, rpm².
+    squares: Vec<f64>,
+    /// Local bending stress at each speed (rows) and spot, Pa.
+    bending: Vec<Vec<Cycle>>,
+    /// Mean torque of each shaft at each speed (rows), N m.
+    mean_torque: Vec<Vec<f64>>,
+    /// Spots of each shaft, by family.
+    of_shaft: Vec<[Vec<usize>; 4]>,
+    /// For multiaxial criteria.
+    histories: Option<Histories>,
+}
+
+impl Margin {
+    /// For the speeds (ascending, rpm) of a sweep and the harmonics of its torque in the cycle; between speeds bending is linear in the square of the speed, the chord of a curve that bends upwards.
+    /// Nothing where the torque comes from a table or a throw has no shaft beside it.
+    pub fn new(engine: &Engine, chain: &Chain, crank: &Crank, spec: &FatigueSpec, speeds_rpm: &[f64], harmonics: &[u32]) -> Option<Self> {
+        let spots = spots(chain, crank, spec)?;
+        let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
+        let table = bending::table(engine, chain, crank, &spots, speeds_rpm, multiaxial)?;
+        let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &spots, table.histories));
+        let own =
+            |shaft: usize, family: Family| (0..spots.len()).filter(|i| spots[*i].shaft == shaft && spots[*i].family == family).collect();
+        let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
+        Some(Self {
+            criteria: spec.criteria.clone(),
+            spots,
+            strength: spec.strength,
+            mean_bending: spec.mean_bending,
+            rule: spec.rule,
+            squares: speeds_rpm.iter().map(|s| s * s).collect(),
+            bending: table.bending,
+            mean_torque: table.mean_torque,
+            of_shaft,
+            histories,
+        })
+    }
+
+    /// Whether a criterion is the class societies' rule.
+    pub fn is_class_rule(&self, criterion: usize) -> bool {
+        self.criteria[criterion].is_class_rule()
+    }
+
+    /// Whether a criterion asks for the whole torque, not only its extremes.
+    pub fn is_multiaxial(&self, criterion: usize) -> bool {
+        matches!(self.criteria[criterion], MarginCriterion::Multiaxial(_))
+    }
+
+    /// Whether the share that is used has ridges: Dang Van's sums take distances to the centre of a ball, which moves abruptly.
+    pub fn has_ridges(&self, criterion: usize) -> bool {
+        let by = self.criteria[criterion];
+        [multiaxial::Criterion::DangVanPlane, multiaxial::Criterion::DangVanMesoscopic].map(MarginCriterion::Multiaxial).contains(&by)
+    }
+
+    /// Whether a spot is judged by a criterion.
+    pub fn judges(&self, criterion: usize, spot: usize) -> bool {
+        self.criteria[criterion].families().contains(&self.spots[spot].family)
+    }
+
+    /// Mean torque of every shaft at a speed, N m.
+    pub fn mean_torque(&self, speed_rpm: f64) -> Vec<f64> {
+        let at = self.place(speed_rpm);
+        self.mean_torque[at.low].iter().zip(&self.mean_torque[at.high]).map(|(a, b)| at.between(*a, *b)).collect()
+    }
+
+    fn place(&self, speed_rpm: f64) -> At {
+        if self.squares.len() == 1 {
+            return At { low: 0, high: 0, fraction: 0.0 };
+        }
+        let (low, fraction) = nearest::interval(&self.squares, speed_rpm * speed_rpm);
+        At { low, high: low + 1, fraction }
+    }
+
+    /// A spot under a torque at a speed.
+    pub fn used(&self, criterion: usize, spot: usize, speed_rpm: f64, torque: &Torque) -> Used {
+        self.used_each(criterion, &[spot], speed_rpm, torque).swap_remove(0)
+    }
+
+    /// Some spots of one shaft under its torque at a speed.
+    pub fn used_each(&self, criterion: usize, spots: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
+        let at = self.place(speed_rpm);
+        match (self.multiaxial(criterion), spots.first()) {
+            (Some(by), Some(first)) => {
+                let whole = by.1.torque(torque.phasors, self.mean_at(at, self.spots[*first].shaft));
+                spots.iter().map(|spot| self.used_by_history(by, *spot, at, &whole)).collect()
+            }
+            _ => spots.iter().map(|spot| self.used_at(criterion, *spot, at, &torque.extremes)).collect(),
+        }
+    }
+
+    fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
+        match (self.criteria[criterion], &self.histories) {
+            (MarginCriterion::Multiaxial(c), Some(histories)) => Some((c, histories)),
+            _ => None,
+        }
+    }
+
+    fn mean_at(&self, at: At, shaft: usize) -> f64 {
+        at.between(self.mean_torque[at.low][shaft], self.mean_torque[at.high][shaft])
+    }
+
+    fn used_by_history(&self, (criterion, histories): (multiaxial::Criterion, &Histories), spot: usize, at: At, torque: &[f64]) -> Used {
+        let value = histories.used(criterion, &histories.history(&self.spots[spot], at, torque));
+        Used { spot, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
+    }
+
+    fn used_at(&self, criterion: usize, spot: usize, at: At, torque: &Extremes) -> Used {
+        let s = &self.spots[spot];
+        let (low, high) = (&self.bending[at.low][spot], &self.bending[at.high][spot]);
+        let bending = Cycle { amplitude: at.between(low.amplitude, high.amplitude), mean: at.between(low.mean, high.mean) };
+        let mean_torque = self.mean_at(at, s.shaft);
+        let twisting = Cycle { amplitude: torque.half_peak_to_peak * s.torsion, mean: (torque.middle + mean_torque) * s.torsion };
+        if let Some(allowable) = s.allowable {
+            let (stress, slope) = match s.place {
+                Place::OilBore => bore(bending.amplitude, twisting.amplitude),
+                _ => {
+                    let stress = self.rule.fillet_stress(bending.amplitude, twisting.amplitude);
+                    (stress, if stress > 0.0 { 3.0 * twisting.amplitude / stress } else { 0.0 })
+                }
+            };
+            let cycle = Cycle { amplitude: stress, mean: 0.0 };
+            return Used { spot, value: stress / allowable, slopes: (slope * s.torsion / allowable, 0.0), cycle };
+        }
+        let (amplitude, of_amplitude) = mises(bending.amplitude, twisting.amplitude);
+        let pulling = if self.mean_bending == MeanBending::Signed { bending.mean.max(0.0) } else { bending.mean };
+        let (mean, of_mean) = mises(pulling, twisting.mean);
+        let cycle = Cycle { amplitude, mean };
+        let MarginCriterion::MeanStress(line) = self.criteria[criterion] else {
+            unreachable!("the class rule has a strength, multiaxial criteria a history")
+        };
+        let (value, by_amplitude, by_mean) = line.utilisation(cycle, self.strength);
+        Used { spot, value, slopes: (by_amplitude * of_amplitude * s.torsion, by_mean * of_mean * s.torsion), cycle }
+    }
+
+    /// Spots of a shaft that a criterion judges.
+    pub fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
+        self.criteria[criterion].families().iter().flat_map(move |f| self.of_shaft[shaft][*f as usize].iter().copied())
+    }
+
+    /// The spot of a shaft that is used most.
+    pub fn most_used(&self, criterion: usize, shaft: usize, speed_rpm: f64, torque: &Torque) -> Option<Used> {
+        self.most_used_above(criterion, shaft, speed_rpm, torque, (1.0, 0.0))
+    }
+
+    /// The same among those that may be used as much as `wanted` where the torque is up to `rise` times as large; by criteria of extremes among all.
+    pub fn most_used_above(
+        &self,
+        criterion: usize,
+        shaft: usize,
+        speed_rpm: f64,
+        torque: &Torque,
+        (rise, wanted): (f64, f64),
+    ) -> Option<Used> {
+        let at = self.place(speed_rpm);
+        let larger = |m: Used, u: Used| if u.value > m.value { u } else { m };
+        let Some((word, histories)) = self.multiaxial(criterion) else {
+            return self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque.extremes)).reduce(larger);
+        };
+        let mean = self.mean_at(at, shaft);
+        let whole = histories.torque(torque.phasors, mean);
+        let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
+        let bound = |i: usize, rise: f64| {
+            let largest = mean.abs() + rise * (middle.abs() + half_peak_to_peak);
+            histories.at_most(word, (i, &self.spots[i]), at, rise * half_peak_to_peak, largest) * (1.0 + ROUNDING)
+        };
+        // those that may be used most first: the others need no history then
+        let able = self.spots_of(criterion, shaft).filter(|i| bound(*i, rise) >= wanted);
+        let mut spots: Vec<(f64, usize)> = able.map(|i| (bound(i, 1.0), i)).collect();
+        spots.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut most: Option<Used> = None;
+        for (bound, spot) in spots {
+            if most.is_some_and(|m| bound < m.value) {
+                break;
+            }
+            let used = self.used_by_history((word, histories), spot, at, &whole);
+            most = Some(most.map_or(used, |m| larger(m, used)));
+        }
+        most
+    }
+
+    /// At least as much as the shaft can be used where the torque has no more than this half peak-to-peak value, and its middle no larger size.
+    pub fn at_most(&self, criterion: usize, shaft: usize, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
+        let at = self.place(speed_rpm);
+        if let Some((word, histories)) = self.multiaxial(criterion) {
+            let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
+            let bound = |i: usize| histories.at_most(word, (i, &self.spots[i]), at, half_peak_to_peak, largest);
+            return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
+        }
+        let worst = |middle: f64| {
+            let torque = Extremes { half_peak_to_peak, middle, ..Extremes::default() };
+            self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque).value).fold(0.0, f64::max)
+        };
+        worst(middle).max(worst(-middle))
+    }
+}
+
+/// Bounds are as right as this: samples of a torque may exceed its extremes by rounding, and the mean shear is a quadrature.
+const ROUNDING: f64 = 1e-3;
+
+/// Equivalent stress and its derivative by the shear stress.
+fn mises(bending: f64, torsion: f64) -> (f64, f64) {
+    let stress = (bending * bending + 3.0 * torsion * torsion).sqrt();
+    (stress, if stress > 0.0 { 3.0 * torsion / stress } else { 0.0 })
+}
+
+fn bore(bending: f64, torsion: f64) -> (f64, f64) {
+    let root = (bending * bending + 2.25 * torsion * torsion).sqrt();
+    (class_rules::bore_stress(bending, torsion), if root > 0.0 { 1.5 * torsion / root } else { 0.0 })
+}

@@ -1,0 +1,24 @@
+//! The crank as a structure: bending between its main bearings, stress concentration in its fillets, and the fatigue margin of its critical locations.
+
+pub mod beam;
+mod bending;
+pub mod crank;
+pub mod criterion;
+pub mod critical_locations;
+pub mod elements;
+pub mod loads;
+pub mod margin;
+pub mod section;
+pub mod singularity;
+pub mod speed_table;
+pub mod stress_concentration;
+pub mod stress_histories;
+pub mod unit_loads;
+
+pub use beam::{Beam, Reactions, Support};
+pub use crank::{Crank, OilBore, Place};
+pub use criterion::{FactorSource, Family, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
+pub use critical_locations::{Spot, shafts, stations_of_throws};
+pub use margin::{Margin, Torque, Used};
+pub use stress_concentration::{Concentration, Geometry as NotchGeometry};
+pub use unit_loads::UnitLoads;

@@ -1,0 +1,168 @@
+//! Stress histories of the spots, for multiaxial criteria: the sum of stresses per unit load over the cycle. Bending comes from the loads of the crank, which no absorber
+//! changes; torque from the chain.
+//!
+//! A fillet with factors of nominal stress has a plane state: bending along the fillet's meridian (xx) and shear by torque (xy). What any criterion asks of such a path, its
+//! corners answer: circles, balls, ranges and sums of a distance and a linear function are decided by the convex hull. A fillet with stresses per unit load from elsewhere has any
+//! tensor, and keeps all samples.
+
+use super::Spot;
+use super::speed_table::At;
+use crate::fatigue::multiaxial::bound::Within;
+use crate::fatigue::multiaxial::history::deviator_of;
+use crate::fatigue::multiaxial::invariants::Invariants;
+use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, evaluate, papadopoulos};
+use crate::numerics::C64;
+use crate::numerics::hull::hull;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Samples that ranges are taken of together.
+const BLOCK: usize = 16;
+
+/// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
+pub type Section = [Vec<f64>; 3];
+
+/// What a spot bears by bending alone at a speed.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bent {
+    sqrt_j2_amplitude: f64,
+    /// Of stresses per unit load only: those of a nominal state follow from the amplitude.
+    mean_shear: f64,
+    low: f64,
+    high: f64,
+    normal: f64,
+}
+
+/// Histories of all spots at the speeds of a sweep.
+#[derive(Debug, Clone)]
+pub struct Histories {
+    limits: Limits,
+    samples: usize,
+    /// Turn of every harmonic at every sample: a row a harmonic.
+    turns: Vec<Vec<C64>>,
+    /// By speed and section (front and rear web of each throw).
+    sections: Vec<Vec<Section>>,
+    /// By speed and spot.
+    bent: Vec<Vec<Bent>>,
+}
+
+impl Histories {
+    /// From the loads of the sections at each speed. `harmonics`: of the torque, in the cycle.
+    pub fn new(limits: Limits, harmonics: &[u32], spots: &[Spot], sections: Vec<Vec<Section>>) -> Self {
+        let samples = sections.first().and_then(|s| s.first()).map_or(0, |s| s[0].len());
+        let turn = |h: u32, j: usize| C64::cis(TAU * ((h as usize * j) % samples) as f64 / samples as f64);
+        let turns = harmonics.iter().map(|h| (0..samples).map(|j| turn(*h, j)).collect()).collect();
+        let bent = sections.par_iter().map(|row| spots.iter().map(|spot| bent(spot, &row[section_of(spot)])).collect()).collect();
+        Self { limits, samples, turns, sections, bent }
+    }
+
+    /// The torque at every sample, N m.
+    pub fn torque(&self, phasors: &[C64], mean: f64) -> Vec<f64> {
+        let mut torque = vec![mean; self.samples];
+        for (y, turns) in phasors.iter().zip(&self.turns) {
+            for (t, turn) in torque.iter_mut().zip(turns) {
+                *t += y.re * turn.re - y.im * turn.im;
+            }
+        }
+        torque
+    }
+
+    /// The history of a spot under a torque.
+    pub fn history(&self, spot: &Spot, at: At, torque: &[f64]) -> History {
+        let section = section_of(spot);
+        let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
+        let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
+        if let Some(units) = &spot.unit_loads {
+            return History::new((0..self.samples).map(|j| {
+                let (m, t, v) = (load(0, j), load(1, j), load(2, j));
+                std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * torque[j])
+            }));
+        }
+        let mut bending = vec![0.0; self.samples];
+        // a row each: a sum of four products
+        let shares = [(low, 1.0 - at.fraction), (high, at.fraction)];
+        for (row, share) in shares {
+            let (moment, shear) = (share * spot.bending[0], share * spot.radial);
+            for ((b, m), v) in bending.iter_mut().zip(&row[0]).zip(&row[2]) {
+                *b += moment * m + shear * v;
+            }
+        }
+        let shear: Vec<f64> = torque.iter().map(|t| spot.torsion * t).collect();
+        let mut corners = hull(&bending, &shear);
+        // whole blocks are looked at together: the first corner once more costs nothing
+        corners.resize(corners.len().next_multiple_of(BLOCK), corners[0]);
+        let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
+        History::plane_state(at(&bending), at(&shear))
+    }
+
+    /// Share of the strength that a history uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.
+    pub fn used(&self, criterion: Criterion, history: &History) -> f64 {
+        if history.components.iter().flatten().all(|s| *s == 0.0) {
+            return 0.0;
+        }
+        match evaluate(history, &self.limits, &[criterion], Grid::default()) {
+            Ok((verdicts, _)) => 1.0 / verdicts[0].safety_factor,
+            Err(undefined) => unreachable!("checked in the study: {undefined}"),
+        }
+    }
+
+    /// The equivalent shear stress of a share, Pa.
+    pub fn equivalent(&self, used: f64) -> f64 {
+        used * self.limits.torsion
+    }
+
+    /// At least the share that a spot uses under a torque of this half peak-to-peak value, and of no larger size than `largest`.
+    pub fn at_most(&self, criterion: Criterion, spot: (usize, &Spot), at: At, half_peak_to_peak: f64, largest: f64) -> f64 {
+        let (low, high) = (&self.bent[at.low][spot.0], &self.bent[at.high][spot.0]);
+        let per_torque = spot.1.unit_loads.map_or([0.0, 0.0, 0.0, spot.1.torsion, 0.0, 0.0], |u| u.torque);
+        let twisted = deviator_of(&per_torque).iter().map(|d| d * d).sum::<f64>().sqrt() * half_peak_to_peak;
+        let hydrostatic = ((per_torque[0] + per_torque[1] + per_torque[2]) / 3.0).abs() * largest;
+        let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
+        let within = Within {
+            // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
+            sqrt_j2_amplitude: if spot.1.unit_loads.is_none() { bent.hypot(twisted) } else { bent + twisted },
+            mean_shear: match &spot.1.unit_loads {
+                None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
+                // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
+                Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
+            },
+            hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
+            normal: at.between(low.normal, high.normal) + size(&per_torque) * largest,
+        };
+        criterion.at_most(&within, &self.limits).unwrap_or(f64::INFINITY)
+    }
+}
+
+/// Index of the web.
+fn section_of(spot: &Spot) -> usize {
+    2 * spot.throw + usize::from(spot.rear)
+}
+
+fn bent(spot: &Spot, section: &Section) -> Bent {
+    let history = match &spot.unit_loads {
+        Some(u) => {
+            let tensor = |j: usize| -> [f64; 6] {
+                std::array::from_fn(|c| u.moment[c] * section[0][j] + u.tangential[c] * section[1][j] + u.shear[c] * section[2][j])
+            };
+            History::new((0..section[0].len()).map(tensor))
+        }
+        None => {
+            let path = section[0].iter().zip(&section[2]).map(|(m, v)| spot.bending[0] * m + spot.radial * v);
+            let (low, high) = path.fold((f64::INFINITY, f64::NEG_INFINITY), |m, b| (m.0.min(b), m.1.max(b)));
+            History::plane_state(vec![low, high], vec![0.0; 2])
+        }
+    };
+    let i = Invariants::of(&history);
+    Bent {
+        sqrt_j2_amplitude: i.sqrt_j2_amplitude,
+        mean_shear: if spot.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
+        low: i.hydrostatic_mean - i.hydrostatic_amplitude,
+        high: i.hydrostatic_max(),
+        normal: (0..history.len()).map(|j| size(&history.tensor(j))).fold(0.0, f64::max),
+    }
+}
+
+/// Frobenius norm of a tensor: no normal stress is larger.
+fn size(t: &[f64; 6]) -> f64 {
+    (t[..3].iter().map(|s| s * s).sum::<f64>() + 2.0 * t[3..].iter().map(|s| s * s).sum::<f64>()).sqrt()
+}

@@ -1,0 +1,40 @@
+//! The only place that reads files: a study in TOML, the engine file and tables it names.
+
+pub mod error;
+pub mod published;
+mod schema;
+pub mod tables;
+mod validation;
+
+pub use error::InputError;
+pub use published::Published;
+pub use validation::{
+    AbsorberSpec, CalibrateSpec, DesignSpec, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, ResponseMethod, Size, Study, UnitOf,
+};
+
+use error::Source;
+use std::path::Path;
+
+/// Reads and checks a material file.
+///
+/// # Errors
+/// [`InputError`] with every mistake found.
+pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
+    let source = Source::read(path)?;
+    let raw: schema::material::RawMaterialFile = source.parse()?;
+    validation::material::resolve(&source, &raw)
+}
+
+/// Reads and checks a study and everything it names.
+///
+/// # Errors
+/// [`InputError`] with every mistake found, each with file, line and column.
+pub fn read(path: &Path) -> Result<Study, InputError> {
+    let source = Source::read(path)?;
+    let study: schema::study::RawStudy = source.parse()?;
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let engine_path = folder.join(study.engine.get_ref());
+    let engine_source = Source::read_named(&engine_path, &source, study.engine.span())?;
+    let engine: schema::engine::RawEngine = engine_source.parse()?;
+    validation::resolve(path, &source, &study, &engine_path, &engine_source, &engine)
+}

@@ -1,0 +1,46 @@
+//! The crank's dimensions in an engine file.
+
+use crate::input::error::At;
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCrank {
+    pub pitch_mm: RawEach,
+    pub crankpin_diameter_mm: At<f64>,
+    pub crankpin_length_mm: At<f64>,
+    pub crankpin_bore_mm: Option<At<f64>>,
+    pub crankpin_fillet_mm: At<f64>,
+    pub crankpin_recess_mm: Option<At<f64>>,
+    pub journal_diameter_mm: At<f64>,
+    pub journal_length_mm: RawEach,
+    pub journal_bore_mm: Option<At<f64>>,
+    pub journal_fillet_mm: At<f64>,
+    pub journal_recess_mm: Option<At<f64>>,
+    pub web_thickness_mm: At<f64>,
+    pub web_breadth_mm: At<f64>,
+    pub oil_bore: Option<RawOilBore>,
+    #[serde(default)]
+    pub missing_bearings: Vec<At<i64>>,
+    pub rod_spacing_mm: Option<At<f64>>,
+    pub bearing_stiffness_n_per_m: Option<At<f64>>,
+    pub young_modulus_gpa: Option<At<f64>>,
+    pub unbalance_kg_m: Option<At<f64>>,
+    pub counterweight_kg_m: Option<At<f64>>,
+    #[serde(default)]
+    pub assumed: Vec<At<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawEach {
+    All(At<f64>),
+    Each(At<Vec<At<f64>>>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawOilBore {
+    pub diameter_mm: At<f64>,
+    pub angle_deg: Option<At<f64>>,
+}

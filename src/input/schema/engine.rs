@@ -1,0 +1,126 @@
+//! The engine file.
+
+use super::crank::RawCrank;
+use crate::input::error::At;
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawEngine {
+    pub name: At<String>,
+    pub strokes: At<i64>,
+    pub geometry: Option<At<RawGeometry>>,
+    pub layout: RawLayout,
+    pub pressure: At<RawPressure>,
+    pub crank: Option<At<RawCrank>>,
+    #[serde(default)]
+    pub station: Vec<RawStation>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawGeometry {
+    pub bore_mm: At<f64>,
+    pub crank_radius_mm: At<f64>,
+    pub rod_length_mm: At<f64>,
+    pub piston_mass_kg: At<f64>,
+    pub rod_mass_kg: At<f64>,
+    pub rod_rotating_fraction: Option<At<f64>>,
+    pub rod_centre_from_big_end_mm: Option<At<f64>>,
+    pub rod_inertia_kg_m2: Option<At<f64>>,
+    #[serde(default)]
+    pub kinematics: RawKinematics,
+    pub crankcase_pressure_bar: Option<At<f64>>,
+    pub liner_friction: Option<At<f64>>,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawKinematics {
+    #[default]
+    Exact,
+    Truncated,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawLayout {
+    InLine(RawInLine),
+    V(RawV),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawInLine {
+    pub firing_order: At<Vec<At<i64>>>,
+    pub firing_deg: At<Vec<At<f64>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawV {
+    pub bank_angle_deg: At<f64>,
+    pub firing_order: At<Vec<At<i64>>>,
+    pub firing_deg: At<Vec<At<f64>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawPressure {
+    Otto(RawOtto),
+    Wiebe(RawWiebe),
+    Measured(RawFile),
+    Harmonics(RawFile),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawOtto {
+    pub speed_rpm: At<Vec<At<f64>>>,
+    pub curve: RawCurve,
+    pub compression_ratio: At<f64>,
+    pub pressure_scale: At<f64>,
+    pub inlet_pressure_bar: Option<At<f64>>,
+    pub heat_capacity_ratio: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+pub enum RawCurve {
+    #[serde(rename = "power_kw")]
+    Power(At<Vec<At<f64>>>),
+    #[serde(rename = "torque_n_m")]
+    Torque(At<Vec<At<f64>>>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawWiebe {
+    pub speed_rpm: At<Vec<At<f64>>>,
+    pub indicated_mean_pressure_bar: At<Vec<At<f64>>>,
+    pub boost_bar: At<f64>,
+    pub compression_ratio: At<f64>,
+    pub burn_start_deg: At<f64>,
+    pub burn_duration_deg: At<f64>,
+    pub wiebe_exponent: Option<At<f64>>,
+    pub heat_capacity_ratio: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawFile {
+    pub file: At<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawStation {
+    pub name: At<String>,
+    #[serde(default)]
+    pub throws: Vec<At<i64>>,
+    pub inertia_kg_m2: At<f64>,
+    pub stiffness_to_next_n_m_per_rad: Option<At<f64>>,
+    pub damping_to_next_n_m_s_per_rad: Option<At<f64>>,
+    pub loss_factor_to_next: Option<At<f64>>,
+    pub stiffness_to_ground_n_m_per_rad: Option<At<f64>>,
+    pub damping_to_ground_n_m_s_per_rad: Option<At<f64>>,
+}

@@ -1,0 +1,142 @@
+//! The fatigue table of a study.
+
+use crate::input::error::At;
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawFatigue {
+    pub criteria: At<Vec<At<RawCriterion>>>,
+    pub material: RawMaterial,
+    pub endurance: Option<RawEndurance>,
+    #[serde(default)]
+    pub mean_bending: RawMeanBending,
+    #[serde(default)]
+    pub notch_sensitivity: bool,
+    #[serde(default)]
+    pub iacs_m53: RawClassRule,
+    #[serde(default)]
+    pub fillet: Vec<RawFillet>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawCriterion {
+    Goodman,
+    Soderberg,
+    Gerber,
+    AsmeElliptic,
+    Langer,
+    IacsM53,
+    #[serde(rename = "iacs_m53_continuous")]
+    IacsM53Continuous,
+    Matake,
+    #[serde(rename = "mcdiarmid")]
+    McDiarmid,
+    DangVanThesis,
+    DangVanPlane,
+    DangVanMesoscopic,
+    Sines,
+    Crossland,
+    KakunoKawada,
+    KakunoKawadaConsistent,
+    Findley,
+    Papadopoulos,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawMeanBending {
+    #[default]
+    Signed,
+    AsTension,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMaterial {
+    pub tensile_strength_mpa: At<f64>,
+    pub yield_strength_mpa: Option<At<f64>>,
+    pub bending_fatigue_limit_mpa: Option<At<f64>>,
+    pub torsion_fatigue_limit_mpa: Option<At<f64>>,
+    pub repeated_bending_fatigue_limit_mpa: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawEndurance {
+    #[serde(default)]
+    pub load: RawLoad,
+    pub surface: RawSurface,
+    pub temperature_c: Option<At<f64>>,
+    pub reliability_percent: Option<At<f64>>,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawLoad {
+    #[default]
+    Bending,
+    Axial,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawSurface {
+    Ground,
+    Machined,
+    HotRolled,
+    Forged,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawClassRule {
+    #[serde(default)]
+    pub manufacture: RawManufacture,
+    pub additional_bending_mpa: Option<At<f64>>,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawManufacture {
+    GrainFlow,
+    #[default]
+    FreeForged,
+    CastColdRolled,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawFillet {
+    pub name: At<String>,
+    pub throw: Option<At<i64>>,
+    #[serde(default)]
+    pub on: RawPlace,
+    pub factors: At<RawFactors>,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawPlace {
+    #[default]
+    Crankpin,
+    Journal,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawFactors {
+    Given(RawGiven),
+    UnitLoads(At<String>),
+    IacsM53,
+    #[serde(rename = "fvv_1973")]
+    Fvv1973,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawGiven {
+    pub bending: At<f64>,
+    pub torsion: At<f64>,
+}

@@ -1,0 +1,350 @@
+//! The study file.
+
+use super::fatigue::{RawCriterion, RawFatigue};
+use crate::input::error::At;
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawStudy {
+    pub engine: At<String>,
+    pub speed_rpm: At<RawSpeeds>,
+    pub order_limit: Option<At<f64>>,
+    pub load_fraction: Option<At<f64>>,
+    pub conditions: Option<At<Vec<At<RawCondition>>>>,
+    #[serde(default)]
+    pub response: RawResponse,
+    #[serde(default)]
+    pub design: Vec<RawDesign>,
+    #[serde(default)]
+    pub objective: Vec<At<RawObjective>>,
+    #[serde(default)]
+    pub constraint: Vec<RawConstraint>,
+    pub optimise: Option<RawOptimise>,
+    pub pareto: Option<At<RawPareto>>,
+    pub published: Option<At<RawPublished>>,
+    pub calibrate: Option<At<RawCalibrate>>,
+    pub fatigue: Option<At<RawFatigue>>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawCondition {
+    Firing,
+    Misfire,
+    AbsorberLocked,
+    AbsorberLost,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSpeeds {
+    pub from: At<f64>,
+    pub to: At<f64>,
+    pub step: At<f64>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawResponse {
+    #[serde(default)]
+    pub method: RawMethod,
+    pub tolerance: Option<At<f64>>,
+    pub refine_peaks: Option<bool>,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawMethod {
+    Receptance,
+    Direct,
+    #[default]
+    Auto,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawDesign {
+    pub name: At<String>,
+    #[serde(default)]
+    pub absorber: Vec<RawAbsorber>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawAbsorber {
+    pub on: RawOn,
+    pub hub_inertia_kg_m2: Option<At<f64>>,
+    #[serde(rename = "type")]
+    pub kind: RawType,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawOn {
+    Station(At<String>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawType {
+    Tuned(RawTuned),
+    Viscous(RawViscous),
+    Undamped(RawUndamped),
+    Locked(RawLocked),
+    Seeded(RawSeeded),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTuned {
+    pub ring_inertia_kg_m2: At<f64>,
+    pub stiffness_n_m_per_rad: At<f64>,
+    pub damping_n_m_s_per_rad: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawViscous {
+    pub ring_inertia_kg_m2: At<f64>,
+    pub damping_n_m_s_per_rad: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawUndamped {
+    pub ring_inertia_kg_m2: At<f64>,
+    pub stiffness_n_m_per_rad: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLocked {
+    pub ring_inertia_kg_m2: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSeeded {
+    pub by: At<String>,
+    pub ring_inertia_kg_m2: At<f64>,
+    #[serde(default)]
+    pub engine_inertia: RawEngineInertia,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawEngineInertia {
+    #[default]
+    Modal,
+    WholeChain,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawOver {
+    #[default]
+    Synthesis,
+    Orders,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawObjective {
+    PeakTwist(RawTwist),
+    HubAmplitude(RawAmplitude),
+    VibratoryTorque(RawTorque),
+    Margin(RawMargin),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTwist {
+    pub from: At<String>,
+    pub to: At<String>,
+    #[serde(default)]
+    pub over: RawOver,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawAmplitude {
+    pub station: At<String>,
+    #[serde(default)]
+    pub over: RawOver,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTorque {
+    #[serde(default)]
+    pub over: RawOver,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawConstraint {
+    PeakTwist(RawTwistLimit),
+    HubAmplitude(RawAmplitudeLimit),
+    VibratoryTorque(RawTorqueLimit),
+    Margin(RawMarginLimit),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTwistLimit {
+    pub from: At<String>,
+    pub to: At<String>,
+    #[serde(default)]
+    pub over: RawOver,
+    pub max_deg: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawAmplitudeLimit {
+    pub station: At<String>,
+    #[serde(default)]
+    pub over: RawOver,
+    pub max_deg: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTorqueLimit {
+    #[serde(default)]
+    pub over: RawOver,
+    pub max_n_m: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMargin {
+    pub criterion: Option<At<RawCriterion>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawMarginLimit {
+    pub min: At<f64>,
+    pub criterion: Option<At<RawCriterion>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawOptimise {
+    pub seed: Option<At<i64>>,
+    pub random_starts: Option<At<i64>>,
+    pub conditions: Option<At<Vec<At<RawCondition>>>>,
+    pub absorber: At<Vec<RawOptimised>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawOptimised {
+    pub on: RawOn,
+    pub hub_inertia_kg_m2: Option<At<f64>>,
+    pub types: At<Vec<At<RawKind>>>,
+    pub size: RawSize,
+    #[serde(default)]
+    pub engine_inertia: RawEngineInertia,
+    pub stiffness_n_m_per_rad: Option<RawRange>,
+    pub damping_n_m_s_per_rad: Option<RawRange>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawKind {
+    Tuned,
+    Viscous,
+    Undamped,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawSize {
+    #[serde(rename = "ring_inertia_kg_m2")]
+    RingInertia(RawRange),
+    InertiaRatio(RawRange),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawRange {
+    Fixed(At<f64>),
+    Between(At<Vec<At<f64>>>),
+    Each(At<Vec<At<f64>>>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawPareto {
+    pub points: At<i64>,
+    pub against: RawAgainst,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawAgainst {
+    #[serde(rename = "ring_inertia_kg_m2")]
+    RingInertia(At<Vec<At<f64>>>),
+    InertiaRatio(At<Vec<At<f64>>>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawPublished {
+    pub engine: At<String>,
+    pub frequencies: Option<At<String>>,
+    pub absorbers: Option<At<String>>,
+    pub amplitudes: Option<At<String>>,
+    pub engines: Option<At<String>>,
+    pub fatigue: Option<At<String>>,
+    pub stresses: Option<At<String>>,
+    pub factors: Option<At<String>>,
+    pub multiaxial: Option<At<String>>,
+    pub histories: Option<At<String>>,
+    pub least_amplitude_deg: Option<At<f64>>,
+    #[serde(default)]
+    pub tolerance_percent: RawTolerances,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawTolerances {
+    pub frequency: Option<At<f64>>,
+    pub critical_speed: Option<At<f64>>,
+    pub stiffness: Option<At<f64>>,
+    pub damping: Option<At<f64>>,
+    pub amplitude_median: Option<At<f64>>,
+    pub amplitude_worst: Option<At<f64>>,
+    pub safety_factor: Option<At<f64>>,
+    pub multiaxial_factor: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCalibrate {
+    pub designs: At<Vec<At<String>>>,
+    #[serde(default)]
+    pub exclude: Vec<At<RawExcluded>>,
+    pub tuned_by_hand: Option<At<Vec<At<String>>>>,
+    pub pressure_scale: Option<At<RawRange>>,
+    pub compression_ratio: Option<At<RawRange>>,
+    pub heat_capacity_ratio: Option<At<RawRange>>,
+    pub boost_bar: Option<At<RawRange>>,
+    pub burn_start_deg: Option<At<RawRange>>,
+    pub burn_duration_deg: Option<At<RawRange>>,
+    pub wiebe_exponent: Option<At<RawRange>>,
+    pub throw_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    pub shaft_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    pub shaft_loss_factor: Option<At<RawRange>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawExcluded {
+    pub design: At<String>,
+    pub order: At<f64>,
+    pub speed_rpm: At<f64>,
+}

@@ -1,0 +1,76 @@
+//! Torsional chain.
+
+use crate::drivetrain::{Chain, Station};
+use crate::input::error::{At, Check};
+use crate::input::schema::engine::{RawEngine, RawStation};
+use std::collections::HashSet;
+
+/// The chain, or nothing where a mistake leaves none. `throws`: how many the layout has (0 where it is unknown).
+pub fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Option<Chain> {
+    if raw.station.is_empty() {
+        check.wrong(&raw.strokes, "found no [[station]], expected at least one in an engine file");
+        return None;
+    }
+    let mut names = HashSet::new();
+    let mut owner: Vec<Option<String>> = vec![None; throws];
+    let last = raw.station.len() - 1;
+    let mut stations = Vec::new();
+    for (i, s) in raw.station.iter().enumerate() {
+        let name = s.name.get_ref();
+        check.name(&s.name);
+        if name.is_empty() || name == "ground" {
+            check.wrong(&s.name, format!("found the name `{name}`, expected another one"));
+        }
+        if !names.insert(name.clone()) {
+            check.wrong(&s.name, format!("found station `{name}` a second time, expected different names"));
+        }
+        for throw in &s.throws {
+            let t = *throw.get_ref();
+            let Some(index) = usize::try_from(t).ok().filter(|t| (1..=throws).contains(t)) else {
+                if throws > 0 {
+                    check.wrong(throw, format!("found throw {t}, expected a number from 1 to {throws}, the throws of the layout"));
+                }
+                continue;
+            };
+            match &owner[index - 1] {
+                Some(other) => check.wrong(throw, format!("found throw {t} on `{name}` and on `{other}`, expected it on one station")),
+                None => owner[index - 1] = Some(name.clone()),
+            }
+        }
+        stations.push(station(check, s, i == last));
+    }
+    for (t, owner) in owner.iter().enumerate() {
+        if owner.is_none() {
+            check.wrong(&raw.station[0].name, format!("throw {} acts on no station, expected it in `throws` of one [[station]]", t + 1));
+        }
+    }
+    Some(Chain { stations })
+}
+
+fn station(check: &mut Check, raw: &RawStation, last: bool) -> Station {
+    let mut optional = |value: &Option<At<f64>>| value.as_ref().map_or(0.0, |v| check.not_negative(v));
+    let station = Station {
+        name: raw.name.get_ref().clone(),
+        inertia: 0.0,
+        stiffness_to_next: optional(&raw.stiffness_to_next_n_m_per_rad),
+        damping_to_next: optional(&raw.damping_to_next_n_m_s_per_rad),
+        loss_factor_to_next: optional(&raw.loss_factor_to_next),
+        stiffness_to_ground: optional(&raw.stiffness_to_ground_n_m_per_rad),
+        damping_to_ground: optional(&raw.damping_to_ground_n_m_s_per_rad),
+        throws: raw.throws.iter().filter_map(|t| usize::try_from(*t.get_ref() - 1).ok()).collect(),
+    };
+    let name = raw.name.get_ref();
+    if last {
+        let to_next = [&raw.stiffness_to_next_n_m_per_rad, &raw.damping_to_next_n_m_s_per_rad, &raw.loss_factor_to_next];
+        if let Some(v) = to_next.into_iter().flatten().next() {
+            check.wrong(v, format!("found a link from `{name}` to the next station, expected none: it is the last"));
+        }
+    } else if raw.stiffness_to_next_n_m_per_rad.is_none() {
+        check.wrong_with_help(
+            &raw.name,
+            format!("found no `stiffness_to_next_n_m_per_rad` on `{name}`, expected one: another station follows"),
+            "0 is allowed where only a damper joins two stations",
+        );
+    }
+    Station { inertia: check.positive(&raw.inertia_kg_m2), ..station }
+}

@@ -1,0 +1,213 @@
+//! What is to be optimised, and the front.
+
+use super::designs::engine_mode;
+use super::station;
+use crate::absorber::Kind;
+use crate::drivetrain::{Chain, Modes};
+use crate::engine::{Engine, Source};
+use crate::input::error::{At, Check};
+use crate::input::schema::study::{
+    RawAgainst, RawCondition, RawEngineInertia, RawKind, RawOn, RawOptimise, RawOptimised, RawRange, RawSize, RawStudy,
+};
+use crate::objective::Condition;
+
+/// Ring inertia of what is optimised, kg m².
+#[derive(Debug, Clone, PartialEq)]
+pub enum Size {
+    /// Given values: an optimum for each; the first is the main one.
+    Each(Vec<f64>),
+    /// Free between bounds.
+    Between(f64, f64),
+}
+
+/// A family of absorbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AbsorberSpec {
+    /// Station of the hub.
+    pub station: usize,
+    /// kg m².
+    pub hub_inertia: f64,
+    /// Types, each optimised by itself.
+    pub kinds: Vec<Kind>,
+    /// Ring.
+    pub size: Size,
+    /// Lower and upper bound, N m/rad (equal: held); `None`: hartog chooses wide bounds.
+    pub stiffness: Option<(f64, f64)>,
+    /// Lower and upper bound, N m s/rad.
+    pub damping: Option<(f64, f64)>,
+    /// Whether closed forms and inertia ratios use the whole chain's inertia instead of the modal one.
+    pub whole_chain: bool,
+}
+
+/// What to optimise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OptimiseSpec {
+    /// Of the random starts.
+    pub seed: u64,
+    /// How many starts are random.
+    pub random_starts: usize,
+    /// The family.
+    pub absorber: AbsorberSpec,
+    /// Conditions it is to hold in; at least firing or a misfire.
+    pub conditions: Vec<Condition>,
+}
+
+/// Front over ring inertia.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrontSpec {
+    /// Ascending, kg m².
+    pub inertias: Vec<f64>,
+}
+
+/// Lower and upper bound; the lower one may be zero only where `from_zero`.
+fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
+    let [low, high] = pair.get_ref().as_slice() else {
+        check.wrong(pair, format!("found {} values, expected two: a lower and an upper bound", pair.get_ref().len()));
+        return (1.0, 2.0);
+    };
+    let (a, b) = (if from_zero { check.not_negative(low) } else { check.positive(low) }, check.positive(high));
+    if b <= a {
+        check.wrong(pair, format!("found bounds {a} and {b}, expected the lower one first and below the upper one"));
+    }
+    (a, b)
+}
+
+/// Conditions as listed, each once; a misfire needs a cylinder pressure.
+pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &Engine) -> Vec<Condition> {
+    let mut conditions = Vec::new();
+    for raw in list.get_ref() {
+        let condition = match raw.get_ref() {
+            RawCondition::Firing => Condition::Firing,
+            RawCondition::Misfire => Condition::Misfire,
+            RawCondition::AbsorberLocked => Condition::AbsorberLocked,
+            RawCondition::AbsorberLost => Condition::AbsorberLost,
+        };
+        if condition == Condition::Misfire && matches!(engine.source, Source::Harmonics(_)) {
+            check.wrong(raw, "found `misfire` with torque harmonics of whole throws, expected it with a cylinder pressure only");
+        }
+        if conditions.contains(&condition) {
+            check.wrong(raw, format!("found condition `{}` a second time, expected each once", condition.name()));
+        }
+        conditions.push(condition);
+    }
+    if conditions.is_empty() {
+        check.wrong(list, "found an empty list, expected at least one condition: firing, misfire, absorber_locked, absorber_lost");
+    }
+    conditions
+}
+
+pub fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
+    let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
+        let x = value.map_or(default, |v| *v.get_ref());
+        if let Some(v) = value
+            && !(0..=most).contains(&x)
+        {
+            check.wrong(v, format!("found {x}, expected a whole number from 0 to {most}"));
+        }
+        x.unsigned_abs()
+    };
+    let seed = whole(raw.seed.as_ref(), 1, i64::MAX, check);
+    let random_starts = whole(raw.random_starts.as_ref(), 4, 1000, check) as usize;
+    let [absorber] = raw.absorber.get_ref().as_slice() else {
+        check.wrong(&raw.absorber, format!("found {} [[optimise.absorber]], expected one", raw.absorber.get_ref().len()));
+        return None;
+    };
+    let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
+    if let Some(list) = &raw.conditions
+        && !conditions.iter().any(|c| matches!(c, Condition::Firing | Condition::Misfire))
+    {
+        check.wrong(list, "found no condition in which an absorber works, expected `firing` or `misfire` among them");
+    }
+    Some(OptimiseSpec { seed, random_starts, absorber: family(check, absorber, chain, modes)?, conditions })
+}
+
+fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -> Option<AbsorberSpec> {
+    let RawOn::Station(name) = &raw.on;
+    let station = station(check, chain, name);
+    let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
+    let mut kinds = Vec::new();
+    for kind in raw.types.get_ref() {
+        let k = match kind.get_ref() {
+            RawKind::Tuned => Kind::Tuned,
+            RawKind::Viscous => Kind::Viscous,
+            RawKind::Undamped => Kind::Undamped,
+        };
+        if kinds.contains(&k) {
+            check.wrong(kind, format!("found type `{}` a second time, expected each once", k.name()));
+        }
+        kinds.push(k);
+    }
+    if kinds.is_empty() {
+        check.wrong(&raw.types, "found no type, expected at least one of tuned, viscous, undamped");
+    }
+    let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
+    let (range, unit) = match &raw.size {
+        RawSize::RingInertia(r) => (r, Some(1.0)),
+        RawSize::InertiaRatio(r) => (r, station.and_then(|s| engine_mode(chain, modes, s, whole_chain)).map(|m| m.inertia)),
+    };
+    if station.is_some() && unit.is_none() {
+        check.wrong(&raw.types, "no elastic mode moves this station, expected `size.ring_inertia_kg_m2` instead of an inertia ratio");
+    }
+    let unit = unit.unwrap_or(1.0);
+    let size = match range {
+        RawRange::Fixed(v) => Size::Each(vec![check.positive(v) * unit]),
+        RawRange::Each(list) => {
+            if list.get_ref().is_empty() {
+                check.wrong(list, "found an empty list, expected at least one size");
+            }
+            let values: Vec<f64> = list.get_ref().iter().map(|v| check.positive(v) * unit).collect();
+            for (i, v) in values.iter().enumerate() {
+                if values[..i].contains(v) {
+                    check.wrong(&list.get_ref()[i], "found a size a second time, expected different sizes");
+                }
+            }
+            Size::Each(values)
+        }
+        RawRange::Between(pair) => {
+            let (a, b) = ordered(check, pair, false);
+            Size::Between(a * unit, b * unit)
+        }
+    };
+    let mut bounds = |raw: &Option<RawRange>| match raw {
+        None => None,
+        Some(RawRange::Fixed(v)) => {
+            let x = check.not_negative(v);
+            Some((x, x))
+        }
+        Some(RawRange::Between(pair)) => Some(ordered(check, pair, true)),
+        Some(RawRange::Each(list)) => {
+            check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
+            None
+        }
+    };
+    let (stiffness, damping) = (bounds(&raw.stiffness_n_m_per_rad), bounds(&raw.damping_n_m_s_per_rad));
+    Some(AbsorberSpec { station: station?, hub_inertia, kinds, size, stiffness, damping, whole_chain })
+}
+
+pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec>, chain: &Chain, modes: &Modes) -> Option<FrontSpec> {
+    let raw = study.pareto.as_ref()?;
+    if study.optimise.is_none() {
+        check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
+    }
+    let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = &raw.get_ref().against;
+    let (a, b) = ordered(check, pair, false);
+    let points = *raw.get_ref().points.get_ref();
+    if !(2..=10_000).contains(&points) {
+        check.wrong(&raw.get_ref().points, format!("found {points}, expected a number of points from 2 to 10000"));
+        return None;
+    }
+    let unit = match &raw.get_ref().against {
+        RawAgainst::RingInertia(_) => 1.0,
+        RawAgainst::InertiaRatio(_) => {
+            let family = &optimise?.absorber;
+            let Some(mode) = engine_mode(chain, modes, family.station, family.whole_chain) else {
+                check.wrong(raw, "no elastic mode moves the absorber's station, expected `against.ring_inertia_kg_m2` instead of a ratio");
+                return None;
+            };
+            mode.inertia
+        }
+    };
+    // equal ratios: the light rings, where the front is steep, get as many points as the heavy ones
+    let inertias = (0..points).map(|i| a * unit * (b / a).powf(i as f64 / (points - 1) as f64)).collect();
+    Some(FrontSpec { inertias })
+}

@@ -1,0 +1,105 @@
+//! Published tables of a study.
+
+use super::table;
+use crate::fatigue::multiaxial::Limits;
+use crate::input::error::{At, Check};
+use crate::input::published::{Published, Tolerances};
+use crate::input::schema::study::{RawPublished, RawTolerances};
+use crate::input::tables::{self, Reach};
+use crate::units::RAD_PER_DEG;
+use std::path::Path;
+
+/// Amplitudes below this are printed with too few digits for a percentage, degrees.
+const LEAST_AMPLITUDE_DEG: f64 = 0.1;
+
+/// The tables. `limits`: those of multiaxial criteria, where the study has any.
+pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
+    let engine = raw.engine.get_ref().clone();
+    let mut published = Published {
+        frequencies: Vec::new(),
+        absorbers: Vec::new(),
+        amplitudes: Vec::new(),
+        quantities: Vec::new(),
+        fatigue: Vec::new(),
+        stresses: Vec::new(),
+        factors: Vec::new(),
+        multiaxial: Vec::new(),
+        histories: Vec::new(),
+        least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
+        tolerances: tolerances(check, &raw.tolerance_percent),
+        engine,
+    };
+    let e = &published.engine;
+    if let Some(file) = &raw.frequencies {
+        published.frequencies = table(check, file, folder, |p| tables::frequencies(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.absorbers {
+        published.absorbers = table(check, file, folder, |p| tables::absorbers(p, e, reach.designs)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.amplitudes {
+        published.amplitudes = table(check, file, folder, |p| tables::amplitudes(p, e, reach)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.engines {
+        published.quantities = table(check, file, folder, |p| tables::engines(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.fatigue {
+        published.fatigue = table(check, file, folder, |p| tables::fatigue(p, e, reach.designs)).unwrap_or_default();
+        if !published.quantities.iter().any(|q| q.name == "tensile_strength" && q.value.as_ref().is_ok_and(|v| *v > 0.0)) {
+            check.wrong(file, "found safety factors without a strength, expected `tensile_strength` (MPa) in the table `engines`");
+        }
+    }
+    if let Some(file) = &raw.stresses {
+        published.stresses = table(check, file, folder, |p| tables::stresses(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.factors {
+        published.factors = table(check, file, folder, |p| tables::factors(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.multiaxial {
+        published.multiaxial = table(check, file, folder, tables::multiaxial).unwrap_or_default();
+        if limits.is_none() {
+            check.wrong(
+                file,
+                "found multiaxial safety factors without limits, expected a multiaxial criterion and its material in [fatigue]",
+            );
+        }
+    }
+    if let Some(file) = &raw.histories {
+        published.histories = table(check, file, folder, tables::histories).unwrap_or_default();
+        let alone = published.histories.iter().find(|h| !published.multiaxial.iter().any(|m| m.at.is_same(&h.at)));
+        if let Some(h) = alone {
+            let words =
+                format!("found stresses of point `{}` of `{}` without factors, expected its row in `multiaxial`", h.at.point, h.at.crank);
+            check.wrong(file, words);
+        }
+    }
+    let tables = [
+        &raw.frequencies,
+        &raw.absorbers,
+        &raw.amplitudes,
+        &raw.engines,
+        &raw.fatigue,
+        &raw.stresses,
+        &raw.factors,
+        &raw.multiaxial,
+        &raw.histories,
+    ];
+    if tables.iter().all(|f| f.is_none()) {
+        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
+        check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
+    }
+    published
+}
+
+fn tolerances(check: &mut Check, raw: &RawTolerances) -> Tolerances {
+    let mut percent = |value: &Option<At<f64>>| value.as_ref().map(|v| check.positive(v));
+    Tolerances {
+        frequency: percent(&raw.frequency),
+        critical_speed: percent(&raw.critical_speed),
+        stiffness: percent(&raw.stiffness),
+        damping: percent(&raw.damping),
+        amplitude_median: percent(&raw.amplitude_median),
+        amplitude_worst: percent(&raw.amplitude_worst),
+        safety_factor: percent(&raw.safety_factor),
+        multiaxial_factor: percent(&raw.multiaxial_factor),
+    }
+}

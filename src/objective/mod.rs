@@ -1,0 +1,18 @@
+//! What is to be small and how it is found: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
+
+pub mod condition;
+mod gradient;
+mod local_maxima;
+pub mod measure;
+pub mod peak;
+pub mod peaks;
+pub mod point_metric;
+mod poles;
+mod search_value;
+pub mod speeds;
+pub mod surrogate;
+
+pub use condition::Condition;
+pub use measure::{Limit, Measure, Over};
+pub use peak::{Peak, Place};
+pub use peaks::PeakFinder;

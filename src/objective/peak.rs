@@ -1,0 +1,35 @@
+//! A local maximum over speed.
+
+use super::measure::Over;
+use crate::numerics::synthesis::Extremes;
+use crate::response::Quantity;
+
+/// Where on the range a peak lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// Between the ends.
+    Interior,
+    /// At the lowest or highest speed.
+    End,
+}
+
+/// A local maximum over speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// rad or N m; of a margin its inverse.
+    pub value: f64,
+    /// How orders combine in it.
+    pub over: Over,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Index of the order (over orders) or of the largest one in the sum (synthesis).
+    pub order: usize,
+    /// Share of that order: its magnitude.
+    pub order_value: f64,
+    /// Which of the measure's quantities.
+    pub quantity: Quantity,
+    /// Where in the cycle the extremes lie (synthesis only).
+    pub extremes: Option<Extremes>,
+    /// Where on the range.
+    pub place: Place,
+}

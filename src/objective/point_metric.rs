@@ -1,0 +1,115 @@
+//! What is to be small at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
+
+use super::measure::Over;
+use crate::crankshaft::{Margin, Torque};
+use crate::numerics::C64;
+use crate::numerics::synthesis::{Extremes, Synthesiser};
+use crate::response::Quantity;
+
+/// The value of a synthesis.
+#[derive(Debug, Clone, Copy)]
+pub enum Level<'a> {
+    /// Half peak-to-peak.
+    HalfRange,
+    /// Share of the strength that is used at the worst spot of a shaft.
+    Used {
+        /// The crank.
+        margin: &'a Margin,
+        /// Index of the criterion.
+        criterion: usize,
+        /// Index of the shaft.
+        shaft: usize,
+    },
+}
+
+impl<'a> Level<'a> {
+    /// Of a quantity in a measure.
+    pub fn of(over: Over, quantity: Quantity, margin: Option<&'a Margin>) -> Self {
+        match (over, quantity, margin) {
+            (Over::Margin(criterion), Quantity::ShaftTorque(shaft), Some(margin)) => Self::Used { margin, criterion, shaft },
+            _ => Self::HalfRange,
+        }
+    }
+
+    /// The value of a sum with these extremes.
+    pub fn value(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64]) -> f64 {
+        let torque = Torque { extremes: *extremes, phasors };
+        match self {
+            Self::HalfRange => extremes.half_peak_to_peak,
+            Self::Used { margin, criterion, shaft } => margin.most_used(*criterion, *shaft, speed_rpm, &torque).map_or(0.0, |u| u.value),
+        }
+    }
+
+    /// The value where it may reach `wanted` if the sum is up to `rise` times as large, else one not above it.
+    pub fn value_above(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64], asked: (f64, f64)) -> f64 {
+        match self {
+            Self::Used { margin, criterion, shaft } => {
+                let torque = Torque { extremes: *extremes, phasors };
+                margin.most_used_above(*criterion, *shaft, speed_rpm, &torque, asked).map_or(f64::NEG_INFINITY, |u| u.value)
+            }
+            Self::HalfRange => extremes.half_peak_to_peak,
+        }
+    }
+
+    /// Whether the value asks for the whole sum, not only for its extremes.
+    pub fn asks_for_all(&self) -> bool {
+        matches!(self, Self::Used { margin, criterion, .. } if margin.is_multiaxial(*criterion))
+    }
+
+    /// Whether its peaks over speed may sit on ridges.
+    pub fn has_ridges(&self) -> bool {
+        matches!(self, Self::Used { margin, criterion, .. } if margin.has_ridges(*criterion))
+    }
+
+    /// No value is above this where half peak-to-peak and size of the middle are not above these.
+    pub fn at_most(&self, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
+        match self {
+            Self::HalfRange => half_peak_to_peak,
+            Self::Used { margin, criterion, shaft } => margin.at_most(*criterion, *shaft, speed_rpm, half_peak_to_peak, middle),
+        }
+    }
+
+    /// No value is above this where the magnitudes of the orders add up to `sum`.
+    pub fn bound(&self, speed_rpm: f64, sum: f64) -> f64 {
+        self.at_most(speed_rpm, sum, sum)
+    }
+
+    /// Derivatives by changes of the sum at a speed, each given by its phasors. Exact where extremes decide; else by central differences at the spot that is used most.
+    pub fn derivatives<const N: usize>(
+        &self,
+        synthesiser: &Synthesiser,
+        speed_rpm: f64,
+        (extremes, phasors): (&Extremes, &[C64]),
+        changes: [Vec<C64>; N],
+    ) -> [f64; N] {
+        let along = |slopes: (f64, f64), change: &[C64]| {
+            let (range, middle) = synthesiser.derivatives_of(extremes, change);
+            slopes.0 * range + slopes.1 * middle
+        };
+        let torque = Torque { extremes: *extremes, phasors };
+        let most = match self {
+            Self::HalfRange => None,
+            Self::Used { margin, criterion, shaft } => margin.most_used(*criterion, *shaft, speed_rpm, &torque),
+        };
+        match (self, most) {
+            (Self::HalfRange, _) => changes.map(|change| along((1.0, 0.0), &change)),
+            (Self::Used { .. }, None) => [0.0; N],
+            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes.map(|change| {
+                let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
+                let step = DIFFERENCE * length(phasors) / length(&change);
+                if !step.is_finite() {
+                    return 0.0;
+                }
+                let moved = |step: f64| {
+                    let moved: Vec<C64> = phasors.iter().zip(&change).map(|(y, d)| y + d * step).collect();
+                    margin.used(*criterion, used.spot, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
+                };
+                (moved(step) - moved(-step)) / (2.0 * step)
+            }),
+            (Self::Used { .. }, Some(used)) => changes.map(|change| along(used.slopes, &change)),
+        }
+    }
+}
+
+/// Steps of differences, relative to the size of the sum: their error is its square.
+pub const DIFFERENCE: f64 = 1e-5;

@@ -1,0 +1,173 @@
+//! Speeds at which a design is evaluated: those of the study, and more where a resonance is too narrow for them.
+
+use crate::absorber::Mounted;
+use crate::drivetrain::System;
+use crate::drivetrain::natural::Basis;
+use crate::numerics::C64;
+use crate::response::Grid;
+use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
+
+/// A resonance whose half-width is less than this many grid steps is narrow: grid values alone might miss it.
+const STEPS: f64 = 2.0;
+/// Damping ratios below this are taken for it when speeds are laid round a resonance.
+const LEAST_DAMPING: f64 = 1e-6;
+/// Speeds are laid round a narrow resonance at its half-width times the powers of this, so that the true peak has close neighbours on both
+/// sides even where the resonance is known to a few digits only.
+const LADDER: f64 = 3.0;
+/// Modes up to this multiple of the highest excited frequency describe the chain well enough to say where it resonates.
+const REACH: f64 = 2.0;
+/// But no more than this.
+const MOST_MODES: usize = 24;
+/// Modes of the full basis.
+const FULL_MODES: usize = 64;
+/// Damping ratios below this are rounding of zero.
+const UNDAMPED: f64 = 1e-10;
+
+/// The chain as far as narrow resonances need it.
+#[derive(Debug)]
+pub struct Resonances {
+    basis: Basis,
+    /// As many modes as can be afforded: a heavy hub bends the low modes of the chain.
+    full: Basis,
+}
+
+/// A resonance that nothing damps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pole {
+    /// Index of the order that meets it.
+    pub order: usize,
+    /// rpm.
+    pub speed_rpm: f64,
+}
+
+/// Speeds of one design.
+#[derive(Debug, Clone)]
+pub struct Speeds {
+    /// Ascending, rpm.
+    pub rpm: Vec<f64>,
+    /// Whether the torque has a kink there.
+    pub kink: Vec<bool>,
+    /// Indices of the speeds that are not in the grid.
+    pub added: Vec<usize>,
+    /// Resonances in the range that nothing damps, as far as eigenvalues tell.
+    pub poles: Vec<Pole>,
+}
+
+impl Resonances {
+    /// Of the chain of a system, for speeds up to those of `grid`.
+    pub fn new(system: &System, grid: &Grid) -> Self {
+        let highest = system.excitation.orders.last().map_or(0.0, |o| o.value()) * grid.speed_rpm[grid.len() - 1] * RAD_PER_S_PER_RPM;
+        let reached = system.modes.omega.iter().filter(|w| **w <= REACH * highest).count();
+        let count = reached.max(system.modes.rigid + 3).min(MOST_MODES.max(system.modes.rigid + 3));
+        let basis = |count| Basis::new(&system.chain, &system.modes, count, true);
+        Self { basis: basis(count), full: basis(count.max(FULL_MODES)) }
+    }
+
+    /// The grid's speeds with those that the narrow resonances of a design need.
+    pub fn speeds(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Speeds {
+        let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
+        let mut more: Vec<f64> = Vec::new();
+        let mut poles = Vec::new();
+        for s in self.eigenvalues(system, grid, design) {
+            let own_damping = damping_ratio(s);
+            let damping = own_damping.max(LEAST_DAMPING);
+            for (n, order) in system.excitation.orders.iter().enumerate() {
+                let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
+                let step = step_at(&grid.speed_rpm, speed);
+                let half_width = damping * speed;
+                if half_width > STEPS * step || speed < low - step || speed > high + step {
+                    continue;
+                }
+                // at an undamped resonance itself there is nothing but rounding
+                if own_damping >= LEAST_DAMPING {
+                    more.push(speed);
+                }
+                if own_damping < UNDAMPED && (low..=high).contains(&speed) {
+                    poles.push(Pole { order: n, speed_rpm: speed });
+                }
+                let mut distance = half_width;
+                while distance < 1.5 * step {
+                    more.extend([speed - distance, speed + distance]);
+                    distance *= LADDER;
+                }
+            }
+        }
+        more.retain(|s| (low..=high).contains(s));
+        if more.is_empty() {
+            return Speeds { poles, ..Speeds::of(grid) };
+        }
+        let own = grid.speed_rpm.iter().zip(&grid.kink).map(|(s, k)| (*s, *k, false));
+        let mut all: Vec<(f64, bool, bool)> = own.chain(more.into_iter().map(|s| (s, false, true))).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        all.dedup_by(|b, a| b.0 == a.0);
+        let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
+        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles }
+    }
+}
+
+impl Resonances {
+    /// Eigenvalues of a design: a few modes tell whether any resonance is narrow; where one is, it must be known to a fraction of its width, and
+    /// all modes are taken.
+    fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Vec<C64> {
+        let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
+        let first = if heavy { &self.full } else { &self.basis }.eigenvalues(design).unwrap_or_default();
+        let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
+        let narrow = |s: &C64| {
+            let speeds = system.excitation.orders.iter().map(|o| s.im * HZ_PER_RAD_PER_S / (o.value() * HZ_PER_RPM));
+            // what a few modes give may be off by some steps
+            let near = |speed: f64| {
+                let step = step_at(&grid.speed_rpm, speed);
+                (low - 4.0 * step..=high + 4.0 * step).contains(&speed) && damping_ratio(*s) * speed <= STEPS * step
+            };
+            speeds.into_iter().any(near)
+        };
+        if !heavy && first.iter().any(narrow) { self.full.eigenvalues(design).unwrap_or(first) } else { first }
+    }
+}
+
+/// Fraction of critical damping of an eigenvalue.
+fn damping_ratio(s: C64) -> f64 {
+    -s.re / s.norm()
+}
+
+impl Speeds {
+    /// Those of a grid.
+    pub fn of(grid: &Grid) -> Self {
+        Self { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new(), poles: Vec::new() }
+    }
+
+    /// Whether a speed or one of its neighbours was added: there, peaks are narrow.
+    pub fn is_narrow(&self, i: usize) -> bool {
+        let at = self.added.partition_point(|a| *a + 1 < i);
+        self.added.get(at).is_some_and(|a| *a <= i + 1)
+    }
+
+    /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.
+    pub fn merge<T: Copy>(&self, grid: Vec<T>, added: &[T], per_speed: usize) -> Vec<T> {
+        if self.added.is_empty() {
+            return grid;
+        }
+        let mut all = Vec::with_capacity(self.rpm.len() * per_speed);
+        let (mut own, mut more) = (grid.chunks(per_speed), added.chunks(per_speed));
+        let mut next = self.added.iter().peekable();
+        for i in 0..self.rpm.len() {
+            let from_added = next.next_if(|a| **a == i).is_some();
+            all.extend_from_slice(if from_added { more.next() } else { own.next() }.unwrap_or_default());
+        }
+        all
+    }
+
+    /// The added speeds, rpm.
+    pub fn added_rpm(&self) -> Vec<f64> {
+        self.added.iter().map(|i| self.rpm[*i]).collect()
+    }
+}
+
+/// Distance between grid speeds round a speed.
+fn step_at(grid: &[f64], speed: f64) -> f64 {
+    if grid.len() < 2 {
+        return 0.0;
+    }
+    let i = grid.partition_point(|s| *s <= speed).clamp(1, grid.len() - 1);
+    grid[i] - grid[i - 1]
+}

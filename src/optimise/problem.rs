@@ -1,0 +1,149 @@
+//! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
+
+use super::variables::{Parameter, Space};
+use crate::absorber::Mounted;
+use crate::objective::condition::Condition;
+use crate::objective::measure::{Limit, Measure};
+use crate::objective::peak::Peak;
+use crate::objective::peaks::PeakFinder;
+use crate::response::{ResponseError, Work};
+
+/// Smallest share of the largest peak for which a peak enters the rows: one step of an optimiser does not lift others past it.
+const ROW_SHARE: f64 = 0.8;
+/// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
+/// order one in these units.
+pub const PENALTY: f64 = 20.0;
+/// Cost of a design without a finite response.
+pub const UNBOUNDED_COST: f64 = 1e30;
+
+/// One condition of the engine: what is asked of a design is asked in each.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// State of the absorbers.
+    pub condition: Condition,
+    /// The cylinder (from 0) that misfires.
+    pub cylinder: Option<usize>,
+    /// Finds the peaks of the engine in this condition.
+    pub finder: &'a PeakFinder<'a>,
+}
+
+impl Scene<'_> {
+    /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
+    fn steers(&self, space: &Space) -> bool {
+        match self.condition {
+            Condition::Firing | Condition::Misfire => true,
+            Condition::AbsorberLocked => space.variables.iter().any(|v| v.parameter == Parameter::RingInertia),
+            Condition::AbsorberLost => false,
+        }
+    }
+
+    fn design(&self, absorber: Mounted) -> Vec<Mounted> {
+        self.condition.absorbers(&[absorber])
+    }
+}
+
+/// One peak at a point.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Index of the scene.
+    pub scene: usize,
+    /// `None`: the objective; else the index of a limit.
+    pub limit: Option<usize>,
+    /// Objective: its value. Limit: logarithm of value over limit.
+    pub value: f64,
+    /// With respect to the coordinates.
+    pub gradient: Vec<f64>,
+    /// The peak behind it.
+    pub peak: Peak,
+}
+
+/// All rows at a point.
+#[derive(Debug, Clone)]
+pub struct Rows {
+    /// Objective and limits, those of the objective first, largest first.
+    pub rows: Vec<Row>,
+}
+
+impl Rows {
+    /// Largest row of the objective.
+    pub fn objective(&self) -> f64 {
+        self.rows.iter().find(|r| r.limit.is_none()).map_or(0.0, |r| r.value)
+    }
+
+    /// Largest excess over a limit (a logarithm); zero where all hold.
+    pub fn excess(&self) -> f64 {
+        self.rows.iter().filter(|r| r.limit.is_some()).map(|r| r.value).fold(0.0, f64::max)
+    }
+}
+
+/// Minimise the largest peak of a measure over a family of absorbers and all scenes, within limits.
+#[derive(Debug)]
+pub struct Problem<'a> {
+    /// At least one in which the family can change something.
+    pub scenes: &'a [Scene<'a>],
+    /// The family.
+    pub space: Space,
+    /// To be small.
+    pub objective: &'a Measure,
+    /// To hold.
+    pub limits: &'a [Limit],
+}
+
+impl Problem<'_> {
+    /// Objective and worst excess at a point, as right as the study asks of searches.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        let absorber = self.space.absorber(w);
+        let (mut value, mut excess) = (0.0_f64, 0.0_f64);
+        for (_, scene) in self.steering() {
+            let design = scene.design(absorber);
+            value = value.max(scene.finder.value(&design, self.objective, work)?);
+            for limit in self.limits {
+                excess = excess.max((scene.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
+            }
+        }
+        Ok((value, excess))
+    }
+
+    /// One number for a search without derivatives: objective with a penalty; large, never infinite, where nothing damps a resonance.
+    pub fn cost(&self, w: &[f64], work: &mut Work) -> f64 {
+        self.value(w, work).map_or(UNBOUNDED_COST, |(value, excess)| value * (1.0 + PENALTY * excess))
+    }
+
+    /// All peaks that matter, with gradients.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn rows(&self, w: &[f64], work: &mut Work) -> Result<Rows, ResponseError> {
+        let absorber = self.space.absorber(w);
+        let mut rows = Vec::new();
+        let measures =
+            std::iter::once((None, self.objective, 1.0)).chain(self.limits.iter().enumerate().map(|(i, l)| (Some(i), &l.measure, l.limit)));
+        for (limit, measure, unit) in measures {
+            let mut found: Vec<(usize, Peak)> = Vec::new();
+            for (scene, s) in self.steering() {
+                let peaks = s.finder.peaks(&s.design(absorber), measure, ROW_SHARE, work)?;
+                found.extend(peaks.into_iter().map(|p| (scene, p)));
+            }
+            // peaks that are large in their own scene may be small among all
+            let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
+            found.retain(|p| p.1.value >= ROW_SHARE * largest);
+            found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
+            for (scene, peak) in found {
+                let s = &self.scenes[scene];
+                let gradient = s.finder.gradient(&s.design(absorber), 0, &peak, work)?;
+                // the logarithm keeps limits that are missed by far of a size with the objective
+                let (value, unit) = if limit.is_some() { ((peak.value / unit).ln(), peak.value) } else { (peak.value, 1.0) };
+                let gradient = self.space.chain_rule(w, gradient).iter().map(|g| g / unit).collect();
+                rows.push(Row { scene, limit, value, gradient, peak });
+            }
+        }
+        Ok(Rows { rows })
+    }
+
+    fn steering(&self) -> impl Iterator<Item = (usize, &Scene<'_>)> {
+        self.scenes.iter().enumerate().filter(|(_, s)| s.steers(&self.space))
+    }
+}

@@ -1,0 +1,18 @@
+//! Response without any resonance.
+
+use super::quantity::Quantity;
+use crate::drivetrain::System;
+
+/// A quantity per unit torque at each station if every elastic mode followed as if static (no amplification): what is left of it when
+/// nothing resonates. Zero for rings.
+pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
+    let modes = &system.modes;
+    let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
+    let output = |mode: usize| match quantity {
+        Quantity::Twist { from, to } => at(mode, from) - to.map_or(0.0, |to| at(mode, to)),
+        Quantity::ShaftTorque(s) => system.chain.stations[s].stiffness_to_next * (at(mode, s) - at(mode, s + 1)),
+        Quantity::RingTwist(_) => 0.0,
+    };
+    let share = |station: usize, mode: usize| at(mode, station) * output(mode) / (modes.omega[mode] * modes.omega[mode]);
+    (0..system.chain.len()).map(|station| modes.elastic().map(|mode| share(station, mode)).sum()).collect()
+}

@@ -1,10 +1,8 @@
 //! Absorbers: closed forms, and the laws every type obeys.
 
-use crate::support::{assert_close, h_infinity_peak, on, study, system};
-use hartog::absorber::seeds::{self, EngineMode, RULES, Rule};
-use hartog::absorber::{Kind, Mounted, Ring};
-use hartog::numerics::{C64, ZERO};
-use hartog::response::{Direct, Grid, Quantity, Response, Work};
+use crate::support::{assert_close, h_infinity_peak, study};
+use hartog::absorber::closed_forms::{self, EngineMode};
+use hartog::absorber::SpringAndDamper;
 
 /// Amplitude of the engine mass in static deflections, omega/omega_engine = x, [Den Hartog 1956] eq. (3.24); `zeta` = c/(2 J omega_engine).
 fn amplitude(mu: f64, tuning: f64, zeta: f64, x: f64) -> f64 {
@@ -26,7 +24,7 @@ fn peak(mu: f64, tuning: f64, zeta: f64) -> f64 {
 #[test]
 fn exact_optimum_is_optimal() {
     for mu in [0.01, 0.05, 0.1, 0.3, 1.0] {
-        let (f, z) = seeds::h_infinity(mu);
+        let (f, z) = closed_forms::h_infinity(mu);
         let best = h_infinity_peak(mu);
         assert_close(peak(mu, f, z), best, 1e-9, 0.0, "peak");
         for (df, dz) in [(1e-3, 0.0), (-1e-3, 0.0), (0.0, 1e-2), (0.0, -1e-2), (1e-3, 1e-2), (-1e-3, -1e-2), (1e-3, -1e-2), (-1e-3, 1e-2)] {
@@ -50,7 +48,7 @@ fn den_hartog_and_brock() {
                 assert_close(amplitude(mu, tuning, zeta, x), level, 1e-11, 0.0, "fixed point");
             }
         }
-        let brock = peak(mu, tuning, seeds::den_hartog_brock(mu));
+        let brock = peak(mu, tuning, closed_forms::den_hartog_brock(mu));
         assert!(brock < 1.01 * level && brock > h_infinity_peak(mu), "mu {mu}: {brock} against {level}");
     }
 }
@@ -59,7 +57,7 @@ fn den_hartog_and_brock() {
 #[test]
 fn brock_unity_is_horizontal_at_the_lower_fixed_point() {
     for mu in [0.02f64, 0.1, 0.25, 1.0] {
-        let (z, h) = (seeds::brock_unity(mu), 1e-5);
+        let (z, h) = (closed_forms::brock_unity(mu), 1e-5);
         let x = (1.0 - (mu / (2.0 + mu)).sqrt()).sqrt();
         let slope = (amplitude(mu, 1.0, z, x + h) - amplitude(mu, 1.0, z, x - h)) / (2.0 * h);
         assert_close(slope / amplitude(mu, 1.0, z, x), 0.0, 0.0, 1e-6, "slope");
@@ -70,7 +68,7 @@ fn brock_unity_is_horizontal_at_the_lower_fixed_point() {
 #[test]
 fn viscous_optimum() {
     for mu in [0.1, 1.0, 5.0] {
-        let z = seeds::viscous_untuned(mu);
+        let z = closed_forms::viscous_untuned(mu);
         assert_close(peak(mu, 0.0, z), (2.0 + mu) / mu, 1e-9, 0.0, "peak");
         assert!(peak(mu, 0.0, 1.01 * z) > peak(mu, 0.0, z) && peak(mu, 0.0, 0.99 * z) > peak(mu, 0.0, z));
     }
@@ -80,11 +78,11 @@ fn viscous_optimum() {
 #[test]
 fn the_two_damping_ratios_mean_the_same_damper() {
     let (mu, engine) = (0.2f64, EngineMode { inertia: 3.0, omega: 700.0 });
-    let a = Rule::DenHartogBrock.absorber(0.6, engine);
-    let omega_absorber = (a.stiffness() / a.ring_inertia()).sqrt();
+    let SpringAndDamper { stiffness, damping } = closed_forms::den_hartog_brock_ring(0.6, engine);
+    let omega_absorber = (stiffness / 0.6).sqrt();
     assert_close(omega_absorber, 700.0 / 1.2, 1e-14, 0.0, "tuning");
-    assert_close(a.damping() / (2.0 * 0.6 * omega_absorber), (3.0 * mu / (8.0 * (1.0 + mu))).sqrt(), 1e-14, 0.0, "of the absorber");
-    assert_close(a.damping() / (2.0 * 0.6 * 700.0), seeds::den_hartog_brock(mu), 1e-14, 0.0, "of the engine");
+    assert_close(damping / (2.0 * 0.6 * omega_absorber), (3.0 * mu / (8.0 * (1.0 + mu))).sqrt(), 1e-14, 0.0, "of the absorber");
+    assert_close(damping / (2.0 * 0.6 * 700.0), closed_forms::den_hartog_brock(mu), 1e-14, 0.0, "of the engine");
 }
 
 /// Source: [Villalva 2014] Tables 6.1 and 6.2 (whole-chain inertia, flywheel included): unity stiffness J w0² within 1 %, unity and viscous
@@ -96,85 +94,9 @@ fn closed_forms_reproduce_the_thesis() {
     {
         let s = study(name);
         let engine = EngineMode { inertia: s.chain.total_inertia(), omega: s.modes.omega[1] };
-        let unity = Rule::BrockUnity.absorber(ring, engine);
-        assert_close(unity.stiffness(), stiffness, 0.01, 0.0, "unity stiffness");
-        assert_close(unity.damping(), damping, 0.07, 0.0, "unity damping");
-        assert_close(Rule::ViscousUntuned.absorber(viscous_ring, engine).damping(), viscous, 0.07, 0.0, "viscous damping");
-    }
-}
-
-/// Every rule makes an absorber of its own type.
-#[test]
-fn rules_make_their_type() {
-    for (name, rule) in RULES {
-        let a = rule.absorber(0.1, EngineMode { inertia: 1.0, omega: 100.0 });
-        assert_eq!(a.kind(), rule.kind(), "{name}");
-        assert_eq!(a.with(a.ring_inertia(), a.stiffness(), a.damping()), a, "{name}");
-    }
-}
-
-fn every_type(ring: f64) -> [Mounted; 3] {
-    [on(0, Kind::Tuned, ring, 9e4, 20.0), on(0, Kind::Viscous, ring, 0.0, 50.0), on(0, Kind::Undamped, ring, 9e4, 0.0)]
-}
-
-/// Laws for every type: a ring of no inertia changes nothing; a ring on a rigid link is inertia of the hub; hub inertia adds to the station.
-#[test]
-fn limits_of_every_absorber() {
-    let s = study("villalva_i6");
-    let sys = system(&s);
-    let grid = Grid::new(&[800.0, 1500.0, 2290.0, 3100.0], &[]);
-    let direct = Direct::new(&sys, &grid);
-    let sweep = |design: &[Mounted], of: &hartog::drivetrain::System| {
-        let mut out = Vec::new();
-        Direct::new(of, &grid).sweep(design, s.twist, &mut out, &mut Work::default()).expect("damped");
-        out
-    };
-    let differ = |a: &[C64], b: &[C64], tolerance: f64, what: &str| {
-        let scale = a.iter().map(|y| y.norm()).fold(0.0, f64::max);
-        for (a, b) in a.iter().zip(b) {
-            assert_close((a - b).norm(), 0.0, 0.0, tolerance * scale, what);
-        }
-    };
-    let bare = sweep(&[], &sys);
-    for light in every_type(1e-12) {
-        differ(&bare, &sweep(&[light], &sys), 1e-9, "ring of no inertia");
-    }
-    let mut heavier = s.chain.clone();
-    heavier.stations[0].inertia += 0.05;
-    let heavier = hartog::drivetrain::System::new(heavier, sys.excitation.clone());
-    let locked = on(0, Kind::Undamped, 0.05, 1e13, 0.0);
-    differ(&sweep(&[], &heavier), &sweep(&[locked], &sys), 1e-5, "rigid link");
-    for m in every_type(0.03) {
-        let with_hub = Mounted { hub_inertia: 0.05, ..m };
-        differ(&sweep(&[m], &heavier), &sweep(&[with_hub], &sys), 1e-11, "hub inertia");
-    }
-    assert_eq!(direct.grid().len(), 4);
-}
-
-/// Law: energy in equals energy dissipated, order by order: the torques' mean power is what dampers to ground and absorber take. 1e-9.
-#[test]
-fn energy_in_is_energy_dissipated() {
-    for name in ["villalva_i6", "villalva_v10"] {
-        let s = study(name);
-        let sys = system(&s);
-        let speed = 0.5 * (s.speeds_rpm[0] + s.speeds_rpm[s.speeds_rpm.len() - 1]);
-        let grid = Grid::new(&[speed], &[]);
-        let direct = Direct::new(&sys, &grid);
-        for mounted in every_type(0.02) {
-            let design = [mounted];
-            let (mut put_in, mut taken) = (0.0, direct.dissipated_power(&design, 0, speed, &mut Work::default()).expect("damped"));
-            let mut torque = vec![ZERO; s.chain.len()];
-            for n in 0..sys.orders() {
-                sys.torque(n, speed, &mut torque);
-                let rate = sys.excitation.orders[n].value() * speed * hartog::units::RAD_PER_S_PER_RPM;
-                for (i, station) in s.chain.stations.iter().enumerate() {
-                    let at = Quantity::Twist { from: i, to: None };
-                    let theta = direct.order_at(&design, at, n, speed, &mut Work::default()).expect("damped");
-                    put_in += 0.5 * (torque[i] * (C64::new(0.0, rate) * theta).conj()).re;
-                    taken += 0.5 * station.damping_to_ground * rate * rate * theta.norm_sqr();
-                }
-            }
-            assert_close(put_in, taken, 1e-9, 0.0, name);
-        }
+        let unity = closed_forms::brock_unity_ring(ring, engine);
+        assert_close(unity.stiffness, stiffness, 0.01, 0.0, "unity stiffness");
+        assert_close(unity.damping, damping, 0.07, 0.0, "unity damping");
+        assert_close(closed_forms::viscous_damping(viscous_ring, engine), viscous, 0.07, 0.0, "viscous damping");
     }
 }

@@ -3,7 +3,7 @@
 //! that its source takes beside the common point.
 
 use crate::support::{assert_close, study};
-use hartog::absorber::seeds;
+use hartog::absorber::closed_forms;
 use hartog::analysis::{self, Calibration, Silent};
 use hartog::input::Study;
 use hartog::input::published::{PublishedAbsorber, PublishedFrequency};
@@ -172,7 +172,7 @@ fn common_points_and_their_damping() {
         }
         let (up, down) = (fixed_points::damping(mu, 1.0, Point::I, 1.0 + 1e-5), fixed_points::damping(mu, 1.0, Point::I, 1.0 - 1e-5));
         let level = 0.5 * (up.expect("damped") + down.expect("damped"));
-        assert_close(level, seeds::brock_unity(mu), 1e-6, 0.0, "small step is Brock's");
+        assert_close(level, closed_forms::brock_unity(mu), 1e-6, 0.0, "small step is Brock's");
     }
 }
 

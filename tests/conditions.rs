@@ -1,7 +1,8 @@
 //! Misfire, absorber locked, absorber lost: against theory, limits, and an independent sum in time.
 
-use crate::support::{assert_close, on, study, system};
-use hartog::absorber::{Absorber, Kind, Locked, Mounted, Ring};
+use crate::support::{Kind, three_values, assert_close, on, study, system};
+use hartog::absorber::{TUNED, Absorber, Mounted};
+use hartog::analysis::families::Choice;
 use hartog::analysis::{self, Silent};
 use hartog::drivetrain::{System, natural};
 use hartog::engine::forces::gas_torque;
@@ -10,7 +11,7 @@ use hartog::engine::{Excitation, Source};
 use hartog::input::{Size, Study};
 use hartog::numerics::{C64, harmonics};
 use hartog::objective::{Condition, Measure, Over, PeakFinder};
-use hartog::optimise::{Problem, Row, Scene};
+use hartog::optimise::{Problem, Row, LoadCase};
 use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 
@@ -89,8 +90,8 @@ fn locked_and_lost_are_limits() {
         out
     };
     let ring = Mounted { hub_inertia: 0.01, ..on(0, Kind::Tuned, 0.076, 1.5e5, 30.0) };
-    let locked = Condition::AbsorberLocked.absorbers(&[ring]);
-    let lost = Condition::AbsorberLost.absorbers(&[ring]);
+    let locked = Condition::AbsorberLocked.absorbers(std::slice::from_ref(&ring));
+    let lost = Condition::AbsorberLost.absorbers(std::slice::from_ref(&ring));
     let with = |inertia: f64| {
         let mut chain = s.chain.clone();
         chain.stations[0].inertia += inertia;
@@ -109,11 +110,11 @@ fn locked_and_lost_are_limits() {
         }
     }
     let stiff = Mounted { hub_inertia: 0.01, ..on(0, Kind::Tuned, 0.076, 1e13, 0.0) };
-    let (a, b) = (sweep(&direct, &[stiff]), sweep(&direct, &Condition::AbsorberLocked.absorbers(&[ring])));
+    let (a, b) = (sweep(&direct, &[stiff]), sweep(&direct, &Condition::AbsorberLocked.absorbers(std::slice::from_ref(&ring))));
     assert!(a.iter().zip(&b).all(|(a, b)| (a - b).norm() < 1e-5 * (1e-6 + b.norm())));
     // its ring does not move against the hub
     let mut twist = Vec::new();
-    direct.sweep(&Condition::AbsorberLocked.absorbers(&[ring]), Quantity::RingTwist(0), &mut twist, &mut Work::default()).expect("damped");
+    direct.sweep(&Condition::AbsorberLocked.absorbers(std::slice::from_ref(&ring)), Quantity::RingTwist(0), &mut twist, &mut Work::default()).expect("damped");
     assert!(twist.iter().all(|y| *y == C64::default()));
 }
 
@@ -126,33 +127,33 @@ fn gradients_in_every_condition() {
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let methods = [&firing, &misfire].map(|sys| Method::Direct(Direct::new(sys, &grid)));
     let finders = [(&firing, &methods[0]), (&misfire, &methods[1])].map(|(sys, method)| PeakFinder::new(sys, &grid, method, true));
-    let scene = |condition, finder| Scene { condition, cylinder: None, finder };
-    let scenes = [
-        scene(Condition::Firing, &finders[0]),
-        scene(Condition::Misfire, &finders[1]),
-        scene(Condition::AbsorberLocked, &finders[0]),
-        scene(Condition::AbsorberLost, &finders[0]),
+    let load_case = |condition, finder| LoadCase { condition, cylinder: None, finder };
+    let load_cases = [
+        load_case(Condition::Firing, &finders[0]),
+        load_case(Condition::Misfire, &finders[1]),
+        load_case(Condition::AbsorberLocked, &finders[0]),
+        load_case(Condition::AbsorberLost, &finders[0]),
     ];
-    let mut spec = s.optimise.clone().expect("optimises").absorber;
-    spec.size = Size::Between(0.01, 0.1);
-    let space = hartog::analysis::families::family(&spec, Kind::Tuned, None, &[]);
+    let mut spec = s.optimise.clone().expect("optimises");
+    spec.absorbers[0].size = Size::Between(0.01, 0.1);
+    let space = hartog::analysis::families::family(&spec, &Choice { types: vec![&TUNED], rings: vec![None] }, &[Vec::new()]);
     let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
     // a locked ring is far worse than a working one: together only its rows would count
     let problem =
-        |range: std::ops::Range<usize>| Problem { scenes: &scenes[range], space: space.clone(), objective: &measure, limits: &[] };
+        |range: std::ops::Range<usize>| Problem { load_cases: &load_cases[range], space: space.clone(), objective: &measure, limits: &[] };
     let mut seen = [0; 4];
     let design = on(0, Kind::Tuned, 0.076, 5.5e4, 28.0);
     for (first, problem) in [(0, problem(0..2)), (2, problem(2..4))] {
-        let w = problem.space.point(&design.absorber);
+        let w = problem.space.point(&[three_values(&design).to_vec()]);
         let rows = problem.rows(&w, &mut Work::default()).expect("damped");
         for row in &rows.rows {
-            seen[first + row.scene] += 1;
+            seen[first + row.load_case] += 1;
             for i in 0..w.len() {
                 let at = |step: f64| {
                     let mut w = w.clone();
                     w[i] += step;
                     let there = problem.rows(&w, &mut Work::default()).expect("damped");
-                    let same = there.rows.into_iter().filter(|r| r.scene == row.scene);
+                    let same = there.rows.into_iter().filter(|r| r.load_case == row.load_case);
                     // several pairs of extremes may peak at one speed
                     let angles = |r: &Row| r.peak.extremes.map_or((0.0, 0.0), |e| (e.angle_max, e.angle_min));
                     let distance = |r: &Row| {
@@ -162,7 +163,7 @@ fn gradients_in_every_condition() {
                     same.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the same peak").value
                 };
                 let difference = (at(1e-4) - at(-1e-4)) / 2e-4;
-                assert_close(row.gradient[i], difference, 1e-3, 1e-6 * row.value, &format!("scene {} variable {i}", row.scene));
+                assert_close(row.gradient[i], difference, 1e-3, 1e-6 * row.value, &format!("load_case {} variable {i}", row.load_case));
             }
         }
     }
@@ -178,7 +179,7 @@ fn an_optimum_that_holds_in_a_misfire() {
         (s.front, s.conditions) = (None, vec![Condition::Misfire]);
         s.more_objectives.clear();
         let o = s.optimise.as_mut().expect("optimises");
-        (o.absorber.kinds, o.absorber.size, o.conditions) = (vec![Kind::Tuned], Size::Each(vec![0.01]), conditions.to_vec());
+        (o.absorbers[0].types, o.absorbers[0].size, o.conditions) = (vec![&TUNED], Size::Each(vec![0.01]), conditions.to_vec());
         s.designs.clear();
         analysis::run(&s, &Silent).expect("damped")
     };
@@ -203,8 +204,8 @@ fn conditions_of_the_given_designs() {
     let none = results.designs[0].twist.expect("excited").value;
     for d in &results.designs[1..] {
         assert_close(d.conditions[1].twist.expect("excited").value, none, 1e-9, 0.0, &d.name);
-        let heavier = Mounted { absorber: Absorber::Locked(Locked { ring_inertia: 0.076 }), ..d.absorbers[0] };
-        assert_eq!(Condition::AbsorberLocked.absorbers(&d.absorbers), [heavier]);
+        let heavier = Mounted { absorber: Absorber::Locked { ring_inertia: 0.076 }, ..d.absorbers[0].clone() };
+        assert_eq!(Condition::AbsorberLocked.absorbers(&d.absorbers), [heavier.clone()]);
         assert!(
             heavier.absorber.ring_inertia() == 0.076 && d.conditions[0].objective > none,
             "{}: a dead ring lowers f1 into the range",

@@ -1,45 +1,45 @@
 //! Minutes long: `cargo test --release -- --ignored`.
 
 use crate::support::{study, system};
-use hartog::absorber::seeds::EngineMode;
-use hartog::absorber::{Kind, Ring};
+use hartog::absorber::Declaration;
+use hartog::absorber::closed_forms::EngineMode;
 use hartog::analysis::audit::highest_frequency_hz;
 use hartog::analysis::{self, OptimumResult, Silent, families};
-use hartog::input::{AbsorberSpec, Study};
+use hartog::input::{OptimiseSpec, Study};
 use hartog::objective::{Condition, PeakFinder};
-use hartog::optimise::{Problem, Scene, minimax, search, starts};
+use hartog::optimise::{Problem, LoadCase, minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
 use rayon::prelude::*;
 
-fn with_scenes(study: &Study, f: impl FnOnce(&[Scene], &[EngineMode])) {
+fn with_scenes(study: &Study, f: impl FnOnce(&[LoadCase], &[Vec<EngineMode>])) {
     let sys = system(study);
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[study.twist]));
     let modes = families::engine_modes(study, family(study), highest_frequency_hz(study, &sys.excitation.orders));
-    f(&[Scene { condition: Condition::Firing, cylinder: None, finder: &PeakFinder::new(&sys, &grid, &method, true) }], &modes);
+    f(&[LoadCase { condition: Condition::Firing, cylinder: None, finder: &PeakFinder::new(&sys, &grid, &method, true) }], &modes);
 }
 
 /// What a study optimises.
-fn family(study: &Study) -> &AbsorberSpec {
-    &study.optimise.as_ref().expect("optimises").absorber
+fn family(study: &Study) -> &OptimiseSpec {
+    &study.optimise.as_ref().expect("optimises")
 }
 
 /// The problem of one type and ring.
-fn problem<'a>(study: &'a Study, scenes: &'a [Scene<'a>], modes: &[EngineMode], kind: Kind, ring: f64) -> Problem<'a> {
-    let space = families::family(family(study), kind, Some(ring), modes);
-    Problem { scenes, space, objective: &study.objective.measure, limits: &[] }
+fn problem<'a>(study: &'a Study, load_cases: &'a [LoadCase<'a>], modes: &[Vec<EngineMode>], declaration: &'static Declaration, ring: f64) -> Problem<'a> {
+    let space = families::family(family(study), &families::Choice { types: vec![declaration], rings: vec![Some(ring)] }, modes);
+    Problem { load_cases, space, objective: &study.objective.measure, limits: &[] }
 }
 
 /// Runs both engines and hands over every optimum with its problem.
-fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[EngineMode])) {
+fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[Vec<EngineMode>])) {
     for name in ["villalva_i6", "villalva_v10"] {
         let mut s = study(name);
         s.front = None;
         let results = analysis::run(&s, &Silent).expect("damped");
-        with_scenes(&s, |scenes, modes| {
+        with_scenes(&s, |load_cases, modes| {
             for o in &results.optima {
-                let a = &o.optimum.design.absorber;
-                check(name, o, &problem(&s, scenes, modes, a.kind(), a.ring_inertia()), modes);
+                let a = &o.optimum.design[0].absorber;
+                check(name, o, &problem(&s, load_cases, modes, a.declaration().expect("a ring"), a.ring_inertia()), modes);
             }
         });
     }
@@ -86,18 +86,18 @@ fn fronts_are_optimal() {
     for name in ["villalva_i6", "villalva_v10"] {
         let s = study(name);
         let results = analysis::run(&s, &Silent).expect("damped");
-        with_scenes(&s, |scenes, modes| {
+        with_scenes(&s, |load_cases, modes| {
             for front in &results.fronts {
                 let mut worst = 0.0f64;
                 for p in front.front.points.iter().step_by(3) {
-                    let ring = p.design.absorber.ring_inertia();
-                    let problem = problem(&s, scenes, modes, front.kind, ring);
+                    let ring = p.design[0].absorber.ring_inertia();
+                    let problem = problem(&s, load_cases, modes, front.declaration, ring);
                     let list = starts::starts(&problem.space, modes, 40, 7);
                     let best = search::optimise(&problem, &list, &|| {}).expect("damped").value();
                     worst = worst.max(p.value / best - 1.0);
-                    assert!(p.value <= best * (1.0 + 1e-5), "{name} {:?} at {ring}: {} against {best}", front.kind, p.value);
+                    assert!(p.value <= best * (1.0 + 1e-5), "{name} {} at {ring}: {} against {best}", front.declaration.name, p.value);
                 }
-                println!("{name} {:?}: worst point {worst:.1e} above the best of all starts", front.kind);
+                println!("{name} {}: worst point {worst:.1e} above the best of all starts", front.declaration.name);
             }
         });
     }

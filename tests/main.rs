@@ -12,6 +12,7 @@ mod enclosing;
 mod engines;
 mod fatigue;
 mod forces;
+mod laws;
 mod layering;
 mod long;
 mod margin;

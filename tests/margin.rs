@@ -1,9 +1,9 @@
 //! Margin of the crank: as objective, as limit, over speed; and what it must not cost.
 
-use crate::support::{assert_close, on, study, system};
-use hartog::absorber::{Kind, Mounted};
+use crate::support::{Kind, three_values, assert_close, on, study, system};
+use hartog::absorber::{Host, Mounted, TUNED};
 use hartog::analysis::{Results, Silent, margins, run};
-use hartog::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, MeanBending, Place, Spot, Torque};
+use hartog::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, MeanBending, Place, CriticalLocation, Torque};
 use hartog::drivetrain::System;
 use hartog::fatigue::Criterion;
 use hartog::fatigue::multiaxial::Criterion as Multiaxial;
@@ -11,7 +11,7 @@ use hartog::input::Study;
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::{self, Extremes, Synthesiser};
 use hartog::objective::{Condition, Limit, Measure, PeakFinder};
-use hartog::optimise::{Parameter, Problem, Scene, Space, Variable};
+use hartog::optimise::{Slot, Problem, LoadCase, Space, Variable};
 use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -127,11 +127,11 @@ fn gradients_of_margins() {
                 let design = random_absorber(&mut random, name);
                 case.with(|finder| {
                     let peak = |m: Mounted| finder.peak(&[m], measure, &mut Work::default()).expect("finite").expect("a peak");
-                    let at = peak(design);
-                    let gradient = finder.gradient(&[design], 0, &at, &mut Work::default()).expect("finite");
+                    let at = peak(design.clone());
+                    let gradient = finder.gradient(std::slice::from_ref(&design), 0, &at, &mut Work::default()).expect("finite");
                     for p in 0..3 {
                         let moved = |share: f64| {
-                            let mut v = values(&design);
+                            let mut v = three_values(&design);
                             v[p] *= 1.0 + share;
                             peak(on(0, Kind::Tuned, v[0], v[1], v[2]))
                         };
@@ -141,12 +141,12 @@ fn gradients_of_margins() {
                         if (up.speed_rpm - down.speed_rpm).abs() > 5.0 || up.quantity != at.quantity || down.quantity != at.quantity {
                             continue;
                         }
-                        let difference = (up.value - down.value) / (2.0 * h * values(&design)[p]);
+                        let difference = (up.value - down.value) / (2.0 * h * three_values(&design)[p]);
                         assert_close(
                             gradient[p],
                             difference,
                             tolerance,
-                            1e-5 * at.value / values(&design)[p],
+                            1e-5 * at.value / three_values(&design)[p],
                             &format!("{name}, {:?}, parameter {p}", measure.over),
                         );
                     }
@@ -154,11 +154,6 @@ fn gradients_of_margins() {
             }
         }
     }
-}
-
-fn values(m: &Mounted) -> [f64; 3] {
-    use hartog::absorber::Ring;
-    [m.absorber.ring_inertia(), m.absorber.stiffness(), m.absorber.damping()]
 }
 
 /// Law: a chain written from the other end is the same engine: same margins, at the same fillets, though torque has the other sign and throws fall along the chain.
@@ -183,7 +178,7 @@ fn a_mirrored_chain_is_the_same_crank() {
         };
         for (x, y) in smallest(&a, 0).iter().zip(&smallest(&b, n - 1)) {
             assert_close(y.margin, x.margin, 1e-9, 0.0, name);
-            assert_eq!(a.margin.spots[x.used.spot].name, b.margin.spots[y.used.spot].name);
+            assert_eq!(a.margin.locations[x.used.location].name, b.margin.locations[y.used.location].name);
         }
     }
 }
@@ -214,13 +209,13 @@ fn rods_side_by_side_and_signs_of_the_mean() {
 fn gas_opens_crankpin_fillets_and_closes_those_of_journals() {
     let case = Case::new(short("villalva_i6"));
     let mean_torque = case.margin.mean_torque(600.0);
-    let at_ends = |(i, s): &(usize, &Spot)| case.margin.judges(0, *i) && [0, 5].contains(&s.throw);
-    for (i, spot) in case.margin.spots.iter().enumerate().filter(at_ends) {
-        let still = Extremes { middle: -mean_torque[spot.shaft], ..Extremes::default() };
+    let at_ends = |(i, s): &(usize, &CriticalLocation)| case.margin.judges(0, *i) && [0, 5].contains(&s.throw);
+    for (i, location) in case.margin.locations.iter().enumerate().filter(at_ends) {
+        let still = Extremes { middle: -mean_torque[location.shaft], ..Extremes::default() };
         let mean = case.margin.used(0, i, 600.0, &Torque { extremes: still, phasors: &[] }).cycle.mean;
-        match spot.place {
-            Place::Journal => assert!(mean < 1.0, "{}: {mean}", spot.name),
-            _ => assert!(mean > 10e6, "{}: {mean}", spot.name),
+        match location.place {
+            Place::Journal => assert!(mean < 1.0, "{}: {mean}", location.name),
+            _ => assert!(mean > 10e6, "{}: {mean}", location.name),
         }
     }
 }
@@ -282,7 +277,7 @@ fn tendencies_on_random_cranks() {
         let all = |crank: &Crank, spec: &FatigueSpec, torque: &Extremes| -> Vec<f64> {
             let model = Margin::new(&base.engine, &base.chain, crank, spec, &speeds, &[]).expect("a model");
             let each = |c: usize| {
-                speeds.map(|s| 1.0 / model.most_used(c, 3, s, &Torque { extremes: *torque, phasors: &[] }).expect("spots").value)
+                speeds.map(|s| 1.0 / model.most_used(c, 3, s, &Torque { extremes: *torque, phasors: &[] }).expect("locations").value)
             };
             (0..spec.criteria.len()).flat_map(each).collect()
         };
@@ -314,25 +309,22 @@ fn optimum_by_margin() {
     let case = Case::new(short("villalva_v10"));
     let measures = margins::measures(&case.study);
     let space = Space {
-        kind: Kind::Tuned,
-        station: 0,
-        hub_inertia: 0.0,
-        fixed: [0.052, 0.0, 0.0],
+        slots: vec![Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.052, 0.0, 0.0] }],
         variables: vec![
-            Variable { parameter: Parameter::Stiffness, lower: 1e3, upper: 1e7, scale: 1e2 },
-            Variable { parameter: Parameter::Damping, lower: 0.0, upper: 1e4, scale: 0.1 },
+            Variable { absorber: 0, parameter: 1, lower: 1e3, upper: 1e7, scale: 1e2 },
+            Variable { absorber: 0, parameter: 2, lower: 0.0, upper: 1e4, scale: 0.1 },
         ],
     };
     case.with(|finder| {
-        let scenes = [Scene { condition: Condition::Firing, cylinder: None, finder }];
+        let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder }];
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(60.0)];
         let best = |objective: &Measure, limits: &[Limit]| {
-            let problem = Problem { scenes: &scenes, space: space.clone(), objective, limits };
+            let problem = Problem { load_cases: &load_cases, space: space.clone(), objective, limits };
             let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 200, &mut Work::default());
             hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite")
         };
         let margin =
-            |w: &[f64]| 1.0 / finder.peak(&[space.absorber(w)], &measures[0], &mut Work::default()).expect("finite").expect("a peak").value;
+            |w: &[f64]| 1.0 / finder.peak(&space.design(w), &measures[0], &mut Work::default()).expect("finite").expect("a peak").value;
         let by_margin = best(&measures[0], &[]);
         assert!(by_margin.kkt_residual < 1e-4, "KKT {}", by_margin.kkt_residual);
         let most = margin(&by_margin.point);

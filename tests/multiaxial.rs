@@ -205,8 +205,8 @@ fn shadows_are_smaller() {
         let mut scratch = Scratch::default();
         for _ in 0..40 {
             let plane = Plane { theta: random.random_range(0.0..TAU), phi: random.random_range(0.0..PI) };
-            let circle = scratch.borne(&h, &plane, Amplitude::Circle, None).shear_amplitude;
-            let chord = scratch.borne(&h, &plane, Amplitude::Chord, None).shear_amplitude;
+            let circle = scratch.plane_stress(&h, &plane, Amplitude::Circle, None).shear_amplitude;
+            let chord = scratch.plane_stress(&h, &plane, Amplitude::Chord, None).shear_amplitude;
             assert!(circle <= ball * (1.0 + 1e-12));
             below += usize::from(pairs < circle);
             assert!(chord <= circle * (1.0 + 1e-12) && chord >= 0.5 * 3f64.sqrt() * circle * (1.0 - 1e-12));

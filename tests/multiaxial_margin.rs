@@ -2,7 +2,7 @@
 
 use crate::margin::{Case, ENGINES, short};
 use crate::support::{assert_close, system};
-use hartog::absorber::Kind;
+use hartog::absorber::{Host, TUNED};
 use hartog::analysis::{Silent, margins, run};
 use hartog::crankshaft::loads::CrankModel;
 use hartog::crankshaft::{FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, Place, Torque, UnitLoads, section};
@@ -10,7 +10,7 @@ use hartog::fatigue::multiaxial::{Criterion as Multiaxial, Limits};
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::objective::Condition;
-use hartog::optimise::{Parameter, Problem, Scene, Space, Variable};
+use hartog::optimise::{Slot, Problem, LoadCase, Space, Variable};
 use hartog::response::Work;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -78,13 +78,13 @@ fn unit_loads_of_the_nominal_state() {
             if on_planes && case > 2 {
                 continue;
             }
-            let [nominal, units] = models.each_ref().map(|m| m.most_used(c, 3, speed, &torque).expect("spots").value);
+            let [nominal, units] = models.each_ref().map(|m| m.most_used(c, 3, speed, &torque).expect("locations").value);
             assert_close(units, nominal, if on_planes { 2e-3 } else { 1e-9 }, 0.0, criterion.name());
         }
     }
 }
 
-/// Law: the smallest margin is that of all spots, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.
+/// Law: the smallest margin is that of all locations, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.
 #[test]
 fn bounds_of_unit_loads_hold() {
     let mut study = short("villalva_i6");
@@ -115,16 +115,17 @@ fn optimum_by_a_multiaxial_margin() {
     fatigue.criteria = vec![MarginCriterion::Multiaxial(Multiaxial::Papadopoulos)];
     let case = Case::new(study);
     let measure = &margins::measures(&case.study)[0];
-    let variable = |parameter, upper, scale| Variable { parameter, lower: 0.0, upper, scale };
-    let variables = vec![variable(Parameter::Stiffness, 1e7, 1e2), variable(Parameter::Damping, 1e4, 0.1)];
-    let space = Space { kind: Kind::Tuned, station: 0, hub_inertia: 0.0, fixed: [0.01, 0.0, 0.0], variables };
+    let variable = |parameter, upper, scale| Variable { absorber: 0, parameter, lower: 0.0, upper, scale };
+    let variables = vec![variable(1, 1e7, 1e2), variable(2, 1e4, 0.1)];
+    let slot = Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.01, 0.0, 0.0] };
+    let space = Space { slots: vec![slot], variables };
     case.with(|finder| {
-        let scenes = [Scene { condition: Condition::Firing, cylinder: None, finder }];
-        let problem = Problem { scenes: &scenes, space: space.clone(), objective: measure, limits: &[] };
+        let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder }];
+        let problem = Problem { load_cases: &load_cases, space: space.clone(), objective: measure, limits: &[] };
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(2.0)];
         let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 60, &mut Work::default());
         let best = hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite");
-        let used = |w: &[f64]| finder.peak(&[space.absorber(w)], measure, &mut Work::default()).expect("finite").expect("a peak").value;
+        let used = |w: &[f64]| finder.peak(&space.design(w), measure, &mut Work::default()).expect("finite").expect("a peak").value;
         let least = used(&best.point);
         assert!(least < 0.98 * used(&start), "the start is no optimum");
         let mut random = Xoshiro256PlusPlus::seed_from_u64(29);

@@ -1,12 +1,12 @@
 //! Optimisation: the exact optimum of Den Hartog's problem, first-order conditions, limits, bounds, the front.
 
 use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::{Kind, Ring};
+use hartog::absorber::{Declaration, Host, TUNED, UNDAMPED, VISCOUS};
 use hartog::analysis::{self, Results, Silent};
 use hartog::drivetrain::{Chain, Modes, Station};
 use hartog::input::{DesignSpec, FrontSpec, Size, Study};
 use hartog::objective::{Limit, Measure, Over};
-use hartog::optimise::{Parameter, Variable};
+use hartog::optimise::Variable;
 use hartog::response::Quantity;
 
 fn run(study: &Study) -> Results {
@@ -14,10 +14,10 @@ fn run(study: &Study) -> Results {
 }
 
 /// Leaves a study with one size and one type, and no front.
-fn only(name: &str, kind: Kind, size: Size) -> Study {
+fn only(name: &str, declaration: &'static Declaration, size: Size) -> Study {
     let mut s = study(name);
     let o = s.optimise.as_mut().expect("optimises");
-    (o.absorber.kinds, o.absorber.size) = (vec![kind], size);
+    (o.absorbers[0].types, o.absorbers[0].size) = (vec![declaration], size);
     s.front = None;
     s.more_objectives.clear();
     s
@@ -32,11 +32,11 @@ fn den_hartog_is_solved_exactly() {
     for front in &results.fronts {
         assert_eq!(front.front.points.len(), 25);
         for p in &front.front.points {
-            let mu = p.design.absorber.ring_inertia();
-            let exact = if front.kind == Kind::Tuned { h_infinity_peak(mu) } else { (2.0 + mu) / mu };
-            assert_close(p.value, 1e-4 * exact, 1e-6, 0.0, &format!("{:?} at mu = {mu}", front.kind));
+            let mu = p.design[0].absorber.ring_inertia();
+            let exact = if front.declaration == &TUNED { h_infinity_peak(mu) } else { (2.0 + mu) / mu };
+            assert_close(p.value, 1e-4 * exact, 1e-6, 0.0, &format!("{} at mu = {mu}", front.declaration.name));
         }
-        let (first, last) = (&front.front.points[0].design.absorber, &front.front.points[24].design.absorber);
+        let (first, last) = (&front.front.points[0].design[0].absorber, &front.front.points[24].design[0].absorber);
         assert_close(first.ring_inertia(), 0.01, 1e-12, 0.0, "first ratio");
         assert_close(last.ring_inertia(), 1.0, 1e-12, 0.0, "last ratio");
     }
@@ -78,8 +78,8 @@ fn optima_of_the_six() {
 #[test]
 fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
     let (a, b) = (0.02, 0.152);
-    let free = run(&only("villalva_i6", Kind::Tuned, Size::Between(a, b)));
-    let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![a]));
+    let free = run(&only("villalva_i6", &TUNED, Size::Between(a, b)));
+    let mut s = only("villalva_i6", &TUNED, Size::Each(vec![a]));
     s.front = Some(FrontSpec { inertias: (0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect() });
     let front = run(&s);
     let lowest = front.fronts[0].front.points.iter().map(|p| p.value).fold(f64::INFINITY, f64::min);
@@ -92,14 +92,14 @@ fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
 /// coordinates like any other, so that a tuned ring may become a viscous one.
 #[test]
 fn damping_reaches_zero() {
-    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.1]));
+    let mut s = only("den_hartog", &TUNED, Size::Each(vec![0.1]));
     s.designs.clear();
     s.speeds_rpm = vec![954.0, 955.0, 956.0];
     let one_speed = run(&s);
-    assert_eq!(one_speed.optima[0].optimum.design.absorber.damping(), 0.0, "no damper");
+    assert_eq!(one_speed.optima[0].optimum.design[0].absorber.damping(), Some(0.0), "no damper");
     // an undamped ring leaves |f² - x²|/mu static twists near its frequency: 0.001 x 2/0.1 at the ends of this range
     assert!(one_speed.optima[0].optimum.value() < 0.025 * 1e-4, "the hub all but stands still");
-    let stiffness = Variable { parameter: Parameter::Stiffness, lower: 0.0, upper: 1e7, scale: 10.0 };
+    let stiffness = Variable { absorber: 0, parameter: 1, lower: 0.0, upper: 1e7, scale: 10.0 };
     assert_eq!((stiffness.coordinate(0.0), stiffness.value(0.0)), (0.0, 0.0));
     assert_close(stiffness.value(stiffness.coordinate(3e4)), 3e4, 1e-12, 0.0, "there and back");
 }
@@ -107,12 +107,12 @@ fn damping_reaches_zero() {
 /// Degenerate families are answered: nothing free to vary; no elastic mode and no random start; a ring on a node of the only excited mode.
 #[test]
 fn degenerate_families_are_answered() {
-    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.1]));
-    let absorber = &mut s.optimise.as_mut().expect("optimises").absorber;
-    (absorber.stiffness, absorber.damping) = (Some((826.0, 826.0)), Some((3.4, 3.4)));
+    let mut s = only("den_hartog", &TUNED, Size::Each(vec![0.1]));
+    let absorber = &mut s.optimise.as_mut().expect("optimises").absorbers[0];
+    absorber.bounds = vec![("stiffness_n_m_per_rad", (826.0, 826.0)), ("damping_n_m_s_per_rad", (3.4, 3.4))];
     let held = run(&s);
-    assert_eq!(held.optima[0].optimum.design.absorber.stiffness(), 826.0);
-    let mut rigid = only("den_hartog", Kind::Viscous, Size::Each(vec![0.1]));
+    assert_eq!(held.optima[0].optimum.design[0].absorber.stiffness(), Some(826.0));
+    let mut rigid = only("den_hartog", &VISCOUS, Size::Each(vec![0.1]));
     rigid.chain.stations[0].stiffness_to_ground = 0.0;
     rigid.modes = Modes::new(&rigid.chain);
     rigid.optimise.as_mut().expect("optimises").random_starts = 0;
@@ -125,7 +125,7 @@ fn degenerate_families_are_answered() {
 /// reported optimum is the same design's peak on a grid of 0.1 rpm.
 #[test]
 fn no_peak_hides_between_grid_speeds() {
-    let mut s = only("den_hartog", Kind::Tuned, Size::Each(vec![0.3]));
+    let mut s = only("den_hartog", &TUNED, Size::Each(vec![0.3]));
     s.designs.clear();
     let station = |i: usize| Station {
         name: format!("s{i}"),
@@ -137,14 +137,14 @@ fn no_peak_hides_between_grid_speeds() {
     };
     s.chain = Chain { stations: (0..3).map(station).collect() };
     s.modes = Modes::new(&s.chain);
-    s.optimise.as_mut().expect("optimises").absorber.station = 1;
+    s.optimise.as_mut().expect("optimises").absorbers[0].on = Host::Station(1);
     (s.hub, s.twist) = (1, Quantity::Twist { from: 0, to: Some(2) });
     s.objective.measure.quantities = vec![s.twist];
     let coarse = run(&s);
-    let design = coarse.optima[0].optimum.design;
+    let design = coarse.optima[0].optimum.design.clone();
     s.speeds_rpm = (0..=19_000).map(|i| 100.0 + 0.1 * f64::from(i)).collect();
     s.optimise = None;
-    s.designs = vec![DesignSpec { name: "same".into(), absorbers: vec![design] }];
+    s.designs = vec![DesignSpec { name: "same".into(), absorbers: design }];
     let fine = run(&s);
     assert_close(coarse.optima[0].optimum.value(), fine.designs[0].objective.expect("excited"), 1e-6, 0.0, "peak");
 }
@@ -152,7 +152,7 @@ fn no_peak_hides_between_grid_speeds() {
 /// A limit that binds is met exactly and costs objective; one that cannot be met is reported as failing.
 #[test]
 fn limits_bind() {
-    let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![0.076]));
+    let mut s = only("villalva_i6", &TUNED, Size::Each(vec![0.076]));
     let free = run(&s);
     let torque = Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis };
     let unlimited = free.optima[0].design.torque.expect("shafts").value;
@@ -175,7 +175,7 @@ fn other_objectives_have_stationary_optima() {
         Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis },
     ];
     for measure in measures {
-        let mut s = only("villalva_i6", Kind::Tuned, Size::Each(vec![0.03]));
+        let mut s = only("villalva_i6", &TUNED, Size::Each(vec![0.03]));
         s.objective.measure = measure.clone();
         let o = &run(&s).optima[0];
         assert!(o.optimum.outcome.kkt_residual < 1e-5, "{measure:?}: {:e} {:?}", o.optimum.outcome.kkt_residual, o.optimum.outcome.stop);
@@ -186,8 +186,8 @@ fn other_objectives_have_stationary_optima() {
 /// An undamped ring on the damped six is an optimum of its own, worse than a damped one.
 #[test]
 fn undamped_optimum_is_worse_than_tuned() {
-    let undamped = run(&only("villalva_i6", Kind::Undamped, Size::Each(vec![0.0152])));
-    let tuned = run(&only("villalva_i6", Kind::Tuned, Size::Each(vec![0.0152])));
+    let undamped = run(&only("villalva_i6", &UNDAMPED, Size::Each(vec![0.0152])));
+    let tuned = run(&only("villalva_i6", &TUNED, Size::Each(vec![0.0152])));
     assert!(tuned.optima[0].optimum.value() < undamped.optima[0].optimum.value());
     assert!(undamped.optima[0].optimum.outcome.kkt_residual < 1e-4);
 }

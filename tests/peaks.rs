@@ -1,7 +1,7 @@
 //! Peaks over speed: refinement, skipping, gradients, work.
 
-use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
-use hartog::absorber::{Kind, Mounted, Ring};
+use crate::support::{Kind, three_values, assert_close, on, one_throw, study, system, uniform_chain};
+use hartog::absorber::Mounted;
 use hartog::analysis::{evaluate::evaluate, wanted::Wanted};
 use hartog::drivetrain::System;
 use hartog::engine::Excitation;
@@ -166,7 +166,7 @@ fn no_peak_is_out_of_sight() {
             let grid = Grid::new(&speeds, &sys.excitation.tabulated_rpm);
             let method = Method::Direct(Direct::new(&sys, &grid));
             let finder = PeakFinder::new(&sys, &grid, &method, true);
-            finder.peak(&[design], &measure, &mut Work::default()).expect("damped").expect("excited").value
+            finder.peak(std::slice::from_ref(&design), &measure, &mut Work::default()).expect("damped").expect("excited").value
         };
         assert_close(peak(steps[0]), peak(steps[1]), 1e-6, 0.0, &format!("{design:?}"));
     }
@@ -235,9 +235,9 @@ fn gradients_equal_differences() {
                 (Quantity::Twist { from: 0, to: None }, Over::Orders),
             ] {
                 let m = measure(quantity, over);
-                let peak = finder.peak(&[a], &m, &mut Work::default()).expect("damped").expect("excited");
-                let gradient = finder.gradient(&[a], 0, &peak, &mut Work::default()).expect("damped");
-                let values = [a.absorber.ring_inertia(), a.absorber.stiffness(), a.absorber.damping()];
+                let peak = finder.peak(std::slice::from_ref(&a), &m, &mut Work::default()).expect("damped").expect("excited");
+                let gradient = finder.gradient(std::slice::from_ref(&a), 0, &peak, &mut Work::default()).expect("damped");
+                let values = three_values(&a);
                 for p in 0..3 {
                     let at = |factor: f64| {
                         let mut v = values;

@@ -26,7 +26,7 @@ fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
     let mut scratch = Scratch::default();
     let (mut shear, mut normal, mut dang_van, mut findley) = (0.0, f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY);
     for plane in hemisphere(step_deg) {
-        let b = scratch.borne(history, &plane, Amplitude::Circle, Some((k_dv, &p)));
+        let b = scratch.plane_stress(history, &plane, Amplitude::Circle, Some((k_dv, &p)));
         if b.shear_amplitude > shear {
             (shear, normal) = (b.shear_amplitude, b.normal_max);
         }
@@ -92,7 +92,7 @@ fn harmonic_histories_against_a_tenth_of_a_degree() {
 /// Shear amplitude and largest normal stress of the planes of largest shear: the best of a search in steps of one degree, each followed on finer grids of 21 by 21 planes to 0.007 degrees.
 fn planes_of_largest_shear(history: &History) -> Vec<(f64, f64)> {
     let mut scratch = Scratch::default();
-    let mut shear = |plane: &Plane| scratch.borne(history, plane, Amplitude::Circle, None);
+    let mut shear = |plane: &Plane| scratch.plane_stress(history, plane, Amplitude::Circle, None);
     let all: Vec<(Plane, f64)> = hemisphere(1.0).map(|plane| (plane, shear(&plane).shear_amplitude)).collect();
     let top = all.iter().map(|a| a.1).fold(0.0, f64::max);
     let mut best: Vec<(Plane, f64)> = all.into_iter().filter(|a| a.1 > 0.998 * top).collect();

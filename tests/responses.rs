@@ -1,13 +1,22 @@
 //! Response methods against each other and against a dense solution.
 
-use crate::support::{assert_close, on, one_throw, study, system, uniform_chain};
-use hartog::absorber::{Kind, Mounted, Ring};
+use crate::support::{Kind, assert_close, on, one_throw, study, system, uniform_chain};
+use hartog::absorber::mounted::station_of;
+use hartog::absorber::{Host, Mounted, Operating};
 use hartog::drivetrain::{Chain, Station, System, natural};
 use hartog::numerics::{C64, I};
 use hartog::response::{Direct, Grid, Quantity, Receptance, Response, ResponseError, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
+
+/// Index of what carries a hub among the stations and, after them, the rings.
+fn hub_of(stations: usize, m: &Mounted) -> usize {
+    match m.on {
+        Host::Station(s) => s,
+        Host::Ring(inner) => stations + inner,
+    }
+}
 
 /// Angles of stations, then rings, by a dense complex LU of the whole system with the rings as bodies of their own.
 fn dense(sys: &System, design: &[Mounted], order: usize, speed: f64) -> DVector<C64> {
@@ -26,11 +35,13 @@ fn dense(sys: &System, design: &[Mounted], order: usize, speed: f64) -> DVector<
             link(&mut d, i, i + 1, s.stiffness_to_next * (1.0 + I * s.loss_factor_to_next) + I * w * s.damping_to_next);
         }
     }
+    let shaft_speed = speed * RAD_PER_S_PER_RPM;
     for (r, m) in design.iter().enumerate() {
-        let a = &m.absorber;
-        link(&mut d, m.station, n + r, a.stiffness() + I * w * a.damping());
-        d[(n + r, n + r)] -= C64::from(w * w * a.ring_inertia());
-        d[(m.station, m.station)] -= C64::from(w * w * m.hub_inertia);
+        let hub = hub_of(n, m);
+        let law = m.absorber.law().expect("a ring that moves");
+        link(&mut d, hub, n + r, law.dynamic_stiffness(Operating { omega: w, shaft_speed }));
+        d[(n + r, n + r)] -= C64::from(w * w * law.ring_inertia());
+        d[(hub, hub)] -= C64::from(w * w * m.hub_inertia);
     }
     let mut torque = DVector::zeros(n + design.len());
     sys.torque(order, speed, &mut torque.as_mut_slice()[..n]);
@@ -53,7 +64,7 @@ fn check_against_dense(sys: &System, design: &[Mounted], speeds: &[f64], toleran
             }
             same(Quantity::Twist { from: 0, to: Some(n - 1) }, x[0] - x[n - 1]);
             for (r, m) in design.iter().enumerate() {
-                same(Quantity::RingTwist(r), x[n + r] - x[m.station]);
+                same(Quantity::RingTwist(r), x[n + r] - x[hub_of(n, m)]);
             }
         }
     }
@@ -66,14 +77,19 @@ fn direct_equals_dense() {
         let sys = system(&study(name));
         let two_on_one = [on(0, Kind::Tuned, 0.01, 2e4, 5.0), Mounted { hub_inertia: 0.01, ..on(0, Kind::Viscous, 0.02, 0.0, 30.0) }];
         let apart = [on(0, Kind::Undamped, 0.02, 5e4, 0.0), on(3, Kind::Tuned, 0.005, 1e4, 1.0)];
-        for design in [&[][..], &two_on_one, &apart, &[on(6, Kind::Viscous, 0.1, 0.0, 100.0)]] {
+        let one_on_the_other = [
+            on(0, Kind::Viscous, 0.02, 0.0, 30.0),
+            Mounted { on: Host::Ring(0), hub_inertia: 0.003, ..on(0, Kind::Tuned, 0.01, 2e4, 5.0) },
+            Mounted { on: Host::Ring(1), ..on(0, Kind::Tuned, 0.004, 9e3, 1.0) },
+        ];
+        for design in [&[][..], &two_on_one, &one_on_the_other, &apart, &[on(6, Kind::Viscous, 0.1, 0.0, 100.0)]] {
             check_against_dense(&sys, design, &[1000.0, 1777.0, 3050.0], 1e-9);
         }
     }
 }
 
 fn compare(sys: &System, grid: &Grid, design: &[Mounted], quantity: Quantity, tolerance: f64) -> Work {
-    let receptance = Receptance::new(sys, grid, design[0].station, &[quantity]);
+    let receptance = Receptance::new(sys, grid, station_of(design, 0), &[quantity]);
     let (mut a, mut b, mut m) = (Vec::new(), Vec::new(), Vec::new());
     let mut work = Work::default();
     receptance.sweep(design, quantity, &mut a, &mut work).expect("finite");

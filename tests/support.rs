@@ -1,6 +1,6 @@
 //! Shared by all tests.
 
-use hartog::absorber::{Kind, Mounted};
+use hartog::absorber::{Absorber, Mounted, Tuned, Undamped, Viscous};
 use hartog::drivetrain::{Chain, Station, System};
 use hartog::engine::excitation::HarmonicTable;
 use hartog::engine::{Engine, Excitation, Layout, Order, Source};
@@ -26,9 +26,29 @@ pub fn system(study: &Study) -> System {
     System::new(study.chain.clone(), Excitation::new(&study.engine, study.order_limit))
 }
 
+/// Absorbers that tests name in one word.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    Tuned,
+    Viscous,
+    Undamped,
+    Locked,
+}
+
 /// An absorber without hub on a station.
 pub fn on(station: usize, kind: Kind, ring_inertia: f64, stiffness: f64, damping: f64) -> Mounted {
-    Mounted { station, hub_inertia: 0.0, absorber: kind.build(ring_inertia, stiffness, damping) }
+    let absorber = match kind {
+        Kind::Tuned => Tuned { ring_inertia, stiffness, damping }.into(),
+        Kind::Viscous => Viscous { ring_inertia, damping }.into(),
+        Kind::Undamped => Undamped { ring_inertia, stiffness }.into(),
+        Kind::Locked => Absorber::Locked { ring_inertia },
+    };
+    Mounted::on_station(station, absorber)
+}
+
+/// Ring inertia, stiffness and damping of an absorber with a constant law.
+pub fn three_values(m: &Mounted) -> [f64; 3] {
+    [m.absorber.ring_inertia(), m.absorber.stiffness().expect("a number"), m.absorber.damping().expect("a number")]
 }
 
 /// A chain of alike stations; the first carries throw 1.

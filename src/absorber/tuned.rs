@@ -1,8 +1,13 @@
-//! Rubber or spring-and-fluid absorber: a ring on a spring with a viscous damper beside it.
+//! Ring on a spring with a viscous damper beside it: the textbook's absorber, S = k + i omega c.
 
-use super::Ring;
+use super::closed_forms::{EngineMode, brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
+use super::declaration::{ClosedForm, Declaration};
+use super::law::{Law, Operating, SpringAndDamper};
+use super::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
+use crate::numerics::C64;
+use std::sync::Arc;
 
-/// Rubber or spring-and-fluid absorber: a ring on a spring with a viscous damper beside it.
+/// Ring on a spring with a viscous damper beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tuned {
     /// kg m².
@@ -13,17 +18,40 @@ pub struct Tuned {
     pub damping: f64,
 }
 
-impl Ring for Tuned {
+/// Ring, spring and damper.
+pub static TUNED: Declaration = Declaration {
+    name: "tuned",
+    parameters: &[RING_INERTIA, STIFFNESS, DAMPING],
+    build: |v| Arc::new(Tuned { ring_inertia: v[0], stiffness: v[1], damping: v[2] }),
+    closed_forms: &[
+        ClosedForm { name: "brock_unity", every_mode: false, values: |ring, mode| values(ring, mode, brock_unity_ring) },
+        ClosedForm { name: "den_hartog_brock", every_mode: false, values: |ring, mode| values(ring, mode, den_hartog_brock_ring) },
+        ClosedForm { name: "h_infinity", every_mode: true, values: |ring, mode| values(ring, mode, h_infinity_ring) },
+    ],
+};
+
+fn values(ring_inertia: f64, mode: EngineMode, rule: fn(f64, EngineMode) -> SpringAndDamper) -> Vec<f64> {
+    let s = rule(ring_inertia, mode);
+    vec![ring_inertia, s.stiffness, s.damping]
+}
+
+impl Law for Tuned {
+    fn declaration(&self) -> &'static Declaration {
+        &TUNED
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.stiffness, self.damping]
+    }
     fn ring_inertia(&self) -> f64 {
         self.ring_inertia
     }
-    fn stiffness(&self) -> f64 {
-        self.stiffness
+    fn dynamic_stiffness(&self, at: Operating) -> C64 {
+        C64::new(self.stiffness, at.omega * self.damping)
     }
-    fn damping(&self) -> f64 {
-        self.damping
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        vec![C64::from(1.0), C64::new(0.0, at.omega)]
     }
-    fn with(&self, ring_inertia: f64, stiffness: f64, damping: f64) -> Self {
-        Self { ring_inertia, stiffness, damping }
+    fn spring_and_damper(&self) -> Option<SpringAndDamper> {
+        Some(SpringAndDamper { stiffness: self.stiffness, damping: self.damping })
     }
 }

@@ -1,8 +1,13 @@
-//! Undamped tuned absorber: a ring on a spring.
+//! Ring on a spring, S = k: what a tuned absorber would be without its damper.
 
-use super::Ring;
+use super::closed_forms::{brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
+use super::declaration::{ClosedForm, Declaration};
+use super::law::{Law, Operating, SpringAndDamper};
+use super::parameter::{RING_INERTIA, STIFFNESS};
+use crate::numerics::C64;
+use std::sync::Arc;
 
-/// Undamped tuned absorber: a ring on a spring.
+/// Ring on a spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Undamped {
     /// kg m².
@@ -11,17 +16,35 @@ pub struct Undamped {
     pub stiffness: f64,
 }
 
-impl Ring for Undamped {
+/// Ring and spring; searches start from the stiffness of the tuned rules.
+pub static UNDAMPED: Declaration = Declaration {
+    name: "undamped",
+    parameters: &[RING_INERTIA, STIFFNESS],
+    build: |v| Arc::new(Undamped { ring_inertia: v[0], stiffness: v[1] }),
+    closed_forms: &[
+        ClosedForm { name: "brock_unity", every_mode: false, values: |ring, mode| vec![ring, brock_unity_ring(ring, mode).stiffness] },
+        ClosedForm { name: "den_hartog_brock", every_mode: false, values: |ring, mode| vec![ring, den_hartog_brock_ring(ring, mode).stiffness] },
+        ClosedForm { name: "h_infinity", every_mode: true, values: |ring, mode| vec![ring, h_infinity_ring(ring, mode).stiffness] },
+    ],
+};
+
+impl Law for Undamped {
+    fn declaration(&self) -> &'static Declaration {
+        &UNDAMPED
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.stiffness]
+    }
     fn ring_inertia(&self) -> f64 {
         self.ring_inertia
     }
-    fn stiffness(&self) -> f64 {
-        self.stiffness
+    fn dynamic_stiffness(&self, _: Operating) -> C64 {
+        C64::from(self.stiffness)
     }
-    fn damping(&self) -> f64 {
-        0.0
+    fn derivatives(&self, _: Operating) -> Vec<C64> {
+        vec![C64::from(1.0)]
     }
-    fn with(&self, ring_inertia: f64, stiffness: f64, _damping: f64) -> Self {
-        Self { ring_inertia, stiffness }
+    fn spring_and_damper(&self) -> Option<SpringAndDamper> {
+        Some(SpringAndDamper { stiffness: self.stiffness, damping: 0.0 })
     }
 }

@@ -1,8 +1,13 @@
-//! Untuned viscous absorber: a ring in silicone fluid, without spring.
+//! Untuned viscous absorber: a ring in a Newtonian fluid, without spring, S = i omega c.
 
-use super::Ring;
+use super::closed_forms::viscous_damping;
+use super::declaration::{ClosedForm, Declaration};
+use super::law::{Law, Operating, SpringAndDamper};
+use super::parameter::{DAMPING, RING_INERTIA};
+use crate::numerics::C64;
+use std::sync::Arc;
 
-/// Untuned viscous absorber: a ring in silicone fluid, without spring.
+/// Ring in a Newtonian fluid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viscous {
     /// kg m².
@@ -11,17 +16,31 @@ pub struct Viscous {
     pub damping: f64,
 }
 
-impl Ring for Viscous {
+/// Ring and damper.
+pub static VISCOUS: Declaration = Declaration {
+    name: "viscous",
+    parameters: &[RING_INERTIA, DAMPING],
+    build: |v| Arc::new(Viscous { ring_inertia: v[0], damping: v[1] }),
+    closed_forms: &[ClosedForm { name: "viscous_untuned", every_mode: true, values: |ring, mode| vec![ring, viscous_damping(ring, mode)] }],
+};
+
+impl Law for Viscous {
+    fn declaration(&self) -> &'static Declaration {
+        &VISCOUS
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.damping]
+    }
     fn ring_inertia(&self) -> f64 {
         self.ring_inertia
     }
-    fn stiffness(&self) -> f64 {
-        0.0
+    fn dynamic_stiffness(&self, at: Operating) -> C64 {
+        C64::new(0.0, at.omega * self.damping)
     }
-    fn damping(&self) -> f64 {
-        self.damping
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        vec![C64::new(0.0, at.omega)]
     }
-    fn with(&self, ring_inertia: f64, _stiffness: f64, damping: f64) -> Self {
-        Self { ring_inertia, damping }
+    fn spring_and_damper(&self) -> Option<SpringAndDamper> {
+        Some(SpringAndDamper { stiffness: 0.0, damping: self.damping })
     }
 }

@@ -1,52 +1,44 @@
-//! `method = "auto"`: the cheapest way to a peak that is right enough, by the study's own designs and random ones like them.
+//! `method = "auto"`: the cheapest strategy that finds peaks within tolerance, by the study's own designs and random ones like them.
 //!
 //! A search evaluates thousands of designs by what is chosen; what is reported of a design is exact whatever was chosen. Cost is counted, not
 //! measured, so that the choice is the same on every machine: work times nominal times of one kind of processor.
-//!
-//! Methods with a smaller model are estimated beside it and never win: once the chain is tabulated its size costs nothing, and without tables (a
-//! chain that nothing damps) a few speeds cannot be trusted to show its narrow peaks, whatever the model.
 
 use super::families;
-use crate::absorber::seeds::{EngineMode, Rule};
-use crate::absorber::{Kind, Mounted, Ring};
-use crate::benchmark::methods::Candidate;
-use crate::benchmark::speed_accuracy;
-use crate::input::Study;
-use crate::numerics::synthesis::Synthesiser;
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Host, Mounted, Surroundings};
+use crate::input::{Size, Study};
 use crate::objective::PeakFinder;
-use crate::objective::surrogate::{Quick, Scratch};
-use crate::response::{Direct, Grid, Quantity, Receptance, Response, Work};
+use crate::objective::surrogate::{Scratch, Surrogate};
+use crate::response::{Quantity, Receptance, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// A way to a peak.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Way {
+/// How searches find peaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Strategy {
     /// Receptance tables at every so many grid speeds, then a parabola.
     Tables(usize),
-    /// A response method at a few speeds, refined by itself.
-    Method(Candidate),
     /// All grid speeds, refined by direct solutions.
     Exact,
 }
 
-impl Way {
+impl Strategy {
     /// In words.
     pub fn label(self) -> String {
         match self {
             Self::Tables(1) => "tables, every speed".into(),
             Self::Tables(n) => format!("tables, every {n} speeds"),
-            Self::Method(c) => c.label(),
             Self::Exact => "exact".into(),
         }
     }
 }
 
-/// What was considered.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A strategy that was considered.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Considered {
-    /// The way.
-    pub way: Way,
+    /// The strategy.
+    pub strategy: Strategy,
     /// Nominal seconds a design.
     pub seconds: f64,
     /// Estimate of the largest error over the probe designs, relative.
@@ -54,13 +46,13 @@ pub struct Considered {
 }
 
 /// A choice and what it was made from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Choice {
     /// Cheapest first.
     pub considered: Vec<Considered>,
     /// What was chosen.
     pub chosen: Considered,
-    /// Nominal seconds of the exact way.
+    /// Nominal seconds of the exact strategy.
     pub exact: f64,
     /// Number of probe designs.
     pub probes: usize,
@@ -68,23 +60,16 @@ pub struct Choice {
 
 /// Strides of the tables that are considered.
 pub const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
-/// Methods that are considered.
-const METHODS: [Candidate; 5] =
-    [Candidate::ClosedForm, Candidate::Reduced(1), Candidate::Reduced(2), Candidate::Reduced(3), Candidate::Modal];
-/// Speeds a method starts from.
-const SPEEDS: usize = 27;
 /// Random probe designs, and their seed.
 const PROBES: usize = 256;
 const SEED: u64 = 2014;
-/// Random designs lie within this many e-folds of a closed form, in stiffness and damping.
+/// Random designs lie within this many e-folds of a closed form, in every parameter but the ring inertia.
 const SPREAD: f64 = 2.0;
-/// Tables are worth the trouble where they cost at most this share of the exact way.
+/// Tables are worth the trouble where they cost at most this share of the exact strategy.
 const WORTH: f64 = 0.7;
-/// An error is doubled where it is only known at the peak that a method itself found.
-const OWN_PEAK: f64 = 2.0;
 
 /// Nominal seconds of work, as measured by `chart` on the processor hartog was written on: for choosing, not for telling.
-fn nominal(work: &Work, stations: usize) -> f64 {
+pub fn nominal(work: &Work, stations: usize) -> f64 {
     let per = [
         (work.receptance_points, 1.3e-9),
         (work.syntheses, 0.6e-6),
@@ -95,62 +80,66 @@ fn nominal(work: &Work, stations: usize) -> f64 {
     per.iter().map(|(count, seconds)| *count as f64 * seconds).sum()
 }
 
-/// Random absorbers like those a study looks for: its types in turn, ring inertia over its range (an eighth to the whole of the largest ring where it gives one),
-/// stiffness and damping up to e² times and down to 1/e² of a closed form, within the bounds. Empty where a study optimises nothing.
-pub fn random_absorbers(study: &Study, modes: &[EngineMode], count: usize, seed: u64) -> Vec<Mounted> {
+/// Random absorbers like that a study looks for: its types in turn, ring inertia over its range (an eighth to the whole of the largest ring where it gives
+/// one), every other parameter up to e² times and down to 1/e² of a closed form, within the bounds. Empty where a study does not optimise exactly one absorber.
+pub fn random_absorbers(study: &Study, modes: &[Vec<EngineMode>], count: usize, seed: u64) -> Vec<Mounted> {
     let Some(spec) = &study.optimise else { return Vec::new() };
-    let Some(engine) = modes.first() else { return Vec::new() };
+    let ([absorber], [own_modes]) = (spec.absorbers.as_slice(), modes) else { return Vec::new() };
+    let Some(engine) = own_modes.first() else { return Vec::new() };
     let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
-    let (low, high) = match &study.front {
-        Some(front) => (front.inertias[0], front.inertias[front.inertias.len() - 1]),
-        None => {
-            let widest = families::family(&spec.absorber, Kind::Viscous, None, modes);
-            let bounds = widest.variables.iter().find(|v| v.parameter == crate::optimise::Parameter::RingInertia);
-            bounds.map_or((0.125 * widest.fixed[0], widest.fixed[0]), |v| (v.lower.max(0.125 * v.upper), v.upper))
-        }
+    let (low, high) = match (&study.front, &absorber.size) {
+        (Some(front), _) => (front.inertias[0], front.inertias[front.inertias.len() - 1]),
+        (None, Size::Each(list)) => (0.125 * list[0], list[0]),
+        (None, Size::Between(a, b)) => (a.max(0.125 * b), *b),
     };
-    let kinds: Vec<Kind> = spec.absorber.kinds.iter().copied().filter(|k| *k != Kind::Locked).collect();
-    if kinds.is_empty() || high <= 0.0 {
+    if high <= 0.0 {
         return Vec::new();
     }
     let one = |i: usize| {
-        let kind = kinds[i % kinds.len()];
+        let declaration = absorber.types[i % absorber.types.len()];
         let ring = low * (high / low).powf(generator.random_range(0.0..=1.0));
-        let rule = if kind == Kind::Viscous { Rule::ViscousUntuned } else { Rule::HInfinity };
-        let closed = rule.absorber(ring, *engine);
-        let [stiffness, damping] = [closed.stiffness(), closed.damping()].map(|v| v * generator.random_range(-SPREAD..=SPREAD).exp());
-        let space = families::family(&spec.absorber, kind, Some(ring), modes);
-        space.absorber(&space.point(&kind.build(ring, stiffness, damping)))
+        let surroundings = Surroundings { modes: own_modes, ring_inertia: ring };
+        let mut values = match declaration.closed_forms.iter().rfind(|f| f.every_mode) {
+            Some(form) => (form.values)(ring, *engine),
+            None => declaration.parameters.iter().map(|p| (p.typical)(&surroundings)).collect(),
+        };
+        for value in values.iter_mut().skip(1) {
+            *value *= generator.random_range(-SPREAD..=SPREAD).exp();
+        }
+        let choice = families::Choice { types: vec![declaration], rings: vec![Some(ring)] };
+        let space = families::family(spec, &choice, modes);
+        space.design(&space.point(&[values])).swap_remove(0)
     };
     (0..count).map(one).collect()
 }
 
-/// Chooses the way for a study. `receptance`: its tables.
-pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptance: &Receptance) -> Choice {
+/// Designs that strategies are tried on first: those of the study with one absorber on the station that is optimised, else three random ones.
+pub fn named_designs(study: &Study, random: &[Mounted]) -> Vec<Mounted> {
+    let given = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| &d.absorbers[0]);
+    let named: Vec<Mounted> = given.filter(|m| m.on == Host::Station(study.hub)).cloned().collect();
+    if named.is_empty() { random.iter().take(3).cloned().collect() } else { named }
+}
+
+/// Chooses the strategy for a study. `receptance`: its tables.
+pub fn choose(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, receptance: &Receptance) -> Choice {
     let stations = finder.system.chain.len();
-    let given: Vec<Mounted> = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| d.absorbers[0]).collect();
     let random = random_absorbers(study, modes, PROBES, SEED);
-    let mut named: Vec<Mounted> = given.iter().filter(|m| m.station == study.hub).copied().collect();
-    if named.is_empty() {
-        named = random.iter().take(3).copied().collect();
-    }
+    let mut named = named_designs(study, &random);
     let mut considered = Vec::new();
-    // the exact way, on the designs that have names; one without a finite peak is reported where it is evaluated
+    // the exact strategy, on the designs that have names; one without a finite peak is reported where it is evaluated
     let measure = &study.objective.measure;
     let mut work = Work::default();
     named.retain(|m| finder.peak(std::slice::from_ref(m), measure, &mut work).is_ok());
     let exact = nominal(&work, stations) / named.len().max(1) as f64;
-    considered.push(Considered { way: Way::Exact, seconds: exact, error: 0.0 });
-    if let Some(quantity) = measure.synthesised() {
-        let all: Vec<Mounted> = named.iter().chain(&random).copied().collect();
-        if finder.is_smooth() {
-            considered.extend(tables(receptance, quantity, &all, study.tolerance, exact, stations));
-        }
-        considered.extend(methods(study, finder, &named, quantity));
+    considered.push(Considered { strategy: Strategy::Exact, seconds: exact, error: 0.0 });
+    if let Some(quantity) = measure.synthesised().filter(|_| finder.is_smooth()) {
+        let all: Vec<Mounted> = named.iter().chain(&random).cloned().collect();
+        considered.extend(tables(receptance, quantity, &all, study.tolerance, exact, stations));
     }
     considered.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    let right = |c: &&Considered| c.error <= study.tolerance && matches!(c.way, Way::Tables(_)) && c.seconds < WORTH * exact;
-    let chosen = considered.iter().find(right).copied().unwrap_or(Considered { way: Way::Exact, seconds: exact, error: 0.0 });
+    let is_good = |c: &&Considered| c.error <= study.tolerance && c.strategy != Strategy::Exact && c.seconds < WORTH * exact;
+    let chosen = considered.iter().find(is_good).copied();
+    let chosen = chosen.unwrap_or(Considered { strategy: Strategy::Exact, seconds: exact, error: 0.0 });
     Choice { considered, chosen, exact, probes: named.len() + random.len() }
 }
 
@@ -158,14 +147,14 @@ pub fn choose(study: &Study, modes: &[EngineMode], finder: &PeakFinder, receptan
 /// estimate is too large is evaluated exactly, and paid for so.
 fn tables(receptance: &Receptance, quantity: Quantity, probes: &[Mounted], tolerance: f64, exact: f64, stations: usize) -> Vec<Considered> {
     let peaks = |stride: usize| -> Option<Vec<(f64, f64, f64)>> {
-        let quick = Quick::new(receptance, quantity, stride)?;
+        let surrogate = Surrogate::new(receptance, quantity, stride)?;
         let mut scratch = Scratch::default();
         let one = |m: &Mounted| {
             let mut work = Work::default();
-            let found = quick.peak(m, &mut scratch, &mut work);
+            let found = surrogate.peak(m, &mut scratch, &mut work);
             (found.value, found.error, nominal(&work, stations))
         };
-        Some(probes.iter().filter(|m| quick.takes(m)).map(one).collect())
+        Some(probes.iter().filter(|m| surrogate.takes(m)).map(one).collect())
     };
     let Some(all) = peaks(1).filter(|all| !all.is_empty()) else { return Vec::new() };
     let at = |stride: usize| {
@@ -179,32 +168,8 @@ fn tables(receptance: &Receptance, quantity: Quantity, probes: &[Mounted], toler
             }
             error = f64::max(error, own.1 + (own.0 / full.0 - 1.0).abs());
         }
-        Some(Considered { way: Way::Tables(stride), seconds: seconds / found.len() as f64, error })
+        Some(Considered { strategy: Strategy::Tables(stride), seconds: seconds / found.len() as f64, error })
     };
     let speeds = receptance.grid().len();
     STRIDES.iter().filter(|s| **s == 1 || 2 * **s < speeds).filter_map(|s| at(*s)).collect()
-}
-
-/// Methods with a model of their own: their peak against a direct solution at the same speed.
-fn methods(study: &Study, finder: &PeakFinder, probes: &[Mounted], quantity: Quantity) -> Vec<Considered> {
-    let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let speeds: Vec<f64> = (0..SPEEDS).map(|i| first + (last - first) * i as f64 / (SPEEDS - 1) as f64).collect();
-    let grid = Grid::new(&speeds, &[]);
-    let direct = Direct::new(finder.system, &grid);
-    let synthesiser = Synthesiser::new(&finder.system.excitation.harmonics);
-    let estimate = |candidate: Candidate| -> Option<Considered> {
-        let method = candidate.build(finder.system, &grid, probes.get(..1)?, quantity)?;
-        let (mut error, mut work) = (0.0, Work::default());
-        for m in probes {
-            let design = std::slice::from_ref(m);
-            let (speed, value) = speed_accuracy::peak(method.as_ref(), &synthesiser, design, quantity, true, &mut work).ok()?;
-            let mut y = vec![crate::numerics::ZERO; finder.system.orders()];
-            direct.at(design, quantity, speed, &mut y, &mut work).ok()?;
-            let exact = synthesiser.extremes(&y).half_peak_to_peak;
-            error = f64::max(error, OWN_PEAK * (value / exact - 1.0).abs());
-        }
-        let seconds = nominal(&work, finder.system.chain.len()) / probes.len() as f64;
-        Some(Considered { way: Way::Method(candidate), seconds, error })
-    };
-    METHODS.iter().filter_map(|c| estimate(*c)).collect()
 }

@@ -30,8 +30,8 @@ pub struct Diagram {
     pub design: String,
     /// rpm.
     pub speed_rpm: f64,
-    /// Name of the most used spot.
-    pub spot: String,
+    /// Name of the most used location.
+    pub location: String,
     /// Where the bending of its web is largest in magnitude, then at the other end of its range.
     pub instants: [Instant; 2],
     /// Places of the main bearings, m.
@@ -52,10 +52,10 @@ pub fn diagram(
     smallest: &SmallestMargin,
 ) -> Result<Option<Diagram>, ResponseError> {
     let Some(crank) = &study.crank else { return Ok(None) };
-    let spot = &model.spots[smallest.used.spot];
+    let location = &model.locations[smallest.used.location];
     let Some(crank_model) = CrankModel::new(&study.engine, crank) else { return Ok(None) };
     let loads = crank_model.at(smallest.speed_rpm);
-    let bending: Vec<f64> = loads.web(spot.throw, spot.rear).moment;
+    let bending: Vec<f64> = loads.web(location.throw, location.rear).moment;
     let place = |better: fn(f64, f64) -> bool| (0..bending.len()).fold(0, |m, j| if better(bending[j], bending[m]) { j } else { m });
     let (high, low) = (place(|a, b| a > b), place(|a, b| a < b));
     let order = if bending[high].abs() >= bending[low].abs() { [high, low] } else { [low, high] };
@@ -82,11 +82,11 @@ pub fn diagram(
         // before the first pin, then behind each
         let mut steps = vec![(0.0, torque(stations[0].saturating_sub(1)))];
         steps.extend(pins.iter().zip(&stations).map(|(x, s)| (*x, torque((*s).min(chain.len() - 2)))));
-        let (shear, moment) = loads.along(j, spot.throw);
+        let (shear, moment) = loads.along(j, location.throw);
         Instant { crank_deg: loads.theta[j] * DEG_PER_RAD, shear, moment, torque: stairs(&steps, end) }
     };
     let instants = order.map(instant);
-    Ok(Some(Diagram { design: name.to_owned(), speed_rpm: smallest.speed_rpm, spot: spot.name.clone(), instants, bearings, pins }))
+    Ok(Some(Diagram { design: name.to_owned(), speed_rpm: smallest.speed_rpm, location: location.name.clone(), instants, bearings, pins }))
 }
 
 /// Corners of steps that begin at the given places and end at `end`.

@@ -1,19 +1,24 @@
-//! From what a study wants optimised to families of absorbers, with their starts.
+//! From what a study wants optimised to families of designs.
 
-use crate::absorber::Kind;
-use crate::absorber::seeds::EngineMode;
-use crate::input::{AbsorberSpec, Size, Study};
-use crate::optimise::{Parameter, Space, Variable, starts};
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Declaration, Surroundings};
+use crate::input::{AbsorberSpec, OptimiseSpec, Size, Study};
+use crate::optimise::{Slot, Space, Variable, starts};
 use crate::units::HZ_PER_RAD_PER_S;
 
-/// Modes an absorber of this study can be tuned to: elastic, moving its station, within reach of the torque (at least the first).
-pub fn engine_modes(study: &Study, spec: &AbsorberSpec, highest_hz: f64) -> Vec<EngineMode> {
+/// Modes that each absorber of a study can be tuned to: elastic, moving its station, within reach of the torque (at least the first).
+pub fn engine_modes(study: &Study, spec: &OptimiseSpec, highest_hz: f64) -> Vec<Vec<EngineMode>> {
+    (0..spec.absorbers.len()).map(|i| modes_of(study, spec, i, highest_hz)).collect()
+}
+
+fn modes_of(study: &Study, spec: &OptimiseSpec, index: usize, highest_hz: f64) -> Vec<EngineMode> {
     let total = study.chain.total_inertia();
+    let station = spec.station(index);
     study
         .modes
         .elastic()
         .map(|m| EngineMode {
-            inertia: if spec.whole_chain { total } else { study.modes.equivalent_inertia(m, spec.station) },
+            inertia: if spec.absorbers[index].whole_chain { total } else { study.modes.equivalent_inertia(m, station) },
             omega: study.modes.omega[m],
         })
         .filter(|m| m.inertia < 1e4 * total)
@@ -24,54 +29,109 @@ pub fn engine_modes(study: &Study, spec: &AbsorberSpec, highest_hz: f64) -> Vec<
         .collect()
 }
 
-/// The family of one type. `ring_inertia`: held where given, free between the bounds of the study otherwise.
-pub fn family(spec: &AbsorberSpec, kind: Kind, ring_inertia: Option<f64>, modes: &[EngineMode]) -> Space {
+/// A choice of type and ring for every absorber of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// Type of each.
+    pub types: Vec<&'static Declaration>,
+    /// Ring inertia of each: held where given, free between the bounds of the study otherwise.
+    pub rings: Vec<Option<f64>>,
+}
+
+/// The family of a choice.
+pub fn family(spec: &OptimiseSpec, choice: &Choice, modes: &[Vec<EngineMode>]) -> Space {
+    let mut space = Space { slots: Vec::new(), variables: Vec::new() };
+    for (i, absorber) in spec.absorbers.iter().enumerate() {
+        let (slot, variables) = slot(absorber, i, choice.types[i], choice.rings[i], &modes[i]);
+        space.slots.push(slot);
+        space.variables.extend(variables);
+    }
+    space
+}
+
+fn slot(
+    spec: &AbsorberSpec,
+    index: usize,
+    declaration: &'static Declaration,
+    ring_inertia: Option<f64>,
+    modes: &[EngineMode],
+) -> (Slot, Vec<Variable>) {
     let size = match (ring_inertia, &spec.size) {
         (Some(j), _) => (j, j),
         (None, Size::Between(a, b)) => (*a, *b),
         (None, Size::Each(list)) => (list[0], list[0]),
     };
-    let (wide_stiffness, wide_damping) = starts::wide_bounds(size.1, modes);
-    let stiffness = spec.stiffness.unwrap_or(wide_stiffness);
-    let damping = spec.damping.unwrap_or(wide_damping);
-    let ranges = [
-        (Parameter::RingInertia, size, true),
-        (Parameter::Stiffness, stiffness, matches!(kind, Kind::Tuned | Kind::Undamped)),
-        (Parameter::Damping, damping, matches!(kind, Kind::Tuned | Kind::Viscous)),
-    ];
-    let omega = modes.first().map_or(1.0, |m| m.omega);
-    let typical = [size.1, size.1 * omega * omega, size.1 * omega];
-    let mut fixed = [0.0; 3];
-    let mut variables = Vec::new();
-    for (parameter, (lower, upper), has) in ranges {
-        if lower < upper && has {
+    let surroundings = Surroundings { modes, ring_inertia: size.1 };
+    let (mut values, mut variables) = (Vec::new(), Vec::new());
+    for (parameter, p) in declaration.parameters.iter().enumerate() {
+        let given = spec.bounds.iter().find(|b| b.0 == p.key).map(|b| b.1);
+        let (lower, upper) = if parameter == 0 { size } else { given.unwrap_or_else(|| (p.bounds)(&surroundings)) };
+        values.push(lower);
+        if lower < upper {
             // a thousandth of the typical value: what lies below acts like zero
-            variables.push(Variable { parameter, lower, upper, scale: 1e-3 * typical[parameter as usize] });
-        } else {
-            fixed[parameter as usize] = if has { lower } else { 0.0 };
+            variables.push(Variable { absorber: index, parameter, lower, upper, scale: 1e-3 * (p.typical)(&surroundings) });
         }
     }
-    Space { kind, station: spec.station, hub_inertia: spec.hub_inertia, fixed, variables }
+    (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values }, variables)
 }
 
-/// The optima a study asks for: name and family of each.
-pub fn wanted(spec: &AbsorberSpec, modes: &[EngineMode]) -> Vec<(String, Space)> {
+/// An optimum that a study asks for.
+#[derive(Debug, Clone)]
+pub struct Family {
+    /// Its name in tables.
+    pub name: String,
+    /// Its designs.
+    pub space: Space,
+    /// Whether it has the main size of every absorber.
+    pub is_main: bool,
+}
+
+/// The types of a study's absorbers in all combinations, those of the first absorber changing slowest.
+pub fn types(spec: &OptimiseSpec) -> Vec<Vec<&'static Declaration>> {
+    combinations(spec.absorbers.iter().map(|a| a.types.clone()).collect())
+}
+
+/// Names of the types of a design together.
+pub fn joined(types: &[&'static Declaration]) -> String {
+    types.iter().map(|t| t.name).collect::<Vec<_>>().join("_")
+}
+
+/// The optima a study asks for: every combination of types with every combination of sizes.
+pub fn wanted(spec: &OptimiseSpec, modes: &[Vec<EngineMode>]) -> Vec<Family> {
+    let sizes = |a: &AbsorberSpec| match &a.size {
+        Size::Between(..) => vec![None],
+        Size::Each(list) => list.iter().copied().map(Some).collect(),
+    };
+    let sizes = combinations(spec.absorbers.iter().map(sizes).collect());
     let mut list = Vec::new();
-    for &kind in &spec.kinds {
-        let name = format!("optimum_{}", kind.name());
-        match &spec.size {
-            Size::Between(..) => list.push((name, family(spec, kind, None, modes))),
-            Size::Each(inertias) => {
-                for (i, &j) in inertias.iter().enumerate() {
-                    let alike = inertias.iter().filter(|other| shown(**other) == shown(j)).count() > 1;
-                    let size = if alike { j.to_string() } else { shown(j) };
-                    let name = if i == 0 { name.clone() } else { format!("{name}_{size}") };
-                    list.push((name, family(spec, kind, Some(j), modes)));
-                }
+    for types in types(spec) {
+        for (i, rings) in sizes.iter().enumerate() {
+            let mut name = format!("optimum_{}", joined(&types));
+            if i > 0 {
+                spec.absorbers.iter().zip(rings).for_each(|(a, ring)| name.push_str(&suffix(a, *ring)));
             }
+            let space = family(spec, &Choice { types: types.clone(), rings: rings.clone() }, modes);
+            list.push(Family { name, space, is_main: i == 0 });
         }
     }
     list
+}
+
+fn combinations<T: Clone>(lists: Vec<Vec<T>>) -> Vec<Vec<T>> {
+    lists.iter().fold(vec![Vec::new()], |all, list| {
+        let with = |c: &Vec<T>| list.iter().map(|x| c.iter().cloned().chain([x.clone()]).collect()).collect::<Vec<_>>();
+        all.iter().flat_map(with).collect()
+    })
+}
+
+/// A ring's size in the name of an optimum, where a study gives several.
+fn suffix(spec: &AbsorberSpec, ring: Option<f64>) -> String {
+    let (Size::Each(list), Some(j)) = (&spec.size, ring) else { return String::new() };
+    if list.len() == 1 {
+        return String::new();
+    }
+    let alike = list.iter().filter(|other| shown(**other) == shown(j)).count() > 1;
+    format!("_{}", if alike { j.to_string() } else { shown(j) })
 }
 
 /// An inertia in a name: six digits are enough to tell sizes apart.

@@ -17,7 +17,7 @@ pub struct SmallestMargin {
     pub margin: f64,
     /// rpm.
     pub speed_rpm: f64,
-    /// The spot, and what it bears there.
+    /// The location, and what it bears there.
     pub used: Used,
     /// The peak behind it: a largest share of the strength.
     pub peak: Peak,
@@ -39,7 +39,7 @@ pub struct FilletSweep {
 pub struct MarginSweep {
     /// The design.
     pub design: String,
-    /// By criterion, then as the spots are listed.
+    /// By criterion, then as the locations are listed.
     pub fillets: Vec<FilletSweep>,
 }
 
@@ -106,12 +106,12 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
     let mut fillets: Vec<FilletSweep> = Vec::new();
     for criterion in 0..model.criteria.len() {
         for (shaft, torques) in torques.iter().enumerate() {
-            let spots: Vec<usize> = model.spots_of(criterion, shaft).collect();
+            let locations: Vec<usize> = model.spots_of(criterion, shaft).collect();
             let rows: Vec<Vec<Used>> =
-                grid.speed_rpm.par_iter().zip(torques).map(|(speed, torque)| model.used_each(criterion, &spots, *speed, torque)).collect();
-            for (k, spot) in spots.iter().enumerate() {
+                grid.speed_rpm.par_iter().zip(torques).map(|(speed, torque)| model.used_each(criterion, &locations, *speed, torque)).collect();
+            for (k, location) in locations.iter().enumerate() {
                 let used = rows.iter().map(|row| row[k]);
-                let name = &model.spots[*spot].name;
+                let name = &model.locations[*location].name;
                 match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
                     Some(other) => {
                         for (worst, own) in other.used.iter_mut().zip(used) {
@@ -125,8 +125,8 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
             }
         }
     }
-    // in the order of the spots, not of the shafts
-    let place = |f: &FilletSweep| (0..model.spots.len()).find(|i| model.spots[*i].name == f.name && model.judges(f.criterion, *i));
+    // in the order of the locations, not of the shafts
+    let place = |f: &FilletSweep| (0..model.locations.len()).find(|i| model.locations[*i].name == f.name && model.judges(f.criterion, *i));
     fillets.sort_by_key(|f| (f.criterion, place(f)));
     Ok(Some(MarginSweep { design: name.to_owned(), fillets }))
 }

@@ -16,6 +16,7 @@ pub mod run;
 pub mod stress_histories;
 pub mod sweeps;
 pub mod systems;
+pub mod timing;
 pub mod wanted;
 
 pub use calibrate::{Calibration, calibrate};
@@ -23,6 +24,7 @@ pub use conditions::ConditionResult;
 pub use evaluate::{DesignResult, Nature, PeakKind};
 pub use margins::{MarginSweep, SmallestMargin};
 pub use progress::{Progress, RunError, Silent};
-pub use results::{FrontResult, OptimumResult, Results, Timing};
+pub use results::{FrontResult, OptimumResult, Results, RowCase};
 pub use run::run;
 pub use sweeps::Sweeps;
+pub use timing::Timing;

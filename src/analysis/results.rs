@@ -5,13 +5,13 @@ use super::diagram::Diagram;
 use super::evaluate::{DesignResult, Nature};
 use super::margins::MarginSweep;
 use super::sweeps::Sweeps;
-use crate::absorber::Kind;
+use super::timing::Timing;
+use crate::absorber::Declaration;
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::objective::Condition;
 use crate::optimise::{Front, Optimum};
-use crate::response::Work;
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone)]
@@ -22,34 +22,32 @@ pub struct OptimumResult {
     pub design: DesignResult,
     /// What makes each row's peak (`None`: another quantity than the reported twist).
     pub natures: Vec<Option<Nature>>,
-    /// Condition of each row, and the cylinder that misfires.
-    pub scenes: Vec<(Condition, Option<usize>)>,
+    /// Load case of each row.
+    pub load_cases: Vec<RowCase>,
     /// Whether it is the main size of its type.
     pub main: bool,
     /// Which objective it makes small, the first being 0.
     pub objective: usize,
 }
 
+/// Load case of a row of an optimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowCase {
+    /// The condition.
+    pub condition: Condition,
+    /// The cylinder (from 0) that misfires.
+    pub cylinder: Option<usize>,
+}
+
 /// The front of one type.
 #[derive(Debug, Clone)]
 pub struct FrontResult {
     /// The type.
-    pub kind: Kind,
+    pub declaration: &'static Declaration,
     /// The front.
     pub front: Front,
     /// Values of the study's other objectives at each point.
     pub others: Vec<Vec<f64>>,
-}
-
-/// Time of a stage.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Timing {
-    /// The stage.
-    pub stage: String,
-    /// Wall-clock time, s.
-    pub seconds: f64,
-    /// Work done in it.
-    pub work: Work,
 }
 
 /// Everything a study gives.

@@ -1,21 +1,23 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
 use super::audit::highest_frequency_hz;
-use super::choice::{self, Choice, Way};
+use super::choice::{self, Choice, Strategy};
 use super::evaluate::{self, Classifier, DesignResult};
-use super::results::{FrontResult, OptimumResult, Results, Timing};
+use super::families::Family;
+use super::results::{FrontResult, OptimumResult, Results, RowCase};
 use super::systems::{appearing, systems};
 use super::wanted::Wanted;
+use super::timing::Timing;
 use super::{Progress, RunError, cost, diagram, families, margins, sweeps};
 use crate::absorber::Mounted;
-use crate::absorber::seeds::EngineMode;
+use crate::absorber::closed_forms::EngineMode;
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{OptimiseSpec, ResponseMethod, Study};
-use crate::objective::surrogate::Quick;
+use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, Limit, Measure, PeakFinder};
-use crate::optimise::{Problem, Row, Scene, Space, front, search, starts};
-use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
+use crate::optimise::{Problem, Row, LoadCase, Space, front, search, starts};
+use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -56,7 +58,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         .collect();
     let mut setup = Work::default();
     for method in &methods {
-        setup += if let Method::Receptance(r) = method { r.setup } else { Work::default() };
+        setup += method.setup();
     }
     clock.lap("base", setup);
     let margin = margins::model(study, &systems[0].excitation.harmonics, &grid);
@@ -68,9 +70,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let modes = study
         .optimise
         .as_ref()
-        .map_or_else(Vec::new, |o| families::engine_modes(study, &o.absorber, highest_frequency_hz(study, &systems[0].excitation.orders)));
+        .map_or_else(Vec::new, |o| families::engine_modes(study, o, highest_frequency_hz(study, &systems[0].excitation.orders)));
     let choice = choice(study, &modes, &finders[0]);
-    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| quick(study, choice.as_ref(), finder)).collect();
+    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogate(study, choice.as_ref(), finder)).collect();
     if choice.is_some() {
         clock.lap("choice", Work::default());
     }
@@ -97,8 +99,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     }
     clock.lap("designs", work);
 
-    let scenes: Vec<Scene> = held.iter().flat_map(|c| scenes(*c, &finders)).collect();
-    let job = Job { study, finders: &finders, scenes: &scenes, limits: &limits, modes: &modes, wanted: &wanted, progress };
+    let load_cases: Vec<LoadCase> = held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
+    let job = Job { study, finders: &finders, load_cases: &load_cases, limits: &limits, modes: &modes, wanted: &wanted, progress };
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| job.optima(o))?;
     let work = optima.iter().fold(Work::default(), |mut w, o| {
         for stage in [o.optimum.stages.seeds, o.optimum.stages.search, o.optimum.stages.minimax] {
@@ -145,7 +147,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     };
     let appearing = systems.get(1).map_or_else(Vec::new, |misfiring| appearing(&systems[0].excitation, &misfiring.excitation));
     let method = methods[0].name();
-    drop(scenes);
+    drop(load_cases);
     drop(finders);
     drop(methods);
     let system = systems.swap_remove(0);
@@ -166,11 +168,11 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     })
 }
 
-/// A condition as scenes of a design problem: one for each cylinder that may misfire.
-fn scenes<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<Scene<'a>> {
+/// A condition as load cases of a design problem: one for each cylinder that may misfire.
+fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
     let of = if condition == Condition::Misfire { &finders[1..] } else { &finders[..1] };
     let cylinder = |i| (condition == Condition::Misfire).then_some(i);
-    of.iter().enumerate().map(|(i, finder)| Scene { condition, cylinder: cylinder(i), finder }).collect()
+    of.iter().enumerate().map(|(i, finder)| LoadCase { condition, cylinder: cylinder(i), finder }).collect()
 }
 
 /// The study's method; receptances are tabulated for what is searched.
@@ -188,11 +190,19 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
             unique.push(q);
         }
     }
-    Method::Receptance(Receptance::new(system, grid, study.hub, &unique))
+    match &study.optimise {
+        Some(spec) if spec.absorbers.len() > 1 => {
+            let mut stations: Vec<usize> = (0..spec.absorbers.len()).map(|i| spec.station(i)).collect();
+            stations.sort_unstable();
+            stations.dedup();
+            Method::Joint(JointReceptance::new(system, grid, &stations, &unique))
+        }
+        _ => Method::Receptance(Receptance::new(system, grid, study.hub, &unique)),
+    }
 }
 
 /// What searches are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
-fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Option<Choice> {
+fn choice(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder) -> Option<Choice> {
     match finder.method {
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
             Some(choice::choose(study, modes, finder, r))
@@ -201,11 +211,11 @@ fn choice(study: &Study, modes: &[EngineMode], finder: &PeakFinder) -> Option<Ch
     }
 }
 
-/// A finder that searches may ask for quick peaks, as chosen.
-fn quick<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> PeakFinder<'a> {
-    match (choice.map(|c| c.chosen.way), study.objective.measure.synthesised(), finder.method) {
-        (Some(Way::Tables(stride)), Some(quantity), Method::Receptance(r)) => {
-            finder.with_quick(Quick::new(r, quantity, stride), quantity, study.tolerance)
+/// A finder that searches may ask for surrogate peaks, as chosen.
+fn surrogate<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> PeakFinder<'a> {
+    match (choice.map(|c| c.chosen.strategy), study.objective.measure.synthesised(), finder.method) {
+        (Some(Strategy::Tables(stride)), Some(quantity), Method::Receptance(r)) => {
+            finder.with_surrogate(Surrogate::new(r, quantity, stride), quantity, study.tolerance)
         }
         _ => finder,
     }
@@ -214,16 +224,16 @@ fn quick<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> 
 struct Job<'a> {
     study: &'a Study,
     finders: &'a [PeakFinder<'a>],
-    scenes: &'a [Scene<'a>],
+    load_cases: &'a [LoadCase<'a>],
     limits: &'a [Limit],
-    modes: &'a [EngineMode],
+    modes: &'a [Vec<EngineMode>],
     wanted: &'a Wanted<'a>,
     progress: &'a dyn Progress,
 }
 
 impl Job<'_> {
     fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
-        Problem { scenes: self.scenes, space, objective: &self.study.objective_of(objective).measure, limits: self.limits }
+        Problem { load_cases: self.load_cases, space, objective: &self.study.objective_of(objective).measure, limits: self.limits }
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
@@ -231,7 +241,7 @@ impl Job<'_> {
         let mut list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
         if spec.random_starts > 0 {
             let points = starts::random_points(space, &list[0].1, SCREENED, spec.seed);
-            if let Some(best) = self.finders[0].best_of(points.iter().map(|w| space.absorber(w)), &self.study.objective.measure) {
+            if let Some(best) = self.finders[0].best_of(points.iter().map(|w| space.design(w)), &self.study.objective.measure) {
                 list.push((format!("best of {SCREENED}"), points[best].clone()));
             }
         }
@@ -239,45 +249,45 @@ impl Job<'_> {
     }
 
     fn optima(&self, spec: &OptimiseSpec) -> Result<Vec<OptimumResult>, RunError> {
-        let mut families: Vec<(String, Space, usize)> =
-            families::wanted(&spec.absorber, self.modes).into_iter().map(|(name, space)| (name, space, 0)).collect();
-        let is_main = |name: &str| spec.absorber.kinds.iter().any(|k| name == format!("optimum_{}", k.name()));
+        let mut families: Vec<(Family, usize)> = families::wanted(spec, self.modes).into_iter().map(|family| (family, 0)).collect();
         // the main size of each type once more for every other objective
         for (i, objective) in self.study.more_objectives.iter().enumerate() {
-            let main: Vec<_> = families.iter().filter(|f| is_main(&f.0)).cloned().collect();
-            families.extend(main.into_iter().map(|(name, space, _)| (format!("{name}_by_{}", objective.word), space, i + 1)));
+            let main: Vec<Family> = families.iter().filter(|f| f.0.is_main && f.1 == 0).map(|f| f.0.clone()).collect();
+            families.extend(main.into_iter().map(|f| (Family { name: format!("{}_by_{}", f.name, objective.word), ..f }, i + 1)));
         }
-        let count = families.iter().map(|f| self.starts(spec, &f.1).len()).sum();
+        let count = families.iter().map(|f| self.starts(spec, &f.0.space).len()).sum();
         self.progress.stage("optima", count);
         let step = || self.progress.step();
         families
             .into_par_iter()
-            .map(|(name, space, objective)| {
-                let main = objective > 0 || is_main(&name);
+            .map(|(Family { name, space, is_main: main }, objective)| {
                 let failed = |error: ResponseError| RunError { what: name.clone(), error };
                 let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
                 let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
-                let mounted = std::slice::from_ref(&optimum.design);
+                let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);
                 let nature = |r: &Row| {
-                    let scene = &self.scenes[r.scene];
-                    classifier.nature(scene.finder, &scene.condition.absorbers(mounted), &r.peak)
+                    let load_case = &self.load_cases[r.load_case];
+                    classifier.nature(load_case.finder, &load_case.condition.absorbers(mounted), &r.peak)
                 };
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
-                let scene = |r: &Row| (self.scenes[r.scene].condition, self.scenes[r.scene].cylinder);
-                let scenes = optimum.outcome.rows.rows.iter().map(scene).collect();
-                Ok(OptimumResult { design: design?, optimum, natures, scenes, main, objective })
+                let load_case = |r: &Row| {
+                    let load_case = &self.load_cases[r.load_case];
+                    RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
+                };
+                let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
+                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, objective })
             })
             .collect()
     }
 
-    /// The study's other objectives for a design, at their worst in the scenes.
-    fn others(&self, mounted: &Mounted) -> Result<Vec<f64>, ResponseError> {
+    /// The study's other objectives for a design, at their worst in the load cases.
+    fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
         let value = |measure: &Measure| {
-            let peak = |s: &Scene| s.finder.peak(&s.condition.absorbers(std::slice::from_ref(mounted)), measure, &mut Work::default());
-            self.scenes.iter().try_fold(0.0, |worst, s| Ok(f64::max(worst, peak(s)?.map_or(0.0, |p| p.value))))
+            let peak = |s: &LoadCase| s.finder.peak(&s.condition.absorbers(design), measure, &mut Work::default());
+            self.load_cases.iter().try_fold(0.0, |worst, s| Ok(f64::max(worst, peak(s)?.map_or(0.0, |p| p.value))))
         };
         self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
     }
@@ -285,19 +295,21 @@ impl Job<'_> {
     fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
         let Some(wanted) = &self.study.front else { return Ok(Vec::new()) };
         let mut results = Vec::new();
-        for &kind in &spec.absorber.kinds {
-            self.progress.stage(&format!("front, {}", kind.name()), 2 * wanted.inertias.len());
-            let space = families::family(&spec.absorber, kind, Some(wanted.inertias[0]), self.modes);
+        for types in families::types(spec) {
+            // a front is of one absorber: validation sees to it
+            let declaration = types[0];
+            self.progress.stage(&format!("front, {}", declaration.name), 2 * wanted.inertias.len());
+            let space = families::family(spec, &families::Choice { types, rings: vec![Some(wanted.inertias[0])] }, self.modes);
             let problem = self.problem(space, 0);
             let step = || self.progress.step();
             let front = front::follow(&problem, &wanted.inertias, |s| self.starts(spec, s), &step)
-                .map_err(|error| RunError { what: format!("front of {} absorbers", kind.name()), error })?;
-            clock.lap(&format!("front_{}", kind.name()), front.work);
+                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
+            clock.lap(&format!("front_{}", declaration.name), front.work);
             let others = front.points.par_iter().map(|p| self.others(&p.design));
             let others = others
                 .collect::<Result<Vec<_>, _>>()
-                .map_err(|error| RunError { what: format!("front of {} absorbers", kind.name()), error })?;
-            results.push(FrontResult { kind, front, others });
+                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
+            results.push(FrontResult { declaration, front, others });
         }
         Ok(results)
     }

@@ -2,8 +2,9 @@
 
 use super::methods::Candidate;
 use super::stability::{self, Scenario};
+use crate::absorber::mounted::station_of;
 use crate::numerics::C64;
-use crate::response::power::{self, Bodies, Power, powers};
+use crate::response::power::{self, Motion, Power, powers};
 use crate::response::{Exponential, Grid, Modal, Newmark, Receptance, ResponseError, Work};
 use nalgebra::DMatrix;
 
@@ -49,14 +50,12 @@ fn of_scenario(s: &Scenario) -> Vec<Balance> {
             put(candidate.method(), "dampers of the system", powers(method.as_ref(), &s.design, None, &mut work));
         }
     }
-    let tables = Receptance::new(&s.system, &grid, s.design[0].station, &power::quantities(s.system.chain.len(), s.design.len()));
+    let tables = Receptance::new(&s.system, &grid, station_of(&s.design, 0), &power::quantities(s.system.chain.len(), s.design.len()));
     put("receptance", "dampers of the system", powers(&tables, &s.design, None, &mut work));
     let modal = Modal::new(&s.system, &grid);
     let (viscous, hysteretic) = modal.own_damping(&s.design);
-    let own = |omega: f64, bodies: &Bodies| {
-        // rings follow the stations, at their hub's angle and their twist
-        let rings = s.design.iter().zip(&bodies.rings).map(|(m, twist)| bodies.stations[m.station] + twist);
-        let angles: Vec<C64> = bodies.stations.iter().copied().chain(rings).collect();
+    let own = |omega: f64, motion: &Motion| {
+        let angles = motion.angles(&s.design);
         0.5 * omega * omega * quadratic(&viscous, &angles) + 0.5 * omega * quadratic(&hysteretic, &angles)
     };
     put("modal", "its own damping matrix", powers(&modal, &s.design, Some(&own), &mut work));

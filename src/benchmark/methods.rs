@@ -1,6 +1,7 @@
 //! The response methods with their settings, as `chart` compares them.
 
 use crate::absorber::Mounted;
+use crate::absorber::mounted::station_of;
 use crate::drivetrain::System;
 use crate::response::{ClosedForm, Dense, Direct, Exponential, Grid, Holzer, Modal, Newmark, Quantity, Receptance, Reduced, Response};
 
@@ -92,7 +93,7 @@ impl Candidate {
 
     /// The method for a system; nothing where it has none (a closed form without an elastic mode). `design`: one it is to be used for.
     pub fn build<'a>(self, system: &'a System, grid: &'a Grid, design: &[Mounted], quantity: Quantity) -> Option<Box<dyn Response + 'a>> {
-        let station = design.first().map_or(0, |m| m.station);
+        let station = if design.is_empty() { 0 } else { station_of(design, 0) };
         Some(match self {
             Self::Direct => Box::new(Direct::new(system, grid)),
             Self::Receptance => Box::new(Receptance::new(system, grid, station, &[quantity])),

@@ -1,21 +1,23 @@
-//! What skipping and choosing save on a study, and how honest the estimate of quick peaks is: over random absorbers, against exact peaks.
+//! What skipping and choosing save on a study, and how honest the estimate of surrogate peaks is: over random absorbers, against exact peaks.
 
-use super::speed_accuracy::median_seconds;
+use super::smaller_models::{self, SmallerModel};
+use super::speed_accuracy::REPEATS;
 use crate::absorber::Mounted;
-use crate::analysis::choice::{self, Choice, Way};
+use crate::analysis::choice::{self, Choice, Strategy};
+use crate::analysis::timing::median_seconds;
 use crate::analysis::{RunError, audit, families};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::Study;
-use crate::objective::surrogate::{Estimated, Quick, Scratch};
+use crate::objective::surrogate::{Estimated, Surrogate, Scratch};
 use crate::objective::{Measure, Over, PeakFinder};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Errors of quick peaks against exact ones.
+/// Errors of surrogate peaks against exact ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Honesty {
+pub struct Coverage {
     /// Designs that tables answer for.
     pub designs: usize,
     /// Those whose estimated error is within the tolerance of the study: the others are evaluated exactly.
@@ -42,14 +44,16 @@ pub struct Cost {
 pub struct Savings {
     /// What `auto` chooses here.
     pub choice: Choice,
+    /// What methods with smaller models would cost and err.
+    pub smaller_models: Vec<SmallerModel>,
     /// Every speed summed, every local maximum refined.
     pub full: Cost,
     /// Only what can win.
     pub skipping: Cost,
     /// Whether both found the same peaks, to the last bit.
     pub identical: bool,
-    /// By the chosen tables (exactly where the estimate asks for it), with the honesty of the estimate; nothing where `auto` stays exact.
-    pub quick: Option<(Cost, Honesty)>,
+    /// By the chosen tables (exactly where the estimate asks for it), with the coverage of the estimate; nothing where `auto` stays exact.
+    pub surrogate: Option<(Cost, Coverage)>,
     /// Designs a second on all threads: the peak of every design, and the best of all designs where others are given up early.
     pub designs_per_second: Option<(f64, f64)>,
     /// Whether the best design is the same when others are given up early.
@@ -99,7 +103,7 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let failed = |error| RunError { what: "random absorbers".into(), error };
     let (Some(spec), Some(quantity)) = (&study.optimise, study.objective.measure.synthesised()) else { return Ok(None) };
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let modes = families::engine_modes(study, &spec.absorber, audit::highest_frequency_hz(study, &excitation.orders));
+    let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
     let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&system, &grid, study.hub, &[quantity]));
@@ -108,22 +112,23 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let (Method::Receptance(receptance), false) = (&method, designs.is_empty()) else { return Ok(None) };
     let choice = choice::choose(study, &modes, &finder, receptance);
     let (full, skipping, identical) = skipping(&finder, &designs[..IN_FULL], quantity).map_err(failed)?;
-    let quick = match choice.chosen.way {
-        Way::Tables(stride) => Quick::new(receptance, quantity, stride),
+    let surrogate = match choice.chosen.strategy {
+        Strategy::Tables(stride) => Surrogate::new(receptance, quantity, stride),
         _ => None,
     };
-    let answered = quick.as_ref().map(|q| honesty(q, &finder, &designs, quantity, study.tolerance)).transpose().map_err(failed)?;
-    let rate = quick.as_ref().map(|q| rates(q, &designs));
+    let answered = surrogate.as_ref().map(|q| coverage(q, &finder, &designs, quantity, study.tolerance)).transpose().map_err(failed)?;
+    let rate = surrogate.as_ref().map(|q| rates(q, &designs));
     Ok(Some(Savings {
         full,
         skipping,
         identical,
-        quick: answered,
+        surrogate: answered,
         designs_per_second: rate.map(|r| (r.0, r.1)),
         same_best: rate.is_none_or(|r| r.2),
         threads: rayon::current_num_threads(),
         point: point(&method, &designs[0], quantity).map_err(failed)?,
         sweep: sweep(&system, study, &designs[0], quantity).map_err(failed)?,
+        smaller_models: smaller_models::estimates(study, &finder, &choice::named_designs(study, &designs), quantity),
         choice,
     }))
 }
@@ -156,25 +161,25 @@ fn mean(work: &Work, designs: usize) -> Work {
     }
 }
 
-/// Quick peaks of designs against exact ones, and what a design costs.
+/// Surrogate peaks of designs against exact ones, and what a design costs.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub fn honesty(
-    quick: &Quick,
+pub fn coverage(
+    surrogate: &Surrogate,
     finder: &PeakFinder,
     designs: &[Mounted],
     quantity: Quantity,
     tolerance: f64,
-) -> Result<(Cost, Honesty), ResponseError> {
-    let taken: Vec<&Mounted> = designs.iter().filter(|m| quick.takes(m)).collect();
+) -> Result<(Cost, Coverage), ResponseError> {
+    let taken: Vec<&Mounted> = designs.iter().filter(|m| surrogate.takes(m)).collect();
     let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
     let exact = |m: &&Mounted| finder.peak(std::slice::from_ref(*m), &measure, &mut Work::default()).map(|p| p.map_or(0.0, |p| p.value));
     let exact: Vec<f64> = taken.par_iter().map(exact).collect::<Result<_, _>>()?;
     let (mut scratch, mut work, start) = (Scratch::default(), Work::default(), Instant::now());
     let mut found: Vec<Estimated> = Vec::new();
     for m in &taken {
-        let mut peak = quick.peak(m, &mut scratch, &mut work);
+        let mut peak = surrogate.peak(m, &mut scratch, &mut work);
         found.push(peak);
         if peak.error > tolerance {
             peak.value = finder.peak(std::slice::from_ref(*m), &measure, &mut work)?.map_or(0.0, |p| p.value);
@@ -185,23 +190,23 @@ pub fn honesty(
     let mut ratios: Vec<f64> = found.iter().zip(&errors).map(|(f, e)| f.error / e.max(f64::EPSILON)).collect();
     ratios.sort_by(f64::total_cmp);
     let pairs = || found.iter().zip(&errors);
-    let honesty = Honesty {
+    let coverage = Coverage {
         designs: taken.len(),
         accepted: pairs().filter(|(f, _)| f.error <= tolerance).count(),
         within: pairs().filter(|(f, e)| f.error <= tolerance && **e <= tolerance).count(),
         exceeded: pairs().filter(|(f, e)| **e > f.error).count(),
         ratio: ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN),
     };
-    Ok((Cost { seconds, work: mean(&work, taken.len().max(1)) }, honesty))
+    Ok((Cost { seconds, work: mean(&work, taken.len().max(1)) }, coverage))
 }
 
 /// Designs a second on all threads: every peak, and the best one only; whether both have the same best.
-fn rates(quick: &Quick, designs: &[Mounted]) -> (f64, f64, bool) {
+fn rates(surrogate: &Surrogate, designs: &[Mounted]) -> (f64, f64, bool) {
     let share = designs.len().div_ceil(rayon::current_num_threads());
     let start = Instant::now();
     let lowest = |part: &[Mounted]| {
         let mut scratch = Scratch::default();
-        part.iter().map(|m| quick.peak(m, &mut scratch, &mut Work::default()).value).fold(f64::INFINITY, f64::min)
+        part.iter().map(|m| surrogate.peak(m, &mut scratch, &mut Work::default()).value).fold(f64::INFINITY, f64::min)
     };
     let all = designs.par_chunks(share).map(lowest).reduce(|| f64::INFINITY, f64::min);
     let every = designs.len() as f64 / start.elapsed().as_secs_f64();
@@ -211,7 +216,7 @@ fn rates(quick: &Quick, designs: &[Mounted]) -> (f64, f64, bool) {
         for _ in 0..ROUNDS {
             best = f64::INFINITY;
             for m in part {
-                if let Some(found) = quick.peak_below(m, best, &mut scratch, &mut Work::default()) {
+                if let Some(found) = surrogate.peak_below(m, best, &mut scratch, &mut Work::default()) {
                     best = best.min(found.value);
                 }
             }
@@ -225,7 +230,7 @@ fn rates(quick: &Quick, designs: &[Mounted]) -> (f64, f64, bool) {
 /// Seconds a point of the squares of the magnitudes of one quantity.
 fn point(method: &Method, mounted: &Mounted, quantity: Quantity) -> Result<f64, ResponseError> {
     let (mut out, mut work) = (Vec::new(), Work::default());
-    let seconds = median_seconds(|| method.squares(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
+    let seconds = median_seconds(REPEATS, || method.squares(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
     Ok(seconds / out.len() as f64)
 }
 
@@ -234,6 +239,6 @@ fn sweep(system: &System, study: &Study, mounted: &Mounted, quantity: Quantity) 
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let grid = Grid::new(&(0..SPEEDS).map(|i| first + (last - first) * i as f64 / (SPEEDS - 1) as f64).collect::<Vec<_>>(), &[]);
     let (direct, mut out, mut work) = (Direct::new(system, &grid), Vec::new(), Work::default());
-    let seconds = median_seconds(|| direct.sweep(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
+    let seconds = median_seconds(REPEATS, || direct.sweep(std::slice::from_ref(mounted), quantity, &mut out, &mut work))?;
     Ok(Sweep { seconds, orders: system.orders(), speeds: SPEEDS, stations: system.chain.len() })
 }

@@ -1,8 +1,11 @@
 //! What each response method costs and how wrong it is: seconds per design against the error of its peak twist, and how cost grows.
 
 use super::methods::Candidate;
-use crate::absorber::{Kind, Mounted, Ring, seeds};
-use crate::analysis::choice::{Considered, STRIDES, Way};
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::mounted::station_of;
+use crate::absorber::{Absorber, Mounted, Tuned};
+use crate::analysis::choice::{Considered, STRIDES, Strategy};
+use crate::analysis::timing::{Repeats, median_seconds};
 use crate::analysis::{Progress, RunError, audit, families};
 use crate::drivetrain::{Chain, Station, System};
 use crate::engine::Excitation;
@@ -10,10 +13,10 @@ use crate::input::Study;
 use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
-use crate::objective::surrogate::{Quick, Scratch};
+use crate::objective::surrogate::{Surrogate, Scratch};
 use crate::objective::{Measure, Over, PeakFinder};
+use crate::optimise::{Slot, Space};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
-use std::time::Instant;
 
 /// How the peak over speed is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,44 +76,44 @@ pub struct SpeedAccuracy {
 
 /// Numbers of speeds tried.
 const SPEEDS: [usize; 6] = [14, 27, 53, 105, 261, 521];
-/// Seconds spent on one measurement at least, and most repetitions.
-const LEAST_SECONDS: f64 = 0.02;
-const MOST_REPEATS: usize = 25;
+/// Of one measurement.
+pub(super) const REPEATS: Repeats = Repeats { least: 3, most: 25, seconds: 0.02 };
 /// Local maxima that are refined.
 const REFINED: usize = 3;
-/// Quick peaks timed together.
+/// Surrogate peaks timed together.
 const REPEATED: usize = 20;
-
-pub(super) fn median_seconds(mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
-    let (begun, mut times) = (Instant::now(), Vec::new());
-    while times.len() < 3 || (begun.elapsed().as_secs_f64() < LEAST_SECONDS && times.len() < MOST_REPEATS) {
-        let start = Instant::now();
-        once()?;
-        times.push(start.elapsed().as_secs_f64());
-    }
-    times.sort_by(f64::total_cmp);
-    Ok(times[times.len() / 2])
-}
 
 /// Probe designs: those of the study with one absorber, and the closed-form optima for the ring of the optimum.
 fn probes(study: &Study, excitation: &Excitation) -> Vec<(String, Vec<Mounted>)> {
     let given = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| (d.name.clone(), d.absorbers.clone()));
     let mut list: Vec<_> = given.collect();
-    if let Some(o) = &study.optimise {
-        let modes = families::engine_modes(study, &o.absorber, audit::highest_frequency_hz(study, &excitation.orders));
-        for (kind, rule) in [(Kind::Tuned, seeds::Rule::HInfinity), (Kind::Viscous, seeds::Rule::ViscousUntuned)] {
-            let space = families::family(&o.absorber, kind, None, &modes);
-            if let Some(engine) = modes.first() {
-                let ring = space.absorber(&space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect::<Vec<_>>()).absorber.ring_inertia();
-                let absorber = rule.absorber(ring, *engine);
-                list.push((
-                    format!("seed_{}", kind.name()),
-                    vec![Mounted { station: space.station, hub_inertia: space.hub_inertia, absorber }],
-                ));
+    if let Some(spec) = &study.optimise {
+        let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+        for types in families::types(spec) {
+            let rings = vec![None; types.len()];
+            let space = families::family(spec, &families::Choice { types, rings }, &modes);
+            if let Some(design) = closed_form(&space, &modes) {
+                list.push((format!("closed_form_{}", families::joined(&space.slots.iter().map(|s| s.declaration).collect::<Vec<_>>())), design));
             }
         }
     }
     list
+}
+
+/// Every absorber of a family by a closed form for the first mode, its ring in the middle of its bounds; nothing where a type has none.
+fn closed_form(space: &Space, modes: &[Vec<EngineMode>]) -> Option<Vec<Mounted>> {
+    let middle = space.design(&space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect::<Vec<_>>());
+    let values = |(i, slot): (usize, &Slot)| {
+        let form = slot.declaration.closed_forms.iter().rfind(|f| f.every_mode)?;
+        Some((form.values)(middle[i].absorber.ring_inertia(), *modes[i].first()?))
+    };
+    let values: Vec<Vec<f64>> = space.slots.iter().enumerate().map(values).collect::<Option<_>>()?;
+    let mounted = |(slot, values): (&Slot, &Vec<f64>)| Mounted {
+        on: slot.on,
+        hub_inertia: slot.hub_inertia,
+        absorber: Absorber::Ring((slot.declaration.build)(values)),
+    };
+    Some(space.slots.iter().zip(&values).map(mounted).collect())
 }
 
 /// Speed and value of the peak of a synthesised quantity by one method, on the method's grid and, with `refine`, between its speeds.
@@ -196,34 +199,34 @@ fn ways(
     (probes, exact): (&[(String, Vec<Mounted>)], &[f64]),
 ) -> Result<Vec<Considered>, ResponseError> {
     let Some(first) = probes.first() else { return Ok(Vec::new()) };
-    let station = first.1[0].station;
+    let station = station_of(&first.1, 0);
     let method = Method::Receptance(Receptance::new(system, grid, station, &[study.twist]));
     let finder = PeakFinder::new(system, grid, &method, true);
     let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
-    let seconds = median_seconds(|| finder.peak(&first.1, &measure, &mut Work::default()).map(|_| ()))?;
+    let seconds = median_seconds(REPEATS, || finder.peak(&first.1, &measure, &mut Work::default()).map(|_| ()))?;
     // the reference sweeps by direct solutions, this way by receptances
     let mut error = 0.0;
     for ((_, design), exact) in probes.iter().zip(exact) {
         let found = finder.peak(design, &measure, &mut Work::default())?.map_or(0.0, |p| p.value);
         error = f64::max(error, (found / exact - 1.0).abs());
     }
-    let mut list = vec![Considered { way: Way::Exact, seconds, error }];
+    let mut list = vec![Considered { strategy: Strategy::Exact, seconds, error }];
     let Method::Receptance(receptance) = &method else { return Ok(list) };
     for stride in STRIDES {
-        let Some(quick) = Quick::new(receptance, study.twist, stride) else { continue };
+        let Some(surrogate) = Surrogate::new(receptance, study.twist, stride) else { continue };
         let (mut scratch, mut work) = (Scratch::default(), Work::default());
         let mut error = 0.0;
-        for ((_, design), exact) in probes.iter().zip(exact).filter(|((_, d), _)| quick.takes(&d[0])) {
-            error = f64::max(error, (quick.peak(&design[0], &mut scratch, &mut work).value / exact - 1.0).abs());
+        for ((_, design), exact) in probes.iter().zip(exact).filter(|((_, d), _)| d.len() == 1 && surrogate.takes(&d[0])) {
+            error = f64::max(error, (surrogate.peak(&design[0], &mut scratch, &mut work).value / exact - 1.0).abs());
         }
         let mut once = || {
             // one is over too soon to be timed
             for _ in 0..REPEATED {
-                quick.peak(&first.1[0], &mut scratch, &mut work);
+                surrogate.peak(&first.1[0], &mut scratch, &mut work);
             }
             Ok(())
         };
-        list.push(Considered { way: Way::Tables(stride), seconds: median_seconds(&mut once)? / REPEATED as f64, error });
+        list.push(Considered { strategy: Strategy::Tables(stride), seconds: median_seconds(REPEATS, &mut once)? / REPEATED as f64, error });
     }
     Ok(list)
 }
@@ -250,7 +253,7 @@ fn point(
         worst = worst.and_then(|w: f64| found.map(|f| w.max((f.1 / exact - 1.0).abs())));
     }
     let once = || peak(method.as_ref(), synthesiser, &probes[0].1, study.twist, refine, &mut Work::default()).map(|_| ());
-    let seconds = median_seconds(once).unwrap_or(f64::NAN);
+    let seconds = median_seconds(REPEATS, once).unwrap_or(f64::NAN);
     Some(Point { candidate, search, seconds, error: worst })
 }
 
@@ -326,11 +329,11 @@ pub fn growth(progress: &dyn Progress) -> Vec<Growth> {
 /// Seconds of one sweep of one design, set-up aside.
 fn sweep_seconds(candidate: Candidate, system: &System, speeds: usize) -> Option<f64> {
     let grid = Grid::new(&(0..speeds).map(|i| 600.0 + 3000.0 * i as f64 / speeds as f64).collect::<Vec<_>>(), &[]);
-    let design = [Mounted { station: 0, hub_inertia: 0.0, absorber: Kind::Tuned.build(0.02, 5e4, 10.0) }];
+    let design = [Mounted::on_station(0, Tuned { ring_inertia: 0.02, stiffness: 5e4, damping: 10.0 })];
     let quantity = Quantity::Twist { from: 0, to: Some(system.chain.len() - 1) };
     let method = candidate.build(system, &grid, &design, quantity)?;
     let mut out = Vec::new();
-    median_seconds(|| method.sweep(&design, quantity, &mut out, &mut Work::default())).ok()
+    median_seconds(REPEATS, || method.sweep(&design, quantity, &mut out, &mut Work::default())).ok()
 }
 
 /// Slope of the logarithms, by least squares over the upper half of the points: small sizes pay for what does not grow.

@@ -4,7 +4,7 @@
 //! exact), rough within a tenth, wrong beyond. What a pair comes to must be what is declared of it; anything else is a defect.
 
 use super::methods::Candidate;
-use crate::absorber::{Kind, Mounted};
+use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
 use crate::drivetrain::{Chain, Station, System};
 use crate::engine::excitation::HarmonicTable;
 use crate::engine::{Engine, Excitation, Layout, Order, Source};
@@ -115,10 +115,6 @@ impl Scenario {
     }
 }
 
-fn absorber(station: usize, kind: Kind, ring_inertia: f64, stiffness: f64, damping: f64) -> Mounted {
-    Mounted { station, hub_inertia: 0.0, absorber: kind.build(ring_inertia, stiffness, damping) }
-}
-
 fn uniform(n: usize, inertia: f64, stiffness: f64, damping_to_ground: f64) -> Chain {
     let station = |i: usize| Station {
         name: format!("s{i}"),
@@ -187,7 +183,7 @@ pub fn scenarios() -> Vec<Scenario> {
     // 720 steps a cycle: 30 a period of the highest order, and more than the highest mode allows at the lowest speed
     let (unstable, unclosed) = (Refused("is unstable"), Refused("does not close"));
     let hub = Quantity::Twist { from: 0, to: Some(7) };
-    let tuned = absorber(0, Kind::Tuned, 0.076, 158e3, 34.2);
+    let tuned = Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 158e3, damping: 34.2 });
     let alone = [exact, receptance, Rough, Rough, Rough, near, Rough, exact];
     let of_six = |name, system: System, design: Vec<Mounted>, declared| Scenario {
         name,
@@ -221,14 +217,14 @@ pub fn scenarios() -> Vec<Scenario> {
     pole.stations[0].stiffness_to_ground = (1200.0 * RAD_PER_S_PER_RPM).powi(2);
     let to_ground = Quantity::Twist { from: 0, to: None };
     let nothing = Refused("resonance without damping");
-    let parallel = vec![absorber(0, Kind::Tuned, 0.03, 50e3, 10.0); 2];
+    let parallel = vec![Mounted::on_station(0, Tuned { ring_inertia: 0.03, stiffness: 50e3, damping: 10.0 }); 2];
     vec![
         of_six("no absorber", six(), vec![], alone),
-        of_six("tuned absorber", six(), vec![tuned], [exact, receptance, Wrong(0.1), Rough, Rough, near, Wrong(0.1), exact]),
+        of_six("tuned absorber", six(), vec![tuned.clone()], [exact, receptance, Wrong(0.1), Rough, Rough, near, Wrong(0.1), exact]),
         of_six(
             "viscous absorber",
             six(),
-            vec![absorber(0, Kind::Viscous, 0.076, 0.0, 105.1)],
+            vec![Mounted::on_station(0, Viscous { ring_inertia: 0.076, damping: 105.1 })],
             [exact, receptance, Rough, Rough, Rough, near, Wrong(0.5), exact],
         ),
         of_six(
@@ -243,41 +239,41 @@ pub fn scenarios() -> Vec<Scenario> {
             ..of_six(
                 "small ring, the second mode rules",
                 six_under(&[(24, 300.0)]),
-                vec![absorber(0, Kind::Tuned, 0.0076, 0.0076 * second * second, 3.0)],
+                vec![Mounted::on_station(0, Tuned { ring_inertia: 0.0076, stiffness: 0.0076 * second * second, damping: 3.0 })],
                 [exact, receptance, Wrong(0.5), Wrong(0.5), Rough, Rough, Wrong(0.1), exact],
             )
         },
         of_six(
             "ring without damper",
             six(),
-            vec![absorber(0, Kind::Undamped, 0.02, 60e3, 0.0)],
+            vec![Mounted::on_station(0, Undamped { ring_inertia: 0.02, stiffness: 60e3 })],
             [exact, receptance, Wrong(0.2), Wrong(0.1), Rough, near, Rough, exact],
         ),
-        of_six("ring held by nothing", six(), vec![absorber(0, Kind::Tuned, 0.076, 0.0, 0.0)], alone),
+        of_six("ring held by nothing", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 0.0, damping: 0.0 })], alone),
         Scenario {
             in_time: [Refused("a body has no inertia"); 4],
             ..of_six(
                 "a station without inertia",
                 massless,
-                vec![tuned],
+                vec![tuned.clone()],
                 [exact, receptance, Wrong(0.2), Rough, Rough, Rough, Wrong(0.1), exact],
             )
         },
         Scenario {
             name: "one station, free",
             system: System::new(uniform(1, 1.0, 0.0, 0.0), harmonics(&[(1, 1.0), (2, 0.5)])),
-            design: vec![absorber(0, Kind::Viscous, 0.1, 0.0, 3.0)],
+            design: vec![Mounted::on_station(0, Viscous { ring_inertia: 0.1, damping: 3.0 })],
             quantity: to_ground,
             speeds: range(500.0, 1500.0),
             known: None,
             declared: [exact, receptance, Refused("no elastic mode"), exact, exact, exact, Rough, exact],
             in_time: [near; 4],
         },
-        of_six("loose ring, 1e-12 of an inertia", six(), vec![absorber(0, Kind::Tuned, 1e-12, 1e-7, 1e-10)], alone),
+        of_six("loose ring, 1e-12 of an inertia", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 1e-12, stiffness: 1e-7, damping: 1e-10 })], alone),
         of_six(
             "heavy ring, 1000 kg m²",
             six(),
-            vec![absorber(0, Kind::Tuned, 1e3, 158e3, 34.2)],
+            vec![Mounted::on_station(0, Tuned { ring_inertia: 1e3, stiffness: 158e3, damping: 34.2 })],
             [exact, receptance, Wrong(0.5), Rough, Rough, Rough, Wrong(0.1), exact],
         ),
         Scenario {
@@ -285,13 +281,13 @@ pub fn scenarios() -> Vec<Scenario> {
             ..of_six(
                 "spring of 1e12 N m/rad",
                 six(),
-                vec![absorber(0, Kind::Tuned, 0.076, 1e12, 0.0)],
+                vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 1e12, damping: 0.0 })],
                 [Right(1e-6), Right(1e-6), Wrong(0.1), Rough, Rough, near, Rough, Right(1e-6)],
             )
         },
         Scenario {
             in_time: [Refused("loss factors have no meaning"); 4],
-            ..of_six("loss factors", lossy, vec![tuned], [exact, receptance, Wrong(0.1), Rough, Rough, near, Wrong(0.1), exact])
+            ..of_six("loss factors", lossy, vec![tuned.clone()], [exact, receptance, Wrong(0.1), Rough, Rough, near, Wrong(0.1), exact])
         },
         Scenario {
             quantity: Quantity::Twist { from: 0, to: Some(6) },
@@ -309,7 +305,7 @@ pub fn scenarios() -> Vec<Scenario> {
         Scenario {
             name: "Den Hartog's two masses",
             system: System::new(one, harmonics(&[(1, 1.0)])),
-            design: vec![absorber(0, Kind::Tuned, 0.1, 826.0, 3.0)],
+            design: vec![Mounted::on_station(0, Tuned { ring_inertia: 0.1, stiffness: 826.0, damping: 3.0 })],
             quantity: to_ground,
             speeds: range(500.0, 1500.0),
             known: None,

@@ -1,7 +1,7 @@
 //! `hartog check`: what a study means, without running it.
 
 use super::{DONE, fail, say};
-use crate::absorber::Ring;
+use crate::absorber::{Host, Mounted};
 use crate::analysis::audit;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
@@ -196,6 +196,23 @@ fn rod(g: &Geometry) -> String {
     }
 }
 
+fn host(study: &Study, on: Host) -> String {
+    match on {
+        Host::Station(station) => study.chain.stations[station].name.clone(),
+        Host::Ring(inner) => format!("the ring of absorber {}", inner + 1),
+    }
+}
+
+fn absorber(study: &Study, m: &Mounted) -> String {
+    let values: Vec<String> = match m.absorber.law() {
+        Some(law) => {
+            law.declaration().parameters.iter().zip(law.values()).map(|(p, v)| format!("{} {}", p.key, significant(v, 5))).collect()
+        }
+        None => vec![format!("ring_inertia_kg_m2 {}", significant(m.absorber.ring_inertia(), 5))],
+    };
+    format!("{} on {}: {}", m.absorber.type_name(), host(study, m.on), values.join(", "))
+}
+
 fn work(study: &Study, excitation: &Excitation) -> String {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let method = match study.method {
@@ -211,21 +228,7 @@ fn work(study: &Study, excitation: &Excitation) -> String {
         study.speeds_rpm.len()
     );
     for d in &study.designs {
-        let absorbers: Vec<String> = d
-            .absorbers
-            .iter()
-            .map(|m| {
-                let a = &m.absorber;
-                format!(
-                    "{} on {}: ring {} kg m², k {} N m/rad, c {} N m s/rad",
-                    a.kind().name(),
-                    study.chain.stations[m.station].name,
-                    significant(a.ring_inertia(), 5),
-                    significant(a.stiffness(), 5),
-                    significant(a.damping(), 5)
-                )
-            })
-            .collect();
+        let absorbers: Vec<String> = d.absorbers.iter().map(|m| absorber(study, m)).collect();
         let _ = writeln!(text, "  design {}: {}", d.name, if absorbers.is_empty() { "no absorber".into() } else { absorbers.join("; ") });
     }
     let _ = writeln!(text, "  objective: {}", study.objective.label);
@@ -251,12 +254,14 @@ fn work(study: &Study, excitation: &Excitation) -> String {
         let _ = writeln!(text, "  limit: {words}");
     }
     if let Some(o) = &study.optimise {
-        let kinds: Vec<&str> = o.absorber.kinds.iter().map(|k| k.name()).collect();
-        let size = match &o.absorber.size {
-            Size::Between(a, b) => format!("ring from {} to {} kg m²", significant(*a, 5), significant(*b, 5)),
-            Size::Each(list) => format!("ring of {} kg m²", list.iter().map(|j| significant(*j, 5)).collect::<Vec<_>>().join(", ")),
-        };
-        let _ = writeln!(text, "  optimise: {} on {}, {size}", kinds.join(" and "), study.chain.stations[o.absorber.station].name);
+        for a in &o.absorbers {
+            let types: Vec<&str> = a.types.iter().map(|t| t.name).collect();
+            let size = match &a.size {
+                Size::Between(a, b) => format!("ring from {} to {} kg m²", significant(*a, 5), significant(*b, 5)),
+                Size::Each(list) => format!("ring of {} kg m²", list.iter().map(|j| significant(*j, 5)).collect::<Vec<_>>().join(", ")),
+            };
+            let _ = writeln!(text, "  optimise: {} on {}, {size}", types.join(" and "), host(study, a.on));
+        }
     }
     if let Some(f) = &study.front {
         let _ = writeln!(

@@ -135,9 +135,8 @@ fn only_published_rings(study: &mut Study, published: &Published) {
     }
     let held = study.optimise.as_ref().map_or_else(Vec::new, |o| o.conditions.clone());
     study.conditions.retain(|c| held.contains(c));
-    if let Some(o) = &mut study.optimise
-        && let Size::Each(sizes) = &mut o.absorber.size
-    {
+    for absorber in study.optimise.iter_mut().flat_map(|o| &mut o.absorbers) {
+        let Size::Each(sizes) = &mut absorber.size else { continue };
         let is_published = |j: &f64| published.absorbers.iter().any(|a| a.ring_inertia.is_some_and(|r| (r / j - 1.0).abs() < 1e-9));
         if sizes.iter().any(is_published) {
             sizes.retain(is_published);

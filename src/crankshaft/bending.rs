@@ -1,8 +1,8 @@
-//! Local bending stress of every spot over the working cycle, at every speed of a sweep.
+//! Local bending stress of every location over the working cycle, at every speed of a sweep.
 
 use super::loads::{CrankLoads, CrankModel, InPlane};
 use super::stress_histories::Section as History;
-use super::{Crank, Family, Place, Spot};
+use super::{Crank, Family, Place, CriticalLocation};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::Cycle;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// What no absorber changes, in rows by speed.
 #[derive(Debug, Default)]
 pub struct Table {
-    /// Local bending stress of every spot, Pa.
+    /// Local bending stress of every location, Pa.
     pub bending: Vec<Vec<Cycle>>,
     /// Mean torque of every shaft, N m.
     pub mean_torque: Vec<Vec<f64>>,
@@ -23,12 +23,12 @@ pub struct Table {
 const APART: usize = 5;
 
 /// The table. Nothing where the torque comes from a table.
-pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], speeds_rpm: &[f64], with_histories: bool) -> Option<Table> {
+pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, locations: &[CriticalLocation], speeds_rpm: &[f64], with_histories: bool) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
-    // spots of one section share its loads
+    // locations of one section share its loads
     let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
-    for (i, spot) in spots.iter().enumerate() {
-        let section = Section::of(spot);
+    for (i, location) in locations.iter().enumerate() {
+        let section = Section::of(location);
         match sections.iter_mut().find(|s| s.0 == section) {
             Some(known) => known.1.push(i),
             None => sections.push((section, vec![i])),
@@ -36,11 +36,11 @@ pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, spots: &[Spot], spee
     }
     let row = |speed: &f64| {
         let loads = model.at(*speed);
-        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; spots.len()];
+        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; locations.len()];
         for (section, own) in &sections {
             let in_plane = section.loads(crank, &loads);
             for i in own {
-                local[*i] = stress(&spots[*i], &in_plane);
+                local[*i] = stress(&locations[*i], &in_plane);
             }
         }
         let webs = if with_histories { histories(crank, &loads) } else { Vec::new() };
@@ -74,12 +74,12 @@ enum Section {
 }
 
 impl Section {
-    fn of(spot: &Spot) -> Self {
-        match (spot.family, spot.place) {
+    fn of(location: &CriticalLocation) -> Self {
+        match (location.family, location.place) {
             // the rule has no other bending for the middle of the pin
-            (_, Place::OilBore) => Self::OwnPin(spot.throw),
-            (Family::Rule, _) => Self::OwnWeb(spot.throw, spot.rear),
-            (Family::Nominal | Family::UnitLoads | Family::RuleContinuous, _) => Self::Web(spot.throw, spot.rear),
+            (_, Place::OilBore) => Self::OwnPin(location.throw),
+            (Family::Rule, _) => Self::OwnWeb(location.throw, location.rear),
+            (Family::Nominal | Family::UnitLoads | Family::RuleContinuous, _) => Self::Web(location.throw, location.rear),
         }
     }
 
@@ -93,8 +93,8 @@ impl Section {
     }
 }
 
-fn stress(spot: &Spot, own: &InPlane) -> Cycle {
-    let at = |j: usize| spot.bending[0] * own.moment[j] + spot.bending[1] * own.tangential[j] + spot.radial * own.shear[j];
+fn stress(location: &CriticalLocation, own: &InPlane) -> Cycle {
+    let at = |j: usize| location.bending[0] * own.moment[j] + location.bending[1] * own.tangential[j] + location.radial * own.shear[j];
     let wider = |m: (f64, f64), v: f64| (m.0.min(v), m.1.max(v));
     let (low, high) = (0..own.moment.len()).map(at).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
     Cycle { amplitude: 0.5 * (high - low), mean: 0.5 * (high + low) }

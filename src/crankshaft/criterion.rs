@@ -1,6 +1,6 @@
 //! Fatigue margin of the crank over the speed range: bending of the webs, which no absorber changes, with the torque of the shafts, which it does.
 //!
-//! At a speed and spot the cycle of stress has amplitude sqrt(b_a² + 3 t_a²) and mean sqrt(b_m² + 3 t_m²), each from the extremes over the working cycle,
+//! At a speed and location the cycle of stress has amplitude sqrt(b_a² + 3 t_a²) and mean sqrt(b_m² + 3 t_m²), each from the extremes over the working cycle,
 //! whatever their phase \[Villalva 2014\] eqs. (7.29), (7.30), \[IACS UR M53\] section 5: never below the stress that phase would leave. Mean bending that
 //! presses a fillet together counts as none, unless the study wants it to count as the dissertation does (as tension).
 //!
@@ -16,7 +16,7 @@ use super::{Crank, Place};
 use crate::fatigue::multiaxial::{self, Limits};
 use crate::fatigue::{ClassRule, Criterion, Strength, class_rules};
 
-/// What judges a spot, and by which bending.
+/// What judges a location, and by which bending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Criteria of mean stress and multiaxial ones, with factors of nominal stress: the whole crank on all its bearings.
@@ -68,7 +68,7 @@ impl MarginCriterion {
         matches!(self, Self::IacsM53 | Self::IacsM53Continuous)
     }
 
-    /// Which spots it judges.
+    /// Which locations it judges.
     pub fn families(self) -> &'static [Family] {
         match self {
             Self::MeanStress(_) => &[Family::Nominal],

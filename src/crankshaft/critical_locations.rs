@@ -9,7 +9,7 @@ use crate::fatigue::endurance;
 
 /// A fillet (or oil bore) of one web.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Spot {
+pub struct CriticalLocation {
     /// Name with the number of the throw.
     pub name: String,
     /// From 0.
@@ -82,8 +82,8 @@ fn away(rear: bool) -> f64 {
     if rear { -1.0 } else { 1.0 }
 }
 
-/// All spots of a study; nothing where a throw has no shaft beside it.
-pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<Spot>> {
+/// All locations of a study; nothing where a throw has no shaft beside it.
+pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<CriticalLocation>> {
     let mut list = Vec::new();
     let by_fillets = spec.criteria.iter().any(|c| !c.is_class_rule());
     let notch = crank.notch();
@@ -115,7 +115,7 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
         };
         for throw in fillet.throws(crank) {
             for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
-                list.push(Spot {
+                list.push(CriticalLocation {
                     name: fillet.name_of(throw),
                     throw,
                     rear,
@@ -144,7 +144,7 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
         for throw in 0..crank.throws() {
             for (place, factors, nominal, diameter, radius) in &places {
                 for (rear, shaft) in sides(chain, crank.throws(), throw, *place)? {
-                    list.push(Spot {
+                    list.push(CriticalLocation {
                         name: format!("{}_{}", place.name(), throw + 1),
                         throw,
                         rear,
@@ -165,7 +165,7 @@ pub(super) fn spots(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<
 }
 
 /// Spots with stresses per unit load: every point on the webs of its fillet.
-fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(String, UnitLoads)]) -> Option<Vec<Spot>> {
+fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(String, UnitLoads)]) -> Option<Vec<CriticalLocation>> {
     let mut list = Vec::new();
     for throw in fillet.throws(crank) {
         for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
@@ -174,7 +174,7 @@ fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(Strin
                 let mirrored = |tensor: [f64; 6]| tensor.map(|s| away(rear) * s);
                 let unit_loads = UnitLoads { shear: mirrored(unit_loads.shear), torque: mirrored(unit_loads.torque), ..*unit_loads };
                 let name = fillet.name_of(throw);
-                list.push(Spot {
+                list.push(CriticalLocation {
                     name: if points.len() == 1 { name } else { format!("{name}:{point}") },
                     throw,
                     rear,

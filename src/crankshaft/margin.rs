@@ -1,9 +1,9 @@
-//! How much of its strength every spot uses, at any speed, under the torque that a design leaves.
+//! How much of its strength every location uses, at any speed, under the torque that a design leaves.
 
-use super::critical_locations::spots;
+use super::critical_locations::locations;
 use super::speed_table::At;
 use super::stress_histories::Histories;
-use super::{Crank, Family, FatigueSpec, MarginCriterion, MeanBending, Place, Spot, bending};
+use super::{Crank, Family, FatigueSpec, MarginCriterion, MeanBending, Place, CriticalLocation, bending};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
@@ -19,11 +19,11 @@ pub struct Torque<'a> {
     pub phasors: &'a [C64],
 }
 
-/// A spot with what it bears.
+/// A location with what it bears.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Used {
-    /// Index of the spot.
-    pub spot: usize,
+    /// Index of the location.
+    pub location: usize,
     /// Share of the strength that is used: the inverse of the margin.
     pub value: f64,
     /// Its derivatives by half peak-to-peak and middle of the torque, 1/(N m); none by a multiaxial criterion, which asks for the whole torque.
@@ -38,13 +38,13 @@ pub struct Margin {
     /// Criteria, in the study's order.
     pub criteria: Vec<MarginCriterion>,
     /// Fillets for criteria of mean stress and multiaxial ones (with factors, and with stresses per unit load, as the study lists them), then those of the class rule.
-    pub spots: Vec<Spot>,
+    pub locations: Vec<CriticalLocation>,
     strength: Strength,
     mean_bending: MeanBending,
     rule: ClassRule,
     /// Squares of the speeds, rpm².
     squares: Vec<f64>,
-    /// Local bending stress at each speed (rows) and spot, Pa.
+    /// Local bending stress at each speed (rows) and location, Pa.
     bending: Vec<Vec<Cycle>>,
     /// Mean torque of each shaft at each speed (rows), N m.
     mean_torque: Vec<Vec<f64>>,
@@ -58,16 +58,16 @@ impl Margin {
     /// For the speeds (ascending, rpm) of a sweep and the harmonics of its torque in the cycle; between speeds bending is linear in the square of the speed, the chord of a curve that bends upwards.
     /// Nothing where the torque comes from a table or a throw has no shaft beside it.
     pub fn new(engine: &Engine, chain: &Chain, crank: &Crank, spec: &FatigueSpec, speeds_rpm: &[f64], harmonics: &[u32]) -> Option<Self> {
-        let spots = spots(chain, crank, spec)?;
+        let locations = locations(chain, crank, spec)?;
         let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
-        let table = bending::table(engine, chain, crank, &spots, speeds_rpm, multiaxial)?;
-        let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &spots, table.histories));
+        let table = bending::table(engine, chain, crank, &locations, speeds_rpm, multiaxial)?;
+        let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &locations, table.histories));
         let own =
-            |shaft: usize, family: Family| (0..spots.len()).filter(|i| spots[*i].shaft == shaft && spots[*i].family == family).collect();
+            |shaft: usize, family: Family| (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect();
         let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
         Some(Self {
             criteria: spec.criteria.clone(),
-            spots,
+            locations,
             strength: spec.strength,
             mean_bending: spec.mean_bending,
             rule: spec.rule,
@@ -95,9 +95,9 @@ impl Margin {
         [multiaxial::Criterion::DangVanPlane, multiaxial::Criterion::DangVanMesoscopic].map(MarginCriterion::Multiaxial).contains(&by)
     }
 
-    /// Whether a spot is judged by a criterion.
-    pub fn judges(&self, criterion: usize, spot: usize) -> bool {
-        self.criteria[criterion].families().contains(&self.spots[spot].family)
+    /// Whether a location is judged by a criterion.
+    pub fn judges(&self, criterion: usize, location: usize) -> bool {
+        self.criteria[criterion].families().contains(&self.locations[location].family)
     }
 
     /// Mean torque of every shaft at a speed, N m.
@@ -114,20 +114,20 @@ impl Margin {
         At { low, high: low + 1, fraction }
     }
 
-    /// A spot under a torque at a speed.
-    pub fn used(&self, criterion: usize, spot: usize, speed_rpm: f64, torque: &Torque) -> Used {
-        self.used_each(criterion, &[spot], speed_rpm, torque).swap_remove(0)
+    /// A location under a torque at a speed.
+    pub fn used(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Used {
+        self.used_each(criterion, &[location], speed_rpm, torque).swap_remove(0)
     }
 
-    /// Some spots of one shaft under its torque at a speed.
-    pub fn used_each(&self, criterion: usize, spots: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
+    /// Some locations of one shaft under its torque at a speed.
+    pub fn used_each(&self, criterion: usize, locations: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
         let at = self.place(speed_rpm);
-        match (self.multiaxial(criterion), spots.first()) {
+        match (self.multiaxial(criterion), locations.first()) {
             (Some(by), Some(first)) => {
-                let whole = by.1.torque(torque.phasors, self.mean_at(at, self.spots[*first].shaft));
-                spots.iter().map(|spot| self.used_by_history(by, *spot, at, &whole)).collect()
+                let whole = by.1.torque(torque.phasors, self.mean_at(at, self.locations[*first].shaft));
+                locations.iter().map(|location| self.used_by_history(by, *location, at, &whole)).collect()
             }
-            _ => spots.iter().map(|spot| self.used_at(criterion, *spot, at, &torque.extremes)).collect(),
+            _ => locations.iter().map(|location| self.used_at(criterion, *location, at, &torque.extremes)).collect(),
         }
     }
 
@@ -142,14 +142,14 @@ impl Margin {
         at.between(self.mean_torque[at.low][shaft], self.mean_torque[at.high][shaft])
     }
 
-    fn used_by_history(&self, (criterion, histories): (multiaxial::Criterion, &Histories), spot: usize, at: At, torque: &[f64]) -> Used {
-        let value = histories.used(criterion, &histories.history(&self.spots[spot], at, torque));
-        Used { spot, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
+    fn used_by_history(&self, (criterion, histories): (multiaxial::Criterion, &Histories), location: usize, at: At, torque: &[f64]) -> Used {
+        let value = histories.used(criterion, &histories.history(&self.locations[location], at, torque));
+        Used { location, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
     }
 
-    fn used_at(&self, criterion: usize, spot: usize, at: At, torque: &Extremes) -> Used {
-        let s = &self.spots[spot];
-        let (low, high) = (&self.bending[at.low][spot], &self.bending[at.high][spot]);
+    fn used_at(&self, criterion: usize, location: usize, at: At, torque: &Extremes) -> Used {
+        let s = &self.locations[location];
+        let (low, high) = (&self.bending[at.low][location], &self.bending[at.high][location]);
         let bending = Cycle { amplitude: at.between(low.amplitude, high.amplitude), mean: at.between(low.mean, high.mean) };
         let mean_torque = self.mean_at(at, s.shaft);
         let twisting = Cycle { amplitude: torque.half_peak_to_peak * s.torsion, mean: (torque.middle + mean_torque) * s.torsion };
@@ -162,7 +162,7 @@ impl Margin {
                 }
             };
             let cycle = Cycle { amplitude: stress, mean: 0.0 };
-            return Used { spot, value: stress / allowable, slopes: (slope * s.torsion / allowable, 0.0), cycle };
+            return Used { location, value: stress / allowable, slopes: (slope * s.torsion / allowable, 0.0), cycle };
         }
         let (amplitude, of_amplitude) = mises(bending.amplitude, twisting.amplitude);
         let pulling = if self.mean_bending == MeanBending::Signed { bending.mean.max(0.0) } else { bending.mean };
@@ -172,7 +172,7 @@ impl Margin {
             unreachable!("the class rule has a strength, multiaxial criteria a history")
         };
         let (value, by_amplitude, by_mean) = line.utilisation(cycle, self.strength);
-        Used { spot, value, slopes: (by_amplitude * of_amplitude * s.torsion, by_mean * of_mean * s.torsion), cycle }
+        Used { location, value, slopes: (by_amplitude * of_amplitude * s.torsion, by_mean * of_mean * s.torsion), cycle }
     }
 
     /// Spots of a shaft that a criterion judges.
@@ -180,7 +180,7 @@ impl Margin {
         self.criteria[criterion].families().iter().flat_map(move |f| self.of_shaft[shaft][*f as usize].iter().copied())
     }
 
-    /// The spot of a shaft that is used most.
+    /// The location of a shaft that is used most.
     pub fn most_used(&self, criterion: usize, shaft: usize, speed_rpm: f64, torque: &Torque) -> Option<Used> {
         self.most_used_above(criterion, shaft, speed_rpm, torque, (1.0, 0.0))
     }
@@ -204,18 +204,18 @@ impl Margin {
         let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
         let bound = |i: usize, rise: f64| {
             let largest = mean.abs() + rise * (middle.abs() + half_peak_to_peak);
-            histories.at_most(word, (i, &self.spots[i]), at, rise * half_peak_to_peak, largest) * (1.0 + ROUNDING)
+            histories.at_most(word, (i, &self.locations[i]), at, rise * half_peak_to_peak, largest) * (1.0 + ROUNDING)
         };
         // those that may be used most first: the others need no history then
         let able = self.spots_of(criterion, shaft).filter(|i| bound(*i, rise) >= wanted);
-        let mut spots: Vec<(f64, usize)> = able.map(|i| (bound(i, 1.0), i)).collect();
-        spots.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut locations: Vec<(f64, usize)> = able.map(|i| (bound(i, 1.0), i)).collect();
+        locations.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut most: Option<Used> = None;
-        for (bound, spot) in spots {
+        for (bound, location) in locations {
             if most.is_some_and(|m| bound < m.value) {
                 break;
             }
-            let used = self.used_by_history((word, histories), spot, at, &whole);
+            let used = self.used_by_history((word, histories), location, at, &whole);
             most = Some(most.map_or(used, |m| larger(m, used)));
         }
         most
@@ -226,7 +226,7 @@ impl Margin {
         let at = self.place(speed_rpm);
         if let Some((word, histories)) = self.multiaxial(criterion) {
             let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
-            let bound = |i: usize| histories.at_most(word, (i, &self.spots[i]), at, half_peak_to_peak, largest);
+            let bound = |i: usize| histories.at_most(word, (i, &self.locations[i]), at, half_peak_to_peak, largest);
             return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
         let worst = |middle: f64| {

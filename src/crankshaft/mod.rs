@@ -18,7 +18,7 @@ pub mod unit_loads;
 pub use beam::{Beam, Reactions, Support};
 pub use crank::{Crank, OilBore, Place};
 pub use criterion::{FactorSource, Family, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
-pub use critical_locations::{Spot, shafts, stations_of_throws};
+pub use critical_locations::{CriticalLocation, shafts, stations_of_throws};
 pub use margin::{Margin, Torque, Used};
 pub use stress_concentration::{Concentration, Geometry as NotchGeometry};
 pub use unit_loads::UnitLoads;

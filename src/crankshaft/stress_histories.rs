@@ -1,11 +1,11 @@
-//! Stress histories of the spots, for multiaxial criteria: the sum of stresses per unit load over the cycle. Bending comes from the loads of the crank, which no absorber
+//! Stress histories of the locations, for multiaxial criteria: the sum of stresses per unit load over the cycle. Bending comes from the loads of the crank, which no absorber
 //! changes; torque from the chain.
 //!
 //! A fillet with factors of nominal stress has a plane state: bending along the fillet's meridian (xx) and shear by torque (xy). What any criterion asks of such a path, its
 //! corners answer: circles, balls, ranges and sums of a distance and a linear function are decided by the convex hull. A fillet with stresses per unit load from elsewhere has any
 //! tensor, and keeps all samples.
 
-use super::Spot;
+use super::CriticalLocation;
 use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
@@ -22,7 +22,7 @@ const BLOCK: usize = 16;
 /// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
 pub type Section = [Vec<f64>; 3];
 
-/// What a spot bears by bending alone at a speed.
+/// What a location bears by bending alone at a speed.
 #[derive(Debug, Clone, Copy, Default)]
 struct Bent {
     sqrt_j2_amplitude: f64,
@@ -33,7 +33,7 @@ struct Bent {
     normal: f64,
 }
 
-/// Histories of all spots at the speeds of a sweep.
+/// Histories of all locations at the speeds of a sweep.
 #[derive(Debug, Clone)]
 pub struct Histories {
     limits: Limits,
@@ -42,17 +42,17 @@ pub struct Histories {
     turns: Vec<Vec<C64>>,
     /// By speed and section (front and rear web of each throw).
     sections: Vec<Vec<Section>>,
-    /// By speed and spot.
+    /// By speed and location.
     bent: Vec<Vec<Bent>>,
 }
 
 impl Histories {
     /// From the loads of the sections at each speed. `harmonics`: of the torque, in the cycle.
-    pub fn new(limits: Limits, harmonics: &[u32], spots: &[Spot], sections: Vec<Vec<Section>>) -> Self {
+    pub fn new(limits: Limits, harmonics: &[u32], locations: &[CriticalLocation], sections: Vec<Vec<Section>>) -> Self {
         let samples = sections.first().and_then(|s| s.first()).map_or(0, |s| s[0].len());
         let turn = |h: u32, j: usize| C64::cis(TAU * ((h as usize * j) % samples) as f64 / samples as f64);
         let turns = harmonics.iter().map(|h| (0..samples).map(|j| turn(*h, j)).collect()).collect();
-        let bent = sections.par_iter().map(|row| spots.iter().map(|spot| bent(spot, &row[section_of(spot)])).collect()).collect();
+        let bent = sections.par_iter().map(|row| locations.iter().map(|location| bent(location, &row[section_of(location)])).collect()).collect();
         Self { limits, samples, turns, sections, bent }
     }
 
@@ -67,12 +67,12 @@ impl Histories {
         torque
     }
 
-    /// The history of a spot under a torque.
-    pub fn history(&self, spot: &Spot, at: At, torque: &[f64]) -> History {
-        let section = section_of(spot);
+    /// The history of a location under a torque.
+    pub fn history(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> History {
+        let section = section_of(location);
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
-        if let Some(units) = &spot.unit_loads {
+        if let Some(units) = &location.unit_loads {
             return History::new((0..self.samples).map(|j| {
                 let (m, t, v) = (load(0, j), load(1, j), load(2, j));
                 std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * torque[j])
@@ -82,12 +82,12 @@ impl Histories {
         // a row each: a sum of four products
         let shares = [(low, 1.0 - at.fraction), (high, at.fraction)];
         for (row, share) in shares {
-            let (moment, shear) = (share * spot.bending[0], share * spot.radial);
+            let (moment, shear) = (share * location.bending[0], share * location.radial);
             for ((b, m), v) in bending.iter_mut().zip(&row[0]).zip(&row[2]) {
                 *b += moment * m + shear * v;
             }
         }
-        let shear: Vec<f64> = torque.iter().map(|t| spot.torsion * t).collect();
+        let shear: Vec<f64> = torque.iter().map(|t| location.torsion * t).collect();
         let mut corners = hull(&bending, &shear);
         // whole blocks are looked at together: the first corner once more costs nothing
         corners.resize(corners.len().next_multiple_of(BLOCK), corners[0]);
@@ -111,17 +111,17 @@ impl Histories {
         used * self.limits.torsion
     }
 
-    /// At least the share that a spot uses under a torque of this half peak-to-peak value, and of no larger size than `largest`.
-    pub fn at_most(&self, criterion: Criterion, spot: (usize, &Spot), at: At, half_peak_to_peak: f64, largest: f64) -> f64 {
-        let (low, high) = (&self.bent[at.low][spot.0], &self.bent[at.high][spot.0]);
-        let per_torque = spot.1.unit_loads.map_or([0.0, 0.0, 0.0, spot.1.torsion, 0.0, 0.0], |u| u.torque);
+    /// At least the share that a location uses under a torque of this half peak-to-peak value, and of no larger size than `largest`.
+    pub fn at_most(&self, criterion: Criterion, location: (usize, &CriticalLocation), at: At, half_peak_to_peak: f64, largest: f64) -> f64 {
+        let (low, high) = (&self.bent[at.low][location.0], &self.bent[at.high][location.0]);
+        let per_torque = location.1.unit_loads.map_or([0.0, 0.0, 0.0, location.1.torsion, 0.0, 0.0], |u| u.torque);
         let twisted = deviator_of(&per_torque).iter().map(|d| d * d).sum::<f64>().sqrt() * half_peak_to_peak;
         let hydrostatic = ((per_torque[0] + per_torque[1] + per_torque[2]) / 3.0).abs() * largest;
         let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
         let within = Within {
             // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
-            sqrt_j2_amplitude: if spot.1.unit_loads.is_none() { bent.hypot(twisted) } else { bent + twisted },
-            mean_shear: match &spot.1.unit_loads {
+            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypot(twisted) } else { bent + twisted },
+            mean_shear: match &location.1.unit_loads {
                 None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
                 // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
                 Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
@@ -134,12 +134,12 @@ impl Histories {
 }
 
 /// Index of the web.
-fn section_of(spot: &Spot) -> usize {
-    2 * spot.throw + usize::from(spot.rear)
+fn section_of(location: &CriticalLocation) -> usize {
+    2 * location.throw + usize::from(location.rear)
 }
 
-fn bent(spot: &Spot, section: &Section) -> Bent {
-    let history = match &spot.unit_loads {
+fn bent(location: &CriticalLocation, section: &Section) -> Bent {
+    let history = match &location.unit_loads {
         Some(u) => {
             let tensor = |j: usize| -> [f64; 6] {
                 std::array::from_fn(|c| u.moment[c] * section[0][j] + u.tangential[c] * section[1][j] + u.shear[c] * section[2][j])
@@ -147,7 +147,7 @@ fn bent(spot: &Spot, section: &Section) -> Bent {
             History::new((0..section[0].len()).map(tensor))
         }
         None => {
-            let path = section[0].iter().zip(&section[2]).map(|(m, v)| spot.bending[0] * m + spot.radial * v);
+            let path = section[0].iter().zip(&section[2]).map(|(m, v)| location.bending[0] * m + location.radial * v);
             let (low, high) = path.fold((f64::INFINITY, f64::NEG_INFINITY), |m, b| (m.0.min(b), m.1.max(b)));
             History::plane_state(vec![low, high], vec![0.0; 2])
         }
@@ -155,7 +155,7 @@ fn bent(spot: &Spot, section: &Section) -> Bent {
     let i = Invariants::of(&history);
     Bent {
         sqrt_j2_amplitude: i.sqrt_j2_amplitude,
-        mean_shear: if spot.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
+        mean_shear: if location.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
         low: i.hydrostatic_mean - i.hydrostatic_amplitude,
         high: i.hydrostatic_max(),
         normal: (0..history.len()).map(|j| size(&history.tensor(j))).fold(0.0, f64::max),

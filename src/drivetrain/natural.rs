@@ -1,13 +1,19 @@
 //! Natural motions of chain and absorbers together.
+//!
+//! A law that is no constant spring and damper is taken as the spring and damper it is at the frequency of each motion, found by iteration.
 
-use super::{Chain, Modes};
-use crate::absorber::{Kind, Mounted, Ring};
+use super::chain::Chain;
+use super::modes::Modes;
+use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::{C64, eigen};
 use crate::units::HZ_PER_RAD_PER_S;
 use nalgebra::{DMatrix, DVector};
 
 /// Chains longer than this are represented by as many of their lowest modes.
 const LARGEST_DENSE: usize = 64;
+/// Rounds of the iteration for laws that depend on frequency, and the change at which it ends.
+const MOST_ROUNDS: usize = 30;
+const SETTLED: f64 = 1e-12;
 
 /// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
 #[derive(Debug, Clone)]
@@ -16,6 +22,24 @@ pub struct Basis {
     shapes: DMatrix<f64>,
     stiffness: Vec<f64>,
     damping: DMatrix<f64>,
+}
+
+/// Whether every ring of a design is on a constant spring and damper.
+pub fn is_constant(design: &[Mounted]) -> bool {
+    design.iter().filter_map(|m| m.absorber.law()).all(|law| law.spring_and_damper().is_some())
+}
+
+/// Whether a law of a design depends on the speed of the shaft.
+pub fn depends_on_speed(design: &[Mounted]) -> bool {
+    design.iter().filter_map(|m| m.absorber.law()).any(|law| law.depends_on_speed())
+}
+
+/// The spring and damper that a law is at a frequency (rad/s), the shaft turning at that frequency over `order`.
+fn at_frequency(law: &dyn Law, omega: f64, order: f64) -> SpringAndDamper {
+    law.spring_and_damper().unwrap_or_else(|| {
+        let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega / order });
+        SpringAndDamper { stiffness: s.re, damping: s.im / omega }
+    })
 }
 
 impl Basis {
@@ -30,33 +54,58 @@ impl Basis {
         }
     }
 
-    /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed.
-    pub fn eigenvalues(&self, design: &[Mounted]) -> Option<Vec<C64>> {
+    /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed. Laws that depend on the
+    /// speed of the shaft are taken at the speed at which `order` has the frequency of the motion.
+    pub fn eigenvalues(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
+        if is_constant(design) {
+            return self.with(design, |law| at_frequency(law, 1.0, order));
+        }
+        let first = self.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
+        let start = self.with(design, |law| at_frequency(law, own_frequency(law, first, order).unwrap_or(first), order))?;
+        start.into_iter().map(|s| self.settled(design, s, order)).collect()
+    }
+
+    /// The eigenvalue near `s` with laws taken at its own frequency.
+    fn settled(&self, design: &[Mounted], mut s: C64, order: f64) -> Option<C64> {
+        for _ in 0..MOST_ROUNDS {
+            let omega = s.im;
+            let all = self.with(design, |law| at_frequency(law, omega, order))?;
+            let near = all.into_iter().min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))?;
+            let change = (near - s).norm();
+            s = near;
+            if change <= SETTLED * s.norm() {
+                break;
+            }
+        }
+        Some(s)
+    }
+
+    /// Eigenvalues with these springs and dampers.
+    fn with(&self, design: &[Mounted], spring: impl Fn(&dyn Law) -> SpringAndDamper) -> Option<Vec<C64>> {
         let kept = self.stiffness.len();
-        let moving = design.iter().filter(|m| m.absorber.kind() != Kind::Locked).count();
+        let moving = design.iter().filter(|m| m.absorber.law().is_some()).count();
         let n = kept + moving;
-        let mut m = DMatrix::identity(n, n);
+        let mut m = DMatrix::from_fn(n, n, |i, j| if i == j && i < kept { 1.0 } else { 0.0 });
         let mut k = DMatrix::zeros(n, n);
         let mut c = DMatrix::zeros(n, n);
         c.view_mut((0, 0), (kept, kept)).copy_from(&self.damping);
         for (i, stiffness) in self.stiffness.iter().enumerate() {
             k[(i, i)] = *stiffness;
         }
-        let mut ring = kept;
-        for mounted in design {
-            let a = &mounted.absorber;
-            let hub = DVector::from_fn(n, |i, _| if i < kept { self.shapes[(mounted.station, i)] } else { 0.0 });
-            if a.kind() == Kind::Locked {
-                m.ger(mounted.hub_inertia + a.ring_inertia(), &hub, &hub, 1.0);
+        for (index, mounted) in design.iter().enumerate() {
+            let hub = self.motion(design, mounted.on, n);
+            let Absorber::Ring(law) = &mounted.absorber else {
+                m.ger(mounted.hub_inertia + mounted.absorber.ring_inertia(), &hub, &hub, 1.0);
                 continue;
-            }
+            };
+            let ring = kept + coordinate(design, index);
             let mut twist = -&hub;
             twist[ring] = 1.0;
-            m[(ring, ring)] = a.ring_inertia();
-            ring += 1;
+            m[(ring, ring)] += law.ring_inertia();
             m.ger(mounted.hub_inertia, &hub, &hub, 1.0);
-            k.ger(a.stiffness(), &twist, &twist, 1.0);
-            c.ger(a.damping(), &twist, &twist, 1.0);
+            let spring = spring(law.as_ref());
+            k.ger(spring.stiffness, &twist, &twist, 1.0);
+            c.ger(spring.damping, &twist, &twist, 1.0);
         }
         let mut s = eigen::quadratic(&m, &c, &k)?;
         // a double zero eigenvalue is split by rounding: to about the square root of the rounding of the largest
@@ -64,17 +113,56 @@ impl Basis {
         s.retain(|s| s.im > 1e-6 * largest);
         Some(s)
     }
+
+    /// Motion of what carries a hub, in the coordinates: a row of the modes, or that of a ring.
+    fn motion(&self, design: &[Mounted], on: Host, n: usize) -> DVector<f64> {
+        let kept = self.stiffness.len();
+        match on {
+            Host::Station(station) => DVector::from_fn(n, |i, _| if i < kept { self.shapes[(station, i)] } else { 0.0 }),
+            Host::Ring(inner) if design[inner].absorber.law().is_none() => self.motion(design, design[inner].on, n),
+            Host::Ring(inner) => {
+                let ring = kept + coordinate(design, inner);
+                DVector::from_fn(n, |i, _| f64::from(u8::from(i == ring)))
+            }
+        }
+    }
+}
+
+/// Number of a ring among those that move.
+fn coordinate(design: &[Mounted], index: usize) -> usize {
+    design[..index].iter().filter(|m| m.absorber.law().is_some()).count()
+}
+
+/// Frequency of a ring on its held hub, rad/s, from a first guess: omega² J = Re S(omega). Nothing where there is none.
+pub fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
+    let mut omega = first;
+    for _ in 0..MOST_ROUNDS {
+        let next = (at_frequency(law, omega, order).stiffness / law.ring_inertia()).max(0.0).sqrt();
+        if next <= 0.0 || !next.is_finite() {
+            return None;
+        }
+        let change = (next / omega - 1.0).abs();
+        omega = next;
+        if change < SETTLED {
+            break;
+        }
+    }
+    Some(omega)
 }
 
 /// Natural frequencies (of the damped motion, the imaginary parts of the eigenvalues), Hz, ascending, without rigid modes. The absorbers'
-/// damping counts, the engine's own does not; overdamped motions have no frequency and are left out. `modes` are those of the chain alone.
+/// damping counts, the engine's own does not; overdamped motions have no frequency and are left out. `modes` are those of the chain alone. Nothing
+/// where a law depends on the speed of the shaft: the frequencies then do, too.
 ///
 /// Chains of more than 64 stations enter by their lowest 64 modes; the lowest frequencies then err by about (f/f64)².
 pub fn frequencies_hz(chain: &Chain, modes: &Modes, design: &[Mounted]) -> Vec<f64> {
     if design.is_empty() {
         return modes.frequencies_hz();
     }
-    let eigenvalues = Basis::new(chain, modes, LARGEST_DENSE, false).eigenvalues(design).unwrap_or_default();
+    if depends_on_speed(design) {
+        return Vec::new();
+    }
+    let eigenvalues = Basis::new(chain, modes, LARGEST_DENSE, false).eigenvalues(design, 1.0).unwrap_or_default();
     let mut frequencies: Vec<f64> = eigenvalues.iter().map(|s| s.im * HZ_PER_RAD_PER_S).collect();
     frequencies.sort_by(f64::total_cmp);
     frequencies

@@ -1,6 +1,6 @@
 //! Conditions an absorber is judged in: everything works, a cylinder misfires, the absorber is locked or lost.
 
-use crate::absorber::{Absorber, Locked, Mounted, Ring};
+use crate::absorber::{Absorber, Host, Mounted};
 
 /// State of engine and absorbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,13 +26,17 @@ impl Condition {
         }
     }
 
-    /// The absorbers of a design in this condition.
+    /// The absorbers of a design in this condition. What sat on a lost ring is lost with it.
     pub fn absorbers(self, design: &[Mounted]) -> Vec<Mounted> {
-        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked(Locked { ring_inertia }), ..*m };
+        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked { ring_inertia }, ..m.clone() };
+        let lost = |m: &Mounted| match m.on {
+            Host::Station(_) => locked(m, 0.0),
+            Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },
+        };
         match self {
             Self::Firing | Self::Misfire => design.to_vec(),
             Self::AbsorberLocked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
-            Self::AbsorberLost => design.iter().map(|m| locked(m, 0.0)).collect(),
+            Self::AbsorberLost => design.iter().map(lost).collect(),
         }
     }
 }

@@ -1,8 +1,8 @@
-//! Derivatives of peaks with respect to the values of an absorber.
+//! Derivatives of peaks with respect to the parameters of an absorber.
 
 use super::peak::Peak;
 use super::peaks::PeakFinder;
-use super::point_metric::{DIFFERENCE, Level};
+use super::point_metric::{DIFFERENCE, PointMetric};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;
 use crate::numerics::{C64, ZERO};
@@ -14,28 +14,28 @@ const BESIDE: f64 = 1e-3;
 const FARTHER: f64 = 30.0;
 
 impl PeakFinder<'_> {
-    /// Derivatives of a peak's value with respect to ring inertia, stiffness and damping of absorber `index`. At fixed speed and cycle angles they are exact, because a
+    /// Derivatives of a peak's value with respect to the parameters of absorber `index`, ring inertia first. At fixed speed and cycle angles they are exact, because a
     /// peak is stationary in both (or held by an end of the range); of a multiaxial margin by differences. Dang Van's sums have peaks on ridges over speed, which move
     /// with the design: those are found again.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
-    pub fn gradient(&self, design: &[Mounted], index: usize, peak: &Peak, work: &mut Work) -> Result<[f64; 3], ResponseError> {
+    pub fn gradient(&self, design: &[Mounted], index: usize, peak: &Peak, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
         let Some(extremes) = &peak.extremes else {
             let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
             let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
-            return Ok(change[0].map(|d| (y.conj() * d).re / y.norm()));
+            return Ok(change[0].iter().map(|d| (y.conj() * d).re / y.norm()).collect());
         };
-        let level = Level::of(peak.over, peak.quantity, self.margin);
-        if level.has_ridges() {
-            return self.gradient_on_ridge((design, index), peak, level, work);
+        let metric = PointMetric::of(peak.over, peak.quantity, self.margin);
+        if metric.has_ridges() {
+            return self.gradient_on_ridge((design, index), peak, metric, work);
         }
         let mut phasors = vec![ZERO; self.system.orders()];
-        if level.asks_for_all() {
+        if metric.asks_for_all() {
             self.direct.at(design, peak.quantity, peak.speed_rpm, &mut phasors, work)?;
         }
         let changes = self.changes((design, index), peak, peak.speed_rpm, work)?;
-        Ok(level.derivatives(&self.synthesiser, peak.speed_rpm, (extremes, &phasors), changes))
+        Ok(metric.derivatives(&self.synthesiser, peak.speed_rpm, (extremes, &phasors), &changes))
     }
 
     /// Derivatives of the phasors of a peak's quantity at a speed, by value of the absorber.
@@ -45,27 +45,28 @@ impl PeakFinder<'_> {
         peak: &Peak,
         speed_rpm: f64,
         work: &mut Work,
-    ) -> Result<[Vec<C64>; 3], ResponseError> {
+    ) -> Result<Vec<Vec<C64>>, ResponseError> {
         let changes = self.direct.sensitivity(design, index, peak.quantity, 0..self.system.orders(), speed_rpm, work)?;
-        Ok([0, 1, 2].map(|p| changes.iter().map(|c| c[p]).collect()))
+        let parameters = changes.first().map_or(0, Vec::len);
+        Ok((0..parameters).map(|p| changes.iter().map(|c| c[p]).collect()).collect())
     }
 
-    fn gradient_on_ridge(&self, of: (&[Mounted], usize), peak: &Peak, level: Level, work: &mut Work) -> Result<[f64; 3], ResponseError> {
+    fn gradient_on_ridge(&self, of: (&[Mounted], usize), peak: &Peak, metric: PointMetric, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
         let mut y = vec![ZERO; self.system.orders()];
         self.direct.at(of.0, peak.quantity, peak.speed_rpm, &mut y, work)?;
         let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
         let here = self.changes(of, peak, peak.speed_rpm, work)?;
-        let steps = here.map(|change| FARTHER * DIFFERENCE * length(&y) / length(&change));
+        let steps: Vec<f64> = here.iter().map(|change| FARTHER * DIFFERENCE * length(&y) / length(change)).collect();
         let range = (self.grid.speed_rpm[0], self.grid.speed_rpm[self.grid.len() - 1]);
         let low = (peak.speed_rpm * (1.0 - BESIDE)).max(range.0);
         let high = (peak.speed_rpm * (1.0 + BESIDE)).min(range.1);
-        let mut gradient = [0.0; 3];
+        let mut gradient = vec![0.0; steps.len()];
         for (p, step) in steps.into_iter().enumerate().filter(|s| s.1.is_finite()) {
             let mut value = |speed: f64, step: f64| -> Result<f64, ResponseError> {
                 self.direct.at(of.0, peak.quantity, speed, &mut y, work)?;
                 let change = &self.changes(of, peak, speed, work)?[p];
                 y.iter_mut().zip(change).for_each(|(y, d)| *y += d * step);
-                Ok(level.value(speed, &self.synthesiser.extremes(&y), &y))
+                Ok(metric.value(speed, &self.synthesiser.extremes(&y), &y))
             };
             let mut top = |step: f64| -> Result<f64, ResponseError> {
                 let at_ends = value(low, step)?.max(value(high, step)?);

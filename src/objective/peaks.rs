@@ -6,9 +6,9 @@
 use super::local_maxima::{self, Candidate};
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
-use super::point_metric::Level;
+use super::point_metric::PointMetric;
 use super::speeds::{Resonances, Speeds};
-use super::surrogate::Quick;
+use super::surrogate::Surrogate;
 use crate::absorber::Mounted;
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
@@ -42,7 +42,7 @@ pub struct PeakFinder<'a> {
     /// The crank, for measures of its margin.
     pub margin: Option<&'a Margin>,
     /// Tables for searches, with the quantity they are of and the largest error they may have.
-    pub(super) quick: Option<(Quick, Quantity, f64)>,
+    pub(super) surrogate: Option<(Surrogate, Quantity, f64)>,
 }
 
 /// Peaks found so far.
@@ -73,7 +73,7 @@ impl<'a> PeakFinder<'a> {
             resonances: refine.then(|| Resonances::new(system, grid)),
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
             margin: None,
-            quick: None,
+            surrogate: None,
         }
     }
 
@@ -108,9 +108,9 @@ impl<'a> PeakFinder<'a> {
                 if let Over::Margin(_) = measure.over {
                     // the shafts that may be used most first: the others need fewer sums then
                     let most = |(quantity, sweep): &(&Quantity, Vec<C64>)| {
-                        let level = Level::of(measure.over, **quantity, self.margin);
+                        let metric = PointMetric::of(measure.over, **quantity, self.margin);
                         let sums = sweep.chunks(self.system.orders()).map(bound).zip(&speeds.rpm);
-                        sums.map(|(sum, speed)| level.bound(*speed, sum)).fold(0.0, f64::max)
+                        sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
                     };
                     sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
                 }
@@ -181,9 +181,9 @@ impl<'a> PeakFinder<'a> {
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
-        let level = Level::of(over, quantity, self.margin);
+        let metric = PointMetric::of(over, quantity, self.margin);
         let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
-        let bounds: Vec<f64> = sums.iter().zip(&speeds.rpm).map(|(sum, speed)| level.bound(*speed, *sum)).collect();
+        let bounds: Vec<f64> = sums.iter().zip(&speeds.rpm).map(|(sum, speed)| metric.bound(*speed, *sum)).collect();
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
@@ -192,18 +192,18 @@ impl<'a> PeakFinder<'a> {
             work.syntheses += 1;
             let y = &sweep[i * orders..(i + 1) * orders];
             let speed = speeds.rpm[i];
-            values[i] = match level {
-                Level::HalfRange => self.synthesiser.half_peak_to_peak_above(y, wanted / rise),
-                Level::Used { .. } => self
+            values[i] = match metric {
+                PointMetric::HalfRange => self.synthesiser.half_peak_to_peak_above(y, wanted / rise),
+                PointMetric::Used { .. } => self
                     .synthesiser
-                    .extremes_if(y, |half, middle| level.at_most(speed, half * rise, middle * rise) >= wanted)
-                    .map_or(f64::NEG_INFINITY, |e| level.value_above(speed, &e, y, (rise, wanted))),
+                    .extremes_if(y, |half, middle| metric.at_most(speed, half * rise, middle * rise) >= wanted)
+                    .map_or(f64::NEG_INFINITY, |e| metric.value_above(speed, &e, y, (rise, wanted))),
             };
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
             let rise = if self.refine { local_maxima::growth(&sums, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && level.bound(speeds.rpm[i], sums[i] * rise) >= found.keep * top {
+            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && metric.bound(speeds.rpm[i], sums[i] * rise) >= found.keep * top {
                 know(i, &mut values, found.keep * top, rise);
                 top = top.max(values[i]);
             }
@@ -225,7 +225,7 @@ impl<'a> PeakFinder<'a> {
             Ok(self.synthesiser.extremes(y))
         };
         for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| level.value(speed, &e, &y));
+            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| metric.value(speed, &e, &y));
             let Some((mut speed_rpm, place)) =
                 self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
             else {
@@ -233,16 +233,16 @@ impl<'a> PeakFinder<'a> {
             };
             let mut extremes = at(speed_rpm, &mut y, work)?;
             let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
-            let followed = self.refine && !level.asks_for_all();
+            let followed = self.refine && !metric.asks_for_all();
             if followed && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
                 // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
-                let (up, value) = self.top_of_branch((design, quantity, level), &extremes, reach, work)?;
-                speed_rpm = if value > level.value(speed_rpm, &extremes, &y) { up } else { speed_rpm };
+                let (up, value) = self.top_of_branch((design, quantity, metric), &extremes, reach, work)?;
+                speed_rpm = if value > metric.value(speed_rpm, &extremes, &y) { up } else { speed_rpm };
                 extremes = at(speed_rpm, &mut y, work)?;
             }
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
-                let value = level.value(speed_rpm, &extremes, y);
+                let value = metric.value(speed_rpm, &extremes, y);
                 Peak { value, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
             found.put(peak(extremes, speed_rpm, place, &y));
@@ -251,11 +251,11 @@ impl<'a> PeakFinder<'a> {
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
-                let top = self.top_of_branch((design, quantity, level), &start, reach, work)?;
+                let top = self.top_of_branch((design, quantity, metric), &start, reach, work)?;
                 // a branch may be held by the same end of the range
                 let held = place == Place::End && {
                     let extremes = self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?;
-                    level.value(speed_rpm, &extremes, &y) >= top.1
+                    metric.value(speed_rpm, &extremes, &y) >= top.1
                 };
                 let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
                 let margin = EDGE * (reach.1 - reach.0);
@@ -265,7 +265,7 @@ impl<'a> PeakFinder<'a> {
                 }
                 let extremes = self.on_branch((design, quantity), &start, at, &mut y, work)?;
                 // a smaller range round a higher mean may use more than the whole cycle does: it is no row of its own
-                if level.value(at, &extremes, &y) <= level.value(at, &self.synthesiser.extremes(&y), &y) * (1.0 + LEVEL) {
+                if metric.value(at, &extremes, &y) <= metric.value(at, &self.synthesiser.extremes(&y), &y) * (1.0 + LEVEL) {
                     found.put(peak(extremes, at, place, &y));
                 }
             }
@@ -289,13 +289,13 @@ impl<'a> PeakFinder<'a> {
     /// Speed and value of the maximum of a branch between two speeds.
     fn top_of_branch(
         &self,
-        (design, quantity, level): (&[Mounted], Quantity, Level),
+        (design, quantity, metric): (&[Mounted], Quantity, PointMetric),
         from: &Extremes,
         (low, high): (f64, f64),
         work: &mut Work,
     ) -> Result<(f64, f64), ResponseError> {
         let mut y = vec![ZERO; self.system.orders()];
-        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| level.value(speed, &e, &y));
+        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| metric.value(speed, &e, &y));
         if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 

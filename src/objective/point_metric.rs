@@ -8,10 +8,10 @@ use crate::response::Quantity;
 
 /// The value of a synthesis.
 #[derive(Debug, Clone, Copy)]
-pub enum Level<'a> {
+pub enum PointMetric<'a> {
     /// Half peak-to-peak.
     HalfRange,
-    /// Share of the strength that is used at the worst spot of a shaft.
+    /// Share of the strength that is used at the worst location of a shaft.
     Used {
         /// The crank.
         margin: &'a Margin,
@@ -22,7 +22,7 @@ pub enum Level<'a> {
     },
 }
 
-impl<'a> Level<'a> {
+impl<'a> PointMetric<'a> {
     /// Of a quantity in a measure.
     pub fn of(over: Over, quantity: Quantity, margin: Option<&'a Margin>) -> Self {
         match (over, quantity, margin) {
@@ -74,14 +74,14 @@ impl<'a> Level<'a> {
         self.at_most(speed_rpm, sum, sum)
     }
 
-    /// Derivatives by changes of the sum at a speed, each given by its phasors. Exact where extremes decide; else by central differences at the spot that is used most.
-    pub fn derivatives<const N: usize>(
+    /// Derivatives by changes of the sum at a speed, each given by its phasors. Exact where extremes decide; else by central differences at the location that is used most.
+    pub fn derivatives(
         &self,
         synthesiser: &Synthesiser,
         speed_rpm: f64,
         (extremes, phasors): (&Extremes, &[C64]),
-        changes: [Vec<C64>; N],
-    ) -> [f64; N] {
+        changes: &[Vec<C64>],
+    ) -> Vec<f64> {
         let along = |slopes: (f64, f64), change: &[C64]| {
             let (range, middle) = synthesiser.derivatives_of(extremes, change);
             slopes.0 * range + slopes.1 * middle
@@ -92,21 +92,21 @@ impl<'a> Level<'a> {
             Self::Used { margin, criterion, shaft } => margin.most_used(*criterion, *shaft, speed_rpm, &torque),
         };
         match (self, most) {
-            (Self::HalfRange, _) => changes.map(|change| along((1.0, 0.0), &change)),
-            (Self::Used { .. }, None) => [0.0; N],
-            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes.map(|change| {
+            (Self::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),
+            (Self::Used { .. }, None) => vec![0.0; changes.len()],
+            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes.iter().map(|change| {
                 let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
-                let step = DIFFERENCE * length(phasors) / length(&change);
+                let step = DIFFERENCE * length(phasors) / length(change);
                 if !step.is_finite() {
                     return 0.0;
                 }
                 let moved = |step: f64| {
-                    let moved: Vec<C64> = phasors.iter().zip(&change).map(|(y, d)| y + d * step).collect();
-                    margin.used(*criterion, used.spot, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
+                    let moved: Vec<C64> = phasors.iter().zip(change).map(|(y, d)| y + d * step).collect();
+                    margin.used(*criterion, used.location, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
                 };
                 (moved(step) - moved(-step)) / (2.0 * step)
-            }),
-            (Self::Used { .. }, Some(used)) => changes.map(|change| along(used.slopes, &change)),
+            }).collect(),
+            (Self::Used { .. }, Some(used)) => changes.iter().map(|change| along(used.slopes, change)).collect(),
         }
     }
 }

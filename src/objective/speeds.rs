@@ -2,7 +2,8 @@
 
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
-use crate::drivetrain::natural::Basis;
+use crate::drivetrain::natural::{Basis, depends_on_speed};
+use crate::engine::Order;
 use crate::numerics::C64;
 use crate::response::Grid;
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
@@ -68,28 +69,37 @@ impl Resonances {
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let mut more: Vec<f64> = Vec::new();
         let mut poles = Vec::new();
-        for s in self.eigenvalues(system, grid, design) {
+        let mut consider = |s: C64, n: usize, order: Order| {
             let own_damping = damping_ratio(s);
             let damping = own_damping.max(LEAST_DAMPING);
-            for (n, order) in system.excitation.orders.iter().enumerate() {
-                let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
-                let step = step_at(&grid.speed_rpm, speed);
-                let half_width = damping * speed;
-                if half_width > STEPS * step || speed < low - step || speed > high + step {
-                    continue;
-                }
-                // at an undamped resonance itself there is nothing but rounding
-                if own_damping >= LEAST_DAMPING {
-                    more.push(speed);
-                }
-                if own_damping < UNDAMPED && (low..=high).contains(&speed) {
-                    poles.push(Pole { order: n, speed_rpm: speed });
-                }
-                let mut distance = half_width;
-                while distance < 1.5 * step {
-                    more.extend([speed - distance, speed + distance]);
-                    distance *= LADDER;
-                }
+            let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
+            let step = step_at(&grid.speed_rpm, speed);
+            let half_width = damping * speed;
+            if half_width > STEPS * step || speed < low - step || speed > high + step {
+                return;
+            }
+            // at an undamped resonance itself there is nothing but rounding
+            if own_damping >= LEAST_DAMPING {
+                more.push(speed);
+            }
+            if own_damping < UNDAMPED && (low..=high).contains(&speed) {
+                poles.push(Pole { order: n, speed_rpm: speed });
+            }
+            let mut distance = half_width;
+            while distance < 1.5 * step {
+                more.extend([speed - distance, speed + distance]);
+                distance *= LADDER;
+            }
+        };
+        let orders = || system.excitation.orders.iter().copied().enumerate();
+        if depends_on_speed(design) {
+            // every order has natural motions of its own
+            for (n, order) in orders() {
+                self.eigenvalues(system, grid, design, order.value()).into_iter().for_each(|s| consider(s, n, order));
+            }
+        } else {
+            for s in self.eigenvalues(system, grid, design, 1.0) {
+                orders().for_each(|(n, order)| consider(s, n, order));
             }
         }
         more.retain(|s| (low..=high).contains(s));
@@ -108,9 +118,9 @@ impl Resonances {
 impl Resonances {
     /// Eigenvalues of a design: a few modes tell whether any resonance is narrow; where one is, it must be known to a fraction of its width, and
     /// all modes are taken.
-    fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Vec<C64> {
+    fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted], order: f64) -> Vec<C64> {
         let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
-        let first = if heavy { &self.full } else { &self.basis }.eigenvalues(design).unwrap_or_default();
+        let first = if heavy { &self.full } else { &self.basis }.eigenvalues(design, order).unwrap_or_default();
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let narrow = |s: &C64| {
             let speeds = system.excitation.orders.iter().map(|o| s.im * HZ_PER_RAD_PER_S / (o.value() * HZ_PER_RPM));
@@ -121,7 +131,7 @@ impl Resonances {
             };
             speeds.into_iter().any(near)
         };
-        if !heavy && first.iter().any(narrow) { self.full.eigenvalues(design).unwrap_or(first) } else { first }
+        if !heavy && first.iter().any(narrow) { self.full.eigenvalues(design, order).unwrap_or(first) } else { first }
     }
 }
 

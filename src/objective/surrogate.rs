@@ -1,13 +1,14 @@
 //! The peak of a synthesis over speed from tables alone, for searches that look at many designs: every few speeds first, then the grid speeds round
 //! the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
 
-use crate::absorber::{Kind, Mounted, Ring};
+use crate::absorber::{Host, Law, Mounted, Operating};
+use crate::drivetrain::natural;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
 use crate::response::receptance::Rows;
 use crate::response::{Quantity, Receptance, Response, Work};
 
-/// A quick peak.
+/// A surrogate peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimated {
     /// Half peak-to-peak, rad or N m.
@@ -16,9 +17,9 @@ pub struct Estimated {
     pub error: f64,
 }
 
-/// Finds quick peaks of one quantity for absorbers on one station.
+/// Finds surrogate peaks of one quantity for absorbers on one station.
 #[derive(Debug, Clone)]
-pub struct Quick {
+pub struct Surrogate {
     stride: usize,
     speed_rpm: Vec<f64>,
     kink: Vec<bool>,
@@ -59,10 +60,19 @@ const ROUNDING: f64 = 1e-9;
 const BESIDE_END: f64 = 1e-3;
 /// Damping ratio of a ring on its hub below which its resonance may hide.
 const LEAST_DAMPING: f64 = 0.02;
+/// Where the search of a ring's own frequency begins, rad/s.
+const FIRST_GUESS: f64 = 1000.0;
 /// Speeds remembered for giving up early.
 const REMEMBERED: usize = 3;
 
-impl Quick {
+/// Damping ratio of a ring on its held hub where its law depends on frequency; nothing where it has no resonance of its own.
+fn own_damping(law: &dyn Law) -> Option<f64> {
+    let omega = natural::own_frequency(law, FIRST_GUESS, 1.0)?;
+    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+    Some(0.5 * s.im / s.re)
+}
+
+impl Surrogate {
     /// For every `stride`-th speed of the grid; nothing where the quantity has no table without holes.
     pub fn new(receptance: &Receptance, quantity: Quantity, stride: usize) -> Option<Self> {
         let (system, grid) = (receptance.system(), receptance.grid());
@@ -88,9 +98,11 @@ impl Quick {
     /// Whether tables can answer for an absorber: it sits on their station, and its own resonance is not so narrow that it may hide between grid
     /// speeds.
     pub fn takes(&self, mounted: &Mounted) -> bool {
-        let a = &mounted.absorber;
-        let own = a.damping() / (2.0 * (a.stiffness() * a.ring_inertia()).sqrt());
-        mounted.station == self.fine.station && (a.kind() == Kind::Locked || a.stiffness() == 0.0 || own >= LEAST_DAMPING)
+        let hides = |law: &dyn Law| match law.spring_and_damper() {
+            Some(s) => s.stiffness != 0.0 && !(s.damping / (2.0 * (s.stiffness * law.ring_inertia()).sqrt()) >= LEAST_DAMPING),
+            None => law.depends_on_speed() || !own_damping(law).is_none_or(|ratio| ratio >= LEAST_DAMPING),
+        };
+        mounted.on == Host::Station(self.fine.station) && !mounted.absorber.law().is_some_and(|law| hides(law.as_ref()))
     }
 
     /// The peak of an absorber on the table's station.

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 #[derive(Debug, Clone)]
 pub struct FrontPoint {
     /// The optimum for its ring inertia.
-    pub design: Mounted,
+    pub design: Vec<Mounted>,
     /// Objective.
     pub value: f64,
     /// Worst excess over a limit.
@@ -33,6 +33,19 @@ pub struct Front {
 
 /// Points between two global searches: fixed, so that the result does not depend on threads.
 const SEGMENT: usize = 11;
+
+/// Values of a family at a point with another ring: what grows with the ring follows it, so that the tuning is kept.
+fn retuned(space: &Space, point: &[f64], ring_inertia: f64) -> Vec<Vec<f64>> {
+    let mut values = space.values(point);
+    let before = values[0][0];
+    for (value, parameter) in values[0].iter_mut().zip(space.slots[0].declaration.parameters).skip(1) {
+        if parameter.extensive {
+            *value = *value * ring_inertia / before;
+        }
+    }
+    values[0][0] = ring_inertia;
+    values
+}
 
 /// Follows the optimum over `inertias` (ascending). At every eleventh inertia and the last a global search from `starts` is made; in
 /// between the optimum is followed from both sides by the minimax method, and the better one kept.
@@ -72,20 +85,13 @@ pub fn follow(
             let inner: Vec<usize> = if walk % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
             let head = &heads[walk / 2 + walk % 2];
             let mut work = Work::default();
-            let (mut design, mut inertia) = (head.design, inertias[if walk % 2 == 0 { left } else { right }]);
+            let (mut point, mut space) = (head.outcome.point.clone(), at(knots[walk / 2 + walk % 2]).space);
             let mut outcomes = Vec::new();
             for i in inner {
                 let problem = at(i);
-                // the tuning of the neighbour: stiffness and damping follow the inertia
-                let guess = crate::absorber::Ring::with(
-                    &design.absorber,
-                    inertias[i],
-                    crate::absorber::Ring::stiffness(&design.absorber) * inertias[i] / inertia,
-                    crate::absorber::Ring::damping(&design.absorber) * inertias[i] / inertia,
-                );
+                let guess = retuned(&space, &point, inertias[i]);
                 let outcome = minimax::minimise(&problem, &problem.space.point(&guess), &mut work)?;
-                design = problem.space.absorber(&outcome.point);
-                inertia = inertias[i];
+                (point, space) = (outcome.point.clone(), problem.space);
                 outcomes.push((i, outcome));
                 recorder();
             }
@@ -118,7 +124,7 @@ pub fn follow(
             if holds {
                 lowest = lowest.min(value);
             }
-            let design = at(i).space.absorber(&o.point);
+            let design = at(i).space.design(&o.point);
             FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
         })
         .collect();

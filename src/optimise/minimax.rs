@@ -113,7 +113,7 @@ fn distance(a: &Peak, b: &Peak) -> f64 {
 fn same_peak<'r>(row: &Row, rows: &'r Rows) -> Option<&'r Row> {
     rows.rows
         .iter()
-        .filter(|r| r.scene == row.scene && r.limit == row.limit && r.peak.quantity == row.peak.quantity)
+        .filter(|r| r.load_case == row.load_case && r.limit == row.limit && r.peak.quantity == row.peak.quantity)
         .filter(|r| r.peak.extremes.is_some() || r.peak.order == row.peak.order)
         .map(|r| (distance(&r.peak, &row.peak), r))
         .filter(|(d, _)| *d < 0.1)

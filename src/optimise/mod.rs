@@ -11,6 +11,6 @@ pub mod variables;
 
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
-pub use problem::{Problem, Row, Rows, Scene};
+pub use problem::{Problem, Row, Rows, LoadCase};
 pub use search::{Optimum, Recorder, Stages, Start};
-pub use variables::{Parameter, Space, Variable};
+pub use variables::{Slot, Space, Variable};

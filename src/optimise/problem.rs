@@ -1,7 +1,6 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
-use super::variables::{Parameter, Space};
-use crate::absorber::Mounted;
+use super::variables::Space;
 use crate::objective::condition::Condition;
 use crate::objective::measure::{Limit, Measure};
 use crate::objective::peak::Peak;
@@ -18,7 +17,7 @@ pub const UNBOUNDED_COST: f64 = 1e30;
 
 /// One condition of the engine: what is asked of a design is asked in each.
 #[derive(Debug, Clone, Copy)]
-pub struct Scene<'a> {
+pub struct LoadCase<'a> {
     /// State of the absorbers.
     pub condition: Condition,
     /// The cylinder (from 0) that misfires.
@@ -27,26 +26,22 @@ pub struct Scene<'a> {
     pub finder: &'a PeakFinder<'a>,
 }
 
-impl Scene<'_> {
+impl LoadCase<'_> {
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
     fn steers(&self, space: &Space) -> bool {
         match self.condition {
             Condition::Firing | Condition::Misfire => true,
-            Condition::AbsorberLocked => space.variables.iter().any(|v| v.parameter == Parameter::RingInertia),
+            Condition::AbsorberLocked => space.variables.iter().any(|v| v.parameter == 0),
             Condition::AbsorberLost => false,
         }
-    }
-
-    fn design(&self, absorber: Mounted) -> Vec<Mounted> {
-        self.condition.absorbers(&[absorber])
     }
 }
 
 /// One peak at a point.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// Index of the scene.
-    pub scene: usize,
+    /// Index of the load case.
+    pub load_case: usize,
     /// `None`: the objective; else the index of a limit.
     pub limit: Option<usize>,
     /// Objective: its value. Limit: logarithm of value over limit.
@@ -76,11 +71,11 @@ impl Rows {
     }
 }
 
-/// Minimise the largest peak of a measure over a family of absorbers and all scenes, within limits.
+/// Minimise the largest peak of a measure over a family of absorbers and all load cases, within limits.
 #[derive(Debug)]
 pub struct Problem<'a> {
     /// At least one in which the family can change something.
-    pub scenes: &'a [Scene<'a>],
+    pub load_cases: &'a [LoadCase<'a>],
     /// The family.
     pub space: Space,
     /// To be small.
@@ -95,13 +90,13 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        let absorber = self.space.absorber(w);
+        let own = self.space.design(w);
         let (mut value, mut excess) = (0.0_f64, 0.0_f64);
-        for (_, scene) in self.steering() {
-            let design = scene.design(absorber);
-            value = value.max(scene.finder.value(&design, self.objective, work)?);
+        for (_, load_case) in self.steering() {
+            let design = load_case.condition.absorbers(&own);
+            value = value.max(load_case.finder.value(&design, self.objective, work)?);
             for limit in self.limits {
-                excess = excess.max((scene.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
+                excess = excess.max((load_case.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
             }
         }
         Ok((value, excess))
@@ -117,33 +112,37 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn rows(&self, w: &[f64], work: &mut Work) -> Result<Rows, ResponseError> {
-        let absorber = self.space.absorber(w);
+        let own = self.space.design(w);
         let mut rows = Vec::new();
         let measures =
             std::iter::once((None, self.objective, 1.0)).chain(self.limits.iter().enumerate().map(|(i, l)| (Some(i), &l.measure, l.limit)));
         for (limit, measure, unit) in measures {
             let mut found: Vec<(usize, Peak)> = Vec::new();
-            for (scene, s) in self.steering() {
-                let peaks = s.finder.peaks(&s.design(absorber), measure, ROW_SHARE, work)?;
-                found.extend(peaks.into_iter().map(|p| (scene, p)));
+            for (load_case, s) in self.steering() {
+                let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, ROW_SHARE, work)?;
+                found.extend(peaks.into_iter().map(|p| (load_case, p)));
             }
-            // peaks that are large in their own scene may be small among all
+            // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
             found.retain(|p| p.1.value >= ROW_SHARE * largest);
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
-            for (scene, peak) in found {
-                let s = &self.scenes[scene];
-                let gradient = s.finder.gradient(&s.design(absorber), 0, &peak, work)?;
+            for (load_case, peak) in found {
+                let s = &self.load_cases[load_case];
+                let design = s.condition.absorbers(&own);
+                let of_absorber = |i: usize, work: &mut Work| {
+                    if self.space.varies(i) { s.finder.gradient(&design, i, &peak, work) } else { Ok(Vec::new()) }
+                };
+                let gradient: Vec<Vec<f64>> = (0..design.len()).map(|i| of_absorber(i, work)).collect::<Result<_, _>>()?;
                 // the logarithm keeps limits that are missed by far of a size with the objective
                 let (value, unit) = if limit.is_some() { ((peak.value / unit).ln(), peak.value) } else { (peak.value, 1.0) };
-                let gradient = self.space.chain_rule(w, gradient).iter().map(|g| g / unit).collect();
-                rows.push(Row { scene, limit, value, gradient, peak });
+                let gradient = self.space.chain_rule(w, &gradient).iter().map(|g| g / unit).collect();
+                rows.push(Row { load_case, limit, value, gradient, peak });
             }
         }
         Ok(Rows { rows })
     }
 
-    fn steering(&self) -> impl Iterator<Item = (usize, &Scene<'_>)> {
-        self.scenes.iter().enumerate().filter(|(_, s)| s.steers(&self.space))
+    fn steering(&self) -> impl Iterator<Item = (usize, &LoadCase<'_>)> {
+        self.load_cases.iter().enumerate().filter(|(_, s)| s.steers(&self.space))
     }
 }

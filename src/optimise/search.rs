@@ -43,7 +43,7 @@ pub struct Stages {
 #[derive(Debug, Clone)]
 pub struct Optimum {
     /// The design.
-    pub design: Mounted,
+    pub design: Vec<Mounted>,
     /// The end of the best start.
     pub outcome: Outcome,
     /// Every start.
@@ -109,7 +109,7 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], recorder: Reco
         }
     }
     match (best, error) {
-        (Some(outcome), _) => Ok(Optimum { design: problem.space.absorber(&outcome.point), outcome, starts: log, stages }),
+        (Some(outcome), _) => Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, stages }),
         (None, Some(e)) => Err(e),
         (None, None) => unreachable!("a search has at least one start"),
     }

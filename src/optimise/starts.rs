@@ -1,42 +1,38 @@
 //! Where searches start: closed forms for every mode the torque reaches, and random points.
 
-use super::{Parameter, Space};
-use crate::absorber::seeds::{EngineMode, RULES, Rule};
-use crate::absorber::{Kind, Ring};
+use super::variables::{Space, Variable};
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Host, Parameter};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// Modes that get closed-form starts of their own.
 pub const MOST_MODES: usize = 3;
+/// Closed-form starts of several absorbers together.
+const MOST_COMBINED: usize = 12;
+/// Absorbers of one type on one mode start apart by this factor in what grows with the ring: alike they would stay alike.
+const APART: f64 = 1.3;
 
-/// Starts for a family: the closed forms of each mode (a free ring inertia at its upper bound and its middle), the lowest bounds, then `random`
-/// points from `seed`.
-pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> Vec<(String, Vec<f64>)> {
-    let free = space.variables.iter().find(|v| v.parameter == Parameter::RingInertia);
-    let inertias: Vec<(f64, &str)> = match free {
-        None => vec![(space.fixed[Parameter::RingInertia as usize], "")],
-        Some(v) => vec![(v.upper, ", largest ring"), ((v.lower * v.upper).sqrt(), ", middle ring")],
-    };
-    let mut list = Vec::new();
-    for (m, engine) in modes.iter().take(MOST_MODES).enumerate() {
-        for (name, rule) in RULES.iter().filter(|r| suits(r.1, space.kind, m)) {
-            for (ring_inertia, which) in &inertias {
-                let absorber = rule.absorber(*ring_inertia, *engine);
-                list.push((format!("{name}, mode {}{which}", m + 1), space.point(&absorber)));
-            }
-        }
-    }
+/// A named start.
+pub type NamedPoint = (String, Vec<f64>);
+
+/// Starts for a family, with the modes of each of its absorbers: the closed forms of each mode (a free ring inertia at its upper bound and its middle),
+/// the lowest bounds, then `random` points from `seed`.
+pub fn starts(space: &Space, modes: &[Vec<EngineMode>], random: usize, seed: u64) -> Vec<NamedPoint> {
+    let mut list = if space.slots.len() == 1 { single(space, &modes[0]) } else { several(space, modes) };
     if list.is_empty() {
         // no elastic mode moves the station: nothing to tune to
         list.push(("middle of the bounds".to_owned(), space.bounds().iter().map(|(low, high)| 0.5 * (low + high)).collect()));
     }
     let middle = list[0].1.clone();
-    let lowest = |which: &dyn Fn(Parameter) -> bool| -> Vec<f64> {
+    let lowest = |which: &dyn Fn(&Parameter) -> bool| -> Vec<f64> {
         let bounds = space.bounds();
-        space.variables.iter().zip(&bounds).zip(&middle).map(|((v, b), w)| if which(v.parameter) { b.0 } else { *w }).collect()
+        let chosen = |v: &Variable| which(&space.slots[v.absorber].declaration.parameters[v.parameter]);
+        space.variables.iter().zip(&bounds).zip(&middle).map(|((v, b), w)| if chosen(v) { b.0 } else { *w }).collect()
     };
     // the ends of the box that are often best: no damper, and hardly any ring at all
-    let ends = [("least damping", lowest(&|p| p == Parameter::Damping)), ("loosest ring", lowest(&|p| p != Parameter::RingInertia))];
+    let is_ring = |p: &Parameter| p.key == crate::absorber::parameter::RING_INERTIA.key;
+    let ends = [("least damping", lowest(&|p| p.dissipative)), ("loosest ring", lowest(&|p| !is_ring(p)))];
     for (name, point) in ends {
         if list.iter().all(|s| s.1 != point) {
             list.push((name.to_owned(), point));
@@ -46,6 +42,72 @@ pub fn starts(space: &Space, modes: &[EngineMode], random: usize, seed: u64) -> 
         list.push((format!("random {}", i + 1), point));
     }
     list
+}
+
+/// Ring inertias to start an absorber with, and how they are named.
+fn inertias(space: &Space, absorber: usize) -> Vec<(f64, &'static str)> {
+    match space.variables.iter().find(|v| (v.absorber, v.parameter) == (absorber, 0)) {
+        None => vec![(space.slots[absorber].values[0], "")],
+        Some(v) => vec![(v.upper, ", largest ring"), ((v.lower * v.upper).sqrt(), ", middle ring")],
+    }
+}
+
+fn single(space: &Space, modes: &[EngineMode]) -> Vec<NamedPoint> {
+    let mut list = Vec::new();
+    for (m, engine) in modes.iter().take(MOST_MODES).enumerate() {
+        for form in space.slots[0].declaration.closed_forms.iter().filter(|f| m == 0 || f.every_mode) {
+            for (ring_inertia, which) in inertias(space, 0) {
+                let values = vec![(form.values)(ring_inertia, *engine)];
+                list.push((format!("{}, mode {}{which}", form.name, m + 1), space.point(&values)));
+            }
+        }
+    }
+    list
+}
+
+/// Every absorber by its closed form for one of the modes, all combinations of modes, the lower modes first.
+fn several(space: &Space, modes: &[Vec<EngineMode>]) -> Vec<NamedPoint> {
+    let forms: Vec<_> = space.slots.iter().map(|s| s.declaration.closed_forms.iter().rfind(|f| f.every_mode)).collect();
+    let counts: Vec<usize> = modes.iter().zip(&forms).map(|(m, f)| if f.is_some() { m.len().min(MOST_MODES) } else { 0 }).collect();
+    if counts.contains(&0) {
+        return Vec::new();
+    }
+    let mut chosen: Vec<Vec<usize>> = vec![Vec::new()];
+    for count in &counts {
+        chosen = chosen.iter().flat_map(|c| (0..*count).map(move |m| c.iter().copied().chain([m]).collect())).collect();
+    }
+    chosen.sort_by_key(|c: &Vec<usize>| c.iter().sum::<usize>());
+    chosen.truncate(MOST_COMBINED / 2);
+    let mut list = Vec::new();
+    for modes_of in &chosen {
+        // the first of two alike absorbers below, then above the other
+        for turned in [false, true] {
+            let values: Vec<Vec<f64>> = (0..space.slots.len())
+                .filter_map(|i| {
+                    let own = (forms[i]?.values)(inertias(space, i)[0].0, modes[i][modes_of[i]]);
+                    Some(apart(space, i, own, &|j| modes_of[j] == modes_of[i], turned))
+                })
+                .collect();
+            let names: Vec<String> = modes_of.iter().map(|m| (m + 1).to_string()).collect();
+            list.push((format!("closed forms, modes {}{}", names.join(" and "), if turned { ", the other way" } else { "" }), space.point(&values)));
+        }
+    }
+    list
+}
+
+/// Values of an absorber moved away from those of others on the same station and mode.
+fn apart(space: &Space, index: usize, mut values: Vec<f64>, same_mode: &dyn Fn(usize) -> bool, turned: bool) -> Vec<f64> {
+    let own = &space.slots[index];
+    let alike = |j: usize| matches!(own.on, Host::Station(_)) && space.slots[j].on == own.on && same_mode(j);
+    let (before, all) = ((0..index).filter(|j| alike(*j)).count(), (0..space.slots.len()).filter(|j| alike(*j)).count().max(1));
+    let place = before as f64 - 0.5 * (all - 1) as f64;
+    let factor = APART.powf(if turned { -place } else { place });
+    for (value, p) in values.iter_mut().zip(own.declaration.parameters).skip(1) {
+        if p.extensive && !p.dissipative {
+            *value *= factor;
+        }
+    }
+    values
 }
 
 /// Points spread over the box, but not further than six e-folds from `middle`: beyond, rings are locked or loose.
@@ -59,24 +121,4 @@ pub fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> 
         bounds.iter().zip(middle).map(within).collect()
     };
     (0..count).map(|_| point()).collect()
-}
-
-/// Higher modes get the exact optimum only; an undamped ring takes the stiffness of the tuned rules.
-fn suits(rule: Rule, kind: Kind, mode: usize) -> bool {
-    match kind {
-        Kind::Viscous => rule.kind() == Kind::Viscous,
-        Kind::Tuned => mode == 0 || rule == Rule::HInfinity,
-        Kind::Locked => false,
-        Kind::Undamped => rule.kind() == Kind::Tuned && (mode == 0 || rule == Rule::HInfinity),
-    }
-}
-
-/// Bounds wide enough to lock the ring and to let it loose, where a study gives none: up to 10⁴ times the stiffness tuned to the highest
-/// mode and 10³ times the damping of a viscous absorber.
-pub fn wide_bounds(ring_inertia: f64, modes: &[EngineMode]) -> ((f64, f64), (f64, f64)) {
-    // without a mode to go by, 100 rad/s is as good as any
-    let first = modes.first().copied().unwrap_or(EngineMode { inertia: ring_inertia, omega: 100.0 });
-    let top = modes.iter().map(|m| m.omega).fold(first.omega, f64::max);
-    let viscous = Rule::ViscousUntuned.absorber(ring_inertia, first).damping();
-    ((0.0, 1e4 * ring_inertia * top * top), (0.0, 1e3 * viscous))
 }

@@ -1,23 +1,14 @@
-//! What may vary in an absorber, and the coordinates an optimiser sees.
+//! What may vary in the absorbers of a design, and the coordinates an optimiser sees.
 
-use crate::absorber::{Kind, Mounted, Ring};
+use crate::absorber::{Absorber, Declaration, Host, Mounted};
 
-/// A value of an absorber.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Parameter {
-    /// kg m².
-    RingInertia,
-    /// N m/rad.
-    Stiffness,
-    /// N m s/rad.
-    Damping,
-}
-
-/// A value free between bounds.
+/// A parameter free between bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variable {
-    /// Which value.
-    pub parameter: Parameter,
+    /// Index of the absorber in the design.
+    pub absorber: usize,
+    /// Index of the parameter in its declaration.
+    pub parameter: usize,
     /// Not negative.
     pub lower: f64,
     /// Above `lower`.
@@ -43,36 +34,50 @@ impl Variable {
     }
 }
 
-/// A family of absorbers on one station.
+/// An absorber of a family: its type, its place, and the values of what does not vary.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Space {
+pub struct Slot {
     /// Type.
-    pub kind: Kind,
-    /// Station of the hub.
-    pub station: usize,
+    pub declaration: &'static Declaration,
+    /// What carries the hub.
+    pub on: Host,
     /// kg m².
     pub hub_inertia: f64,
-    /// Ring inertia, stiffness and damping where they do not vary.
-    pub fixed: [f64; 3],
+    /// A value for each parameter of the type; those of variables are not looked at.
+    pub values: Vec<f64>,
+}
+
+/// A family of designs: absorbers of given types in their places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Space {
+    /// The absorbers.
+    pub slots: Vec<Slot>,
     /// What varies.
     pub variables: Vec<Variable>,
 }
 
 impl Space {
-    /// The absorber at a point.
-    pub fn absorber(&self, w: &[f64]) -> Mounted {
-        let mut values = self.fixed;
+    /// Values of all parameters at a point, by absorber.
+    pub fn values(&self, w: &[f64]) -> Vec<Vec<f64>> {
+        let mut values: Vec<Vec<f64>> = self.slots.iter().map(|s| s.values.clone()).collect();
         for (v, w) in self.variables.iter().zip(w) {
-            values[v.parameter as usize] = v.value(*w);
+            values[v.absorber][v.parameter] = v.value(*w);
         }
-        let absorber = self.kind.build(values[0], values[1], values[2]);
-        Mounted { station: self.station, hub_inertia: self.hub_inertia, absorber }
+        values
     }
 
-    /// The point of an absorber, moved into the bounds.
-    pub fn point(&self, absorber: &impl Ring) -> Vec<f64> {
-        let values = [absorber.ring_inertia(), absorber.stiffness(), absorber.damping()];
-        self.variables.iter().map(|v| v.coordinate(values[v.parameter as usize].clamp(v.lower, v.upper))).collect()
+    /// The design at a point.
+    pub fn design(&self, w: &[f64]) -> Vec<Mounted> {
+        let mounted = |(slot, values): (&Slot, Vec<f64>)| {
+            let absorber = Absorber::Ring((slot.declaration.build)(&values));
+            Mounted { on: slot.on, hub_inertia: slot.hub_inertia, absorber }
+        };
+        self.slots.iter().zip(self.values(w)).map(mounted).collect()
+    }
+
+    /// The point of given values (a row an absorber), moved into the bounds.
+    pub fn point(&self, values: &[Vec<f64>]) -> Vec<f64> {
+        self.variables.iter().map(|v| v.coordinate(values[v.absorber][v.parameter].clamp(v.lower, v.upper))).collect()
     }
 
     /// Bounds of each coordinate.
@@ -80,16 +85,24 @@ impl Space {
         self.variables.iter().map(|v| (v.coordinate(v.lower), v.coordinate(v.upper))).collect()
     }
 
-    /// Derivatives with respect to the coordinates from those with respect to ring inertia, stiffness and damping.
-    pub fn chain_rule(&self, w: &[f64], gradient: [f64; 3]) -> Vec<f64> {
-        self.variables.iter().zip(w).map(|(v, w)| gradient[v.parameter as usize] * v.slope(v.value(*w))).collect()
+    /// Derivatives with respect to the coordinates from those with respect to the parameters (a row an absorber; rows that are too short are
+    /// of parameters without influence).
+    pub fn chain_rule(&self, w: &[f64], gradient: &[Vec<f64>]) -> Vec<f64> {
+        let by_parameter = |v: &Variable| gradient[v.absorber].get(v.parameter).copied().unwrap_or(0.0);
+        self.variables.iter().zip(w).map(|(v, w)| by_parameter(v) * v.slope(v.value(*w))).collect()
     }
 
-    /// The same family with the ring inertia held.
+    /// Whether anything of an absorber varies.
+    pub fn varies(&self, absorber: usize) -> bool {
+        self.variables.iter().any(|v| v.absorber == absorber)
+    }
+
+    /// The same family with the ring inertia of its first absorber held.
+    #[must_use]
     pub fn with_ring_inertia(&self, ring_inertia: f64) -> Self {
         let mut space = self.clone();
-        space.fixed[Parameter::RingInertia as usize] = ring_inertia;
-        space.variables.retain(|v| v.parameter != Parameter::RingInertia);
+        space.slots[0].values[0] = ring_inertia;
+        space.variables.retain(|v| (v.absorber, v.parameter) != (0, 0));
         space
     }
 }

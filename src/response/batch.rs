@@ -9,7 +9,7 @@
 // every loop runs over the lanes of several arrays at once
 #![allow(clippy::needless_range_loop)]
 
-use crate::absorber::{Kind, Mounted, Ring};
+use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
 use crate::drivetrain::Station;
 use crate::numerics::C64;
 use multiversion::multiversion;
@@ -59,6 +59,8 @@ impl Lane {
 pub struct Block {
     /// Circular frequencies, rad/s.
     pub omega: [f64; LANES],
+    /// Speed of the shaft, rad/s.
+    pub shaft_speed: f64,
     /// Torque on each station, N m; solved, its angle, rad.
     pub x: Vec<Lane>,
     /// Solved, the angle of each station less that of the next, rad (nothing for the last). On the way, r.
@@ -69,6 +71,10 @@ pub struct Block {
     pub cancelled: [f64; LANES],
     /// 1/(s + r) of each station.
     inverse: Vec<Lane>,
+    /// S of each ring on a station that carries no other.
+    spring: Vec<Lane>,
+    /// Absorbers of each point, where rings carry rings.
+    condensed: Vec<Condensed>,
 }
 
 impl Block {
@@ -77,52 +83,126 @@ impl Block {
         let lanes = |n| vec![Lane::ZERO; n];
         Self {
             omega: [0.0; LANES],
+            shaft_speed: 0.0,
             x: lanes(stations),
             twist: lanes(stations),
             ring: lanes(rings),
             cancelled: [0.0; LANES],
             inverse: lanes(stations),
+            spring: lanes(rings),
+            condensed: Vec::new(),
         }
     }
 
     /// Solves all points.
     pub fn solve(&mut self, stations: &[Station], design: &[Mounted]) {
-        ground(self, stations, design);
+        let tiers = design.iter().any(|m| matches!(m.on, Host::Ring(_)));
+        self.chain(stations);
+        if tiers {
+            self.condense(design);
+        } else {
+            self.springs(design);
+            rings(self, design);
+        }
         eliminate(self, stations);
-        follow(self, stations, design);
+        follow(self, stations);
+        if tiers {
+            self.condensed_twists(design);
+        } else {
+            twists(self, design);
+        }
+    }
+
+    fn at(&self, lane: usize) -> Operating {
+        Operating { omega: self.omega[lane], shaft_speed: self.shaft_speed }
+    }
+
+    /// S of every ring at every point.
+    fn springs(&mut self, design: &[Mounted]) {
+        let at: [Operating; LANES] = std::array::from_fn(|lane| self.at(lane));
+        for (spring, m) in self.spring.iter_mut().zip(design) {
+            let Absorber::Ring(law) = &m.absorber else { continue };
+            match law.spring_and_damper() {
+                Some(s) => *spring = Lane { re: [s.stiffness; LANES], im: at.map(|at| at.omega * s.damping) },
+                None => {
+                    let mut s = [C64::ZERO; LANES];
+                    law.dynamic_stiffness_each(&at, &mut s);
+                    *spring = Lane { re: s.map(|s| s.re), im: s.map(|s| s.im) };
+                }
+            }
+        }
+    }
+
+    /// Adds absorbers whose rings carry rings to what ties their stations to inertial space, point by point.
+    fn condense(&mut self, design: &[Mounted]) {
+        self.condensed.resize(LANES, Condensed::default());
+        for lane in 0..LANES {
+            let at = self.at(lane);
+            let condensed = &mut self.condensed[lane];
+            condensed.set(design, at);
+            for hub in &condensed.hubs {
+                let z = hub.numerator / hub.denominator;
+                self.twist[hub.station].re[lane] += z.re;
+                self.twist[hub.station].im[lane] += z.im;
+            }
+            // near its own resonance an undamped ring turns rounding of its host's angle into its own
+            let ratio = |i: usize| (condensed.rings[i].twist / condensed.rings[i].host / condensed.denominator(i)).norm_sqr();
+            self.cancelled[lane] = (0..design.len()).map(ratio).fold(0.0, f64::max);
+        }
+    }
+
+    /// Twist of every ring, where rings carry rings.
+    fn condensed_twists(&mut self, design: &[Mounted]) {
+        for (i, ring) in self.ring.iter_mut().enumerate().take(design.len()) {
+            for (lane, condensed) in self.condensed.iter().enumerate() {
+                let motion = &condensed.rings[i];
+                let hub = &condensed.hubs[motion.hub];
+                ring.set(lane, motion.twist * self.x[hub.station].get(lane) / hub.denominator);
+            }
+        }
     }
 }
 
-/// What ties the stations to inertial space, absorbers included, into `twist`.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn ground(b: &mut Block, stations: &[Station], design: &[Mounted]) {
-    let omega = b.omega;
-    let mut worst = [0.0; LANES];
-    for (left, s) in b.twist.iter_mut().zip(stations) {
-        for l in 0..LANES {
-            left.re[l] = s.stiffness_to_ground - omega[l] * omega[l] * s.inertia;
-            left.im[l] = omega[l] * s.damping_to_ground;
+impl Block {
+    /// What ties the stations themselves to inertial space, into `twist`.
+    fn chain(&mut self, stations: &[Station]) {
+        let omega = self.omega;
+        self.cancelled = [0.0; LANES];
+        for (left, s) in self.twist.iter_mut().zip(stations) {
+            for l in 0..LANES {
+                left.re[l] = s.stiffness_to_ground - omega[l] * omega[l] * s.inertia;
+                left.im[l] = omega[l] * s.damping_to_ground;
+            }
         }
     }
-    for m in design {
-        let (a, left) = (&m.absorber, &mut b.twist[m.station]);
-        if a.kind() == Kind::Locked {
-            let inertia = m.hub_inertia + a.ring_inertia();
+}
+
+/// Adds absorbers to what ties their stations to inertial space.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn rings(b: &mut Block, design: &[Mounted]) {
+    let omega = b.omega;
+    let mut worst = [0.0; LANES];
+    for (m, s) in design.iter().zip(&b.spring) {
+        let Host::Station(station) = m.on else { continue };
+        let left = &mut b.twist[station];
+        let ring_inertia = m.absorber.ring_inertia();
+        if m.absorber.law().is_none() {
+            let inertia = m.hub_inertia + ring_inertia;
             for l in 0..LANES {
                 left.re[l] -= omega[l] * omega[l] * inertia;
             }
             continue;
         }
-        let (ring_inertia, stiffness, damping) = (a.ring_inertia(), a.stiffness(), a.damping());
         for l in 0..LANES {
             // -w² J_hub - w² J S/(S - w² J)
             let ring = omega[l] * omega[l] * ring_inertia;
-            let (s_im, d_re) = (omega[l] * damping, stiffness - ring);
+            let (s_re, s_im) = (s.re[l], s.im[l]);
+            let d_re = s_re - ring;
             let scale = ring / (d_re * d_re + s_im * s_im);
             // near its own resonance an undamped ring turns rounding of the hub's angle into its own
             let cancelled = ring * scale;
             worst[l] = if cancelled > worst[l] { cancelled } else { worst[l] };
-            left.re[l] -= omega[l] * omega[l] * m.hub_inertia + scale * (stiffness * d_re + s_im * s_im);
+            left.re[l] -= omega[l] * omega[l] * m.hub_inertia + scale * (s_re * d_re + s_im * s_im);
             left.im[l] += scale * s_im * ring;
         }
     }
@@ -162,10 +242,10 @@ fn eliminate(b: &mut Block, stations: &[Station]) {
     }
 }
 
-/// From the last station back to the first, then the rings.
+/// From the last station back to the first.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn follow(b: &mut Block, stations: &[Station], design: &[Mounted]) {
-    let (omega, last) = (b.omega, stations.len() - 1);
+fn follow(b: &mut Block, stations: &[Station]) {
+    let last = stations.len() - 1;
     for l in 0..LANES {
         let (r_re, r_im) = (b.twist[last].re[l], b.twist[last].im[l]);
         let (f_re, f_im) = (b.x[last].re[l], b.x[last].im[l]);
@@ -186,16 +266,22 @@ fn follow(b: &mut Block, stations: &[Station], design: &[Mounted]) {
         }
         (b.x[i], b.twist[i]) = (angle, twist);
     }
-    for (ring, m) in b.ring.iter_mut().zip(design) {
-        let (a, hub) = (&m.absorber, b.x[m.station]);
-        if a.kind() == Kind::Locked {
+}
+
+/// Twist of every ring.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn twists(b: &mut Block, design: &[Mounted]) {
+    let omega = b.omega;
+    for ((ring, m), s) in b.ring.iter_mut().zip(design).zip(&b.spring) {
+        let Host::Station(station) = m.on else { continue };
+        if m.absorber.law().is_none() {
             *ring = Lane::ZERO;
             continue;
         }
-        let (ring_inertia, stiffness, damping) = (a.ring_inertia(), a.stiffness(), a.damping());
+        let (ring_inertia, hub) = (m.absorber.ring_inertia(), b.x[station]);
         for l in 0..LANES {
             let inertia = omega[l] * omega[l] * ring_inertia;
-            let (d_re, d_im) = (stiffness - inertia, omega[l] * damping);
+            let (d_re, d_im) = (s.re[l] - inertia, s.im[l]);
             let scale = inertia / (d_re * d_re + d_im * d_im);
             ring.re[l] = scale * (hub.re[l] * d_re + hub.im[l] * d_im);
             ring.im[l] = scale * (hub.im[l] * d_re - hub.re[l] * d_im);

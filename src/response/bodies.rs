@@ -1,9 +1,10 @@
 //! Chain and rings as bodies of their own: matrices of the whole system, for methods that do not condense the rings.
 
 use super::Quantity;
-use crate::absorber::{Kind, Mounted, Ring};
+use crate::absorber::{Absorber, Host, Law, Mounted};
 use crate::drivetrain::{Station, System};
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// Stations, then rings that move.
 #[derive(Debug, Clone)]
@@ -16,8 +17,10 @@ pub struct Bodies {
     pub damping: DMatrix<f64>,
     /// Hysteretic part of the stiffness, eta k, N m/rad.
     pub hysteresis: DMatrix<f64>,
-    /// Station and body of each absorber; locked rings are part of their station.
+    /// The two bodies of each absorber, what carries it and its ring; of a locked ring both are the carrier.
     pub rings: Vec<(usize, usize)>,
+    /// Laws that are no constant spring and damper, with the absorbers they belong to: not in the matrices.
+    pub laws: Vec<(usize, Arc<dyn Law>)>,
 }
 
 fn link(matrix: &mut DMatrix<f64>, i: usize, j: usize, value: f64) {
@@ -27,14 +30,29 @@ fn link(matrix: &mut DMatrix<f64>, i: usize, j: usize, value: f64) {
     matrix[(j, i)] -= value;
 }
 
+/// Body of the ring of an absorber: rings that move follow the stations.
+fn ring_body(design: &[Mounted], index: usize, stations: usize) -> usize {
+    stations + design[..index].iter().filter(|m| m.absorber.law().is_some()).count()
+}
+
+/// Body that carries a hub.
+fn host_body(design: &[Mounted], on: Host, stations: usize) -> usize {
+    match on {
+        Host::Station(station) => station,
+        Host::Ring(inner) if design[inner].absorber.law().is_none() => host_body(design, design[inner].on, stations),
+        Host::Ring(inner) => ring_body(design, inner, stations),
+    }
+}
+
 impl Bodies {
     /// Of a system with a design.
     pub fn new(system: &System, design: &[Mounted]) -> Self {
         let n = system.chain.len();
-        let moving = design.iter().filter(|m| m.absorber.kind() != Kind::Locked).count();
+        let moving = design.iter().filter(|m| m.absorber.law().is_some()).count();
         let zeros = || DMatrix::zeros(n + moving, n + moving);
+        let inertia = system.chain.inertias().into_iter().chain(std::iter::repeat_n(0.0, moving)).collect();
         let mut bodies =
-            Self { inertia: system.chain.inertias(), stiffness: zeros(), damping: zeros(), hysteresis: zeros(), rings: Vec::new() };
+            Self { inertia, stiffness: zeros(), damping: zeros(), hysteresis: zeros(), rings: Vec::new(), laws: Vec::new() };
         for (i, s) in system.chain.stations.iter().enumerate() {
             bodies.stiffness[(i, i)] += s.stiffness_to_ground;
             bodies.damping[(i, i)] += s.damping_to_ground;
@@ -42,19 +60,24 @@ impl Bodies {
                 bodies.shaft(i, s);
             }
         }
-        for m in design {
-            let a = &m.absorber;
-            bodies.inertia[m.station] += m.hub_inertia;
-            if a.kind() == Kind::Locked {
-                bodies.inertia[m.station] += a.ring_inertia();
-                bodies.rings.push((m.station, m.station));
+        for (index, m) in design.iter().enumerate() {
+            let host = host_body(design, m.on, n);
+            bodies.inertia[host] += m.hub_inertia;
+            let Absorber::Ring(law) = &m.absorber else {
+                bodies.inertia[host] += m.absorber.ring_inertia();
+                bodies.rings.push((host, host));
                 continue;
+            };
+            let body = ring_body(design, index, n);
+            bodies.inertia[body] += law.ring_inertia();
+            match law.spring_and_damper() {
+                Some(s) => {
+                    link(&mut bodies.stiffness, host, body, s.stiffness);
+                    link(&mut bodies.damping, host, body, s.damping);
+                }
+                None => bodies.laws.push((index, law.clone())),
             }
-            let body = bodies.inertia.len();
-            bodies.inertia.push(a.ring_inertia());
-            link(&mut bodies.stiffness, m.station, body, a.stiffness());
-            link(&mut bodies.damping, m.station, body, a.damping());
-            bodies.rings.push((m.station, body));
+            bodies.rings.push((host, body));
         }
         bodies
     }

@@ -2,7 +2,7 @@
 
 use super::method::RESONANT;
 use super::{Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::Mounted;
+use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -40,11 +40,9 @@ impl Response for ClosedForm<'_> {
         let excited = system.excitation.orders[order];
         let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
         work.modal_solves += 1;
-        let mounted = match design {
-            [] => None,
-            [one] => Some(one),
-            _ => return Err(ResponseError::NotApplicable { method: "closed_form", why: "it takes one absorber" }),
-        };
+        if design.len() > 1 {
+            return Err(ResponseError::NotApplicable { method: "closed_form", why: "it takes one absorber" });
+        }
         let mut torque = vec![ZERO; system.chain.len()];
         system.torque(order, speed_rpm, &mut torque);
         let force: C64 = torque.iter().enumerate().map(|(s, t)| t * shape(s)).sum();
@@ -54,7 +52,9 @@ impl Response for ClosedForm<'_> {
         let natural = system.modes.omega[self.mode];
         let engine = C64::new(natural * natural - omega * omega, omega * self.viscous + self.hysteretic);
         // coordinate of the mode over the ring's denominator, which is zero where an undamped ring resonates
-        let z = mounted.map(|m| (m.dynamic_stiffness(omega), shape(m.station)));
+        let at = Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
+        let condensed = Condensed::new(design, at);
+        let z = condensed.hubs.first().map(|hub| (hub, shape(hub.station)));
         let (determinant, denominator) = match &z {
             None => (engine, C64::from(1.0)),
             Some((z, phi)) => (engine * z.denominator + z.numerator * (phi * phi), z.denominator),
@@ -66,7 +66,7 @@ impl Response for ClosedForm<'_> {
         let y = match quantity {
             Quantity::Twist { from, to } => q * denominator * (shape(from) - to.map_or(0.0, shape)),
             Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * q * denominator * (shape(s) - shape(s + 1)),
-            Quantity::RingTwist(_) => z.map_or(ZERO, |(z, phi)| q * phi * z.ring),
+            Quantity::RingTwist(_) => z.map_or(ZERO, |(_, phi)| q * phi * condensed.rings[0].twist),
         };
         if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(excited, speed_rpm)) }
     }

@@ -2,7 +2,7 @@
 
 use super::bodies::Bodies;
 use super::{Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::Mounted;
+use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -32,10 +32,17 @@ impl<'a> Dense<'a> {
         let n = bodies.len();
         let mut torque = DVector::from_element(n, ZERO);
         self.system.torque(order, speed_rpm, &mut torque.as_mut_slice()[..self.system.chain.len()]);
-        let matrix = DMatrix::from_fn(n, n, |i, j| {
+        let mut matrix = DMatrix::from_fn(n, n, |i, j| {
             let inertia = if i == j { omega * omega * bodies.inertia[i] } else { 0.0 };
             bodies.stiffness[(i, j)] - inertia + I * (omega * bodies.damping[(i, j)] + bodies.hysteresis[(i, j)])
         });
+        for (index, law) in &bodies.laws {
+            let s = law.dynamic_stiffness(Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+            let (host, ring) = bodies.rings[*index];
+            for (i, j, sign) in [(host, host, 1.0), (ring, ring, 1.0), (host, ring, -1.0), (ring, host, -1.0)] {
+                matrix[(i, j)] += s * sign;
+            }
+        }
         if torque.iter().all(|t| *t == ZERO) {
             return Ok((bodies, torque));
         }

@@ -1,12 +1,14 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
+use super::factored::Factored;
 use super::batch::{Block, LANES, Lane};
 use super::{Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::{Mounted, Ring};
+use crate::absorber::mounted::station_of;
+use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
-use crate::numerics::tridiagonal::Tridiagonal;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::DMatrix;
 
 /// Solves (K + i omega C - omega² J + z(omega)) theta = T at every order and speed.
 #[derive(Debug)]
@@ -20,137 +22,23 @@ pub struct Direct<'a> {
 /// most about as many roundings.
 const LARGEST_CANCELLATION: f64 = 1e4;
 
-/// An absorber in the factored system.
-struct RingOf {
-    station: usize,
-    /// Denominators of the other absorbers on the station.
-    others: C64,
-    /// Twist of the ring per hub angle, times its own denominator.
-    ring: f64,
-}
-
-/// The factored system at one frequency.
-///
-/// The column of a station with absorbers is scaled by their denominators d (see [`crate::absorber::DynamicStiffness`]), so that the
-/// unknown there is q = theta/d: finite and exact where an undamped ring resonates.
-struct Factored<'a> {
-    system: &'a System,
-    omega: f64,
-    matrix: Tridiagonal,
-    /// Right-hand side, then unknowns.
-    x: Vec<C64>,
-    scale: Vec<C64>,
-    rings: Vec<RingOf>,
-}
-
-impl<'a> Factored<'a> {
-    fn new(system: &'a System) -> Self {
-        let n = system.chain.len();
-        Self { system, omega: 0.0, matrix: Tridiagonal::zeros(n), x: vec![ZERO; n], scale: vec![C64::from(1.0); n], rings: Vec::new() }
-    }
-
-    /// Assembles and factors at the frequency of an order at a speed.
-    fn factor(&mut self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(), ResponseError> {
-        let order = self.system.excitation.orders[order];
-        let omega = order.value() * speed_rpm * RAD_PER_S_PER_RPM;
-        let (chain, n) = (&self.system.chain, self.system.chain.len());
-        self.omega = omega;
-        for i in 0..n {
-            self.matrix.diagonal[i] = chain.ground_stiffness(i, omega);
-        }
-        for i in 0..n - 1 {
-            let s = chain.shaft_stiffness(i, omega);
-            self.matrix.diagonal[i] += s;
-            self.matrix.diagonal[i + 1] += s;
-            self.matrix.upper[i] = -s;
-            self.matrix.lower[i] = -s;
-        }
-        self.rings.clear();
-        self.scale.fill(C64::from(1.0));
-        for mounted in design {
-            let h = mounted.station;
-            let z = mounted.dynamic_stiffness(omega);
-            // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
-            self.matrix.diagonal[h] = self.matrix.diagonal[h] * z.denominator + z.numerator * self.scale[h];
-            for ring in self.rings.iter_mut().filter(|r| r.station == h) {
-                ring.others *= z.denominator;
-            }
-            self.rings.push(RingOf { station: h, others: self.scale[h], ring: z.ring });
-            self.scale[h] *= z.denominator;
-            if h > 0 {
-                self.matrix.upper[h - 1] *= z.denominator;
-            }
-            if h + 1 < n {
-                self.matrix.lower[h] *= z.denominator;
-            }
-        }
-        self.matrix.factor().map_err(|_| ResponseError::unbounded(order, speed_rpm))
-    }
-
-    /// Solves for the torque of an order (an index) at a speed.
-    fn solve(&mut self, design: &[Mounted], (order, speed_rpm): (usize, f64), work: &mut Work) -> Result<(), ResponseError> {
-        work.direct_solves += 1;
-        self.factor(design, order, speed_rpm)?;
-        self.system.torque(order, speed_rpm, &mut self.x);
-        self.matrix.solve(&mut self.x);
-        Ok(())
-    }
-
-    /// Phasors of quantities under the torque of an order (an index) at a speed, given to `put` one by one; zero, even at a resonance, where
-    /// there is no torque.
-    fn phasors(
-        &mut self,
-        design: &[Mounted],
-        quantities: &[Quantity],
-        at: (usize, f64),
-        work: &mut Work,
-        mut put: impl FnMut(usize, C64),
-    ) -> Result<(), ResponseError> {
-        self.system.torque(at.0, at.1, &mut self.x);
-        let still = self.x.iter().all(|t| *t == ZERO);
-        if !still {
-            self.solve(design, at, work)?;
-        }
-        for (i, quantity) in quantities.iter().enumerate() {
-            let y = if still { ZERO } else { self.output(*quantity, &self.x) };
-            if !y.is_finite() {
-                return Err(ResponseError::unbounded(self.system.excitation.orders[at.0], at.1));
-            }
-            put(i, y);
-        }
-        Ok(())
-    }
-
-    fn phasor(&mut self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
-        let mut found = ZERO;
-        self.phasors(design, &[quantity], at, work, |_, y| found = y)?;
-        Ok(found)
-    }
-
-    /// The quantity from a solution.
-    fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
-        let theta = |i: usize| self.scale[i] * x[i];
-        match quantity {
-            Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
-            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * (theta(s) - theta(s + 1)),
-            Quantity::RingTwist(a) => {
-                let r = &self.rings[a];
-                r.others * r.ring * x[r.station]
-            }
-        }
-    }
-}
-
-/// Response of the base to torque and to a unit torque at a station, at one point.
+/// Response of the base to its torque and to a unit torque at each of some stations, at one point.
+#[derive(Debug)]
 pub(super) struct BasePoint {
-    /// Quantity under the torque.
-    pub output: C64,
-    /// Quantity per unit torque at the station.
-    pub output_per_torque: C64,
-    /// Angle of the station under the torque.
-    pub station: C64,
-    /// Angle of the station per unit torque at the station.
-    pub receptance: C64,
+    /// Angle of each station under the torque.
+    pub stations: Vec<C64>,
+    /// Angle of a station (row) per unit torque at another one (column).
+    pub receptance: DMatrix<C64>,
+    /// Of each quantity, its value under the torque and per unit torque at each station.
+    pub outputs: Vec<(C64, Vec<C64>)>,
+}
+
+impl BasePoint {
+    /// Whether every number is one.
+    pub fn is_finite(&self) -> bool {
+        let outputs = self.outputs.iter().flat_map(|(y, each)| std::iter::once(y).chain(each));
+        self.stations.iter().chain(self.receptance.iter()).chain(outputs).all(|y| y.is_finite())
+    }
 }
 
 impl<'a> Direct<'a> {
@@ -225,6 +113,7 @@ impl<'a> Direct<'a> {
                     block.x[station].set(lane, torque);
                 });
             }
+            block.shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
             block.solve(&system.chain.stations, design);
             outputs.clear();
             outputs.extend(quantities.iter().map(|q| self.output(block, *q)));
@@ -278,11 +167,12 @@ impl<'a> Direct<'a> {
         Factored::new(self.system).phasor(design, quantity, (order, speed_rpm), work)
     }
 
-    /// Derivatives of the phasors of `quantity` at one speed with respect to ring inertia, stiffness and damping of absorber `index` of
-    /// the design, for each of the given orders: dy/dp = -(dy/dT_hub) theta_hub dz/dp.
+    /// Derivatives of the phasors of `quantity` (of stations and shafts) at one speed with respect to the parameters of absorber `index` of the design
+    /// (ring inertia first), for each of the given orders: dy/dp = -(dy/dT) theta dz/dp with angle and torque at what carries the absorber.
     ///
     /// # Errors
-    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for the twist of a ring, which depends on the
+    /// parameters by itself, too.
     pub fn sensitivity(
         &self,
         design: &[Mounted],
@@ -291,54 +181,65 @@ impl<'a> Direct<'a> {
         orders: std::ops::Range<usize>,
         speed_rpm: f64,
         work: &mut Work,
-    ) -> Result<Vec<[C64; 3]>, ResponseError> {
+    ) -> Result<Vec<Vec<C64>>, ResponseError> {
+        if matches!(quantity, Quantity::RingTwist(_)) {
+            return Err(ResponseError::NotApplicable { method: "direct", why: "the twist of a ring has no derivatives here" });
+        }
         let mut solver = Factored::new(self.system);
-        let mut hub = vec![ZERO; self.system.chain.len()];
+        let mut unit = vec![ZERO; self.system.chain.len()];
+        let station = station_of(design, index);
         orders
             .map(|order| {
                 solver.solve(design, (order, speed_rpm), work)?;
-                let mounted = &design[index];
-                hub.fill(ZERO);
-                hub[mounted.station] = C64::from(1.0);
-                solver.matrix.solve(&mut hub);
-                let z = mounted.dynamic_stiffness(solver.omega);
-                // theta_hub over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
-                let hub_over_denominator = solver.rings[index].others * solver.x[mounted.station];
-                let factor = -solver.output(quantity, &hub) * hub_over_denominator / z.denominator;
-                Ok(mounted.gradient_times_denominator2(solver.omega).map(|g| factor * g))
+                unit.fill(ZERO);
+                unit[station] = C64::from(1.0);
+                solver.matrix.solve(&mut unit);
+                let (condensed, at) = (&solver.condensed, Operating { omega: solver.omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+                let ring = &condensed.rings[index];
+                // the host's angle over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
+                let host_over_denominator = solver.hub(ring.hub, ring.host, &solver.x);
+                // by reciprocity a torque on the host does at the station what one on the station does at the host
+                let output = solver.output(quantity, &unit) * condensed.host_per_station(design, index);
+                let factor = -output * host_over_denominator / condensed.denominator(index);
+                Ok(condensed.gradient_times_denominator2(design, index, at).into_iter().map(|g| factor * g).collect())
             })
             .collect()
     }
 
-    /// Response of the system without absorber at one point, for several quantities, with the receptances of `station`.
+    /// Response of the system without absorber at one point, for several quantities, with the receptances of `stations`.
     pub(super) fn base(
         &self,
-        station: usize,
+        stations: &[usize],
         quantities: &[Quantity],
         order: usize,
         speed_rpm: f64,
         work: &mut Work,
-    ) -> Result<Vec<BasePoint>, ResponseError> {
+    ) -> Result<BasePoint, ResponseError> {
         let mut solver = Factored::new(self.system);
-        let mut unit = vec![ZERO; self.system.chain.len()];
+        let n = self.system.chain.len();
         solver.solve(&[], (order, speed_rpm), work)?;
-        unit[station] = C64::from(1.0);
-        solver.matrix.solve(&mut unit);
-        let point = |q: &Quantity| match q {
-            // a ring follows its hub
-            Quantity::RingTwist(_) => (solver.x[station], unit[station]),
-            q => (solver.output(*q, &solver.x), solver.output(*q, &unit)),
-        };
-        Ok(quantities
+        let units: Vec<Vec<C64>> = stations
             .iter()
-            .map(|q| {
-                let (output, output_per_torque) = point(q);
-                BasePoint { output, output_per_torque, station: solver.x[station], receptance: unit[station] }
+            .map(|station| {
+                let mut unit = vec![ZERO; n];
+                unit[*station] = C64::from(1.0);
+                solver.matrix.solve(&mut unit);
+                unit
             })
-            .collect())
+            .collect();
+        let output = |q: &Quantity| match q {
+            // a ring follows its hub: that of the first station
+            Quantity::RingTwist(_) => (solver.x[stations[0]], units.iter().map(|u| u[stations[0]]).collect()),
+            q => (solver.output(*q, &solver.x), units.iter().map(|u| solver.output(*q, u)).collect()),
+        };
+        Ok(BasePoint {
+            stations: stations.iter().map(|s| solver.x[*s]).collect(),
+            receptance: DMatrix::from_fn(stations.len(), stations.len(), |i, j| units[j][stations[i]]),
+            outputs: quantities.iter().map(output).collect(),
+        })
     }
 
-    /// Mean power dissipated in the damper of absorber `index` at one speed, W: sum over orders of c (omega |ring twist|)²/2.
+    /// Mean power dissipated in the damper of absorber `index` at one speed, W: sum over orders of omega Im S |ring twist|²/2.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
@@ -350,8 +251,10 @@ impl<'a> Direct<'a> {
 
     /// The same from the phasors of the ring twist.
     pub fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
+        let Some(law) = design[index].absorber.law() else { return 0.0 };
         let rate = |n: usize| self.system.excitation.orders[n].value() * speed_rpm * RAD_PER_S_PER_RPM;
-        twist.iter().enumerate().map(|(n, y)| 0.5 * design[index].absorber.damping() * (rate(n) * y.norm()).powi(2)).sum()
+        let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
+        twist.iter().enumerate().map(|(n, y)| law.dissipated_power(Operating { omega: rate(n), shaft_speed }, y.norm())).sum()
     }
 }
 

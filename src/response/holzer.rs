@@ -5,7 +5,7 @@
 //! [`LARGEST_CANCELLATION`] is refused.
 
 use super::{Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::Mounted;
+use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -44,12 +44,12 @@ impl Response for Holzer<'_> {
         // what each station is tied to the ground with, absorbers included
         let mut tie: Vec<C64> = (0..n).map(|i| chain.ground_stiffness(i, omega)).collect();
         let unbounded = || ResponseError::unbounded(excited, speed_rpm);
-        for m in design {
-            let z = m.dynamic_stiffness(omega);
+        let condensed = Condensed::new(design, Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+        for z in &condensed.hubs {
             if z.denominator == ZERO {
                 return Err(ResponseError::NotApplicable { method: "holzer", why: "an undamped ring resonates, its hub stands still" });
             }
-            tie[m.station] += z.numerator / z.denominator;
+            tie[z.station] += z.numerator / z.denominator;
         }
         // angles of both marches, and torque in the shaft behind each station
         let (mut free, mut forced) = (vec![ZERO; n], vec![ZERO; n]);
@@ -85,8 +85,9 @@ impl Response for Holzer<'_> {
             Quantity::Twist { from, to } => theta[from] - to.map_or(ZERO, |to| theta[to]),
             Quantity::ShaftTorque(s) => chain.shaft_stiffness(s, omega) * (theta[s] - theta[s + 1]),
             Quantity::RingTwist(r) => {
-                let z = design[r].dynamic_stiffness(omega);
-                theta[design[r].station] * z.ring / z.denominator
+                let ring = &condensed.rings[r];
+                let hub = &condensed.hubs[ring.hub];
+                theta[hub.station] * ring.twist / hub.denominator
             }
         };
         if y.is_finite() { Ok(y) } else { Err(unbounded()) }

@@ -1,5 +1,6 @@
 //! The inner loop of the receptance method: one rank-one update a point, over arrays of points.
 
+use crate::absorber::{Absorber, Mounted, Operating, SpringAndDamper};
 use crate::numerics::C64;
 use multiversion::multiversion;
 
@@ -8,6 +9,8 @@ use multiversion::multiversion;
 pub struct Points {
     /// Circular frequency, rad/s.
     pub omega: Vec<f64>,
+    /// Speed of the shaft, rad/s.
+    pub shaft_speed: Vec<f64>,
     /// Output without absorber, y0.
     pub y0: [Vec<f64>; 2],
     /// y0 H - h u0: what the update adds to it, per dynamic stiffness (h: output per unit torque at the hub, u0: angle of the hub).
@@ -18,26 +21,36 @@ pub struct Points {
     pub ring: bool,
 }
 
-/// Absorber values as the loop needs them.
+impl Points {
+    /// Where each point is, from `first` on.
+    pub fn operating(&self, first: usize, count: usize) -> Vec<Operating> {
+        let range = first..first + count;
+        self.omega[range.clone()].iter().zip(&self.shaft_speed[range]).map(|(omega, s)| Operating { omega: *omega, shaft_speed: *s }).collect()
+    }
+}
+
+/// S of a law as the loop needs it.
 #[derive(Debug, Clone, Copy)]
-pub struct Values {
-    /// kg m².
-    pub ring_inertia: f64,
-    /// N m/rad.
-    pub stiffness: f64,
-    /// N m s/rad.
-    pub damping: f64,
-    /// kg m².
-    pub hub_inertia: f64,
+enum Spring<'a> {
+    Constant(SpringAndDamper),
+    /// At every point.
+    Each(&'a [C64]),
+}
+
+/// Inertias as the loop needs them, kg m².
+#[derive(Debug, Clone, Copy)]
+struct Inertias {
+    ring: f64,
+    hub: f64,
 }
 
 /// Numerator and denominator of y = (y0 + z g)/(1 + z H), both times the denominator of z.
 #[inline(always)]
-fn fraction(v: &Values, ring_output: bool, omega: f64, y0: (f64, f64), g: (f64, f64), h: (f64, f64)) -> ((f64, f64), (f64, f64)) {
+fn fraction(v: &Inertias, ring_output: bool, at: (f64, (f64, f64)), y0: (f64, f64), g: (f64, f64), h: (f64, f64)) -> ((f64, f64), (f64, f64)) {
+    let (omega, (s_re, s_im)) = at;
     let omega2 = omega * omega;
-    let ring = omega2 * v.ring_inertia;
-    let hub = omega2 * v.hub_inertia;
-    let (s_re, s_im) = (v.stiffness, omega * v.damping);
+    let ring = omega2 * v.ring;
+    let hub = omega2 * v.hub;
     let (d_re, d_im) = (s_re - ring, s_im);
     let (n_re, n_im) = (-ring * s_re - hub * d_re, -ring * s_im - hub * d_im);
     let (a_re, a_im) = if ring_output { (ring, 0.0) } else { (d_re, d_im) };
@@ -47,33 +60,72 @@ fn fraction(v: &Values, ring_output: bool, omega: f64, y0: (f64, f64), g: (f64, 
 }
 
 macro_rules! each_point {
-    ($p:expr, $v:expr, $first:expr, $out:expr, $value:expr) => {{
+    ($p:expr, $v:expr, $spring:expr, $first:expr, $out:expr, $value:expr) => {{
         // slices of one length, so that the loop has no bounds checks
         let (first, n) = ($first, $out.len());
         let (omega, out) = (&$p.omega[first..][..n], &mut $out[..n]);
         let (y_re, y_im) = (&$p.y0[0][first..][..n], &$p.y0[1][first..][..n]);
         let (g_re, g_im) = (&$p.g[0][first..][..n], &$p.g[1][first..][..n]);
         let (h_re, h_im) = (&$p.h[0][first..][..n], &$p.h[1][first..][..n]);
-        for i in 0..n {
-            let (top, bottom) = fraction($v, $p.ring, omega[i], (y_re[i], y_im[i]), (g_re[i], g_im[i]), (h_re[i], h_im[i]));
-            out[i] = $value(top, bottom);
+        match $spring {
+            Spring::Constant(s) => {
+                for i in 0..n {
+                    let at = (omega[i], (s.stiffness, omega[i] * s.damping));
+                    let (top, bottom) = fraction($v, $p.ring, at, (y_re[i], y_im[i]), (g_re[i], g_im[i]), (h_re[i], h_im[i]));
+                    out[i] = $value(top, bottom);
+                }
+            }
+            Spring::Each(s) => {
+                let s = &s[..n];
+                for i in 0..n {
+                    let at = (omega[i], (s[i].re, s[i].im));
+                    let (top, bottom) = fraction($v, $p.ring, at, (y_re[i], y_im[i]), (g_re[i], g_im[i]), (h_re[i], h_im[i]));
+                    out[i] = $value(top, bottom);
+                }
+            }
         }
     }};
 }
 
-/// Phasors at the points from `first` on, as many as there is room for.
+/// Inertias and S of an absorber at the points, given to `job`.
+fn with_spring<T>(points: &Points, mounted: &Mounted, first: usize, count: usize, job: impl FnOnce(&Inertias, Spring) -> T) -> T {
+    let (hub, ring) = (mounted.hub_inertia, mounted.absorber.ring_inertia());
+    let Absorber::Ring(law) = &mounted.absorber else {
+        // without a ring of its own any stiffness does
+        return job(&Inertias { ring: 0.0, hub: hub + ring }, Spring::Constant(SpringAndDamper { stiffness: 1.0, damping: 0.0 }));
+    };
+    let inertias = Inertias { ring, hub };
+    match law.spring_and_damper() {
+        Some(s) => job(&inertias, Spring::Constant(s)),
+        None => {
+            let mut each = vec![C64::ZERO; count];
+            law.dynamic_stiffness_each(&points.operating(first, count), &mut each);
+            job(&inertias, Spring::Each(&each))
+        }
+    }
+}
+
+/// Phasors of an absorber at the points from `first` on, as many as there is room for.
+pub fn phasors(points: &Points, mounted: &Mounted, first: usize, out: &mut [C64]) {
+    with_spring(points, mounted, first, out.len(), |inertias, spring| phasors_with(points, inertias, spring, first, out));
+}
+
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-pub fn phasors(points: &Points, values: &Values, first: usize, out: &mut [C64]) {
-    each_point!(points, values, first, out, |top: (f64, f64), bottom: (f64, f64)| {
+fn phasors_with(points: &Points, inertias: &Inertias, spring: Spring, first: usize, out: &mut [C64]) {
+    each_point!(points, inertias, spring, first, out, |top: (f64, f64), bottom: (f64, f64)| {
         let scale = 1.0 / (bottom.0 * bottom.0 + bottom.1 * bottom.1);
         C64::new((top.0 * bottom.0 + top.1 * bottom.1) * scale, (top.1 * bottom.0 - top.0 * bottom.1) * scale)
     });
 }
 
 /// Squares of the magnitudes at every point: a root would cost as much as all the rest.
+pub fn squares(points: &Points, mounted: &Mounted, out: &mut [f64]) {
+    with_spring(points, mounted, 0, out.len(), |inertias, spring| squares_with(points, inertias, spring, out));
+}
+
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-pub fn squares(points: &Points, values: &Values, out: &mut [f64]) {
-    each_point!(points, values, 0, out, |top: (f64, f64), bottom: (f64, f64)| {
+fn squares_with(points: &Points, inertias: &Inertias, spring: Spring, out: &mut [f64]) {
+    each_point!(points, inertias, spring, 0, out, |top: (f64, f64), bottom: (f64, f64)| {
         (top.0 * top.0 + top.1 * top.1) / (bottom.0 * bottom.0 + bottom.1 * bottom.1)
     });
 }

@@ -54,6 +54,9 @@ impl<'a> Modal<'a> {
     }
 
     fn with(&self, m: &Modes, quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work) -> Result<C64, ResponseError> {
+        if !m.bodies.laws.is_empty() {
+            return Err(ResponseError::NotApplicable { method: "modal", why: "the law of an absorber depends on frequency or speed" });
+        }
         let excited = self.system.excitation.orders[order];
         let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
         work.modal_solves += 1;

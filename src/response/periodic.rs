@@ -36,6 +36,9 @@ const CLOSED: f64 = 1e-6;
 /// # Errors
 /// [`ResponseError::NotApplicable`].
 pub fn check(method: &'static str, system: &System, bodies: &Bodies, steps: usize) -> Result<(), ResponseError> {
+    if !bodies.laws.is_empty() {
+        return Err(ResponseError::NotApplicable { method, why: "the law of an absorber depends on frequency or speed" });
+    }
     if bodies.hysteresis.amax() > 0.0 {
         return Err(ResponseError::NotApplicable { method, why: "loss factors have no meaning in time" });
     }

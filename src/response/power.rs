@@ -1,7 +1,7 @@
 //! Mean power that the torques put in and that the dampers take out: equal in a steady motion, whatever the method, or the method is wrong.
 
 use super::{Quantity, Response, ResponseError, Work};
-use crate::absorber::{Mounted, Ring};
+use crate::absorber::{Host, Mounted, Operating};
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -22,7 +22,7 @@ impl Power {
 }
 
 /// Phasors of all bodies at one speed and order.
-pub struct Bodies {
+pub struct Motion {
     /// Angle of each station, rad.
     pub stations: Vec<C64>,
     /// Twist of each shaft length, rad.
@@ -31,8 +31,27 @@ pub struct Bodies {
     pub rings: Vec<C64>,
 }
 
+impl Motion {
+    /// Angles of the stations and, after them, of the rings: that of what carries the hub and the twist.
+    pub fn angles(&self, design: &[Mounted]) -> Vec<C64> {
+        let ring = |index: usize| {
+            let (mut angle, mut at) = (self.rings[index], index);
+            loop {
+                match design[at].on {
+                    Host::Station(station) => return angle + self.stations[station],
+                    Host::Ring(inner) => {
+                        angle += self.rings[inner];
+                        at = inner;
+                    }
+                }
+            }
+        };
+        self.stations.iter().copied().chain((0..design.len()).map(ring)).collect()
+    }
+}
+
 /// What a method's own model dissipates, W, given circular frequency (rad/s) and phasors.
-pub type Dissipated<'a> = &'a dyn Fn(f64, &Bodies) -> f64;
+pub type Dissipated<'a> = &'a dyn Fn(f64, &Motion) -> f64;
 
 /// Quantities that [`powers`] asks a method for, for tables.
 pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
@@ -51,7 +70,7 @@ pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>
     let sweeps = method.sweep_each(design, &quantities(n, design.len()), work)?;
     let orders = method.orders().len();
     let mut torque = vec![ZERO; n];
-    let at = |point: usize| Bodies {
+    let at = |point: usize| Motion {
         stations: sweeps[..n].iter().map(|s| s[point]).collect(),
         shafts: sweeps[n..2 * n - 1].iter().map(|s| s[point]).collect(),
         rings: sweeps[2 * n - 1..].iter().map(|s| s[point]).collect(),
@@ -66,7 +85,7 @@ pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>
             power.input += torque.iter().zip(&bodies.stations).map(|(t, y)| 0.5 * (t.conj() * I * omega * y).re).sum::<f64>();
             power.dissipated += match own {
                 Some(own) => own(omega, &bodies),
-                None => physical(method, design, omega, &bodies),
+                None => physical(method, design, Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }, &bodies),
             };
         }
         list.push(power);
@@ -75,7 +94,8 @@ pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>
 }
 
 /// What the dampers of chain and absorbers take out, W.
-fn physical(method: &dyn Response, design: &[Mounted], omega: f64, bodies: &Bodies) -> f64 {
+fn physical(method: &dyn Response, design: &[Mounted], at: Operating, bodies: &Motion) -> f64 {
+    let omega = at.omega;
     let viscous = |c: f64, y: &C64| 0.5 * c * omega * omega * y.norm_sqr();
     let stations = &method.system().chain.stations;
     let ground: f64 = stations.iter().zip(&bodies.stations).map(|(s, y)| viscous(s.damping_to_ground, y)).sum();
@@ -83,6 +103,10 @@ fn physical(method: &dyn Response, design: &[Mounted], omega: f64, bodies: &Bodi
         viscous(s.damping_to_next, y) + 0.5 * omega * s.stiffness_to_next * s.loss_factor_to_next * y.norm_sqr()
     };
     let shafts: f64 = stations.iter().zip(&bodies.shafts).map(shaft).sum();
-    let rings: f64 = design.iter().zip(&bodies.rings).map(|(m, y)| viscous(m.absorber.damping(), y)).sum();
+    let rings: f64 = design
+        .iter()
+        .zip(&bodies.rings)
+        .filter_map(|(m, y)| Some(m.absorber.law()?.dissipated_power(at, y.norm())))
+        .sum();
     ground + shafts + rings
 }

@@ -3,9 +3,9 @@
 //! With u0 the station's angle and y0 the output without absorber, H the station's receptance, h the output per unit torque there and
 //! z the absorber's dynamic stiffness: y = y0 - h z u0/(1 + z H) = (y0 + z (y0 H - h u0))/(1 + z H), exactly.
 
-use super::kernel::{self, Points, Values};
+use super::kernel::{self, Points};
 use super::{Direct, Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::{Kind, Mounted, Ring};
+use crate::absorber::{Host, Mounted};
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -36,15 +36,16 @@ impl<'a> Receptance<'a> {
         let mut singular = vec![Vec::new(); quantities.len()];
         for (i, &speed_rpm) in grid.speed_rpm.iter().enumerate() {
             for (n, order) in system.excitation.orders.iter().enumerate() {
-                let base = direct.base(station, quantities, n, speed_rpm, &mut setup).ok();
+                let base = direct.base(&[station], quantities, n, speed_rpm, &mut setup).ok();
                 for (t, (_, points)) in tables.iter_mut().enumerate() {
                     let (mut y0, mut g, mut h) = (ZERO, ZERO, ZERO);
                     let mut usable = false;
-                    if let Some(b) = base.as_ref().map(|b| &b[t]) {
-                        let (p, q) = (b.output * b.receptance, b.output_per_torque * b.station);
+                    if let Some(b) = &base {
+                        let (output, receptance) = (b.outputs[t].0, b.receptance[(0, 0)]);
+                        let (p, q) = (output * receptance, b.outputs[t].1[0] * b.stations[0]);
                         // under torque on the hub alone y0 H = h u0, but for rounding
                         let zero = points.ring || system.loaded == [station];
-                        (y0, g, h) = (b.output, if zero { ZERO } else { p - q }, b.receptance);
+                        (y0, g, h) = (output, if zero { ZERO } else { p - q }, receptance);
                         // the hub's own angle has g = 0 exactly, term by term
                         usable = g == ZERO || p.norm() + q.norm() <= LARGEST_CANCELLATION * g.norm();
                         usable &= y0.is_finite() && g.is_finite() && h.is_finite();
@@ -56,6 +57,7 @@ impl<'a> Receptance<'a> {
                         singular[t].push(i * system.orders() + n);
                     }
                     points.omega.push(order.value() * speed_rpm * RAD_PER_S_PER_RPM);
+                    points.shaft_speed.push(speed_rpm * RAD_PER_S_PER_RPM);
                     for (target, value) in [(&mut points.y0, y0), (&mut points.g, g), (&mut points.h, h)] {
                         target[0].push(value.re);
                         target[1].push(value.im);
@@ -67,13 +69,12 @@ impl<'a> Receptance<'a> {
     }
 
     /// The table that answers for this design, if there is one.
-    fn table(&self, design: &[Mounted], quantity: Quantity) -> Option<(usize, Values)> {
+    fn table<'d>(&self, design: &'d [Mounted], quantity: Quantity) -> Option<(usize, &'d Mounted)> {
         let [mounted] = design else { return None };
-        if mounted.station != self.station {
+        if mounted.on != Host::Station(self.station) {
             return None;
         }
-        let values = values(mounted);
-        self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, values))
+        self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, mounted))
     }
 
     /// Some speeds (indices of the grid) of the table of a quantity, for many absorbers; nothing where there is no table, or where
@@ -88,6 +89,7 @@ impl<'a> Receptance<'a> {
         for i in speeds {
             let row = i * orders..(i + 1) * orders;
             points.omega.extend(&all.omega[row.clone()]);
+            points.shaft_speed.extend(&all.shaft_speed[row.clone()]);
             for part in 0..2 {
                 points.y0[part].extend(&all.y0[part][row.clone()]);
                 points.g[part].extend(&all.g[part][row.clone()]);
@@ -116,17 +118,6 @@ impl<'a> Receptance<'a> {
     }
 }
 
-/// An absorber as the kernel needs it.
-fn values(mounted: &Mounted) -> Values {
-    let a = &mounted.absorber;
-    if a.kind() == Kind::Locked {
-        // without a ring of its own any stiffness does
-        Values { ring_inertia: 0.0, stiffness: 1.0, damping: 0.0, hub_inertia: mounted.hub_inertia + a.ring_inertia() }
-    } else {
-        Values { ring_inertia: a.ring_inertia(), stiffness: a.stiffness(), damping: a.damping(), hub_inertia: mounted.hub_inertia }
-    }
-}
-
 /// Rows of a receptance table, one a speed.
 #[derive(Debug, Clone)]
 pub struct Rows {
@@ -149,7 +140,7 @@ impl Rows {
 
     /// Phasors of an absorber on the station, from row `first` on, for as many rows as there is room for.
     pub fn phasors(&self, mounted: &Mounted, first: usize, out: &mut [C64]) {
-        kernel::phasors(&self.points, &values(mounted), first * self.orders, out);
+        kernel::phasors(&self.points, mounted, first * self.orders, out);
     }
 }
 
@@ -172,11 +163,11 @@ impl Response for Receptance<'_> {
     }
 
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
-        let Some((t, values)) = self.table(design, quantity) else { return self.direct.sweep(design, quantity, out, work) };
+        let Some((t, mounted)) = self.table(design, quantity) else { return self.direct.sweep(design, quantity, out, work) };
         let points = &self.tables[t].1;
         work.receptance_points += points.omega.len() as u64;
         out.resize(points.omega.len(), ZERO);
-        kernel::phasors(points, &values, 0, out);
+        kernel::phasors(points, mounted, 0, out);
         self.mend(t, design, quantity, work, |i, y| out[i] = y)
     }
 
@@ -192,11 +183,11 @@ impl Response for Receptance<'_> {
     }
 
     fn squares(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<f64>, work: &mut Work) -> Result<(), ResponseError> {
-        let Some((t, values)) = self.table(design, quantity) else { return self.direct.squares(design, quantity, out, work) };
+        let Some((t, mounted)) = self.table(design, quantity) else { return self.direct.squares(design, quantity, out, work) };
         let points = &self.tables[t].1;
         work.receptance_points += points.omega.len() as u64;
         out.resize(points.omega.len(), 0.0);
-        kernel::squares(points, &values, out);
+        kernel::squares(points, mounted, out);
         self.mend(t, design, quantity, work, |i, y| out[i] = y.norm_sqr())
     }
 }

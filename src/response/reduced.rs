@@ -6,7 +6,7 @@
 
 use super::method::RESONANT;
 use super::{Grid, Quantity, Response, ResponseError, Work};
-use crate::absorber::Mounted;
+use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -67,12 +67,14 @@ impl Response for Reduced<'_> {
         if torque.iter().all(|t| *t == ZERO) {
             return Ok(ZERO);
         }
+        let condensed = Condensed::new(design, Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+        let z = &condensed.hubs;
         // modal coordinates under the torque, then under a unit torque on each hub
-        let mut loads = DMatrix::from_element(self.kept, 1 + design.len(), ZERO);
+        let mut loads = DMatrix::from_element(self.kept, 1 + z.len(), ZERO);
         for i in 0..self.kept {
             loads[(i, 0)] = torque.iter().enumerate().map(|(s, t)| t * shapes[(s, i)]).sum();
-            for (k, m) in design.iter().enumerate() {
-                loads[(i, k + 1)] = C64::from(shapes[(m.station, i)]);
+            for (k, hub) in z.iter().enumerate() {
+                loads[(i, k + 1)] = C64::from(shapes[(hub.station, i)]);
             }
         }
         let unbounded = || ResponseError::unbounded(excited, speed_rpm);
@@ -86,20 +88,19 @@ impl Response for Reduced<'_> {
         let under_torque = |station: usize| {
             through_modes(station, 0) + torque.iter().enumerate().map(|(s, t)| t * self.residual[(station, s)]).sum::<C64>()
         };
-        let under_hub = |station: usize, k: usize| through_modes(station, k + 1) + self.residual[(station, design[k].station)];
+        let under_hub = |station: usize, k: usize| through_modes(station, k + 1) + self.residual[(station, z[k].station)];
         // hubs obey theta = under torque - sum of under hub z theta, written for q = theta/denominator: finite where an undamped ring resonates
-        let z: Vec<_> = design.iter().map(|m| m.dynamic_stiffness(omega)).collect();
-        let hubs = DMatrix::from_fn(design.len(), design.len(), |m, k| {
-            under_hub(design[m].station, k) * z[k].numerator + if m == k { z[k].denominator } else { ZERO }
+        let hubs = DMatrix::from_fn(z.len(), z.len(), |m, k| {
+            under_hub(z[m].station, k) * z[k].numerator + if m == k { z[k].denominator } else { ZERO }
         });
-        let base = DVector::from_fn(design.len(), |m, _| under_torque(design[m].station));
+        let base = DVector::from_fn(z.len(), |m, _| under_torque(z[m].station));
         let q = if design.is_empty() { base } else { hubs.lu().solve(&base).ok_or_else(unbounded)? };
         let theta =
-            |station: usize| (0..design.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
+            |station: usize| (0..z.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
         let y = match quantity {
             Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
             Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * (theta(s) - theta(s + 1)),
-            Quantity::RingTwist(r) => q[r] * z[r].ring,
+            Quantity::RingTwist(r) => q[condensed.rings[r].hub] * condensed.rings[r].twist,
         };
         if y.is_finite() { Ok(y) } else { Err(unbounded()) }
     }

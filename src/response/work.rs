@@ -6,7 +6,7 @@ pub struct Work {
     /// Evaluations of a whole design.
     pub evaluations: u64,
     /// Those of them that tables alone answered.
-    pub quick_evaluations: u64,
+    pub surrogate_evaluations: u64,
     /// Tridiagonal systems factored, one an order and speed.
     pub direct_solves: u64,
     /// Points (order and speed) answered by receptance.
@@ -30,7 +30,7 @@ pub struct Work {
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, w: Self) {
         self.evaluations += w.evaluations;
-        self.quick_evaluations += w.quick_evaluations;
+        self.surrogate_evaluations += w.surrogate_evaluations;
         self.direct_solves += w.direct_solves;
         self.receptance_points += w.receptance_points;
         self.singular_points += w.singular_points;

@@ -4,10 +4,12 @@
 
 use super::fixed_points::{self, Point};
 use super::{Entry, Kind, Role};
-use crate::absorber::{Kind as Type, Mounted, Ring, seeds};
+use crate::absorber::mounted::station_of;
+use crate::absorber::{Declaration, Absorber, Mounted, Law, closed_forms};
 use crate::drivetrain::natural;
 use crate::input::published::PublishedAbsorber;
 use crate::input::{Published, Study};
+use std::sync::Arc;
 
 /// A formula is taken for that of the source where it gives the printed value within this share.
 const FOUND: f64 = 0.02;
@@ -36,8 +38,16 @@ pub struct Frequencies {
     pub other: Vec<f64>,
 }
 
+/// The same law with nothing that dissipates.
+fn without_damping(law: &Arc<dyn Law>) -> Absorber {
+    let declaration = law.declaration();
+    let values: Vec<f64> =
+        declaration.parameters.iter().zip(law.values()).map(|(p, v)| if p.dissipative { 0.0 } else { v }).collect();
+    Absorber::Ring((declaration.build)(&values))
+}
+
 fn undamped(design: &[Mounted]) -> Vec<Mounted> {
-    let still = |m: &Mounted| Mounted { absorber: m.absorber.with(m.absorber.ring_inertia(), m.absorber.stiffness(), 0.0), ..*m };
+    let still = |m: &Mounted| Mounted { absorber: m.absorber.law().map_or_else(|| m.absorber.clone(), without_damping), ..*m };
     design.iter().map(still).collect()
 }
 
@@ -76,12 +86,12 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
             role,
             note,
         };
-        let used = study.designs.iter().find(|d| d.name == row.design).and_then(|d| d.absorbers.first()).map(|m| m.absorber);
+        let used = study.designs.iter().find(|d| d.name == row.design).and_then(|d| d.absorbers.first()).map(|m| &m.absorber);
         if let (Some(used), Some(_)) = (used, row.ring_inertia) {
             let given = [
                 ("ring inertia", "kg m2", row.ring_inertia, Some(used.ring_inertia())),
-                ("stiffness", "N m/rad", row.stiffness, Some(used.stiffness()).filter(|k| k.is_finite())),
-                ("damping", "N m s/rad", row.damping, Some(used.damping())),
+                ("stiffness", "N m/rad", row.stiffness, used.stiffness()),
+                ("damping", "N m s/rad", row.damping, used.damping()),
             ];
             for (quantity, unit, printed, used) in given {
                 entries.push(put(quantity, Kind::Other, unit, (printed, used), Role::Given, "input of the design".into()));
@@ -144,7 +154,7 @@ fn off(computed: f64, published: f64) -> f64 {
 fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     let (Some(ring), Some(station), Some(mode)) = (
         row.ring_inertia,
-        study.designs.iter().find(|d| d.name == row.design).and_then(|d| d.absorbers.first()).map(|m| m.station),
+        study.designs.iter().find(|d| d.name == row.design).filter(|d| !d.absorbers.is_empty()).map(|d| station_of(&d.absorbers, 0)),
         study.modes.elastic().next(),
     ) else {
         return Vec::new();
@@ -161,7 +171,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     let viscous = row.stiffness.is_none_or(|k| k == 0.0);
     if viscous {
         if let Some(c) = row.damping {
-            let of = |(inertia, words): (f64, &'static str)| (unit * seeds::viscous_untuned(ring / inertia), words);
+            let of = |(inertia, words): (f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), words);
             let best = inertias.map(of).into_iter().min_by(|a, b| off(a.0, c).total_cmp(&off(b.0, c)));
             if let Some((computed, inertia)) = best {
                 put("damping by procedure", c, computed, Role::Predicted, format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"));
@@ -197,8 +207,8 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             }
         }
         let exact = match t.1 {
-            "unity" => Some(seeds::brock_unity(mu)),
-            "1/(1+mu)" => Some(seeds::den_hartog_brock(mu)),
+            "unity" => Some(closed_forms::brock_unity(mu)),
+            "1/(1+mu)" => Some(closed_forms::den_hartog_brock(mu)),
             _ => None,
         };
         if let Some(exact) = exact {
@@ -224,7 +234,7 @@ impl Frequencies {
     }
 }
 
-/// The type of a design's absorber in words, for labels.
-pub fn type_of(design: &[Mounted]) -> Option<Type> {
-    design.first().map(|m| m.absorber.kind())
+/// The type of a design's first absorber; nothing where there is none, or where it is locked.
+pub fn type_of(design: &[Mounted]) -> Option<&'static Declaration> {
+    design.first().and_then(|m| m.absorber.declaration())
 }

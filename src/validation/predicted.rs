@@ -199,7 +199,7 @@ fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<V
     Ok(list)
 }
 
-/// The most used spot at a place.
+/// The most used location at a place.
 fn worst(
     model: &Margin,
     criterion: usize,
@@ -207,7 +207,7 @@ fn worst(
     speed_rpm: f64,
     torques: &[Extremes],
 ) -> Option<(String, crate::crankshaft::Used)> {
-    let own = model.spots.iter().enumerate().filter(|(i, s)| s.place == place && model.judges(criterion, *i));
+    let own = model.locations.iter().enumerate().filter(|(i, s)| s.place == place && model.judges(criterion, *i));
     let used =
         own.map(|(i, s)| (s.name.clone(), model.used(criterion, i, speed_rpm, &Torque { extremes: torques[s.shaft], phasors: &[] })));
     used.reduce(|m, u| if u.1.value > m.1.value { u } else { m })

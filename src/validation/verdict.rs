@@ -1,7 +1,8 @@
 //! What a comparison comes to: how far predictions are off, which design is best and how far ahead an optimum is, which tolerances fail.
 
 use super::{AmplitudeRow, Entry, Kind, Role};
-use crate::absorber::{Kind as Type, Ring};
+use crate::absorber::tuned::TUNED;
+use crate::absorber::viscous::VISCOUS;
 use crate::analysis::Results;
 use crate::input::{Published, Study};
 
@@ -125,8 +126,8 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
     ];
     let check = |(what, tolerance, found): (&'static str, Option<f64>, Option<f64>)| Some(Check { what, tolerance: tolerance?, found });
     Verdict {
-        tuned: Spread::of(rows.iter().filter(|r| kind(r) == Some(Type::Tuned))),
-        viscous: Spread::of(rows.iter().filter(|r| kind(r) == Some(Type::Viscous))),
+        tuned: Spread::of(rows.iter().filter(|r| kind(r) == Some(&TUNED))),
+        viscous: Spread::of(rows.iter().filter(|r| kind(r) == Some(&VISCOUS))),
         designs: sorted(results.designs.iter().filter_map(ranked).collect()),
         optima: sorted(results.optima.iter().filter_map(|o| ranked(&o.design)).collect()),
         checks: stated.into_iter().filter_map(check).collect(),

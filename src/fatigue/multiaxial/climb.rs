@@ -4,7 +4,7 @@
 //! largest value: steps look at those alone. At the summit all samples are asked again, and those that turn out to matter join.
 
 use super::history::History;
-use super::plane::{Amplitude, Borne, Plane, Scratch, resolved};
+use super::plane::{Amplitude, PlaneStress, Plane, Scratch, resolved};
 use std::f64::consts::PI;
 
 /// What is to be large.
@@ -20,7 +20,7 @@ pub enum Sought {
 
 impl Sought {
     /// Its value on a plane, Pa.
-    pub fn value(self, b: &Borne) -> f64 {
+    pub fn value(self, b: &PlaneStress) -> f64 {
         match self {
             Self::Shear => b.shear_amplitude,
             Self::Findley(k) => b.shear_amplitude + k * b.normal_max,
@@ -67,15 +67,15 @@ pub struct Slope<'a> {
 }
 
 impl Slope<'_> {
-    fn borne(&mut self, plane: &Plane) -> Borne {
+    fn plane_stress(&mut self, plane: &Plane) -> PlaneStress {
         let dang_van = if let Sought::DangVan(k) = self.sought { Some((k, self.p)) } else { None };
-        self.scratch.borne(self.history, plane, self.amplitude, dang_van)
+        self.scratch.plane_stress(self.history, plane, self.amplitude, dang_van)
     }
 
     /// Near a summit, with steps from the first downwards; where all the neighbourhood is looked at, to a summit with no higher ground on `RINGS` round it.
-    pub fn climb(&mut self, start: Plane, first: f64, all_round: bool) -> (Plane, Borne) {
+    pub fn climb(&mut self, start: Plane, first: f64, all_round: bool) -> (Plane, PlaneStress) {
         let sought = self.sought;
-        let mut here = (start, self.borne(&start));
+        let mut here = (start, self.plane_stress(&start));
         let mut chosen = vec![false; self.history.len()];
         self.choose(&here, &mut chosen);
         let (last, agreed) = if all_round { (FINEST, AGREED) } else { (ROUGH, FLAT) };
@@ -83,12 +83,12 @@ impl Slope<'_> {
             let indices: Vec<usize> = (0..chosen.len()).filter(|i| chosen[*i]).collect();
             let (history, p) = (self.history.only(&indices), indices.iter().map(|i| self.p[*i]).collect::<Vec<f64>>());
             let mut few = Slope { history: &history, p: &p, sought, amplitude: self.amplitude, scratch: Scratch::default() };
-            let start = (here.0, few.borne(&here.0));
+            let start = (here.0, few.plane_stress(&here.0));
             let mut top = few.uphill(start, (first, last));
             if all_round {
                 top = few.all_round(top);
             }
-            let there = (top.0, self.borne(&top.0));
+            let there = (top.0, self.plane_stress(&top.0));
             let apart = (sought.value(&there.1) - sought.value(&top.1)).abs();
             self.choose(&there, &mut chosen);
             if sought.value(&there.1) > sought.value(&here.1) {
@@ -102,7 +102,7 @@ impl Slope<'_> {
     }
 
     /// Adds the samples that matter on the plane last asked for, or nearly do.
-    fn choose(&self, (plane, borne): &(Plane, Borne), chosen: &mut [bool]) {
+    fn choose(&self, (plane, plane_stress): &(Plane, PlaneStress), chosen: &mut [bool]) {
         let Some(circle) = self.scratch.last() else { return };
         let [u, v] = self.scratch.path();
         let out = |j: usize| (u[j] - circle.centre[0]).hypot(v[j] - circle.centre[1]);
@@ -118,25 +118,25 @@ impl Slope<'_> {
                 let mut normal = Vec::new();
                 self.history.project(&resolved(&n, &n), &mut normal);
                 for (normal, chosen) in normal.iter().zip(chosen) {
-                    *chosen |= *normal >= borne.normal_max - NEAR * circle.radius;
+                    *chosen |= *normal >= plane_stress.normal_max - NEAR * circle.radius;
                 }
             }
             Sought::DangVan(k) => {
                 for (j, chosen) in chosen.iter_mut().enumerate() {
-                    *chosen |= out(j) + k * self.p[j] >= borne.dang_van - NEAR * circle.radius;
+                    *chosen |= out(j) + k * self.p[j] >= plane_stress.dang_van - NEAR * circle.radius;
                 }
             }
         }
     }
 
     /// On wherever a ring round a summit leads to higher ground.
-    fn all_round(&mut self, summit: (Plane, Borne)) -> (Plane, Borne) {
+    fn all_round(&mut self, summit: (Plane, PlaneStress)) -> (Plane, PlaneStress) {
         let sought = self.sought;
         let mut here = summit;
         for radius in RINGS {
             let angles = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
-            let ring: Vec<(Plane, Borne)> =
-                angles.map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine)).map(|next| (next, self.borne(&next))).collect();
+            let ring: Vec<(Plane, PlaneStress)> =
+                angles.map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine)).map(|next| (next, self.plane_stress(&next))).collect();
             let value = |i: usize| sought.value(&ring[i % ON_RING].1);
             let level = sought.value(&here.1);
             // hills of Dang Van's sum may be narrower than a ring: a lower top on it may lead higher
@@ -153,15 +153,15 @@ impl Slope<'_> {
     }
 
     /// From a plane uphill, with steps from the first to the last that shrink where no neighbour is higher.
-    fn uphill(&mut self, mut here: (Plane, Borne), (first, last): (f64, f64)) -> (Plane, Borne) {
+    fn uphill(&mut self, mut here: (Plane, PlaneStress), (first, last): (f64, f64)) -> (Plane, PlaneStress) {
         let sought = self.sought;
         let (mut step, mut turn) = (first, 0.0);
         while step > last {
-            let mut best: Option<(Plane, Borne)> = None;
+            let mut best: Option<(Plane, PlaneStress)> = None;
             for i in 0..DIRECTIONS {
                 let (sine, cosine) = (turn + 2.0 * PI * i as f64 / DIRECTIONS as f64).sin_cos();
                 let next = here.0.moved(step * cosine, step * sine);
-                let there = self.borne(&next);
+                let there = self.plane_stress(&next);
                 if sought.value(&there) > sought.value(&best.as_ref().unwrap_or(&here).1) {
                     best = Some((next, there));
                 }

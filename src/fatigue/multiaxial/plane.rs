@@ -68,7 +68,7 @@ pub struct Scratch {
 
 /// What a plane bears over the cycle, Pa.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Borne {
+pub struct PlaneStress {
     /// Amplitude of the shear stress.
     pub shear_amplitude: f64,
     /// Largest normal stress.
@@ -102,7 +102,7 @@ impl Scratch {
     }
 
     /// Everything on a plane. `dang_van`: weight of the hydrostatic stress, and that stress at every sample.
-    pub fn borne(&mut self, history: &History, plane: &Plane, amplitude: Amplitude, dang_van: Option<(f64, &[f64])>) -> Borne {
+    pub fn plane_stress(&mut self, history: &History, plane: &Plane, amplitude: Amplitude, dang_van: Option<(f64, &[f64])>) -> PlaneStress {
         let n = plane.normal();
         let circle = self.circle(history, plane);
         let (_, normal_max) = history.range(&resolved(&n, &n));
@@ -111,7 +111,7 @@ impl Scratch {
             Amplitude::Circle => circle.radius,
             Amplitude::Chord => self.half_chord(),
         };
-        Borne { shear_amplitude, normal_max, dang_van }
+        PlaneStress { shear_amplitude, normal_max, dang_van }
     }
 
     fn half_chord(&mut self) -> f64 {

@@ -3,7 +3,7 @@
 use super::climb::{Slope, Sought};
 use super::history::History;
 use super::invariants;
-use super::plane::{Amplitude, Borne, Plane, Scratch};
+use super::plane::{Amplitude, PlaneStress, Plane, Scratch};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
@@ -138,10 +138,10 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
     };
     let mut scratch = Scratch::default();
     let few_dang_van = wanted.dang_van.map(|k| (k, few_p.as_slice()));
-    let all: Vec<Borne> = planes.iter().map(|plane| scratch.borne(&few, plane, grid.amplitude, few_dang_van)).collect();
+    let all: Vec<PlaneStress> = planes.iter().map(|plane| scratch.plane_stress(&few, plane, grid.amplitude, few_dang_van)).collect();
     let mut largest = |sought: Sought| {
-        let critical = |(plane, b): (Plane, Borne)| {
-            let Borne { shear_amplitude, normal_max, .. } = b;
+        let critical = |(plane, b): (Plane, PlaneStress)| {
+            let PlaneStress { shear_amplitude, normal_max, .. } = b;
             Critical { plane, value: sought.value(&b), shear_amplitude, normal_max, note: String::new() }
         };
         let values: Vec<f64> = all.iter().map(|b| sought.value(b)).collect();
@@ -156,15 +156,15 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
             seen.push((*plane, *value));
             for (a, b) in BETWEEN {
                 let next = plane.moved(a * COARSE, b * COARSE);
-                seen.push((next, sought.value(&scratch.borne(&few, &next, grid.amplitude, few_dang_van))));
+                seen.push((next, sought.value(&scratch.plane_stress(&few, &next, grid.amplitude, few_dang_van))));
             }
         }
         let candidates = tops(seen, NEIGHBOURS);
         let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
-        let mut hills: Vec<(Plane, Borne)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
+        let mut hills: Vec<(Plane, PlaneStress)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
         let top = hills.iter().map(|h| sought.value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
         let high = hills.iter().filter(|h| sought.value(&h.1) >= top - HIDDEN * top.abs()).map(|h| (h.0, sought.value(&h.1)));
-        let mut summits: Vec<(Plane, Borne)> =
+        let mut summits: Vec<(Plane, PlaneStress)> =
             tops(high.collect(), SAME).iter().take(ALL_ROUND).map(|plane| slope.climb(*plane, 0.05 * COARSE, true)).collect();
         // the others are known roughly: near a summit they are that summit again
         hills.retain(|h| summits.iter().all(|s| apart(&s.0, &h.0) > NEIGHBOURS));

@@ -1,5 +1,6 @@
 //! Files as typed: keys, units and choices, nothing checked but grammar and type.
 
+pub mod absorber;
 pub mod crank;
 pub mod engine;
 pub mod fatigue;

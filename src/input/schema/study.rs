@@ -1,5 +1,6 @@
 //! The study file.
 
+use super::absorber::{RawAbsorber, RawOptimised, RawRange};
 use super::fatigue::{RawCriterion, RawFatigue};
 use crate::input::error::At;
 use serde::Deserialize;
@@ -68,76 +69,6 @@ pub struct RawDesign {
     pub name: At<String>,
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawAbsorber {
-    pub on: RawOn,
-    pub hub_inertia_kg_m2: Option<At<f64>>,
-    #[serde(rename = "type")]
-    pub kind: RawType,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawOn {
-    Station(At<String>),
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawType {
-    Tuned(RawTuned),
-    Viscous(RawViscous),
-    Undamped(RawUndamped),
-    Locked(RawLocked),
-    Seeded(RawSeeded),
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawTuned {
-    pub ring_inertia_kg_m2: At<f64>,
-    pub stiffness_n_m_per_rad: At<f64>,
-    pub damping_n_m_s_per_rad: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawViscous {
-    pub ring_inertia_kg_m2: At<f64>,
-    pub damping_n_m_s_per_rad: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawUndamped {
-    pub ring_inertia_kg_m2: At<f64>,
-    pub stiffness_n_m_per_rad: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawLocked {
-    pub ring_inertia_kg_m2: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawSeeded {
-    pub by: At<String>,
-    pub ring_inertia_kg_m2: At<f64>,
-    #[serde(default)]
-    pub engine_inertia: RawEngineInertia,
-}
-
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawEngineInertia {
-    #[default]
-    Modal,
-    WholeChain,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
@@ -237,43 +168,6 @@ pub struct RawOptimise {
     pub random_starts: Option<At<i64>>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
     pub absorber: At<Vec<RawOptimised>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawOptimised {
-    pub on: RawOn,
-    pub hub_inertia_kg_m2: Option<At<f64>>,
-    pub types: At<Vec<At<RawKind>>>,
-    pub size: RawSize,
-    #[serde(default)]
-    pub engine_inertia: RawEngineInertia,
-    pub stiffness_n_m_per_rad: Option<RawRange>,
-    pub damping_n_m_s_per_rad: Option<RawRange>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawKind {
-    Tuned,
-    Viscous,
-    Undamped,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawSize {
-    #[serde(rename = "ring_inertia_kg_m2")]
-    RingInertia(RawRange),
-    InertiaRatio(RawRange),
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RawRange {
-    Fixed(At<f64>),
-    Between(At<Vec<At<f64>>>),
-    Each(At<Vec<At<f64>>>),
 }
 
 #[derive(Debug, Deserialize)]

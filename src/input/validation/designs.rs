@@ -1,12 +1,22 @@
-//! Given designs.
+//! Given designs, and what absorbers of designs and families share.
 
-use super::{DesignSpec, station};
-use crate::absorber::seeds::{EngineMode, RULES};
-use crate::absorber::{Absorber, Locked, Mounted, Tuned, Undamped, Viscous};
+use super::station;
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, types};
 use crate::drivetrain::{Chain, Modes};
-use crate::input::error::Check;
-use crate::input::schema::study::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawStudy, RawType};
+use crate::input::error::{At, Check};
+use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawType};
+use crate::input::schema::study::RawStudy;
 use std::collections::HashSet;
+
+/// A named design of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignSpec {
+    /// Unique in the study.
+    pub name: String,
+    /// None, one or more.
+    pub absorbers: Vec<Mounted>,
+}
 
 pub fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes) -> Vec<DesignSpec> {
     let mut names = HashSet::new();
@@ -25,34 +35,79 @@ pub fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes
                 "designs name files and rows; `optimum_…` are hartog's own",
             );
         }
-        let absorbers = raw.absorber.iter().filter_map(|a| absorber(check, a, chain, modes)).collect();
+        let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
+        let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
+        let absorbers = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), chain, modes)).collect();
         designs.push(DesignSpec { name: name.clone(), absorbers });
     }
     designs
 }
 
-fn absorber(check: &mut Check, raw: &RawAbsorber, chain: &Chain, modes: &Modes) -> Option<Mounted> {
-    let RawOn::Station(name) = &raw.on;
-    let on = station(check, chain, name);
+/// What carries each absorber of a list: a station, or the ring of another one by its name. Nothing where a mistake leaves none.
+pub fn hosts(check: &mut Check, chain: &Chain, list: &[(Option<&At<String>>, &RawOn)]) -> Vec<Option<Host>> {
+    let mut names = HashSet::new();
+    for name in list.iter().filter_map(|a| a.0) {
+        check.name(name);
+        if !names.insert(name.get_ref()) {
+            check.wrong(name, format!("found absorber `{}` a second time, expected different names", name.get_ref()));
+        }
+    }
+    let host = |(_, on): &(Option<&At<String>>, &RawOn)| match on {
+        RawOn::Station(name) => station(check, chain, name).map(Host::Station),
+        RawOn::Ring(name) => {
+            let found = list.iter().position(|a| a.0.is_some_and(|n| n.get_ref() == name.get_ref()));
+            if found.is_none() {
+                check.wrong_with_help(
+                    name,
+                    format!("found the ring of `{}`, expected that of an absorber beside this one", name.get_ref()),
+                    "the inner absorber has `name = …`, the outer one `on.ring` with that name",
+                );
+            }
+            found.map(Host::Ring)
+        }
+    };
+    let hosts: Vec<Option<Host>> = list.iter().map(host).collect();
+    for (i, (_, on)) in list.iter().enumerate() {
+        if let (RawOn::Ring(name), true, None) = (on, hosts.iter().all(Option::is_some), root(&hosts, i)) {
+            check.wrong(name, "found rings that carry each other, expected one of them on a station");
+        }
+    }
+    hosts
+}
+
+/// Station below an absorber; nothing where there is none.
+pub fn root(hosts: &[Option<Host>], index: usize) -> Option<usize> {
+    let mut at = index;
+    for _ in 0..=hosts.len() {
+        match (*hosts.get(at)?)? {
+            Host::Station(station) => return Some(station),
+            Host::Ring(inner) => at = inner,
+        }
+    }
+    None
+}
+
+/// A value of a parameter.
+pub fn value(check: &mut Check, parameter: &Parameter, raw: &At<f64>) -> f64 {
+    match parameter.range {
+        Range::Positive => check.positive(raw),
+        Range::NotNegative => check.not_negative(raw),
+        Range::Within(low, high) => check.within(raw, low..=high, &format!("a value from {low} to {high}")),
+    }
+}
+
+/// An absorber in its place, with the station below it.
+fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, chain: &Chain, modes: &Modes) -> Option<Mounted> {
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
     let absorber = match &raw.kind {
-        RawType::Tuned(t) => Absorber::Tuned(Tuned {
-            ring_inertia: check.positive(&t.ring_inertia_kg_m2),
-            stiffness: check.not_negative(&t.stiffness_n_m_per_rad),
-            damping: check.not_negative(&t.damping_n_m_s_per_rad),
-        }),
-        RawType::Viscous(v) => Absorber::Viscous(Viscous {
-            ring_inertia: check.positive(&v.ring_inertia_kg_m2),
-            damping: check.not_negative(&v.damping_n_m_s_per_rad),
-        }),
-        RawType::Undamped(u) => Absorber::Undamped(Undamped {
-            ring_inertia: check.positive(&u.ring_inertia_kg_m2),
-            stiffness: check.not_negative(&u.stiffness_n_m_per_rad),
-        }),
-        RawType::Locked(l) => Absorber::Locked(Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) }),
-        RawType::Seeded(s) => seeded(check, s, on?, chain, modes)?,
+        RawType::Declared(declaration, values) => {
+            let values: Vec<f64> = declaration.parameters.iter().zip(values).map(|(p, v)| value(check, p, v)).collect();
+            Absorber::Ring((declaration.build)(&values))
+        }
+        RawType::Locked(l) => Absorber::Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) },
+        RawType::Seeded(s) => seeded(check, s, place?.1, chain, modes)?,
     };
-    Some(Mounted { station: on?, hub_inertia, absorber })
+    Some(Mounted { on: place?.0, hub_inertia, absorber })
 }
 
 /// Engine inertia at a station for the closed forms and the first elastic mode's frequency; nothing where no elastic mode moves there.
@@ -64,8 +119,8 @@ pub fn engine_mode(chain: &Chain, modes: &Modes, station: usize, whole_chain: bo
 
 fn seeded(check: &mut Check, raw: &RawSeeded, station: usize, chain: &Chain, modes: &Modes) -> Option<Absorber> {
     let ring_inertia = check.positive(&raw.ring_inertia_kg_m2);
-    let Some((_, rule)) = RULES.iter().find(|r| r.0 == raw.by.get_ref()) else {
-        let known: Vec<&str> = RULES.iter().map(|r| r.0).collect();
+    let Some((declaration, form)) = types::closed_form(raw.by.get_ref()) else {
+        let known = types::closed_form_names();
         check.wrong(&raw.by, format!("found rule `{}`, expected one of {}", raw.by.get_ref(), known.join(", ")));
         return None;
     };
@@ -74,5 +129,5 @@ fn seeded(check: &mut Check, raw: &RawSeeded, station: usize, chain: &Chain, mod
         check.wrong(&raw.by, "no elastic mode moves this station, expected one for a closed form");
         return None;
     };
-    Some(rule.absorber(ring_inertia, engine))
+    Some(Absorber::Ring((declaration.build)(&(form.values)(ring_inertia, engine))))
 }

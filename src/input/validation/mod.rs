@@ -14,6 +14,7 @@ mod published;
 
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use inputs::Input;
+pub use designs::DesignSpec;
 use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
@@ -22,22 +23,13 @@ use super::error::{At, Check, InputError, Source};
 use super::published::Published;
 use super::schema;
 use super::tables::Reach;
-use crate::absorber::Mounted;
+use crate::absorber::mounted::station_of;
 use crate::crankshaft::{Crank, FatigueSpec, stations_of_throws};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Order, Source as TorqueSource};
 use crate::objective::{Condition, Limit};
 use crate::response::Quantity;
 use std::path::Path;
-
-/// A named design of a study.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DesignSpec {
-    /// Unique in the study.
-    pub name: String,
-    /// None, one or more.
-    pub absorbers: Vec<Mounted>,
-}
 
 /// How responses are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +38,7 @@ pub enum ResponseMethod {
     Receptance,
     /// The whole system at every point.
     Direct,
-    /// Receptance; searches take the cheapest way that is right enough.
+    /// Receptance; searches take the cheapest way that is within tolerance.
     Auto,
 }
 
@@ -149,9 +141,9 @@ pub(super) fn resolve(
     let modes = Modes::new(&chain);
     let designs = designs::resolve(&mut check, study, &chain, &modes);
     let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(&mut check, o, &engine, &chain, &modes));
-    let hub = match (&optimise, designs.iter().find_map(|d| d.absorbers.first())) {
-        (Some(o), _) => o.absorber.station,
-        (None, Some(a)) => a.station,
+    let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {
+        (Some(o), _) => o.station(0),
+        (None, Some(d)) => station_of(&d.absorbers, 0),
         (None, None) => 0,
     };
     let folder = path.parent().unwrap_or_else(|| Path::new(""));

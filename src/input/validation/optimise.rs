@@ -1,15 +1,14 @@
 //! What is to be optimised, and the front.
 
-use super::designs::engine_mode;
-use super::station;
-use crate::absorber::Kind;
+use super::designs::{engine_mode, hosts, root};
+use crate::absorber::{Declaration, Host, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
-use crate::input::schema::study::{
-    RawAgainst, RawCondition, RawEngineInertia, RawKind, RawOn, RawOptimise, RawOptimised, RawRange, RawSize, RawStudy,
-};
+use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawRange, RawSize};
+use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::objective::Condition;
+
 
 /// Ring inertia of what is optimised, kg m².
 #[derive(Debug, Clone, PartialEq)]
@@ -23,18 +22,16 @@ pub enum Size {
 /// A family of absorbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AbsorberSpec {
-    /// Station of the hub.
-    pub station: usize,
+    /// What carries the hub: a station, or the ring of another absorber of the list by its index.
+    pub on: Host,
     /// kg m².
     pub hub_inertia: f64,
     /// Types, each optimised by itself.
-    pub kinds: Vec<Kind>,
+    pub types: Vec<&'static Declaration>,
     /// Ring.
     pub size: Size,
-    /// Lower and upper bound, N m/rad (equal: held); `None`: hartog chooses wide bounds.
-    pub stiffness: Option<(f64, f64)>,
-    /// Lower and upper bound, N m s/rad.
-    pub damping: Option<(f64, f64)>,
+    /// Lower and upper bound (equal: held) of parameters by their keys; of the others hartog chooses wide bounds.
+    pub bounds: Vec<(&'static str, (f64, f64))>,
     /// Whether closed forms and inertia ratios use the whole chain's inertia instead of the modal one.
     pub whole_chain: bool,
 }
@@ -46,10 +43,19 @@ pub struct OptimiseSpec {
     pub seed: u64,
     /// How many starts are random.
     pub random_starts: usize,
-    /// The family.
-    pub absorber: AbsorberSpec,
+    /// The absorbers, at least one.
+    pub absorbers: Vec<AbsorberSpec>,
     /// Conditions it is to hold in; at least firing or a misfire.
     pub conditions: Vec<Condition>,
+}
+
+impl OptimiseSpec {
+    /// Station below an absorber.
+    pub fn station(&self, index: usize) -> usize {
+        let hosts: Vec<Option<Host>> = self.absorbers.iter().map(|a| Some(a.on)).collect();
+        // checked where the study was read
+        root(&hosts, index).unwrap_or_default()
+    }
 }
 
 /// Front over ring inertia.
@@ -108,37 +114,37 @@ pub fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Ch
     };
     let seed = whole(raw.seed.as_ref(), 1, i64::MAX, check);
     let random_starts = whole(raw.random_starts.as_ref(), 4, 1000, check) as usize;
-    let [absorber] = raw.absorber.get_ref().as_slice() else {
-        check.wrong(&raw.absorber, format!("found {} [[optimise.absorber]], expected one", raw.absorber.get_ref().len()));
+    let list = raw.absorber.get_ref();
+    if list.is_empty() {
+        check.wrong(&raw.absorber, "found no [[optimise.absorber]], expected at least one");
         return None;
-    };
+    }
+    let hosts = hosts(check, chain, &list.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
+    let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes)));
+    let absorbers: Vec<Option<AbsorberSpec>> = absorbers.collect();
     let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
     if let Some(list) = &raw.conditions
         && !conditions.iter().any(|c| matches!(c, Condition::Firing | Condition::Misfire))
     {
         check.wrong(list, "found no condition in which an absorber works, expected `firing` or `misfire` among them");
     }
-    Some(OptimiseSpec { seed, random_starts, absorber: family(check, absorber, chain, modes)?, conditions })
+    Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions })
 }
 
-fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -> Option<AbsorberSpec> {
-    let RawOn::Station(name) = &raw.on;
-    let station = station(check, chain, name);
+fn family(check: &mut Check, raw: &RawOptimised, place: Option<(Host, usize)>, (chain, modes): (&Chain, &Modes)) -> Option<AbsorberSpec> {
+    let station = place.map(|p| p.1);
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
-    let mut kinds = Vec::new();
+    let mut types: Vec<&'static Declaration> = Vec::new();
     for kind in raw.types.get_ref() {
-        let k = match kind.get_ref() {
-            RawKind::Tuned => Kind::Tuned,
-            RawKind::Viscous => Kind::Viscous,
-            RawKind::Undamped => Kind::Undamped,
-        };
-        if kinds.contains(&k) {
-            check.wrong(kind, format!("found type `{}` a second time, expected each once", k.name()));
+        let declaration = kind.get_ref().0;
+        if types.contains(&declaration) {
+            check.wrong(kind, format!("found type `{}` a second time, expected each once", declaration.name));
         }
-        kinds.push(k);
+        types.push(declaration);
     }
-    if kinds.is_empty() {
-        check.wrong(&raw.types, "found no type, expected at least one of tuned, viscous, undamped");
+    if types.is_empty() {
+        let known: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
+        check.wrong(&raw.types, format!("found no type, expected at least one of {}", known.join(", ")));
     }
     let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
     let (range, unit) = match &raw.size {
@@ -168,26 +174,31 @@ fn family(check: &mut Check, raw: &RawOptimised, chain: &Chain, modes: &Modes) -
             Size::Between(a * unit, b * unit)
         }
     };
-    let mut bounds = |raw: &Option<RawRange>| match raw {
-        None => None,
-        Some(RawRange::Fixed(v)) => {
-            let x = check.not_negative(v);
-            Some((x, x))
-        }
-        Some(RawRange::Between(pair)) => Some(ordered(check, pair, true)),
-        Some(RawRange::Each(list)) => {
-            check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
-            None
-        }
-    };
-    let (stiffness, damping) = (bounds(&raw.stiffness_n_m_per_rad), bounds(&raw.damping_n_m_s_per_rad));
-    Some(AbsorberSpec { station: station?, hub_inertia, kinds, size, stiffness, damping, whole_chain })
+    let mut bounds = Vec::new();
+    for (key, range) in &raw.bounds {
+        let pair = match range {
+            RawRange::Fixed(v) => {
+                let x = check.not_negative(v);
+                (x, x)
+            }
+            RawRange::Between(pair) => ordered(check, pair, true),
+            RawRange::Each(list) => {
+                check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
+                continue;
+            }
+        };
+        bounds.push((*key, pair));
+    }
+    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, whole_chain })
 }
 
 pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec>, chain: &Chain, modes: &Modes) -> Option<FrontSpec> {
     let raw = study.pareto.as_ref()?;
     if study.optimise.is_none() {
         check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
+    }
+    if optimise.is_some_and(|o| o.absorbers.len() > 1) {
+        check.wrong(raw, "found [pareto] with several absorbers, expected one: a front over the inertia of one ring among others is not defined");
     }
     let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = &raw.get_ref().against;
     let (a, b) = ordered(check, pair, false);
@@ -199,8 +210,8 @@ pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec
     let unit = match &raw.get_ref().against {
         RawAgainst::RingInertia(_) => 1.0,
         RawAgainst::InertiaRatio(_) => {
-            let family = &optimise?.absorber;
-            let Some(mode) = engine_mode(chain, modes, family.station, family.whole_chain) else {
+            let (spec, family) = (optimise?, &optimise?.absorbers[0]);
+            let Some(mode) = engine_mode(chain, modes, spec.station(0), family.whole_chain) else {
                 check.wrong(raw, "no elastic mode moves the absorber's station, expected `against.ring_inertia_kg_m2` instead of a ratio");
                 return None;
             };

@@ -16,7 +16,7 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
     let mut table = Table::new(&["method", "setting", "seconds_per_design", "peak_error", "stable", "note"]);
     let text = |words: &str| words.to_owned();
     for w in &chart.methods.ways {
-        table.row([text("receptance"), w.way.label(), number(w.seconds), number(w.error), text("yes"), text("a way of searches")]);
+        table.row([text("receptance"), w.strategy.label(), number(w.seconds), number(w.error), text("yes"), text("a way of searches")]);
     }
     if let Some(s) = &chart.savings {
         for [name, setting, seconds, error, note] in savings(s) {
@@ -86,13 +86,16 @@ fn savings(s: &Savings) -> Vec<[String; 5]> {
         let note = if *c == s.choice.chosen { "estimated; chosen" } else { "estimated" };
         put(
             "auto",
-            format!("considered: {}", c.way.label()),
+            format!("considered: {}", c.strategy.label()),
             Some(c.seconds),
             Some(c.error),
             format!("{note}; nominal seconds by counted work"),
         );
     }
-    if let Some((cost, h)) = &s.quick {
+    for m in &s.smaller_models {
+        put("auto", format!("not considered: {}", m.candidate.label()), Some(m.seconds), Some(m.error), "estimated; nominal seconds by counted work".into());
+    }
+    if let Some((cost, h)) = &s.surrogate {
         put("auto", format!("{} random absorbers", h.designs), Some(cost.seconds), None, work(&cost.work));
         let share = |n: usize, of: usize| n as f64 / of.max(1) as f64;
         put(

@@ -17,7 +17,7 @@ pub fn cells(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> 
     let criteria = study.fatigue.as_ref().map_or(0, |f| f.criteria.len());
     let cells = |c: usize| {
         let found = d.margins.iter().find(|m| m.criterion == c);
-        let name = found.zip(results.margin.as_ref()).map(|(m, model)| model.spots[m.used.spot].name.clone());
+        let name = found.zip(results.margin.as_ref()).map(|(m, model)| model.locations[m.used.location].name.clone());
         [optional(found.map(|m| m.margin)), optional(found.map(|m| m.speed_rpm)), name.unwrap_or_default()]
     };
     (0..criteria).flat_map(cells).collect()

@@ -5,7 +5,6 @@ pub mod fatigue;
 pub mod margin;
 
 use super::files::{Folder, WriteError};
-use crate::absorber::Ring;
 use crate::analysis::{Calibration, ConditionResult, DesignResult, Results, Timing};
 use crate::input::{ObjectiveSpec, Study, UnitOf};
 use crate::objective::{Condition, Peak};
@@ -112,8 +111,8 @@ fn condition_cells(study: &Study, results: &Results, condition: Condition, c: Op
 }
 
 fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
-    let kinds: Vec<&str> = d.absorbers.iter().map(|a| a.absorber.kind().name()).collect();
-    let one = d.absorbers.first().filter(|_| d.absorbers.len() == 1).map(|a| a.absorber);
+    let types: Vec<&str> = d.absorbers.iter().map(|a| a.absorber.type_name()).collect();
+    let one = d.absorbers.first().filter(|_| d.absorbers.len() == 1).map(|a| &a.absorber);
     let total = (!d.absorbers.is_empty()).then(|| d.absorbers.iter().map(|a| a.absorber.ring_inertia()).sum());
     let frequency = |i: usize| optional(d.frequencies_hz.get(i).copied());
     let order = |p: &Option<Peak>| p.map_or_else(String::new, |p| results.system.excitation.orders[p.order].to_string());
@@ -121,10 +120,10 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
     let speed = |p: &Option<Peak>| optional(p.map(|p| p.speed_rpm));
     vec![
         d.name.clone(),
-        if kinds.is_empty() { "none".into() } else { kinds.join("+") },
+        if types.is_empty() { "none".into() } else { types.join("+") },
         optional(total),
-        optional(one.map(|a| a.stiffness()).filter(|k| k.is_finite())),
-        optional(one.map(|a| a.damping())),
+        optional(one.and_then(|a| a.stiffness())),
+        optional(one.and_then(|a| a.damping())),
         frequency(0),
         frequency(1),
         frequency(2),
@@ -212,12 +211,12 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     let mut table = Table::new(&header);
     for front in &results.fronts {
         for (point, others) in front.front.points.iter().zip(&front.others) {
-            let a = &point.design.absorber;
+            let a = &point.design[0].absorber;
             let mut row = vec![
-                front.kind.name().to_owned(),
+                front.declaration.name.to_owned(),
                 number(a.ring_inertia()),
-                number(a.stiffness()),
-                number(a.damping()),
+                optional(a.stiffness()),
+                optional(a.damping()),
                 number(in_unit(study, point.value)),
                 optional(Some(point.kkt_residual).filter(|r| r.is_finite())),
                 (point.excess <= 1e-6).to_string(),

@@ -1,7 +1,7 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
-use crate::analysis::choice::Way;
+use crate::analysis::choice::Strategy;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
@@ -45,7 +45,7 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
         return folder.remove(&["speed_accuracy.svg", "speed_accuracy.png"]);
     }
     let ways = |tables: bool| {
-        let own = measured.ways.iter().filter(move |w| matches!(w.way, Way::Tables(_)) == tables);
+        let own = measured.ways.iter().filter(move |w| matches!(w.strategy, Strategy::Tables(_)) == tables);
         own.map(|w| (w.seconds, w.error.max(LEAST_ERROR))).collect::<Vec<_>>()
     };
     let all = || points.iter().map(|(p, e)| (p.seconds, *e)).chain(ways(true)).chain(ways(false));

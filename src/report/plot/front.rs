@@ -1,7 +1,7 @@
 //! Front of ring inertia against the objective, with the given designs marked.
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
-use crate::absorber::{Kind, Ring};
+use crate::absorber::TYPES;
 use crate::analysis::Results;
 use crate::input::{Study, UnitOf};
 use crate::report::csv::in_unit;
@@ -9,25 +9,21 @@ use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-fn colour(kind: Kind) -> RGBColor {
-    match kind {
-        Kind::Tuned => COLOURS[0],
-        Kind::Viscous => COLOURS[1],
-        Kind::Undamped => COLOURS[2],
-        Kind::Locked => GREY,
-    }
+/// A colour for each declared type; what is none of them (a locked ring) is grey.
+fn colour(type_name: &str) -> RGBColor {
+    TYPES.iter().position(|t| t.name == type_name).map_or(GREY, |i| COLOURS[i % COLOURS.len()])
 }
 
 pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let front = |kind: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
-        kind.front.points.iter().map(|p| (p.design.absorber.ring_inertia(), in_unit(study, p.value))).collect()
+    let front = |front: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
+        front.front.points.iter().map(|p| (p.design[0].absorber.ring_inertia(), in_unit(study, p.value))).collect()
     };
-    let lines: Vec<(Kind, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.kind, front(f))).collect();
-    let mut given: Vec<(String, Kind, (f64, f64))> = results
+    let lines: Vec<(&str, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.declaration.name, front(f))).collect();
+    let mut given: Vec<(String, &str, (f64, f64))> = results
         .designs
         .iter()
         .filter_map(|d| match d.absorbers.as_slice() {
-            [one] => Some((d.name.clone(), one.absorber.kind(), (one.absorber.ring_inertia(), in_unit(study, d.objective?)))),
+            [one] => Some((d.name.clone(), one.absorber.type_name(), (one.absorber.ring_inertia(), in_unit(study, d.objective?)))),
             _ => None,
         })
         .collect();
@@ -63,8 +59,8 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
         canvas::mesh!(chart, "ring inertia / kg m²", format!("{}{unit}", study.objective.label.replace('_', " ")), 20, 9);
         let mut entries = Vec::new();
         for (kind, points) in &lines {
-            chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(*kind), 22)))?;
-            entries.push((format!("optimum, {}", kind.name()), line(colour(*kind), 22)));
+            chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(kind), 22)))?;
+            entries.push((format!("optimum, {}", kind), line(colour(kind), 22)));
         }
         for (level, label, style) in [(none, "no absorber", line(BLACK, 12)), (floor, "forced floor", line(GREY, 12))] {
             if let Some(level) = level {
@@ -81,7 +77,7 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
             let style = text(12).pos(Pos::new(side, VPos::Center));
             let dy = -(px(6) as i32) + (px(15) * near as u32) as i32;
             let marker = EmptyElement::at(*at)
-                + Circle::new((0, 0), px(5), fill(colour(*kind), 1.0))
+                + Circle::new((0, 0), px(5), fill(colour(kind), 1.0))
                 + Text::new(name.replace('_', " "), (dx, dy), style);
             chart.draw_series(std::iter::once(marker))?;
         }

@@ -98,7 +98,7 @@ pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
             study.engine.name,
             d.speed_rpm,
             d.design.replace('_', " "),
-            d.spot.replace('_', " ")
+            d.location.replace('_', " ")
         );
         let titled = canvas::titled(area, &title)?;
         let areas = titled.split_evenly((3, 1));

@@ -37,7 +37,7 @@ pub fn methods(measured: &SpeedAccuracy) -> String {
 
 /// The ways of a search: tables at several strides, and exactly.
 pub fn ways(measured: &SpeedAccuracy) -> String {
-    let row = |w: &Considered| vec![w.way.label(), duration(w.seconds), format!("{:.1e}", w.error)];
+    let row = |w: &Considered| vec![w.strategy.label(), duration(w.seconds), format!("{:.1e}", w.error)];
     table(&["way of a search", "per design", "error"], &measured.ways.iter().map(row).collect::<Vec<_>>())
 }
 
@@ -53,11 +53,11 @@ pub fn savings(s: &Savings) -> String {
         s.skipping.work.direct_solves,
         if s.identical { "the same peaks to the last bit" } else { "DEFECT: other peaks" }
     );
-    if let (Some((cost, h)), Some((every, best))) = (&s.quick, s.designs_per_second) {
+    if let (Some((cost, h)), Some((every, best))) = (&s.surrogate, s.designs_per_second) {
         text.push_str(&format!(
             "`auto` chooses {}: {} a design; of {} random absorbers {} err by more than their estimate, median of estimated over true error {:.1}; {} of {} \
              not sent on to the exact way err by more than the tolerance\n",
-            s.choice.chosen.way.label(),
+            s.choice.chosen.strategy.label(),
             duration(cost.seconds),
             h.designs,
             h.exceeded,

@@ -26,7 +26,7 @@ pub fn margins(study: &Study, results: &Results) -> String {
     let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let found = |d: &DesignResult, c: usize| -> Option<SmallestMargin> { d.margins.iter().find(|m| m.criterion == c).copied() };
     let margin_of = |d: &DesignResult, c: usize| found(d, c).map_or_else(|| "infinite".into(), |m| factor(m.margin));
-    let place = |m: &SmallestMargin| model.spots[m.used.spot].name.clone();
+    let place = |m: &SmallestMargin| model.locations[m.used.location].name.clone();
     let with_names = |cells: &dyn Fn(&DesignResult, usize) -> Vec<String>| -> Vec<Vec<String>> {
         let all_cells = |d: &DesignResult| (0..fatigue.criteria.len()).flat_map(|c| cells(d, c)).collect::<Vec<String>>();
         all.iter().map(|d| std::iter::once(d.name.clone()).chain(all_cells(d)).collect()).collect()

@@ -2,9 +2,8 @@
 
 use super::margin::factor;
 use super::{dash, significant, table};
-use crate::absorber::Ring;
-use crate::analysis::choice::Way;
-use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
+use crate::analysis::choice::Strategy;
+use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
 use crate::input::{ObjectiveSpec, Study, UnitOf};
 use crate::objective::{Condition, Over};
 use crate::report::csv::in_unit;
@@ -13,14 +12,14 @@ use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
 fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
-    let one = d.absorbers.first().map(|a| a.absorber);
+    let one = d.absorbers.first().map(|a| &a.absorber);
     let orders = &results.system.excitation.orders;
     let frequency = |i: usize| dash(d.frequencies_hz.get(i).map(|f| format!("{f:.2}")));
     let mut row = vec![
         d.name.clone(),
         dash(one.map(|a| significant(a.ring_inertia(), 4))),
-        dash(one.map(|a| a.stiffness()).filter(|k| k.is_finite()).map(|k| significant(k, 5))),
-        dash(one.map(|a| significant(a.damping(), 4))),
+        dash(one.and_then(|a| a.stiffness()).map(|k| significant(k, 5))),
+        dash(one.and_then(|a| a.damping()).map(|c| significant(c, 4))),
         frequency(0),
         frequency(1),
         frequency(2),
@@ -45,8 +44,8 @@ fn other_objective(study: &Study) -> bool {
 /// How searches evaluated designs, where that was chosen.
 pub fn choice(results: &Results) -> Option<String> {
     let c = results.choice.as_ref()?;
-    if c.chosen.way == Way::Exact {
-        return Some("Searches: every design exactly: nothing cheaper is right enough here.\n".into());
+    if c.chosen.strategy == Strategy::Exact {
+        return Some("Searches: every design exactly: nothing cheaper is within tolerance here.\n".into());
     }
     let mut work = Work::default();
     for o in &results.optima {
@@ -56,11 +55,11 @@ pub fn choice(results: &Results) -> Option<String> {
     Some(format!(
         "Searches: {}, error estimated as {} %, the largest of {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
          optima were evaluated so, the others and all that is reported exactly.\n",
-        c.chosen.way.label(),
+        c.chosen.strategy.label(),
         significant(100.0 * c.chosen.error, 2),
         c.probes,
         (c.exact / c.chosen.seconds).max(1.0),
-        work.quick_evaluations,
+        work.surrogate_evaluations,
         work.evaluations
     ))
 }
@@ -143,12 +142,12 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
             value(study, all)
         ));
     }
-    for ((row, nature), scene) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.scenes) {
+    for ((row, nature), load_case) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.load_cases) {
         let p = &row.peak;
-        let during = match scene {
-            (Condition::Firing, _) => String::new(),
-            (condition, None) => format!(", {}", condition.name().replace('_', " ")),
-            (condition, Some(cylinder)) => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
+        let during = match load_case {
+            RowCase { condition: Condition::Firing, .. } => String::new(),
+            RowCase { condition, cylinder: None } => format!(", {}", condition.name().replace('_', " ")),
+            RowCase { condition, cylinder: Some(cylinder) } => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
         };
         match row.limit {
             None if p.value >= best * (1.0 - 1e-5) => {

@@ -3,7 +3,7 @@
 //! Two damping ratios are in use and easily confused: `c/(2 J omega_absorber)` with the absorber's own frequency sqrt(k/J), and
 //! `c/(2 J omega_engine)` with the engine's. Each rule below says which one its source means.
 
-use super::{Absorber, Kind};
+use super::law::SpringAndDamper;
 
 /// The engine as the closed forms see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,45 +14,32 @@ pub struct EngineMode {
     pub omega: f64,
 }
 
-/// A closed-form rule.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Rule {
-    /// Ring tuned to the engine, damping after Brock.
-    BrockUnity,
-    /// Ring tuned to 1/(1 + mu), damping after Brock.
-    DenHartogBrock,
-    /// Untuned viscous absorber.
-    ViscousUntuned,
-    /// The exact minimum of the largest amplitude.
-    HInfinity,
+/// Stiffness and damping of a ring with this tuning omega_absorber/omega_engine and damping ratio c/(2 J omega_engine).
+fn tuned_to(ring_inertia: f64, engine: EngineMode, tuning: f64, damping_ratio: f64) -> SpringAndDamper {
+    let omega = tuning * engine.omega;
+    SpringAndDamper { stiffness: ring_inertia * omega * omega, damping: 2.0 * ring_inertia * engine.omega * damping_ratio }
 }
 
-/// All rules, with the words used in studies.
-pub const RULES: [(&str, Rule); 4] = [
-    ("brock_unity", Rule::BrockUnity),
-    ("den_hartog_brock", Rule::DenHartogBrock),
-    ("viscous_untuned", Rule::ViscousUntuned),
-    ("h_infinity", Rule::HInfinity),
-];
+/// Ring tuned to the engine, damping after Brock.
+pub fn brock_unity_ring(ring_inertia: f64, engine: EngineMode) -> SpringAndDamper {
+    tuned_to(ring_inertia, engine, 1.0, brock_unity(ring_inertia / engine.inertia))
+}
 
-impl Rule {
-    /// The type of absorber the rule makes.
-    pub fn kind(self) -> Kind {
-        if self == Self::ViscousUntuned { Kind::Viscous } else { Kind::Tuned }
-    }
+/// Ring tuned to 1/(1 + mu), damping after Brock.
+pub fn den_hartog_brock_ring(ring_inertia: f64, engine: EngineMode) -> SpringAndDamper {
+    let mu = ring_inertia / engine.inertia;
+    tuned_to(ring_inertia, engine, 1.0 / (1.0 + mu), den_hartog_brock(mu))
+}
 
-    /// The absorber of this rule for a ring of `ring_inertia` kg m².
-    pub fn absorber(self, ring_inertia: f64, engine: EngineMode) -> Absorber {
-        let mu = ring_inertia / engine.inertia;
-        let (tuning, damping) = match self {
-            Self::BrockUnity => (1.0, brock_unity(mu)),
-            Self::DenHartogBrock => (1.0 / (1.0 + mu), den_hartog_brock(mu)),
-            Self::ViscousUntuned => (0.0, viscous_untuned(mu)),
-            Self::HInfinity => h_infinity(mu),
-        };
-        let omega = tuning * engine.omega;
-        self.kind().build(ring_inertia, ring_inertia * omega * omega, 2.0 * ring_inertia * engine.omega * damping)
-    }
+/// The exact minimum of the largest amplitude.
+pub fn h_infinity_ring(ring_inertia: f64, engine: EngineMode) -> SpringAndDamper {
+    let (tuning, damping_ratio) = h_infinity(ring_inertia / engine.inertia);
+    tuned_to(ring_inertia, engine, tuning, damping_ratio)
+}
+
+/// Damping of the best ring without a spring, N m s/rad.
+pub fn viscous_damping(ring_inertia: f64, engine: EngineMode) -> f64 {
+    tuned_to(ring_inertia, engine, 0.0, viscous_untuned(ring_inertia / engine.inertia)).damping
 }
 
 /// Damping ratio c/(2 J omega_engine) for a ring tuned to the engine's frequency (so that both frequencies are the same), inertia ratio

@@ -1,0 +1,30 @@
+//! The types a study may name.
+
+use super::declaration::{ClosedForm, Declaration};
+use super::tuned::TUNED;
+use super::undamped::UNDAMPED;
+use super::viscous::VISCOUS;
+
+/// All of them, in the order of lists and messages.
+pub static TYPES: [&Declaration; 3] = [&TUNED, &VISCOUS, &UNDAMPED];
+
+/// A type by its word.
+pub fn find(name: &str) -> Option<&'static Declaration> {
+    TYPES.into_iter().find(|t| t.name == name)
+}
+
+/// Words of all closed forms, each once.
+pub fn closed_form_names() -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for form in TYPES.into_iter().flat_map(|t| t.closed_forms) {
+        if !names.contains(&form.name) {
+            names.push(form.name);
+        }
+    }
+    names
+}
+
+/// A closed form by its word, with the first type that has it.
+pub fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
+    TYPES.into_iter().find_map(|t| t.closed_forms.iter().find(|c| c.name == name).map(|c| (t, c)))
+}

@@ -1,0 +1,41 @@
+//! Times of stages, and the median of repeated ones.
+
+use crate::response::{ResponseError, Work};
+use std::time::Instant;
+
+/// Time of a stage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timing {
+    /// The stage.
+    pub stage: String,
+    /// Wall-clock time, s.
+    pub seconds: f64,
+    /// Work done in it.
+    pub work: Work,
+}
+
+/// How often something is repeated to be timed.
+#[derive(Debug, Clone, Copy)]
+pub struct Repeats {
+    /// At least.
+    pub least: usize,
+    /// At most.
+    pub most: usize,
+    /// No further repetition once they took this long together, s.
+    pub seconds: f64,
+}
+
+/// Median of the seconds that repetitions take.
+///
+/// # Errors
+/// The first error of `once`.
+pub fn median_seconds(repeats: Repeats, mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+    let (begun, mut times) = (Instant::now(), Vec::new());
+    while times.len() < repeats.least || (begun.elapsed().as_secs_f64() < repeats.seconds && times.len() < repeats.most) {
+        let start = Instant::now();
+        once()?;
+        times.push(start.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    Ok(times[times.len() / 2])
+}

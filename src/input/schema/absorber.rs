@@ -1,0 +1,241 @@
+//! Absorbers in a study. Their types and keys are those of the declarations in [`crate::absorber`]: a new type needs nothing here.
+
+use crate::absorber::{Declaration, TYPES};
+use crate::input::error::At;
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
+use serde::Deserialize;
+use std::fmt;
+use std::sync::OnceLock;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawAbsorber {
+    pub name: Option<At<String>>,
+    pub on: RawOn,
+    pub hub_inertia_kg_m2: Option<At<f64>>,
+    #[serde(rename = "type")]
+    pub kind: RawType,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawOn {
+    Station(At<String>),
+    Ring(At<String>),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawLocked {
+    pub ring_inertia_kg_m2: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawSeeded {
+    pub by: At<String>,
+    pub ring_inertia_kg_m2: At<f64>,
+    #[serde(default)]
+    pub engine_inertia: RawEngineInertia,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawEngineInertia {
+    #[default]
+    Modal,
+    WholeChain,
+}
+
+/// A type with its values.
+#[derive(Debug)]
+pub enum RawType {
+    /// A declared type, a value for each of its parameters.
+    Declared(&'static Declaration, Vec<At<f64>>),
+    Locked(RawLocked),
+    Seeded(RawSeeded),
+}
+
+/// A type by its word.
+#[derive(Debug, Clone, Copy)]
+pub struct RawKind(pub &'static Declaration);
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawSize {
+    #[serde(rename = "ring_inertia_kg_m2")]
+    RingInertia(RawRange),
+    InertiaRatio(RawRange),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RawRange {
+    Fixed(At<f64>),
+    Between(At<Vec<At<f64>>>),
+    Each(At<Vec<At<f64>>>),
+}
+
+/// A family of absorbers: besides these keys, bounds of any parameter of a type.
+#[derive(Debug)]
+pub struct RawOptimised {
+    pub name: Option<At<String>>,
+    pub on: RawOn,
+    pub hub_inertia_kg_m2: Option<At<f64>>,
+    pub types: At<Vec<At<RawKind>>>,
+    pub size: RawSize,
+    pub engine_inertia: RawEngineInertia,
+    pub bounds: Vec<(&'static str, RawRange)>,
+}
+
+/// Words that messages list: they live as long as the program.
+#[derive(Debug)]
+struct Words {
+    /// What may stand after `type.`.
+    types: Vec<&'static str>,
+    /// What may stand in `types`.
+    kinds: Vec<&'static str>,
+    /// Keys of each type.
+    keys: Vec<Vec<&'static str>>,
+    /// Keys of a family.
+    family: Vec<&'static str>,
+}
+
+const OWN_KEYS: [&str; 6] = ["name", "on", "hub_inertia_kg_m2", "types", "size", "engine_inertia"];
+
+fn words() -> &'static Words {
+    static WORDS: OnceLock<Words> = OnceLock::new();
+    WORDS.get_or_init(|| {
+        let kinds: Vec<&'static str> = TYPES.iter().map(|t| t.name).collect();
+        let keys: Vec<Vec<&'static str>> = TYPES.iter().map(|t| t.parameters.iter().map(|p| p.key).collect()).collect();
+        let mut family = OWN_KEYS.to_vec();
+        for key in keys.iter().flat_map(|k| &k[1..]) {
+            if !family.contains(key) {
+                family.push(key);
+            }
+        }
+        Words { types: kinds.iter().copied().chain(["locked", "seeded"]).collect(), kinds, keys, family }
+    })
+}
+
+/// One of some words, as its index.
+struct Word(&'static [&'static str], bool);
+
+impl<'de> DeserializeSeed<'de> for Word {
+    type Value = usize;
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<usize, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Word {
+    type Value = usize;
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(if self.1 { "variant identifier" } else { "field identifier" })
+    }
+    fn visit_str<E: Error>(self, word: &str) -> Result<usize, E> {
+        let unknown = || if self.1 { E::unknown_variant(word, self.0) } else { E::unknown_field(word, self.0) };
+        self.0.iter().position(|w| *w == word).ok_or_else(unknown)
+    }
+}
+
+/// Values of a declared type.
+struct Values(usize);
+
+impl<'de> DeserializeSeed<'de> for Values {
+    type Value = Vec<At<f64>>;
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_struct(TYPES[self.0].name, &words().keys[self.0], self)
+    }
+}
+
+impl<'de> Visitor<'de> for Values {
+    type Value = Vec<At<f64>>;
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "struct {}", TYPES[self.0].name)
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let keys = &words().keys[self.0];
+        let mut values: Vec<Option<At<f64>>> = keys.iter().map(|_| None).collect();
+        while let Some(key) = map.next_key_seed(Word(keys, false))? {
+            values[key] = Some(map.next_value()?);
+        }
+        values.into_iter().zip(keys).map(|(v, key)| v.ok_or_else(|| A::Error::missing_field(key))).collect()
+    }
+}
+
+impl<'de> Deserialize<'de> for RawType {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Type;
+        impl<'de> Visitor<'de> for Type {
+            type Value = RawType;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("enum RawType")
+            }
+            fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<RawType, A::Error> {
+                let (index, variant) = data.variant_seed(Word(&words().types, true))?;
+                match words().types[index] {
+                    "locked" => variant.newtype_variant().map(RawType::Locked),
+                    "seeded" => variant.newtype_variant().map(RawType::Seeded),
+                    _ => variant.newtype_variant_seed(Values(index)).map(|values| RawType::Declared(TYPES[index], values)),
+                }
+            }
+        }
+        deserializer.deserialize_enum("RawType", &words().types, Type)
+    }
+}
+
+impl<'de> Deserialize<'de> for RawKind {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Kind;
+        impl<'de> Visitor<'de> for Kind {
+            type Value = RawKind;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("enum RawKind")
+            }
+            fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<RawKind, A::Error> {
+                let (index, variant) = data.variant_seed(Word(&words().kinds, true))?;
+                variant.unit_variant()?;
+                Ok(RawKind(TYPES[index]))
+            }
+        }
+        deserializer.deserialize_enum("RawKind", &words().kinds, Kind)
+    }
+}
+
+impl<'de> Deserialize<'de> for RawOptimised {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Family;
+        impl<'de> Visitor<'de> for Family {
+            type Value = RawOptimised;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("struct RawOptimised")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<RawOptimised, A::Error> {
+                let (mut name, mut on, mut hub, mut types, mut size) = (None, None, None, None, None);
+                let (mut engine_inertia, mut bounds) = (RawEngineInertia::default(), Vec::new());
+                while let Some(key) = map.next_key_seed(Word(&words().family, false))? {
+                    match words().family[key] {
+                        "name" => name = Some(map.next_value()?),
+                        "on" => on = Some(map.next_value()?),
+                        "hub_inertia_kg_m2" => hub = Some(map.next_value()?),
+                        "types" => types = Some(map.next_value()?),
+                        "size" => size = Some(map.next_value()?),
+                        "engine_inertia" => engine_inertia = map.next_value()?,
+                        parameter => bounds.push((parameter, map.next_value()?)),
+                    }
+                }
+                Ok(RawOptimised {
+                    name,
+                    on: on.ok_or_else(|| A::Error::missing_field("on"))?,
+                    hub_inertia_kg_m2: hub,
+                    types: types.ok_or_else(|| A::Error::missing_field("types"))?,
+                    size: size.ok_or_else(|| A::Error::missing_field("size"))?,
+                    engine_inertia,
+                    bounds,
+                })
+            }
+        }
+        deserializer.deserialize_struct("RawOptimised", &words().family, Family)
+    }
+}

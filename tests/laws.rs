@@ -1,0 +1,211 @@
+//! What every declared type of absorber obeys, whatever its law: a new type is held to all of it without a line here.
+
+use crate::support::{assert_close, study, system};
+use hartog::absorber::closed_forms::EngineMode;
+use hartog::absorber::{Absorber, Declaration, Host, Mounted, Operating, Range, Surroundings, TYPES};
+use hartog::drivetrain::System;
+use hartog::input::Study;
+use hartog::numerics::{C64, I, ZERO};
+use hartog::objective::{Measure, Over, PeakFinder};
+use hartog::response::{Dense, Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, Work};
+use hartog::units::RAD_PER_S_PER_RPM;
+
+const SPEEDS: [f64; 4] = [800.0, 1500.0, 2290.0, 3100.0];
+
+/// A type with typical values for a ring of the in-line six, the first of them its ring inertia; `detuned` moves the others.
+fn typical(s: &Study, declaration: &'static Declaration, ring_inertia: f64, detuned: f64) -> Vec<f64> {
+    let modes = [EngineMode { inertia: s.modes.equivalent_inertia(1, 0), omega: s.modes.omega[1] }];
+    let surroundings = Surroundings { modes: &modes, ring_inertia };
+    let value = |p: &hartog::absorber::Parameter| {
+        // half the typical damping: a ring whose own resonance is seen
+        let x = (p.typical)(&surroundings) * if p.dissipative { 0.5 } else { detuned };
+        if let Range::Within(low, high) = p.range { x.clamp(low, high) } else { x }
+    };
+    let mut values: Vec<f64> = declaration.parameters.iter().map(value).collect();
+    values[0] = ring_inertia;
+    values
+}
+
+fn build(declaration: &Declaration, values: &[f64], on: Host) -> Mounted {
+    Mounted { on, hub_inertia: 0.0, absorber: Absorber::Ring((declaration.build)(values)) }
+}
+
+fn sweep(sys: &System, design: &[Mounted], quantity: Quantity) -> Vec<C64> {
+    let (grid, mut out) = (Grid::new(&SPEEDS, &[]), Vec::new());
+    Direct::new(sys, &grid).sweep(design, quantity, &mut out, &mut Work::default()).expect("damped");
+    out
+}
+
+#[track_caller]
+fn same(a: &[C64], b: &[C64], tolerance: f64, what: &str) {
+    let scale = a.iter().map(|y| y.norm()).fold(0.0, f64::max);
+    let worst = a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+    assert!(worst <= tolerance * scale, "{what}: off by {:e}", worst / scale);
+}
+
+/// What is built has the values it was built from, the ring inertia first; the derivatives of S are those of central differences (1e-6 of S); S is passive; a
+/// constant spring and damper, where the law says it has them, give S at any point, and a law that depends on the speed says so.
+#[test]
+fn every_declaration_is_consistent() {
+    let s = study("villalva_i6");
+    for declaration in TYPES {
+        let values = typical(&s, declaration, 0.03, 1.1);
+        let law = (declaration.build)(&values);
+        assert_eq!(law.values(), values, "{}", declaration.name);
+        assert_eq!((law.ring_inertia(), law.declaration()), (values[0], declaration));
+        for omega in [150.0, 900.0, 4000.0] {
+            for shaft_speed in [90.0, 260.0] {
+                let at = Operating { omega, shaft_speed };
+                let stiffness = law.dynamic_stiffness(at);
+                assert!(stiffness.im >= 0.0, "{}: not passive", declaration.name);
+                if let Some(constant) = law.spring_and_damper() {
+                    assert_eq!(constant.dynamic_stiffness(omega), stiffness);
+                }
+                let other = law.dynamic_stiffness(Operating { shaft_speed: 1.5 * shaft_speed, ..at });
+                assert_eq!(other != stiffness, law.depends_on_speed(), "{}", declaration.name);
+                let derivatives = law.derivatives(at);
+                assert_eq!(derivatives.len() + 1, values.len());
+                for (i, derivative) in derivatives.iter().enumerate() {
+                    let with = |factor: f64| {
+                        let mut v = values.clone();
+                        v[i + 1] *= factor;
+                        (declaration.build)(&v).dynamic_stiffness(at)
+                    };
+                    let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i + 1]);
+                    let scale = stiffness.norm() / values[i + 1];
+                    assert!((difference - derivative).norm() <= 1e-6 * scale, "{} parameter {i}: {difference} {derivative}", declaration.name);
+                }
+            }
+        }
+        for form in declaration.closed_forms {
+            let mode = EngineMode { inertia: 1.0, omega: 100.0 };
+            let values = (form.values)(0.1, mode);
+            assert_eq!((values.len(), values[0]), (declaration.parameters.len(), 0.1), "{}", form.name);
+        }
+    }
+}
+
+/// A ring of no inertia changes nothing; a stiff law adds the ring to its hub; hub inertia is inertia of the station; energy in is energy dissipated.
+#[test]
+fn limits_of_every_law() {
+    let s = study("villalva_i6");
+    let sys = system(&s);
+    let heavier = |by: f64| {
+        let mut chain = s.chain.clone();
+        chain.stations[0].inertia += by;
+        System::new(chain, sys.excitation.clone())
+    };
+    for declaration in TYPES {
+        let name = declaration.name;
+        let light = build(declaration, &typical(&s, declaration, 1e-12, 1.0), Host::Station(0));
+        same(&sweep(&sys, &[], s.twist), &sweep(&sys, &[light], s.twist), 1e-9, name);
+        // everything that grows with the ring, by 10⁸: the law is all but a rigid link
+        let mut values = typical(&s, declaration, 0.05, 1.0);
+        for (v, p) in values.iter_mut().zip(declaration.parameters).skip(1) {
+            *v *= if p.extensive { 1e8 } else { 1.0 };
+        }
+        let stiff = build(declaration, &values, Host::Station(0));
+        same(&sweep(&heavier(0.05), &[], s.twist), &sweep(&sys, &[stiff], s.twist), 1e-4, name);
+        let plain = build(declaration, &typical(&s, declaration, 0.03, 1.0), Host::Station(0));
+        same(&sweep(&heavier(0.02), &[plain.clone()], s.twist), &sweep(&sys, &[plain.clone().with_hub(0.02)], s.twist), 1e-11, name);
+        energy(&s, &sys, &[plain.clone()], name);
+        for outer in TYPES {
+            let on_it = build(outer, &typical(&s, outer, 0.01, 1.3), Host::Ring(0));
+            energy(&s, &sys, &[plain.clone(), on_it], &format!("{} on the ring of {name}", outer.name));
+        }
+    }
+}
+
+/// The mean power of the torques is what the dampers to ground and the absorbers take, to 1e-9.
+fn energy(s: &Study, sys: &System, design: &[Mounted], what: &str) {
+    let speed = 1777.0;
+    let grid = Grid::new(&[speed], &[]);
+    let direct = Direct::new(sys, &grid);
+    let taken_by = |r: usize| direct.dissipated_power(design, r, speed, &mut Work::default()).expect("damped");
+    let (mut put_in, mut taken) = (0.0, (0..design.len()).map(taken_by).sum::<f64>());
+    let mut torque = vec![ZERO; s.chain.len()];
+    for n in 0..sys.orders() {
+        sys.torque(n, speed, &mut torque);
+        let omega = sys.excitation.orders[n].value() * speed * RAD_PER_S_PER_RPM;
+        for (i, station) in s.chain.stations.iter().enumerate() {
+            let theta = direct.order_at(design, Quantity::Twist { from: i, to: None }, n, speed, &mut Work::default()).expect("damped");
+            put_in += 0.5 * (torque[i] * (I * omega * theta).conj()).re;
+            taken += 0.5 * station.damping_to_ground * omega * omega * theta.norm_sqr();
+        }
+    }
+    assert_close(put_in, taken, 1e-9, 0.0, what);
+}
+
+/// Every type alone and every pair of types, side by side on two stations, on one, and one on the ring of the other: direct, receptance and dense solutions agree to
+/// 1e-9, and gradients with respect to every parameter are those of central differences of the peak.
+#[test]
+fn methods_and_gradients_of_every_pair() {
+    let s = study("villalva_i6");
+    let sys = system(&s);
+    for a in TYPES {
+        check_methods(&s, &sys, &[(a, Host::Station(0))]);
+        check_gradients(&s, &sys, &[(a, Host::Station(0))]);
+        for b in TYPES {
+            for on in [Host::Station(0), Host::Station(3), Host::Ring(0)] {
+                check_methods(&s, &sys, &[(a, Host::Station(0)), (b, on)]);
+            }
+            check_gradients(&s, &sys, &[(a, Host::Station(0)), (b, Host::Station(3))]);
+            check_gradients(&s, &sys, &[(a, Host::Station(0)), (b, Host::Ring(0))]);
+        }
+    }
+}
+
+type Places = [(&'static Declaration, Host)];
+
+fn values_of(s: &Study, places: &Places) -> Vec<Vec<f64>> {
+    places.iter().enumerate().map(|(i, (d, _))| typical(s, d, 0.03 / (1 + i) as f64, 1.0 + 0.3 * i as f64)).collect()
+}
+
+fn design_of(places: &Places, values: &[Vec<f64>]) -> Vec<Mounted> {
+    places.iter().zip(values).map(|((d, on), v)| build(d, v, *on)).collect()
+}
+
+fn words(places: &Places) -> String {
+    places.iter().map(|(d, on)| format!("{} on {on:?}", d.name)).collect::<Vec<_>>().join(", ")
+}
+
+fn check_methods(s: &Study, sys: &System, places: &Places) {
+    let design = design_of(places, &values_of(s, places));
+    let grid = Grid::new(&SPEEDS, &[]);
+    let stations: Vec<usize> = if places.iter().any(|p| p.1 == Host::Station(3)) { vec![0, 3] } else { vec![0] };
+    for quantity in [s.twist, Quantity::RingTwist(design.len() - 1), Quantity::ShaftTorque(2)] {
+        let expected = sweep(sys, &design, quantity);
+        let joint = JointReceptance::new(sys, &grid, &stations, &[quantity]);
+        let single = Receptance::new(sys, &grid, 0, &[quantity]);
+        let dense = Dense::new(sys, &grid);
+        for method in [&joint as &dyn Response, &single, &dense] {
+            let mut found = Vec::new();
+            method.sweep(&design, quantity, &mut found, &mut Work::default()).expect("damped");
+            same(&expected, &found, 1e-9, &format!("{}: {quantity:?} by {}", words(places), method.name()));
+        }
+    }
+}
+
+fn check_gradients(s: &Study, sys: &System, places: &Places) {
+    let grid = Grid::new(&s.speeds_rpm.iter().copied().step_by(4).collect::<Vec<_>>(), &sys.excitation.tabulated_rpm);
+    let method = Method::Direct(Direct::new(sys, &grid));
+    let finder = PeakFinder::new(sys, &grid, &method, true);
+    let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
+    let values = values_of(s, places);
+    let design = design_of(places, &values);
+    let peak = finder.peak(&design, &measure, &mut Work::default()).expect("damped").expect("excited");
+    for (i, (declaration, _)) in places.iter().enumerate() {
+        let gradient = finder.gradient(&design, i, &peak, &mut Work::default()).expect("damped");
+        assert_eq!(gradient.len(), declaration.parameters.len());
+        for (p, parameter) in declaration.parameters.iter().enumerate() {
+            let with = |factor: f64| {
+                let mut v = values.clone();
+                v[i][p] *= factor;
+                finder.peak(&design_of(places, &v), &measure, &mut Work::default()).expect("damped").expect("excited").value
+            };
+            let difference = (with(1.0 + 1e-5) - with(1.0 - 1e-5)) / (2e-5 * values[i][p]);
+            let what = format!("{}: absorber {i}, {}", words(places), parameter.key);
+            assert_close(gradient[p], difference, 1e-5, 1e-7 * peak.value / values[i][p], &what);
+        }
+    }
+}

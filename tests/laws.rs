@@ -97,7 +97,9 @@ fn limits_of_every_law() {
     };
     for declaration in TYPES {
         let name = declaration.name;
-        let light = build(declaration, &typical(&s, declaration, 1e-12, 1.0), Host::Station(0));
+        let mut values = typical(&s, declaration, 0.03, 1.0);
+        values[0] = 1e-12;
+        let light = build(declaration, &values, Host::Station(0));
         same(&sweep(&sys, &[], s.twist), &sweep(&sys, &[light], s.twist), 1e-9, name);
         // everything that grows with the ring, by 10⁸: the law is all but a rigid link
         let mut values = typical(&s, declaration, 0.05, 1.0);
@@ -203,9 +205,10 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
                 v[i][p] *= factor;
                 finder.peak(&design_of(places, &v), &measure, &mut Work::default()).expect("damped").expect("excited").value
             };
-            let difference = (with(1.0 + 1e-5) - with(1.0 - 1e-5)) / (2e-5 * values[i][p]);
+            let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i][p]);
             let what = format!("{}: absorber {i}, {}", words(places), parameter.key);
-            assert_close(gradient[p], difference, 1e-5, 1e-7 * peak.value / values[i][p], &what);
+            // the speed of a peak is known to the root of rounding, which a narrow one multiplies
+            assert_close(gradient[p], difference, 1e-4, 1e-7 * peak.value / values[i][p], &what);
         }
     }
 }

@@ -4,7 +4,7 @@
 use crate::support::{assert_close, one_throw, uniform_chain};
 use hartog::benchmark::energy::balances;
 use hartog::benchmark::methods::Candidate;
-use hartog::benchmark::stability::scenarios;
+use hartog::benchmark::scenarios::scenarios;
 use hartog::drivetrain::System;
 use hartog::numerics::I;
 use hartog::response::{Grid, Newmark, Quantity, Response, Work};

@@ -3,7 +3,7 @@
 //! Two damping ratios are in use and easily confused: `c/(2 J omega_absorber)` with the absorber's own frequency sqrt(k/J), and
 //! `c/(2 J omega_engine)` with the engine's. Each rule below says which one its source means.
 
-use super::law::SpringAndDamper;
+use super::dynamic_stiffness::SpringAndDamper;
 
 /// The engine as the closed forms see it.
 #[derive(Debug, Clone, Copy, PartialEq)]

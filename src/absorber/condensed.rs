@@ -4,7 +4,7 @@
 //! z = -omega² J_hub + S m/(S + m); its twist against the host is -m/(S + m) of the host's angle. All are kept as fractions: they stay finite where
 //! an undamped ring resonates (the host stands still) and where one that sits on another does.
 
-use super::law::Operating;
+use super::dynamic_stiffness::Operating;
 use super::mounted::{Absorber, Host, Mounted};
 use crate::numerics::C64;
 

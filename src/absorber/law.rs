@@ -1,37 +1,14 @@
-//! What ties a ring to its hub: a complex dynamic stiffness.
+//! What ties a ring to its hub: a complex dynamic stiffness, and what hartog is told of its type in one place. Schema, validation, tables, columns and the variables
+//! of optimisers come from the declaration; the response methods ask for S and its derivatives, and know no types.
 
-use super::declaration::Declaration;
+use super::closed_forms::EngineMode;
+use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::parameter::Parameter;
 use crate::numerics::C64;
 use std::fmt::Debug;
-
-/// Where a law is asked for its stiffness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Operating {
-    /// Circular frequency of the motion, rad/s.
-    pub omega: f64,
-    /// Speed of the shaft, rad/s.
-    pub shaft_speed: f64,
-}
-
-/// A spring and a viscous damper side by side: S = k + i omega c.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpringAndDamper {
-    /// N m/rad.
-    pub stiffness: f64,
-    /// N m s/rad.
-    pub damping: f64,
-}
-
-impl SpringAndDamper {
-    /// S = k + i omega c, N m/rad.
-    pub fn dynamic_stiffness(self, omega: f64) -> C64 {
-        C64::new(self.stiffness, omega * self.damping)
-    }
-}
+use std::sync::Arc;
 
 /// The law of a ring: torque from hub to ring per twist between them, S(omega, shaft speed), N m/rad. A law is passive (Im S >= 0 for omega > 0).
-///
-/// Everything else hartog knows of a type is in its [`Declaration`]: the response methods ask for S and its derivatives and know no types.
 pub trait Law: Debug + Send + Sync {
     /// The type, with its parameters.
     fn declaration(&self) -> &'static Declaration;
@@ -71,5 +48,44 @@ pub trait Law: Debug + Send + Sync {
             Some(s) => 0.5 * s.damping * (at.omega * twist_amplitude).powi(2),
             None => 0.5 * at.omega * self.dynamic_stiffness(at).im * twist_amplitude * twist_amplitude,
         }
+    }
+}
+
+/// A closed-form optimum of a type.
+#[derive(Debug, Clone, Copy)]
+pub struct ClosedForm {
+    /// The word used in studies.
+    pub name: &'static str,
+    /// Whether searches start from it for every mode, or for the first one only.
+    pub every_mode: bool,
+    /// Values of the type's parameters for a ring of this inertia (kg m²) on this mode.
+    pub values: fn(f64, EngineMode) -> Vec<f64>,
+}
+
+/// A type of absorber.
+#[derive(Debug)]
+pub struct Declaration {
+    /// The word used in studies and tables.
+    pub name: &'static str,
+    /// Its parameters, the ring inertia first.
+    pub parameters: &'static [Parameter],
+    /// A law with these values.
+    pub build: fn(&[f64]) -> Arc<dyn Law>,
+    /// Closed-form optima: where searches start.
+    pub closed_forms: &'static [ClosedForm],
+}
+
+impl PartialEq for Declaration {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Declaration {}
+
+impl Declaration {
+    /// Index of a parameter by its key.
+    pub fn index(&self, key: &str) -> Option<usize> {
+        self.parameters.iter().position(|p| p.key == key)
     }
 }

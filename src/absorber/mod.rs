@@ -2,7 +2,7 @@
 
 pub mod closed_forms;
 pub mod condensed;
-pub mod declaration;
+pub mod dynamic_stiffness;
 pub mod law;
 pub mod mounted;
 pub mod parameter;
@@ -12,8 +12,8 @@ pub mod undamped;
 pub mod viscous;
 
 pub use condensed::Condensed;
-pub use declaration::{ClosedForm, Declaration};
-pub use law::{Law, Operating, SpringAndDamper};
+pub use dynamic_stiffness::{Operating, SpringAndDamper};
+pub use law::{ClosedForm, Declaration, Law};
 pub use mounted::{Absorber, Host, Mounted};
 pub use parameter::{Parameter, Range, Surroundings};
 pub use tuned::{TUNED, Tuned};

@@ -1,7 +1,6 @@
 //! Absorbers and where they sit: on stations of the chain, or on the ring of another absorber.
 
-use super::declaration::Declaration;
-use super::law::Law;
+use super::law::{Declaration, Law};
 use std::sync::Arc;
 
 /// A ring with its law, or one that has seized.

@@ -1,8 +1,8 @@
 //! Ring on a spring with a viscous damper beside it: the textbook's absorber, S = k + i omega c.
 
 use super::closed_forms::{EngineMode, brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
-use super::declaration::{ClosedForm, Declaration};
-use super::law::{Law, Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::numerics::C64;
 use std::sync::Arc;

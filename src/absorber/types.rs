@@ -1,6 +1,6 @@
 //! The types a study may name.
 
-use super::declaration::{ClosedForm, Declaration};
+use super::law::{ClosedForm, Declaration};
 use super::tuned::TUNED;
 use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;

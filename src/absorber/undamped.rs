@@ -1,8 +1,8 @@
 //! Ring on a spring, S = k: what a tuned absorber would be without its damper.
 
 use super::closed_forms::{brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
-use super::declaration::{ClosedForm, Declaration};
-use super::law::{Law, Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{RING_INERTIA, STIFFNESS};
 use crate::numerics::C64;
 use std::sync::Arc;

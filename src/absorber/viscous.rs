@@ -1,8 +1,8 @@
 //! Untuned viscous absorber: a ring in a Newtonian fluid, without spring, S = i omega c.
 
 use super::closed_forms::viscous_damping;
-use super::declaration::{ClosedForm, Declaration};
-use super::law::{Law, Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, RING_INERTIA};
 use crate::numerics::C64;
 use std::sync::Arc;

@@ -13,6 +13,7 @@ pub mod margins;
 pub mod progress;
 pub mod results;
 pub mod run;
+mod searches;
 pub mod stress_histories;
 pub mod sweeps;
 pub mod systems;

@@ -14,6 +14,27 @@ pub struct Timing {
     pub work: Work,
 }
 
+/// Times one stage after the other.
+#[derive(Debug)]
+pub struct Clock {
+    /// Stages so far.
+    pub timing: Vec<Timing>,
+    since: Instant,
+}
+
+impl Clock {
+    /// Starts now.
+    pub fn start() -> Self {
+        Self { timing: Vec::new(), since: Instant::now() }
+    }
+
+    /// Ends a stage, and begins the next.
+    pub fn lap(&mut self, stage: &str, work: Work) {
+        self.timing.push(Timing { stage: stage.into(), seconds: self.since.elapsed().as_secs_f64(), work });
+        self.since = Instant::now();
+    }
+}
+
 /// How often something is repeated to be timed.
 #[derive(Debug, Clone, Copy)]
 pub struct Repeats {

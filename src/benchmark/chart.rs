@@ -1,6 +1,7 @@
 //! Everything that `hartog chart` measures, put together.
 
-use super::stability::{self, Cell, Scenario};
+use super::scenarios::scenarios;
+use super::stability::{Cell, Scenario};
 use super::{energy, model_accuracy, savings, speed_accuracy};
 use crate::analysis::{Progress, RunError, calibrate};
 use crate::input::Study;
@@ -22,7 +23,7 @@ impl Common {
     /// Measures it.
     pub fn measure(progress: &dyn Progress) -> Self {
         let growth = speed_accuracy::growth(progress);
-        let scenarios = stability::scenarios();
+        let scenarios = scenarios();
         progress.stage("stability and energy", scenarios.len() + 1);
         let map = scenarios
             .into_iter()

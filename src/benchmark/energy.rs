@@ -1,7 +1,8 @@
 //! Energy put in against energy dissipated, method by method, on a chain with an absorber: a check that needs no other method.
 
 use super::methods::Candidate;
-use super::stability::{self, Scenario};
+use super::scenarios::scenarios;
+use super::stability::Scenario;
 use crate::absorber::mounted::station_of;
 use crate::numerics::C64;
 use crate::response::power::{self, Motion, Power, powers};
@@ -32,7 +33,7 @@ const DISSIPATIVE: f64 = 0.6;
 
 /// All balances.
 pub fn balances() -> Vec<Balance> {
-    let scenarios = stability::scenarios();
+    let scenarios = scenarios();
     let chosen = SCENARIOS.iter().filter_map(|name| scenarios.iter().find(|s| s.name == *name));
     chosen.flat_map(of_scenario).collect()
 }

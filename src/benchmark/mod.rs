@@ -5,6 +5,7 @@ pub mod energy;
 pub mod methods;
 pub mod model_accuracy;
 pub mod savings;
+pub mod scenarios;
 pub mod smaller_models;
 pub mod speed_accuracy;
 pub mod stability;

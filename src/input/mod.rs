@@ -36,5 +36,12 @@ pub fn read(path: &Path) -> Result<Study, InputError> {
     let engine_path = folder.join(study.engine.get_ref());
     let engine_source = Source::read_named(&engine_path, &source, study.engine.span())?;
     let engine: schema::engine::RawEngine = engine_source.parse()?;
-    validation::resolve(path, &source, &study, &engine_path, &engine_source, &engine)
+    validation::resolve(&validation::Files {
+        path,
+        source: &source,
+        study: &study,
+        engine_path: &engine_path,
+        engine_source: &engine_source,
+        engine: &engine,
+    })
 }

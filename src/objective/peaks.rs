@@ -172,22 +172,15 @@ impl<'a> PeakFinder<'a> {
         Ok(grid.into_iter().zip(added).map(|(g, a)| speeds.merge(g, &a, self.system.orders())).collect())
     }
 
-    fn synthesised(
-        &self,
-        design: &[Mounted],
-        (quantity, over): (Quantity, Over),
-        (speeds, sweep): (&Speeds, &[C64]),
-        found: &mut Found,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
+    /// Values at the speeds that matter (the others stay at minus infinity), and the largest of them and of `best`.
+    fn values(&self, metric: PointMetric, speeds: &Speeds, sweep: &[C64], (keep, best): (f64, f64), work: &mut Work) -> (Vec<f64>, f64) {
         let orders = self.system.orders();
-        let metric = PointMetric::of(over, quantity, self.margin);
         let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
         let bounds: Vec<f64> = sums.iter().zip(&speeds.rpm).map(|(sum, speed)| metric.bound(*speed, *sum)).collect();
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let mut values = vec![f64::NEG_INFINITY; bounds.len()];
-        let mut top = found.best;
+        let mut top = best;
         let mut know = |i: usize, values: &mut Vec<f64>, wanted: f64, rise: f64| {
             work.syntheses += 1;
             let y = &sweep[i * orders..(i + 1) * orders];
@@ -203,8 +196,8 @@ impl<'a> PeakFinder<'a> {
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
             let rise = if self.refine { local_maxima::growth(&sums, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && metric.bound(speeds.rpm[i], sums[i] * rise) >= found.keep * top {
-                know(i, &mut values, found.keep * top, rise);
+            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && metric.bound(speeds.rpm[i], sums[i] * rise) >= keep * top {
+                know(i, &mut values, keep * top, rise);
                 top = top.max(values[i]);
             }
         }
@@ -218,6 +211,20 @@ impl<'a> PeakFinder<'a> {
                 }
             }
         }
+        (values, top)
+    }
+
+    fn synthesised(
+        &self,
+        design: &[Mounted],
+        (quantity, over): (Quantity, Over),
+        (speeds, sweep): (&Speeds, &[C64]),
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let orders = self.system.orders();
+        let metric = PointMetric::of(over, quantity, self.margin);
+        let (values, top) = self.values(metric, speeds, sweep, (found.keep, found.best), work);
         let mut y = vec![ZERO; orders];
         let at = |speed_rpm: f64, y: &mut [C64], work: &mut Work| -> Result<Extremes, ResponseError> {
             self.direct.at(design, quantity, speed_rpm, y, work)?;
@@ -232,7 +239,7 @@ impl<'a> PeakFinder<'a> {
                 continue;
             };
             let mut extremes = at(speed_rpm, &mut y, work)?;
-            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(bounds.len() - 1)]);
+            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(values.len() - 1)]);
             let followed = self.refine && !metric.asks_for_all();
             if followed && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
                 // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one

@@ -1,6 +1,6 @@
 //! Given designs, and what absorbers of designs and families share.
 
-use super::station;
+use super::named::station;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, types};
 use crate::drivetrain::{Chain, Modes};

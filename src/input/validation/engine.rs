@@ -1,6 +1,6 @@
 //! Engine: geometry, layout, pressure.
 
-use super::table;
+use super::named::table;
 use crate::engine::pressure::{Otto, Wiebe};
 use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, RodModel, SliderCrank, Source};
 use crate::input::error::{At, Check};

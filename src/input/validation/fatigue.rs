@@ -1,6 +1,6 @@
 //! Fatigue: material, criteria, fillets.
 
-use super::table;
+use super::named::table;
 use crate::crankshaft::stress_concentration::Formulas;
 use crate::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Place, UnitLoads};
 use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture, STRENGTHS};

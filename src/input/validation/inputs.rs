@@ -1,6 +1,5 @@
 //! Inputs of the model that can be fitted: their keys, bounds and places.
 
-use super::Study;
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Pressure, Source};
 use crate::units::PA_PER_BAR;
@@ -141,7 +140,7 @@ impl Input {
     }
 
     /// Puts a value into a model that has this input.
-    fn apply(self, engine: &mut Engine, chain: &mut Chain, value: f64) {
+    pub(super) fn apply(self, engine: &mut Engine, chain: &mut Chain, value: f64) {
         let shafts = chain.len() - 1;
         match self {
             Self::ThrowDamping => {
@@ -170,20 +169,5 @@ impl Input {
                 }
             }
         }
-    }
-}
-
-impl Study {
-    /// The study with other values of some inputs, each in the unit of its key.
-    #[must_use]
-    pub fn with_inputs(&self, values: &[(Input, f64)]) -> Self {
-        let mut study = self.clone();
-        for (input, value) in values {
-            input.apply(&mut study.engine, &mut study.chain, *value);
-        }
-        if values.iter().any(|(input, _)| !input.changes_torque()) {
-            study.modes = Modes::new(&study.chain);
-        }
-        study
     }
 }

@@ -1,6 +1,6 @@
 //! Objective and limits.
 
-use super::station;
+use super::named::station;
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};

@@ -1,6 +1,6 @@
 //! Published tables of a study.
 
-use super::table;
+use super::named::table;
 use crate::fatigue::multiaxial::Limits;
 use crate::input::error::{At, Check};
 use crate::input::published::{Published, Tolerances};

@@ -4,7 +4,6 @@ use super::{aligned, dash, significant};
 use crate::input::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use crate::validation::{Comparison, Entry, Kind, Ranked, Role, Spread};
-use std::fmt::Write;
 
 /// An input that differs from the printed one by more than its digits.
 fn differs(e: &Entry) -> bool {
@@ -74,22 +73,29 @@ const SAME_RING: f64 = 1e-9;
 
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
 pub fn paragraph(study: &Study, c: &Comparison) -> String {
-    let mut text = String::new();
-    // writing to a string cannot fail
-    let mut put = |line: String| {
-        let _ = writeln!(text, "  {line}");
-    };
+    let parts = [best(study, c), reproduced(study, c), own_stresses(c), multiaxial_alone(c), misprints(c), doubts(study, c), tolerances(c)];
+    parts.concat().iter().map(|line| format!("  {line}\n")).collect()
+}
+
+/// Deviations of predicted numbers of a kind, per cent.
+fn predicted(c: &Comparison, kind: Kind) -> impl Iterator<Item = f64> + '_ {
+    c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted).filter_map(Entry::deviation_percent)
+}
+
+/// The best published design, and what is possible beside it.
+fn best(study: &Study, c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
     let v = &c.verdict;
     let plain: Vec<&Ranked> = v.designs.iter().filter(|d| d.ring_inertia > 0.0).collect();
     if let (Some(best), none) = (plain.first(), v.designs.iter().find(|d| d.ring_inertia == 0.0)) {
         let beside = none.map_or_else(String::new, |n| format!(" (without absorber {})", value(study, n.objective)));
         let others: Vec<String> = plain[1..].iter().map(|d| format!("{} {}", d.name, value(study, d.objective))).collect();
         let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
-        put(format!("Best published: {} with a {} of {}{beside}{others}.", best.name, study.objective.label, value(study, best.objective)));
+        lines.push(format!("Best published: {} with a {} of {}{beside}{others}.", best.name, study.objective.label, value(study, best.objective)));
         let mut possible = |ring: String, own: &Ranked| {
             let ratio = own.objective / best.objective;
             let words = if ratio > 1.0 { "above" } else { "below" };
-            put(format!(
+            lines.push(format!(
                 "Possible with {ring}: {} by {}, {:.1} % {words}.",
                 value(study, own.objective),
                 own.name,
@@ -104,6 +110,14 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
             possible(format!("a ring of {} kg m²", significant(own.ring_inertia, 4)), own);
         }
     }
+    lines
+}
+
+/// Amplitudes, and the worst of what is reproduced.
+fn reproduced(study: &Study, c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut put = |line: String| lines.push(line);
+    let v = &c.verdict;
     let fitted = c.entries.iter().filter(|e| e.kind == Kind::Amplitude && e.role == Role::Calibrated).count();
     if !v.all.deviations.is_empty() {
         put(format!(
@@ -114,9 +128,7 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
             spread("viscous", &v.viscous)
         ));
     }
-    let sure =
-        |kind: Kind| c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted).filter_map(Entry::deviation_percent);
-    let worst = |kind: Kind| sure(kind).map(f64::abs).reduce(f64::max).map(|w| format!("{w:.2} %"));
+    let worst = |kind: Kind| predicted(c, kind).map(f64::abs).reduce(f64::max).map(|w| format!("{w:.2} %"));
     let trusted = [
         ("natural frequencies", Kind::Frequency),
         ("critical speeds", Kind::CriticalSpeed),
@@ -127,9 +139,13 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     if !trusted.is_empty() {
         put(format!("Reproduced, at worst: {}.", trusted.join(", ")));
     }
-    for line in own_stresses(c) {
-        put(line);
-    }
+    lines
+}
+
+/// Multiaxial factors without stresses.
+fn multiaxial_alone(c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut put = |line: String| lines.push(line);
     let pairs: Vec<(f64, f64)> = c
         .entries
         .iter()
@@ -143,6 +159,13 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
             pairs.len()
         ));
     }
+    lines
+}
+
+/// What contradicts its own source, and what no model comes near.
+fn misprints(c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut put = |line: String| lines.push(line);
     for (role, words) in [(Role::Erratum, "Erratum"), (Role::Unexplained, "Unexplained")] {
         let of_role: Vec<&Entry> = c.entries.iter().filter(|e| e.role == role).collect();
         for (i, e) in of_role.iter().enumerate() {
@@ -154,7 +177,14 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
             put(format!("{words}: {}{}: {}.", if e.table == "text" { "" } else { "table " }, alike.join(", "), e.note));
         }
     }
-    let other: Option<f64> = sure(Kind::OtherModel).map(f64::abs).reduce(f64::max);
+    lines
+}
+
+/// Other models, inputs that differ, and the prediction to trust least.
+fn doubts(study: &Study, c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut put = |line: String| lines.push(line);
+    let other: Option<f64> = predicted(c, Kind::OtherModel).map(f64::abs).reduce(f64::max);
     if let Some(other) = other {
         put(format!("Other models of this engine have natural frequencies up to {other:.1} % away; they are not counted above."));
     }
@@ -166,6 +196,14 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     if let Some((d, r)) = worst.filter(|w| w.0 > 15.0) {
         put(format!("Trust least: order {} of {}, off by {d:.0} %.", r.order, study.designs[r.design].name));
     }
+    lines
+}
+
+/// The stated tolerances, and the limits of the study.
+fn tolerances(c: &Comparison) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut put = |line: String| lines.push(line);
+    let v = &c.verdict;
     for check in &v.checks {
         let word = if check.holds() { "holds" } else { "FAILS" };
         let found = match check.found {
@@ -178,7 +216,7 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     if !v.limits_hold {
         put("An optimum breaks a limit of the study; `hartog run` says which: FAILS.".into());
     }
-    text
+    lines
 }
 
 /// What our own loads make of the crank, case by case.

@@ -2,6 +2,7 @@
 
 pub mod calibration;
 pub mod chart;
+pub mod check;
 pub mod comparison;
 pub mod crank;
 pub mod fatigue;

@@ -1,0 +1,131 @@
+//! The searches of a study: optima and fronts.
+
+use super::evaluate::{self, Classifier};
+use super::families::{self, Family};
+use super::results::{FrontResult, OptimumResult, RowCase};
+use super::timing::Clock;
+use super::wanted::Wanted;
+use super::{Progress, RunError};
+use crate::absorber::Mounted;
+use crate::absorber::closed_forms::EngineMode;
+use crate::input::{OptimiseSpec, Study};
+use crate::objective::{Limit, Measure, PeakFinder};
+use crate::optimise::{LoadCase, Problem, Row, Space, front, search, starts};
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// Random points that tables screen for a start.
+const SCREENED: usize = 4096;
+
+/// What all searches of a study share.
+pub struct Searches<'a> {
+    pub study: &'a Study,
+    pub finders: &'a [PeakFinder<'a>],
+    pub load_cases: &'a [LoadCase<'a>],
+    pub limits: &'a [Limit],
+    pub modes: &'a [Vec<EngineMode>],
+    pub wanted: &'a Wanted<'a>,
+    pub progress: &'a dyn Progress,
+}
+
+impl Searches<'_> {
+    fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
+        Problem { load_cases: self.load_cases, space, objective: &self.study.objective_of(objective).measure, limits: self.limits }
+    }
+
+    /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
+    fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
+        let mut list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
+        if spec.random_starts > 0 {
+            let points = starts::random_points(space, &list[0].1, SCREENED, spec.seed);
+            if let Some(best) = self.finders[0].best_of(points.iter().map(|w| space.design(w)), &self.study.objective.measure) {
+                list.push((format!("best of {SCREENED}"), points[best].clone()));
+            }
+        }
+        list
+    }
+
+    /// All optima that the study asks for.
+    ///
+    /// # Errors
+    /// [`RunError`] where none of the starts of one has a finite response.
+    pub fn optima(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<OptimumResult>, RunError> {
+        let mut families: Vec<(Family, usize)> = families::wanted(spec, self.modes).into_iter().map(|family| (family, 0)).collect();
+        // the main size of each type once more for every other objective
+        for (i, objective) in self.study.more_objectives.iter().enumerate() {
+            let main: Vec<Family> = families.iter().filter(|f| f.0.is_main && f.1 == 0).map(|f| f.0.clone()).collect();
+            families.extend(main.into_iter().map(|f| (Family { name: format!("{}_by_{}", f.name, objective.word), ..f }, i + 1)));
+        }
+        let count = families.iter().map(|f| self.starts(spec, &f.0.space).len()).sum();
+        self.progress.stage("optima", count);
+        let step = || self.progress.step();
+        let found = families
+            .into_par_iter()
+            .map(|(Family { name, space, is_main: main }, objective)| {
+                let failed = |error: ResponseError| RunError { what: name.clone(), error };
+                let problem = self.problem(space, objective);
+                let starts = self.starts(spec, &problem.space);
+                let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let mounted = optimum.design.as_slice();
+                let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
+                let classifier = Classifier::new(self.finders[0].system, self.study.twist);
+                let nature = |r: &Row| {
+                    let load_case = &self.load_cases[r.load_case];
+                    classifier.nature(load_case.finder, &load_case.condition.absorbers(mounted), &r.peak)
+                };
+                let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
+                let load_case = |r: &Row| {
+                    let load_case = &self.load_cases[r.load_case];
+                    RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
+                };
+                let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
+                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, objective })
+            })
+            .collect::<Result<Vec<OptimumResult>, RunError>>()?;
+        let mut work = Work::default();
+        for stages in found.iter().map(|o| o.optimum.stages) {
+            work += stages.seeds;
+            work += stages.search;
+            work += stages.minimax;
+        }
+        if !found.is_empty() {
+            clock.lap("optima", work);
+        }
+        Ok(found)
+    }
+
+    /// The study's other objectives for a design, at their worst in the load cases.
+    fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
+        let value = |measure: &Measure| {
+            let peak = |s: &LoadCase| s.finder.peak(&s.condition.absorbers(design), measure, &mut Work::default());
+            self.load_cases.iter().try_fold(0.0, |worst, s| Ok(f64::max(worst, peak(s)?.map_or(0.0, |p| p.value))))
+        };
+        self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
+    }
+
+    /// The fronts, with the time of each.
+    ///
+    /// # Errors
+    /// [`RunError`] where none of the starts at an inertia has a finite response.
+    pub fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
+        let Some(wanted) = &self.study.front else { return Ok(Vec::new()) };
+        let mut results = Vec::new();
+        for types in families::types(spec) {
+            // a front is of one absorber: validation sees to it
+            let declaration = types[0];
+            self.progress.stage(&format!("front, {}", declaration.name), 2 * wanted.inertias.len());
+            let space = families::family(spec, &families::Choice { types, rings: vec![Some(wanted.inertias[0])] }, self.modes);
+            let problem = self.problem(space, 0);
+            let step = || self.progress.step();
+            let front = front::follow(&problem, &wanted.inertias, |s| self.starts(spec, s), &step)
+                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
+            clock.lap(&format!("front_{}", declaration.name), front.work);
+            let others = front.points.par_iter().map(|p| self.others(&p.design));
+            let others = others
+                .collect::<Result<Vec<_>, _>>()
+                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
+            results.push(FrontResult { declaration, front, others });
+        }
+        Ok(results)
+    }
+}

@@ -1,0 +1,298 @@
+//! The systems that methods are tried on, with what each pair is declared to come to.
+
+use super::stability::Outcome::{self, Refused, Right, Rough, Wrong};
+use super::stability::{RIGHT, Scenario};
+use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
+use crate::drivetrain::{Chain, Station, System};
+use crate::engine::excitation::HarmonicTable;
+use crate::engine::{Engine, Excitation, Layout, Order, Source};
+use crate::numerics::C64;
+use crate::response::Quantity;
+use crate::units::RAD_PER_S_PER_RPM;
+
+/// Receptance is exact, but near resonances of the chain alone it may cancel up to 1e5 roundings.
+const EXACT: Outcome = Right(1e-10);
+const RECEPTANCE: Outcome = Right(1e-9);
+const NEAR: Outcome = Right(RIGHT);
+/// 720 steps a cycle: 30 a period of the highest order, and more than the highest mode allows at the lowest speed.
+const UNSTABLE: Outcome = Refused("is unstable");
+const UNCLOSED: Outcome = Refused("does not close");
+const NOTHING: Outcome = Refused("resonance without damping");
+const ALONE: [Outcome; 8] = [EXACT, RECEPTANCE, Rough, Rough, Rough, NEAR, Rough, EXACT];
+const TO_GROUND: Quantity = Quantity::Twist { from: 0, to: None };
+
+fn uniform(n: usize, inertia: f64, stiffness: f64, damping_to_ground: f64) -> Chain {
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia,
+        stiffness_to_next: if i + 1 < n { stiffness } else { 0.0 },
+        damping_to_ground,
+        throws: if i == 0 { vec![0] } else { Vec::new() },
+        ..Station::default()
+    };
+    Chain { stations: (0..n).map(station).collect() }
+}
+
+/// One throw under given harmonics (order, torque amplitude) of a two-stroke.
+fn harmonics(list: &[(u32, f64)]) -> Excitation {
+    let table = HarmonicTable { harmonics: list.iter().map(|(o, a)| (Order::from_twice(2 * o), C64::from(*a))).collect() };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+    Excitation::new(&Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
+}
+
+/// Speeds of a scenario.
+const SPEEDS: usize = 60;
+
+fn range(from: f64, to: f64) -> Vec<f64> {
+    (0..SPEEDS).map(|i| from + (to - from) * i as f64 / (SPEEDS - 1) as f64).collect()
+}
+
+/// The chain of the in-line six of \[Villalva 2014\], Table 4.7, with 9 N m s/rad on every throw, under three orders on throws that fire evenly.
+fn six() -> System {
+    six_under(&[(3, 900.0), (9, 600.0), (12, 300.0)])
+}
+
+/// The same under given harmonics (twice the order, torque amplitude).
+fn six_under(table: &[(u32, f64)]) -> System {
+    let inertia = [0.0527, 0.0334, 0.0125, 0.0326, 0.0326, 0.014, 0.0339, 1.165];
+    let stiffness = [808e3, 1.27e6, 1.27e6, 1.31e6, 1.27e6, 1.36e6, 2.1e6, 0.0];
+    let station = |i: usize| Station {
+        name: format!("s{i}"),
+        inertia: inertia[i],
+        stiffness_to_next: stiffness[i],
+        damping_to_ground: if (1..7).contains(&i) { 9.0 } else { 0.0 },
+        throws: if (1..7).contains(&i) { vec![i - 1] } else { Vec::new() },
+        ..Station::default()
+    };
+    let source = HarmonicTable { harmonics: table.iter().map(|(twice, a)| (Order::from_twice(*twice), C64::from(*a))).collect() };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0, 480.0, 240.0, 600.0, 120.0, 360.0], bank_angle_deg: None };
+    let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(source) };
+    System::new(Chain { stations: (0..8).map(station).collect() }, Excitation::new(&engine, 12.0))
+}
+
+/// Angle of the first of `n` equal inertias in a row (inertia, stiffness between, damping to ground), per torque on it: cosh(mu (n - 1/2))/(2 k sinh(mu n) sinh(mu/2)),
+/// with 2 cosh(mu) = 2 + (i w c - w² J)/k. Written with decaying exponentials.
+fn first_of_uniform(n: usize, (inertia, stiffness, damping): (f64, f64, f64), omega: f64, torque: f64) -> C64 {
+    let half = (C64::new(-omega * omega * inertia, omega * damping) / (4.0 * stiffness)).sqrt();
+    // sinh(mu/2) = half, and the branch that decays along the chain
+    let mu = 2.0 * (half + (half * half + 1.0).sqrt()).ln();
+    let mu = if mu.re < 0.0 { -mu } else { mu };
+    let n = n as f64;
+    let (one, decay) = (C64::from(1.0), |x: f64| (-mu * x).exp());
+    torque * decay(0.5) * (one + decay(2.0 * n - 1.0)) / (2.0 * stiffness * (0.5 * mu).sinh() * (one - decay(2.0 * n)))
+}
+
+/// The absorber of the thesis on the first station.
+fn tuned() -> Mounted {
+    Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 158e3, damping: 34.2 })
+}
+
+/// A scenario on the in-line six.
+fn of_six(name: &'static str, system: System, design: Vec<Mounted>, declared: [Outcome; 8]) -> Scenario {
+    Scenario {
+        name,
+        system,
+        design,
+        quantity: Quantity::Twist { from: 0, to: Some(7) },
+        speeds: range(600.0, 3200.0),
+        known: None,
+        declared,
+        in_time: [Rough, UNSTABLE, UNSTABLE, NEAR],
+    }
+}
+
+/// The in-line six with another chain.
+fn changed(change: impl Fn(&mut Chain)) -> System {
+    let base = six();
+    let mut chain = base.chain.clone();
+    change(&mut chain);
+    System::new(chain, base.excitation)
+}
+
+/// All scenarios.
+pub fn scenarios() -> Vec<Scenario> {
+    [absorbers_of_six(), changed_chains(), small_and_long_chains()].concat()
+}
+
+/// The in-line six with absorbers of every kind.
+fn absorbers_of_six() -> Vec<Scenario> {
+    let second = six().modes.omega[2];
+    let parallel = vec![Mounted::on_station(0, Tuned { ring_inertia: 0.03, stiffness: 50e3, damping: 10.0 }); 2];
+    vec![
+        of_six("no absorber", six(), vec![], ALONE),
+        of_six("tuned absorber", six(), vec![tuned()], [EXACT, RECEPTANCE, Wrong(0.1), Rough, Rough, NEAR, Wrong(0.1), EXACT]),
+        of_six(
+            "viscous absorber",
+            six(),
+            vec![Mounted::on_station(0, Viscous { ring_inertia: 0.076, damping: 105.1 })],
+            [EXACT, RECEPTANCE, Rough, Rough, Rough, NEAR, Wrong(0.5), EXACT],
+        ),
+        of_six(
+            "two equal rings side by side",
+            six(),
+            parallel,
+            [EXACT, RECEPTANCE, Refused("it takes one absorber"), Rough, Rough, NEAR, Wrong(0.1), EXACT],
+        ),
+        Scenario {
+            speeds: range(3000.0, 3200.0),
+            in_time: [Rough; 4],
+            ..of_six(
+                "small ring, the second mode rules",
+                six_under(&[(24, 300.0)]),
+                vec![Mounted::on_station(0, Tuned { ring_inertia: 0.0076, stiffness: 0.0076 * second * second, damping: 3.0 })],
+                [EXACT, RECEPTANCE, Wrong(0.5), Wrong(0.5), Rough, Rough, Wrong(0.1), EXACT],
+            )
+        },
+        of_six(
+            "ring without damper",
+            six(),
+            vec![Mounted::on_station(0, Undamped { ring_inertia: 0.02, stiffness: 60e3 })],
+            [EXACT, RECEPTANCE, Wrong(0.2), Wrong(0.1), Rough, NEAR, Rough, EXACT],
+        ),
+        of_six("ring held by nothing", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 0.0, damping: 0.0 })], ALONE),
+    ]
+}
+
+/// Absorbers out of all proportion, and chains with odd links.
+fn changed_chains() -> Vec<Scenario> {
+    let lossy = changed(|c| c.stations[..7].iter_mut().for_each(|s| s.loss_factor_to_next = 0.02));
+    let damper = changed(|c| (c.stations[6].stiffness_to_next, c.stations[6].damping_to_next) = (0.0, 500.0));
+    let cut = changed(|c| c.stations[6].stiffness_to_next = 0.0);
+    let mut massless = six();
+    massless.chain.stations[3].inertia = 0.0;
+    let massless = System::new(massless.chain, massless.excitation);
+    vec![
+        Scenario {
+            in_time: [Refused("a body has no inertia"); 4],
+            ..of_six(
+                "a station without inertia",
+                massless,
+                vec![tuned()],
+                [EXACT, RECEPTANCE, Wrong(0.2), Rough, Rough, Rough, Wrong(0.1), EXACT],
+            )
+        },
+        Scenario {
+            name: "one station, free",
+            system: System::new(uniform(1, 1.0, 0.0, 0.0), harmonics(&[(1, 1.0), (2, 0.5)])),
+            design: vec![Mounted::on_station(0, Viscous { ring_inertia: 0.1, damping: 3.0 })],
+            quantity: TO_GROUND,
+            speeds: range(500.0, 1500.0),
+            known: None,
+            declared: [EXACT, RECEPTANCE, Refused("no elastic mode"), EXACT, EXACT, EXACT, Rough, EXACT],
+            in_time: [NEAR; 4],
+        },
+        of_six("loose ring, 1e-12 of an inertia", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 1e-12, stiffness: 1e-7, damping: 1e-10 })], ALONE),
+        of_six(
+            "heavy ring, 1000 kg m²",
+            six(),
+            vec![Mounted::on_station(0, Tuned { ring_inertia: 1e3, stiffness: 158e3, damping: 34.2 })],
+            [EXACT, RECEPTANCE, Wrong(0.5), Rough, Rough, Rough, Wrong(0.1), EXACT],
+        ),
+        Scenario {
+            in_time: [UNCLOSED, UNSTABLE, UNSTABLE, NEAR],
+            ..of_six(
+                "spring of 1e12 N m/rad",
+                six(),
+                vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 1e12, damping: 0.0 })],
+                [Right(1e-6), Right(1e-6), Wrong(0.1), Rough, Rough, NEAR, Rough, Right(1e-6)],
+            )
+        },
+        Scenario {
+            in_time: [Refused("loss factors have no meaning"); 4],
+            ..of_six("loss factors", lossy, vec![tuned()], [EXACT, RECEPTANCE, Wrong(0.1), Rough, Rough, NEAR, Wrong(0.1), EXACT])
+        },
+        Scenario {
+            quantity: Quantity::Twist { from: 0, to: Some(6) },
+            ..of_six("a damper for a link", damper, vec![], [EXACT, RECEPTANCE, Wrong(0.5), Wrong(0.1), Rough, Rough, Wrong(0.5), EXACT])
+        },
+        Scenario {
+            quantity: Quantity::Twist { from: 0, to: Some(6) },
+            ..of_six(
+                "a link of nothing",
+                cut,
+                vec![],
+                [EXACT, RECEPTANCE, Wrong(0.1), Rough, Rough, Rough, Wrong(0.1), Refused("neither stiffness nor damping")],
+            )
+        },
+    ]
+}
+
+/// Few stations with a solution in closed form, and many.
+fn small_and_long_chains() -> Vec<Scenario> {
+    let mut one = uniform(1, 1.0, 0.0, 2.0);
+    one.stations[0].stiffness_to_ground = 1e4;
+    let mut halves = uniform(4, 0.1, 1e6, 20.0);
+    halves.stations[1].stiffness_to_next = 1e2;
+    let long = vec![2000.0, 7000.0, 11_000.0];
+    let mut pole = uniform(1, 1.0, 0.0, 0.0);
+    pole.stations[0].stiffness_to_ground = (1200.0 * RAD_PER_S_PER_RPM).powi(2);
+    vec![
+        Scenario {
+            name: "Den Hartog's two masses",
+            system: System::new(one, harmonics(&[(1, 1.0)])),
+            design: vec![Mounted::on_station(0, Tuned { ring_inertia: 0.1, stiffness: 826.0, damping: 3.0 })],
+            quantity: TO_GROUND,
+            speeds: range(500.0, 1500.0),
+            known: None,
+            declared: [EXACT, RECEPTANCE, EXACT, EXACT, EXACT, EXACT, Wrong(0.5), EXACT],
+            in_time: [NEAR; 4],
+        },
+        Scenario {
+            name: "close modes",
+            system: System::new(halves, harmonics(&[(1, 100.0), (2, 50.0)])),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(1) },
+            speeds: range(30_000.0, 60_000.0),
+            known: None,
+            declared: [EXACT, RECEPTANCE, Wrong(0.3), Wrong(0.3), Wrong(0.3), EXACT, EXACT, Refused("holzer loses digits")],
+            in_time: [NEAR; 4],
+        },
+        Scenario {
+            name: "100 stations, far above resonance",
+            system: System::new(uniform(100, 0.01, 1e5, 0.5), harmonics(&[(1, 100.0)])),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(99) },
+            speeds: vec![100_000.0, 120_000.0],
+            known: None,
+            declared: [EXACT, RECEPTANCE, Wrong(0.5), Wrong(0.5), Wrong(0.5), Wrong(0.5), Right(1e-6), Refused("holzer loses digits")],
+            in_time: [NEAR; 4],
+        },
+        Scenario {
+            name: "1000 stations",
+            system: System::new(uniform(1000, 0.01, 1e5, 0.5), harmonics(&[(1, 100.0)])),
+            design: vec![],
+            quantity: TO_GROUND,
+            speeds: long.clone(),
+            known: Some(long.iter().map(|s| first_of_uniform(1000, (0.01, 1e5, 0.5), s * RAD_PER_S_PER_RPM, 100.0)).collect()),
+            declared: [EXACT, EXACT, Wrong(0.5), Wrong(0.5), Wrong(0.5), Wrong(0.5), Right(1e-9), EXACT],
+            in_time: [Refused("too large"); 4],
+        },
+        Scenario {
+            name: "stiffness ratio of 1e9",
+            system: System::new(
+                Chain {
+                    stations: (0..4)
+                        .map(|i| Station { stiffness_to_next: [1e3, 1e12, 1e6, 0.0][i], ..uniform(4, 0.1, 1.0, 1.0).stations[i].clone() })
+                        .collect(),
+                },
+                harmonics(&[(1, 100.0)]),
+            ),
+            design: vec![],
+            quantity: Quantity::Twist { from: 0, to: Some(3) },
+            speeds: range(500.0, 5000.0),
+            known: None,
+            declared: [Right(1e-6); 8],
+            in_time: [UNCLOSED, UNSTABLE, UNSTABLE, NEAR],
+        },
+        Scenario {
+            name: "undamped resonance, met exactly",
+            system: System::new(pole, harmonics(&[(1, 1.0)])),
+            design: vec![],
+            quantity: TO_GROUND,
+            speeds: vec![1200.0],
+            known: None,
+            declared: [NOTHING; 8],
+            in_time: [NOTHING; 4],
+        },
+    ]
+}

@@ -1,0 +1,30 @@
+//! What a file names: tables and stations.
+
+use crate::drivetrain::Chain;
+use crate::input::error::{At, Check, InputError};
+use std::path::Path;
+
+/// A table named in a file: a missing one is a mistake at its name, a mistake in it has its own place.
+pub fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl Fn(&Path) -> Result<T, InputError>) -> Option<T> {
+    let path = folder.join(name.get_ref());
+    if !path.is_file() {
+        let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
+        check.wrong_with_help(name, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
+        return None;
+    }
+    read(&path).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()
+}
+
+/// Index of a station named in the study; a mistake where there is none.
+pub fn station(check: &mut Check, chain: &Chain, name: &At<String>) -> Option<usize> {
+    let found = chain.find(name.get_ref());
+    if found.is_none() {
+        let names: Vec<&str> = chain.stations.iter().take(24).map(|s| s.name.as_str()).collect();
+        check.wrong_with_help(
+            name,
+            format!("found station `{}`, expected one of the engine's stations", name.get_ref()),
+            format!("the stations are {}", names.join(", ")),
+        );
+    }
+    found
+}

@@ -1,0 +1,89 @@
+//! Speeds, orders and load of a study against what the engine file has.
+
+use crate::crankshaft::stations_of_throws;
+use crate::drivetrain::Chain;
+use crate::engine::{Engine, Order, Source};
+use crate::input::error::{At, Check};
+use crate::input::schema::fatigue::RawFatigue;
+use crate::input::schema::study::RawStudy;
+
+/// More points than this in a sweep would take gigabytes: a mistake in the file.
+pub const MOST_POINTS: f64 = 5e6;
+
+pub fn speeds(check: &mut Check, study: &RawStudy) -> Vec<f64> {
+    let raw = study.speed_rpm.get_ref();
+    let before = check.mistakes.len();
+    let (from, to, step) = (check.positive(&raw.from), check.positive(&raw.to), check.positive(&raw.step));
+    if to < from {
+        check.wrong(&raw.to, format!("found an empty speed range, {from} to {to} rpm, expected `to` of at least `from`"));
+    }
+    let steps = ((to - from) / step + 1e-9).floor();
+    if steps.is_finite() && steps > MOST_POINTS {
+        check.wrong(&raw.step, format!("found a step of {step} rpm, which makes {steps} speeds, expected at most {MOST_POINTS}"));
+    }
+    if check.mistakes.len() > before {
+        return vec![from];
+    }
+    let mut speeds: Vec<f64> = (0..=steps as usize).map(|i| from + i as f64 * step).collect();
+    let last = speeds[speeds.len() - 1];
+    // the highest speed belongs to the range even where the step does not meet it
+    if to - last > 1e-6 * step {
+        speeds.push(to);
+    }
+    speeds
+}
+
+/// A margin needs the torque beside every throw.
+pub fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &Chain) {
+    let throws = chain.stations.iter().map(|s| s.throws.len()).sum();
+    let found = if chain.len() == 1 || chain.stations.iter().any(|s| s.throws.len() > 1) {
+        "found [fatigue] for a chain with several throws on a station or without shafts, expected a station for each throw"
+    } else if stations_of_throws(chain, throws).is_none() {
+        "found [fatigue] for a chain whose throws do not follow each other, expected them in the order of their numbers"
+    } else {
+        return;
+    };
+    check.wrong(fatigue, found);
+}
+
+pub fn check_load(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
+    let Some(load) = &study.load_fraction else { return };
+    let fraction = check.within(load, 0.0..=1.5, "a fraction of the full mean pressure, 0 to 1.5");
+    let scaled = match &mut engine.source {
+        Source::Cylinder { pressure, .. } => pressure.scale_load(fraction),
+        Source::Harmonics(_) => false,
+    };
+    if !scaled {
+        check.wrong(load, "found `load_fraction` with measured traces or harmonics, expected it with `otto` or `wiebe` only");
+    }
+}
+
+pub fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit: f64) {
+    let some = match &engine.source {
+        Source::Cylinder { .. } => !Order::up_to(limit, engine.strokes).is_empty(),
+        Source::Harmonics(table) => table.harmonics.iter().any(|(o, c)| o.value() <= limit && c.norm() > 0.0),
+    };
+    if !some {
+        let message = format!("found no order of the torque up to {limit}, expected at least one that is not zero");
+        match &study.order_limit {
+            Some(o) => check.wrong(o, message),
+            None => check.wrong(&study.engine, message),
+        }
+    }
+}
+
+pub fn check_range(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) {
+    let Source::Cylinder { pressure, .. } = &engine.source else { return };
+    let table = pressure.speeds_rpm();
+    let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+    if table.len() > 1 && (first < table[0] - 1e-9 || last > table[table.len() - 1] + 1e-9) {
+        check.wrong(
+            &study.speed_rpm,
+            format!(
+                "found {first} to {last} rpm, expected a range within the pressure table of the engine, {} to {} rpm",
+                table[0],
+                table[table.len() - 1]
+            ),
+        );
+    }
+}

@@ -1,0 +1,104 @@
+//! A study as checked.
+
+use super::calibrate::CalibrateSpec;
+use super::designs::DesignSpec;
+use super::inputs::Input;
+use super::objectives::ObjectiveSpec;
+use super::optimise::{FrontSpec, OptimiseSpec};
+use crate::crankshaft::{Crank, FatigueSpec};
+use crate::drivetrain::{Chain, Modes};
+use crate::engine::Engine;
+use crate::input::published::Published;
+use crate::input::schema::study::RawMethod;
+use crate::objective::{Condition, Limit};
+use crate::response::Quantity;
+
+/// How responses are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResponseMethod {
+    /// The chain once, absorbers as a change of rank one.
+    Receptance,
+    /// The whole system at every point.
+    Direct,
+    /// Receptance; searches take the cheapest way that is within tolerance.
+    Auto,
+}
+
+impl From<RawMethod> for ResponseMethod {
+    fn from(raw: RawMethod) -> Self {
+        match raw {
+            RawMethod::Receptance => Self::Receptance,
+            RawMethod::Direct => Self::Direct,
+            RawMethod::Auto => Self::Auto,
+        }
+    }
+}
+
+/// A study, ready to run.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// File name without ending.
+    pub name: String,
+    /// Cylinders and pressure.
+    pub engine: Engine,
+    /// Torsional chain.
+    pub chain: Chain,
+    /// Its undamped modes.
+    pub modes: Modes,
+    /// Ascending, rpm.
+    pub speeds_rpm: Vec<f64>,
+    /// Highest order.
+    pub order_limit: f64,
+    /// How responses are computed.
+    pub method: ResponseMethod,
+    /// Largest relative error of a peak in a search, where the method is `auto`.
+    pub tolerance: f64,
+    /// Whether peaks are refined between speeds.
+    pub refine_peaks: bool,
+    /// Given designs.
+    pub designs: Vec<DesignSpec>,
+    /// Station whose amplitude is reported.
+    pub hub: usize,
+    /// Twist that is reported.
+    pub twist: Quantity,
+    /// To be small.
+    pub objective: ObjectiveSpec,
+    /// What more optima of the main size are to make small, each by itself.
+    pub more_objectives: Vec<ObjectiveSpec>,
+    /// To hold, with their words in the file.
+    pub limits: Vec<(String, Limit)>,
+    /// What to optimise.
+    pub optimise: Option<OptimiseSpec>,
+    /// Front to follow.
+    pub front: Option<FrontSpec>,
+    /// Conditions every design is evaluated in; firing always is.
+    pub conditions: Vec<Condition>,
+    /// Tables to compare with.
+    pub published: Option<Published>,
+    /// Inputs to fit to them.
+    pub calibrate: Option<CalibrateSpec>,
+    /// Dimensions of the crank, where the engine file has them.
+    pub crank: Option<Crank>,
+    /// How the crank's margin is judged.
+    pub fatigue: Option<FatigueSpec>,
+}
+
+impl Study {
+    /// An objective: the first, or one of those after it.
+    pub fn objective_of(&self, index: usize) -> &ObjectiveSpec {
+        index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
+    }
+
+    /// The study with other values of some inputs, each in the unit of its key.
+    #[must_use]
+    pub fn with_inputs(&self, values: &[(Input, f64)]) -> Self {
+        let mut study = self.clone();
+        for (input, value) in values {
+            input.apply(&mut study.engine, &mut study.chain, *value);
+        }
+        if values.iter().any(|(input, _)| !input.changes_torque()) {
+            study.modes = Modes::new(&study.chain);
+        }
+        study
+    }
+}

@@ -1,0 +1,299 @@
+//! What `hartog check` prints: the model that a study describes.
+
+use super::{crank, significant, table};
+use crate::absorber::{Host, Mounted};
+use crate::analysis::audit;
+use crate::engine::forces::{inertia_for_growth, inertia_force_across};
+use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
+use crate::input::{ResponseMethod, Size, Study};
+use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
+use std::fmt::Write;
+
+/// What \[Villalva 2014\] p. 60 ff. finds when the rod's inertia, which it does not print, is doubled: "about 35 %".
+const GROWTH: f64 = 0.35;
+
+/// Engine, chain, modes, pressure, crank, and what is to be computed.
+pub fn model(study: &Study) -> String {
+    let excitation = Excitation::new(&study.engine, study.order_limit);
+    format!(
+        "{}\n{}\n{}\n{}\n{}",
+        engine(study),
+        chain(study),
+        modes(study, &excitation),
+        pressure(study, &excitation) + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}")),
+        work(study, &excitation)
+    )
+}
+
+fn engine(study: &Study) -> String {
+    let e = &study.engine;
+    let layout = match e.layout.bank_angle_deg {
+        None => "in line".to_owned(),
+        Some(bank) => format!("V {bank}°"),
+    };
+    let mut text = format!("{}: {} cylinders, {layout}, {} strokes\n", e.name, e.layout.firing_deg.len(), e.strokes);
+    let mut firing: Vec<(usize, f64)> = e.layout.firing_deg.iter().copied().enumerate().collect();
+    firing.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let firing: Vec<String> = firing.iter().map(|(c, deg)| format!("{} at {deg}°", c + 1)).collect();
+    let _ = writeln!(text, "  firing: {}", firing.join(", "));
+    match &e.source {
+        Source::Harmonics(table) => {
+            let _ = writeln!(text, "  torque: table of {} harmonics of a throw", table.harmonics.len());
+        }
+        Source::Cylinder { geometry: g, pressure } => {
+            let _ = writeln!(
+                text,
+                "  bore {} mm, stroke {} mm, rod ratio {:.4}, displaced {:.4} dm³ a cylinder, oscillating mass {:.4} kg",
+                significant(g.bore / M_PER_MM, 5),
+                significant(2.0 * g.slider_crank.crank_radius / M_PER_MM, 5),
+                g.slider_crank.crank_radius / g.slider_crank.rod_length,
+                1e3 * g.displacement(),
+                g.oscillating_mass()
+            );
+            let _ = writeln!(text, "  {}", rod(g));
+            let model = match pressure {
+                Pressure::Otto(o) => {
+                    format!("air-standard Otto cycle, compression {}, pressure scale {}", o.compression_ratio, o.pressure_scale)
+                }
+                Pressure::Wiebe(w) => format!(
+                    "Wiebe heat release, compression {}, boost {} bar, burn {}° to {}°, exponent {}, heat capacities {}",
+                    w.compression_ratio,
+                    significant(w.boost_pressure / PA_PER_BAR, 4),
+                    w.burn_start_deg,
+                    w.burn_start_deg + w.burn_duration_deg,
+                    w.shape,
+                    w.heat_capacity_ratio
+                ),
+                Pressure::Measured(m) => format!("measured, {} speeds", m.speeds_rpm.len()),
+            };
+            let _ = writeln!(text, "  pressure: {model}");
+        }
+    }
+    text
+}
+
+fn chain(study: &Study) -> String {
+    let zero = |x: f64| if x == 0.0 { "-".to_owned() } else { significant(x, 5) };
+    let rows: Vec<Vec<String>> = study
+        .chain
+        .stations
+        .iter()
+        .map(|s| {
+            let throws: Vec<String> = s.throws.iter().map(|t| (t + 1).to_string()).collect();
+            vec![
+                s.name.clone(),
+                if throws.is_empty() { "-".into() } else { throws.join(" ") },
+                significant(s.inertia, 5),
+                zero(s.stiffness_to_next),
+                zero(s.damping_to_next),
+                zero(s.loss_factor_to_next),
+                zero(s.stiffness_to_ground),
+                zero(s.damping_to_ground),
+            ]
+        })
+        .collect();
+    let header =
+        ["station", "throws", "J/kg m²", "k next/N m/rad", "c next/N m s/rad", "loss next", "k ground/N m/rad", "c ground/N m s/rad"];
+    table(&header, &rows)
+}
+
+fn modes(study: &Study, excitation: &Excitation) -> String {
+    let critical = audit::critical_speeds(study, &excitation.orders);
+    let rows: Vec<Vec<String>> = study
+        .modes
+        .elastic()
+        .enumerate()
+        .take(12)
+        .map(|(i, mode)| {
+            let met: Vec<String> =
+                critical.iter().filter(|c| c.mode == i + 1).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
+            let shown = if met.len() > 6 {
+                format!("{} … {} ({} in all)", met[..3].join(", "), met[met.len() - 1], met.len())
+            } else {
+                met.join(", ")
+            };
+            vec![
+                format!("{}", i + 1),
+                format!("{:.2}", study.modes.frequencies_hz()[i]),
+                format!("{:.4}", study.modes.damping_ratio(mode)),
+                significant(study.modes.equivalent_inertia(mode, study.hub), 5),
+                if shown.is_empty() { "none in range".into() } else { shown },
+            ]
+        })
+        .collect();
+    let hub = format!("J at {}/kg m²", study.chain.stations[study.hub].name);
+    format!(
+        "{} rigid mode(s); elastic modes:\n{}",
+        study.modes.rigid,
+        table(&["mode", "f/Hz", "damping ratio", &hub, "critical speeds (order @ rpm)"], &rows)
+    )
+}
+
+fn pressure(study: &Study, excitation: &Excitation) -> String {
+    if excitation.audit.is_empty() {
+        return "The torque comes from a table: there is no pressure to check.\n".into();
+    }
+    let rows: Vec<Vec<String>> = excitation
+        .audit
+        .iter()
+        .map(|a| {
+            let friction = audit::implied_friction(study, a);
+            let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
+            vec![
+                format!("{}", a.speed_rpm),
+                format!("{:.2}", a.indicated_mean_pressure / PA_PER_BAR),
+                format!("{:.1}", a.peak_pressure / PA_PER_BAR),
+                format!("{:.1}", a.mean_torque),
+                format!("{:.1}", audit::power(a.mean_torque, a.speed_rpm) / W_PER_KW),
+                dash(a.brake_torque.map(|t| format!("{t:.1}"))),
+                dash(friction.map(|f| format!("{:.1}", f.0))),
+                dash(friction.map(|f| format!("{:.2}", f.1 / PA_PER_BAR))),
+            ]
+        })
+        .collect();
+    let header = ["rpm", "indicated/bar", "peak/bar", "order 0/N m", "power/kW", "brake/N m", "friction/N m", "friction/bar"];
+    let mut text = format!("Excitation, per speed of the pressure table:\n{}", table(&header, &rows));
+    if excitation.audit.iter().any(|a| audit::implied_friction(study, a).is_some_and(|f| f.0 < 0.0)) {
+        text.push_str(
+            "  The friction is negative: the pressure delivers less than the brake torque. With `pressure_scale` below one the cycle is a\n  \
+             reconstruction of the torque orders, not of the work.\n",
+        );
+    }
+    text
+}
+
+/// Where the rod's mass is, and what its inertia does.
+fn rod(g: &Geometry) -> String {
+    let unit = g.two_mass_inertia();
+    let about = |inertia: f64| significant(inertia, 4);
+    let own = match g.rod {
+        RodModel::TwoMasses { .. } => format!("rod as two masses: its inertia is m a b = {} kg m²", about(unit)),
+        RodModel::Body { inertia, .. } => format!("rod as a rigid body of {} kg m² (m a b is {})", about(inertia), about(unit)),
+    };
+    let doubled =
+        100.0 * (inertia_force_across(g, 2.0 * (unit + g.excess_inertia())) / inertia_force_across(g, unit + g.excess_inertia()) - 1.0);
+    let thesis = inertia_for_growth(g, GROWTH);
+    let thesis = thesis.map_or_else(String::new, |m| format!("; by {:.0} % if it were {m:.2} m a b", 100.0 * GROWTH));
+    if doubled.is_finite() {
+        format!("{own}; twice the inertia would raise the largest inertia force across the cylinder by {doubled:.0} %{thesis}")
+    } else {
+        own
+    }
+}
+
+fn host(study: &Study, on: Host) -> String {
+    match on {
+        Host::Station(station) => study.chain.stations[station].name.clone(),
+        Host::Ring(inner) => format!("the ring of absorber {}", inner + 1),
+    }
+}
+
+fn absorber(study: &Study, m: &Mounted) -> String {
+    let values: Vec<String> = match m.absorber.law() {
+        Some(law) => {
+            law.declaration().parameters.iter().zip(law.values()).map(|(p, v)| format!("{} {}", p.key, significant(v, 5))).collect()
+        }
+        None => vec![format!("ring_inertia_kg_m2 {}", significant(m.absorber.ring_inertia(), 5))],
+    };
+    format!("{} on {}: {}", m.absorber.type_name(), host(study, m.on), values.join(", "))
+}
+
+fn work(study: &Study, excitation: &Excitation) -> String {
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let method = match study.method {
+        ResponseMethod::Direct => "direct".to_owned(),
+        ResponseMethod::Receptance => "receptance".to_owned(),
+        ResponseMethod::Auto => format!("receptance, searches within {} %", significant(100.0 * study.tolerance, 2)),
+    };
+    let peaks = if study.refine_peaks { "refined between speeds" } else { "taken on the grid" };
+    let mut text = format!(
+        "To be computed: {} orders up to {}, {} speeds from {low} to {high} rpm, {method}, peaks {peaks}\n",
+        excitation.orders.len(),
+        study.order_limit,
+        study.speeds_rpm.len()
+    );
+    text.push_str(&designs(study));
+    text.push_str(&goals(study));
+    if let Some(p) = &study.published {
+        let _ = writeln!(
+            text,
+            "  compared with, for engine {}: {} natural frequencies, {} absorbers, {} amplitudes, {} numbers of the text",
+            p.engine,
+            p.frequencies.len(),
+            p.absorbers.len(),
+            p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count(),
+            p.quantities.len()
+        );
+    }
+    if let Some(c) = &study.calibrate {
+        let inputs: Vec<String> = c
+            .inputs
+            .iter()
+            .map(|f| format!("{} from {} to {} (in file {})", f.input.key(), f.lower, f.upper, significant(f.start, 5)))
+            .collect();
+        let _ = writeln!(
+            text,
+            "  calibrated first, against {} amplitudes: {}; what is printed above is the file as it is",
+            c.rows.len(),
+            inputs.join(", ")
+        );
+    }
+    text
+}
+
+/// The given designs, a line each.
+fn designs(study: &Study) -> String {
+    let mut text = String::new();
+    for d in &study.designs {
+        let absorbers: Vec<String> = d.absorbers.iter().map(|m| absorber(study, m)).collect();
+        let _ = writeln!(text, "  design {}: {}", d.name, if absorbers.is_empty() { "no absorber".into() } else { absorbers.join("; ") });
+    }
+    text
+}
+
+/// Objectives, conditions, limits, and what is to be optimised.
+fn goals(study: &Study) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "  objective: {}", study.objective.label);
+    let conditions: Vec<String> = study.conditions.iter().map(|c| c.name().replace('_', " ")).collect();
+    if !conditions.is_empty() {
+        let _ = writeln!(text, "  conditions: {}", conditions.join(", "));
+    }
+    for objective in &study.more_objectives {
+        let _ = writeln!(text, "  and, for optima of their own: {}", objective.label);
+    }
+    if let Some(f) = &study.fatigue {
+        let names: Vec<&str> = f.criteria.iter().map(|c| c.name()).collect();
+        let _ = writeln!(
+            text,
+            "  margin of the crank: {}; tensile strength {} MPa, fatigue limit {} MPa{}",
+            names.join(", "),
+            significant(f.strength.tensile / PA_PER_MPA, 4),
+            significant(f.strength.fatigue_limit / PA_PER_MPA, 4),
+            f.limits.map_or_else(String::new, |l| format!(", in torsion {} MPa", significant(l.torsion / PA_PER_MPA, 4)))
+        );
+    }
+    for (words, _) in &study.limits {
+        let _ = writeln!(text, "  limit: {words}");
+    }
+    if let Some(o) = &study.optimise {
+        for a in &o.absorbers {
+            let types: Vec<&str> = a.types.iter().map(|t| t.name).collect();
+            let size = match &a.size {
+                Size::Between(a, b) => format!("ring from {} to {} kg m²", significant(*a, 5), significant(*b, 5)),
+                Size::Each(list) => format!("ring of {} kg m²", list.iter().map(|j| significant(*j, 5)).collect::<Vec<_>>().join(", ")),
+            };
+            let _ = writeln!(text, "  optimise: {} on {}, {size}", types.join(" and "), host(study, a.on));
+        }
+    }
+    if let Some(f) = &study.front {
+        let _ = writeln!(
+            text,
+            "  front: {} rings from {} to {} kg m²",
+            f.inertias.len(),
+            significant(f.inertias[0], 5),
+            significant(f.inertias[f.inertias.len() - 1], 5)
+        );
+    }
+    text
+}

@@ -1,5 +1,19 @@
 //! Design of torsional vibration absorbers for engine crankshafts.
 //!
+//! ```
+//! use hartog::Study;
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let results = Study::read("studies/den_hartog.toml")?.run()?;
+//!     let best = &results.optima[0];
+//!     println!("{}: {:.6}°", best.design.name, best.optimum.value().to_degrees());
+//!     Ok(())
+//! }
+//! ```
+//!
+//! It prints the number that `hartog run studies/den_hartog.toml` prints. Three longer programs stand in `studies/examples`: one evaluates a design,
+//! one optimises two absorbers together, one brings an absorber law of its own.
+//!
 //! # Model
 //!
 //! A crankshaft with flywheel, pulley and absorber is a chain of rigid inertias joined by shafts. Its angles theta (about uniform
@@ -30,7 +44,7 @@
 //! **Peak of a sum.** "Half peak-to-peak" is (largest - smallest)/2 over the cycle of the sum of all orders with their phases. Order zero,
 //! the mean torque, is left out: it turns the whole engine.
 //!
-//! **Damping ratios** are named by what they divide by: `c/(2 J omega_absorber)` or `c/(2 J omega_engine)`, see [`absorber::seeds`].
+//! **Damping ratios** are named by what they divide by: `c/(2 J omega_absorber)` or `c/(2 J omega_engine)`, see [`absorber::closed_forms`].
 //!
 //! # Map
 //!
@@ -101,3 +115,6 @@ pub mod report;
 pub mod response;
 pub mod units;
 pub mod validation;
+
+pub use analysis::{Results, RunError};
+pub use input::{InputError, Study};

@@ -10,6 +10,11 @@ use hartog::objective::{Measure, Over, PeakFinder};
 use hartog::response::{Dense, Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 
+/// The shipped types, and that of an example: a law that depends on the speed.
+fn every_law() -> impl Iterator<Item = &'static Declaration> {
+    TYPES.into_iter().chain([&crate::examples::own_law::PENDULUM])
+}
+
 const SPEEDS: [f64; 4] = [800.0, 1500.0, 2290.0, 3100.0];
 
 /// A type with typical values for a ring of the in-line six, the first of them its ring inertia; `detuned` moves the others.
@@ -48,7 +53,7 @@ fn same(a: &[C64], b: &[C64], tolerance: f64, what: &str) {
 #[test]
 fn every_declaration_is_consistent() {
     let s = study("villalva_i6");
-    for declaration in TYPES {
+    for declaration in every_law() {
         let values = typical(&s, declaration, 0.03, 1.1);
         let law = (declaration.build)(&values);
         assert_eq!(law.values(), values, "{}", declaration.name);
@@ -64,15 +69,15 @@ fn every_declaration_is_consistent() {
                 let other = law.dynamic_stiffness(Operating { shaft_speed: 1.5 * shaft_speed, ..at });
                 assert_eq!(other != stiffness, law.depends_on_speed(), "{}", declaration.name);
                 let derivatives = law.derivatives(at);
-                assert_eq!(derivatives.len() + 1, values.len());
+                assert_eq!(derivatives.len(), values.len());
                 for (i, derivative) in derivatives.iter().enumerate() {
                     let with = |factor: f64| {
                         let mut v = values.clone();
-                        v[i + 1] *= factor;
+                        v[i] *= factor;
                         (declaration.build)(&v).dynamic_stiffness(at)
                     };
-                    let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i + 1]);
-                    let scale = stiffness.norm() / values[i + 1];
+                    let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i]);
+                    let scale = stiffness.norm() / values[i];
                     assert!((difference - derivative).norm() <= 1e-6 * scale, "{} parameter {i}: {difference} {derivative}", declaration.name);
                 }
             }
@@ -95,23 +100,23 @@ fn limits_of_every_law() {
         chain.stations[0].inertia += by;
         System::new(chain, sys.excitation.clone())
     };
-    for declaration in TYPES {
+    for declaration in every_law() {
         let name = declaration.name;
         let mut values = typical(&s, declaration, 0.03, 1.0);
         values[0] = 1e-12;
         let light = build(declaration, &values, Host::Station(0));
         same(&sweep(&sys, &[], s.twist), &sweep(&sys, &[light], s.twist), 1e-9, name);
-        // everything that grows with the ring, by 10⁸: the law is all but a rigid link
+        // springs, and dampers that grow with the ring, by 10⁸: the law is all but a rigid link
         let mut values = typical(&s, declaration, 0.05, 1.0);
         for (v, p) in values.iter_mut().zip(declaration.parameters).skip(1) {
-            *v *= if p.extensive { 1e8 } else { 1.0 };
+            *v *= if p.extensive || !p.dissipative { 1e8 } else { 1.0 };
         }
         let stiff = build(declaration, &values, Host::Station(0));
         same(&sweep(&heavier(0.05), &[], s.twist), &sweep(&sys, &[stiff], s.twist), 1e-4, name);
         let plain = build(declaration, &typical(&s, declaration, 0.03, 1.0), Host::Station(0));
         same(&sweep(&heavier(0.02), &[plain.clone()], s.twist), &sweep(&sys, &[plain.clone().with_hub(0.02)], s.twist), 1e-11, name);
         energy(&s, &sys, &[plain.clone()], name);
-        for outer in TYPES {
+        for outer in every_law() {
             let on_it = build(outer, &typical(&s, outer, 0.01, 1.3), Host::Ring(0));
             energy(&s, &sys, &[plain.clone(), on_it], &format!("{} on the ring of {name}", outer.name));
         }
@@ -144,10 +149,10 @@ fn energy(s: &Study, sys: &System, design: &[Mounted], what: &str) {
 fn methods_and_gradients_of_every_pair() {
     let s = study("villalva_i6");
     let sys = system(&s);
-    for a in TYPES {
+    for a in every_law() {
         check_methods(&s, &sys, &[(a, Host::Station(0))]);
         check_gradients(&s, &sys, &[(a, Host::Station(0))]);
-        for b in TYPES {
+        for b in every_law() {
             for on in [Host::Station(0), Host::Station(3), Host::Ring(0)] {
                 check_methods(&s, &sys, &[(a, Host::Station(0)), (b, on)]);
             }
@@ -208,7 +213,7 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
             let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i][p]);
             let what = format!("{}: absorber {i}, {}", words(places), parameter.key);
             // the speed of a peak is known to the root of rounding, which a narrow one multiplies
-            assert_close(gradient[p], difference, 1e-4, 1e-7 * peak.value / values[i][p], &what);
+            assert_close(gradient[p], difference, 1e-4, 1e-5 * peak.value / values[i][p], &what);
         }
     }
 }

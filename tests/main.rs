@@ -10,6 +10,7 @@ mod comparison;
 mod conditions;
 mod enclosing;
 mod engines;
+mod examples;
 mod fatigue;
 mod forces;
 mod laws;

@@ -2,7 +2,7 @@
 
 use hartog::absorber::{Absorber, Mounted, Tuned, Undamped, Viscous};
 use hartog::drivetrain::{Chain, Station, System};
-use hartog::engine::excitation::HarmonicTable;
+use hartog::engine::HarmonicTable;
 use hartog::engine::{Engine, Excitation, Layout, Order, Source};
 use hartog::input::Study;
 use hartog::numerics::C64;

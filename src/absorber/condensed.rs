@@ -119,7 +119,9 @@ impl Condensed {
         let by_inertia = passed * passed * (-at.omega * at.omega);
         let Absorber::Ring(law) = &design[index].absorber else { return vec![by_inertia] };
         let by_stiffness = f.inertial * f.inertial;
-        std::iter::once(by_inertia).chain(law.derivatives(at).into_iter().map(|d| by_stiffness * d)).collect()
+        let mut list: Vec<C64> = law.derivatives(at).into_iter().map(|d| by_stiffness * d).collect();
+        list[0] += by_inertia;
+        list
     }
 }
 

@@ -22,7 +22,7 @@ pub trait Law: Debug + Send + Sync {
     /// S, N m/rad.
     fn dynamic_stiffness(&self, at: Operating) -> C64;
 
-    /// Derivatives of S with respect to the declared parameters after the ring inertia, one each.
+    /// Derivatives of S with respect to the declared parameters, one each; with respect to the ring inertia zero where S does not depend on it.
     fn derivatives(&self, at: Operating) -> Vec<C64>;
 
     /// The spring and the damper, where S is that of constant ones: methods then need no S at every frequency, and methods in time apply.

@@ -1,6 +1,7 @@
 //! Absorbers and where they sit: on stations of the chain, or on the ring of another absorber.
 
 use super::law::{Declaration, Law};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
 
 /// A ring with its law, or one that has seized.
@@ -22,6 +23,22 @@ impl PartialEq for Absorber {
             (Self::Locked { ring_inertia: a }, Self::Locked { ring_inertia: b }) => a == b,
             _ => false,
         }
+    }
+}
+
+impl Serialize for Absorber {
+    /// The type with its values by their keys.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let values = match self {
+            Self::Ring(law) => law.declaration().parameters.iter().map(|p| p.key).zip(law.values()).collect(),
+            Self::Locked { ring_inertia } => vec![(super::parameter::RING_INERTIA.key, *ring_inertia)],
+        };
+        let mut map = serializer.serialize_map(Some(1 + values.len()))?;
+        map.serialize_entry("type", self.type_name())?;
+        for (key, value) in &values {
+            map.serialize_entry(key, value)?;
+        }
+        map.end()
     }
 }
 
@@ -82,7 +99,7 @@ impl Absorber {
 }
 
 /// What carries the hub of an absorber.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 pub enum Host {
     /// A station of the chain, by its index.
     Station(usize),
@@ -91,7 +108,7 @@ pub enum Host {
 }
 
 /// An absorber in its place.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Mounted {
     /// What carries the hub.
     pub on: Host,

@@ -49,7 +49,7 @@ impl Law for Tuned {
         C64::new(self.stiffness, at.omega * self.damping)
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
-        vec![C64::from(1.0), C64::new(0.0, at.omega)]
+        vec![C64::default(), C64::from(1.0), C64::new(0.0, at.omega)]
     }
     fn spring_and_damper(&self) -> Option<SpringAndDamper> {
         Some(SpringAndDamper { stiffness: self.stiffness, damping: self.damping })

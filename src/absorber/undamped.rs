@@ -42,7 +42,7 @@ impl Law for Undamped {
         C64::from(self.stiffness)
     }
     fn derivatives(&self, _: Operating) -> Vec<C64> {
-        vec![C64::from(1.0)]
+        vec![C64::default(), C64::from(1.0)]
     }
     fn spring_and_damper(&self) -> Option<SpringAndDamper> {
         Some(SpringAndDamper { stiffness: self.stiffness, damping: 0.0 })

@@ -38,7 +38,7 @@ impl Law for Viscous {
         C64::new(0.0, at.omega * self.damping)
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
-        vec![C64::new(0.0, at.omega)]
+        vec![C64::default(), C64::new(0.0, at.omega)]
     }
     fn spring_and_damper(&self) -> Option<SpringAndDamper> {
         Some(SpringAndDamper { stiffness: 0.0, damping: self.damping })

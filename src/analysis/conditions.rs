@@ -8,7 +8,7 @@ use crate::response::{Quantity, ResponseError, Work};
 use rayon::prelude::*;
 
 /// Numbers of a design where not everything works, SI.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct ConditionResult {
     /// The condition.
     pub condition: Condition,

@@ -11,7 +11,7 @@ use crate::response::{Quantity, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
 
 /// The crank at one angle of the cycle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Instant {
     /// Crank angle from the firing of the cylinder that fires at 0°, degrees.
     pub crank_deg: f64,
@@ -24,7 +24,7 @@ pub struct Instant {
 }
 
 /// Diagrams of one design.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Diagram {
     /// The design.
     pub design: String,

@@ -11,7 +11,7 @@ use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::response::{Quantity, ResponseError, Work, quasi_static};
 
 /// What makes a peak.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum PeakKind {
     /// An order is amplified by a resonance.
     Resonant,
@@ -22,7 +22,7 @@ pub enum PeakKind {
 }
 
 /// A peak set against the quasi-static response at its speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Nature {
     /// What makes it.
     pub kind: PeakKind,
@@ -105,7 +105,7 @@ impl Classifier {
 }
 
 /// Numbers of one design, SI.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct DesignResult {
     /// Its name.
     pub name: String,

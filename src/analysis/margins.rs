@@ -9,7 +9,7 @@ use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use rayon::prelude::*;
 
 /// The smallest margin of a design by one criterion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SmallestMargin {
     /// Index of the criterion.
     pub criterion: usize,
@@ -24,7 +24,7 @@ pub struct SmallestMargin {
 }
 
 /// A fillet (the worse of its webs) by one criterion over the speeds.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct FilletSweep {
     /// Index of the criterion.
     pub criterion: usize,
@@ -35,7 +35,7 @@ pub struct FilletSweep {
 }
 
 /// All fillets of a design.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct MarginSweep {
     /// The design.
     pub design: String,

@@ -1,5 +1,6 @@
 //! Everything a study gives.
 
+use super::calibrate::Calibration;
 use super::choice::Choice;
 use super::diagram::Diagram;
 use super::evaluate::{DesignResult, Nature};
@@ -10,11 +11,12 @@ use crate::absorber::Declaration;
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::Order;
+use crate::input::Study;
 use crate::objective::Condition;
 use crate::optimise::{Front, Optimum};
 
 /// An optimum with what is reported of it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct OptimumResult {
     /// How it was found.
     pub optimum: Optimum,
@@ -31,7 +33,7 @@ pub struct OptimumResult {
 }
 
 /// Load case of a row of an optimum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct RowCase {
     /// The condition.
     pub condition: Condition,
@@ -40,9 +42,10 @@ pub struct RowCase {
 }
 
 /// The front of one type.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct FrontResult {
     /// The type.
+    #[serde(serialize_with = "name_only")]
     pub declaration: &'static Declaration,
     /// The front.
     pub front: Front,
@@ -50,10 +53,20 @@ pub struct FrontResult {
     pub others: Vec<Vec<f64>>,
 }
 
+fn name_only<S: serde::Serializer>(declaration: &&'static Declaration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(declaration.name)
+}
+
 /// Everything a study gives.
-#[derive(Debug)]
+#[derive(Debug, serde::Serialize)]
 pub struct Results {
+    /// The study as it was run: its inputs calibrated where it asks for that.
+    #[serde(skip)]
+    pub study: Study,
+    /// The fit of those inputs.
+    pub calibration: Option<Calibration>,
     /// The system.
+    #[serde(skip)]
     pub system: System,
     /// Method of the sweeps.
     pub method: &'static str,
@@ -70,6 +83,7 @@ pub struct Results {
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
     /// The crank, where the study judges it.
+    #[serde(skip)]
     pub margin: Option<Margin>,
     /// Margins of the same designs, where the study has `[fatigue]`.
     pub margins: Vec<MarginSweep>,

@@ -11,18 +11,62 @@ use super::sweeps::{self, Sweeps};
 use super::systems::{appearing, systems};
 use super::timing::Clock;
 use super::wanted::Wanted;
-use super::{Progress, RunError, cost, families};
+use super::{Progress, RunError, Silent, calibrate, cost, families};
+use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::mounted::{is_tree, station_of};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::{ResponseMethod, Study};
+use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, Limit, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
 
-/// Runs a study.
+impl Study {
+    /// Calibrates the inputs that the study wants fitted, then evaluates its designs and finds its optima and fronts.
+    ///
+    /// # Errors
+    /// [`RunError`] where a design has no finite response.
+    pub fn run(&self) -> Result<Results, RunError> {
+        self.run_with(&Silent)
+    }
+
+    /// The same, telling of its progress.
+    ///
+    /// # Errors
+    /// As [`Study::run`].
+    pub fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
+        let mut clock = Clock::start();
+        let (study, calibration) = calibrate(self, progress)?;
+        if calibration.is_some() {
+            clock.lap("calibration", Work::default());
+        }
+        let mut results = run(&study, progress)?;
+        clock.timing.append(&mut results.timing);
+        Ok(Results { calibration, timing: clock.timing, ..results })
+    }
+
+    /// The numbers of one design on this engine, by the study's calibrated inputs; its other designs and its searches are left out.
+    ///
+    /// # Errors
+    /// [`RunError`] where it has no finite response.
+    ///
+    /// # Panics
+    /// Where an absorber is on no station of the chain, or on its own ring.
+    pub fn evaluate(&self, name: &str, absorbers: Vec<Mounted>) -> Result<DesignResult, RunError> {
+        assert!(is_tree(&absorbers), "absorbers on each other's rings");
+        assert!((0..absorbers.len()).all(|i| station_of(&absorbers, i) < self.chain.len()), "an absorber on no station");
+        let (mut study, _) = calibrate(self, &Silent)?;
+        (study.optimise, study.front) = (None, None);
+        study.more_objectives.clear();
+        study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
+        Ok(run(&study, &Silent)?.designs.swap_remove(0))
+    }
+}
+
+/// Runs a study whose inputs are as they should be.
 ///
 /// # Errors
 /// [`RunError`] where a design has no finite response.
@@ -86,7 +130,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     drop(methods);
     let system = systems.swap_remove(0);
     let timing = clock.timing;
-    Ok(Results { method, choice, designs, optima, fronts, forced_floor, sweeps, margin, margins, diagram, appearing, timing, system })
+    let study = study.clone();
+    Ok(Results { study, calibration: None, method, choice, designs, optima, fronts, forced_floor, sweeps, margin, margins, diagram, appearing, timing, system })
 }
 
 fn of_design(d: &DesignResult, error: ResponseError) -> RunError {

@@ -8,7 +8,7 @@ use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
 
 /// Amplitudes of one quantity over the speeds of the study.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct QuantitySweep {
     /// Name with unit, as in `response.csv`.
     pub name: String,
@@ -19,7 +19,7 @@ pub struct QuantitySweep {
 }
 
 /// Response of one design over the speeds of the study.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Sweeps {
     /// Name of the design.
     pub design: String,

@@ -4,7 +4,7 @@ use crate::response::{ResponseError, Work};
 use std::time::Instant;
 
 /// Time of a stage.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Timing {
     /// The stage.
     pub stage: String,

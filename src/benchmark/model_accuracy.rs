@@ -4,7 +4,7 @@
 use crate::absorber::Mounted;
 use crate::analysis::RunError;
 use crate::drivetrain::{Chain, Station, System};
-use crate::engine::excitation::HarmonicTable;
+use crate::engine::HarmonicTable;
 use crate::engine::pressure::{Measured, SAMPLE_DEG};
 use crate::engine::{Engine, Excitation, Kinematics, Layout, Order, Pressure, Source};
 use crate::input::Study;

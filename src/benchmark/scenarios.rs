@@ -4,7 +4,7 @@ use super::stability::Outcome::{self, Refused, Right, Rough, Wrong};
 use super::stability::{RIGHT, Scenario};
 use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
 use crate::drivetrain::{Chain, Station, System};
-use crate::engine::excitation::HarmonicTable;
+use crate::engine::HarmonicTable;
 use crate::engine::{Engine, Excitation, Layout, Order, Source};
 use crate::numerics::C64;
 use crate::response::Quantity;

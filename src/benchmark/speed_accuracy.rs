@@ -259,7 +259,7 @@ fn point(
 
 /// A chain of alike stations under one throw of a four-stroke with half orders.
 fn long_chain(stations: usize, orders: usize) -> System {
-    use crate::engine::excitation::HarmonicTable;
+    use crate::engine::HarmonicTable;
     use crate::engine::{Engine, Layout, Order, Source};
     let station = |i: usize| Station {
         name: format!("s{i}"),

@@ -1,6 +1,6 @@
 //! `hartog check`: what a study means, without running it.
 
-use super::{DONE, fail, say};
+use super::exit::{DONE, fail, say};
 use crate::input;
 use crate::report::text::check;
 use std::path::PathBuf;

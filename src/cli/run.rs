@@ -1,8 +1,8 @@
 //! `hartog run`: the main job.
 
 use super::progress::Bar;
-use super::{DONE, FAILED, fail, say};
-use crate::analysis::{self, Calibration, Progress, Results, Timing};
+use super::exit::{DONE, FAILED, fail, say};
+use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
 use crate::report::{Folder, csv, plot, text};
 use crate::response::Work;
@@ -42,35 +42,29 @@ pub fn run(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&error),
     };
     let bar = Bar::default();
-    let done = analysis::calibrate(&study, &bar).and_then(|(study, calibration)| {
-        let calibrated = start.elapsed().as_secs_f64();
-        analysis::run(&study, &bar).map(|results| (study, calibration, calibrated, results))
-    });
-    let (study, calibration, calibrated, results) = match done {
-        Ok(done) => done,
+    let results = match study.run_with(&bar) {
+        Ok(results) => results,
         Err(error) => {
             drop(bar);
             return fail(&format!("error: {error}"));
         }
     };
+    let (study, calibration) = (&results.study, results.calibration.as_ref());
     let before_files = start.elapsed().as_secs_f64();
     bar.stage("tables and plots", 1 + plot::count(&results));
-    let written = crate::report::write_run(&study, calibration.as_ref(), &results, &folder, &|| bar.step());
+    let written = crate::report::write_run(study, calibration, &results, &folder, &|| bar.step());
     drop(bar);
     if let Err(error) = written {
         return fail(&error);
     }
     let total = start.elapsed().as_secs_f64();
     let mut timing = results.timing.clone();
-    if calibration.is_some() {
-        timing.insert(0, Timing { stage: "calibration".into(), seconds: calibrated, work: Work::default() });
-    }
     timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
     if let Err(error) = csv::timing(&timing, &folder) {
         return fail(&error);
     }
-    print(&study, calibration.as_ref(), &results, &folder, &timing);
+    print(study, calibration, &results, &folder, &timing);
     if results.limits_hold() { DONE } else { FAILED }
 }
 

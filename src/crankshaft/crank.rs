@@ -5,7 +5,7 @@ use super::section;
 use super::stress_concentration::Geometry as NotchGeometry;
 
 /// Where a fillet or bore runs round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum Place {
     /// Between crankpin and web.
     Crankpin,

@@ -20,7 +20,7 @@ pub struct Torque<'a> {
 }
 
 /// A location with what it bears.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Used {
     /// Index of the location.
     pub location: usize,

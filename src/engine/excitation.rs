@@ -2,17 +2,10 @@
 
 use super::forces::{Moment, friction_torque, gas_torque, inertia_torque_per_omega2};
 use super::pressure::{sample_angle, samples};
-use super::{Engine, Geometry, Order, Source};
+use super::{Engine, Geometry, HarmonicTable, Order, Source};
 use crate::numerics::harmonics::Analyser;
 use crate::numerics::{C64, ZERO, nearest};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
-
-/// Torque harmonics of a whole throw, at every speed the same.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HarmonicTable {
-    /// Orders with their complex amplitudes, N m; phase zero is a maximum when the throw's first cylinder fires.
-    pub harmonics: Vec<(Order, C64)>,
-}
 
 /// What the pressure means at one tabulated speed, for checking it.
 #[derive(Debug, Clone, Copy, PartialEq)]

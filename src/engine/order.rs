@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// An engine order; twice its value is stored, so that 4.5 is exact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 pub struct Order(u32);
 
 impl Order {

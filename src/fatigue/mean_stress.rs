@@ -12,7 +12,7 @@
 //! All hold for means from zero to the tensile (or yield) strength. A mean below zero does not help: it counts as none, which is on the safe side.
 
 /// A cycle of (equivalent) stress, Pa.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Cycle {
     /// Half the range; not negative.
     pub amplitude: f64,

@@ -140,6 +140,11 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
 }
 
 impl Source {
+    /// A text that is there already, under the name it is called in messages.
+    pub fn new(path: &Path, text: &str) -> Self {
+        Self { path: path.to_path_buf(), text: text.to_owned() }
+    }
+
     /// Reads a file named on the command line.
     ///
     /// # Errors

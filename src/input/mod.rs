@@ -30,15 +30,36 @@ pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, 
 /// # Errors
 /// [`InputError`] with every mistake found, each with file, line and column.
 pub fn read(path: &Path) -> Result<Study, InputError> {
-    let source = Source::read(path)?;
+    checked(path, &Source::read(path)?)
+}
+
+impl Study {
+    /// Reads and checks a study and everything it names.
+    ///
+    /// # Errors
+    /// [`InputError`] with every mistake found, each with file, line and column.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
+        read(path.as_ref())
+    }
+
+    /// Checks a study given as text. `name`: what it is called, in messages too; paths in it are relative to the folder of that name.
+    ///
+    /// # Errors
+    /// As [`Study::read`].
+    pub fn from_toml(text: &str, name: impl AsRef<Path>) -> Result<Self, InputError> {
+        checked(name.as_ref(), &Source::new(name.as_ref(), text))
+    }
+}
+
+fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
     let study: schema::study::RawStudy = source.parse()?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());
-    let engine_source = Source::read_named(&engine_path, &source, study.engine.span())?;
+    let engine_source = Source::read_named(&engine_path, source, study.engine.span())?;
     let engine: schema::engine::RawEngine = engine_source.parse()?;
     validation::resolve(&validation::Files {
         path,
-        source: &source,
+        source,
         study: &study,
         engine_path: &engine_path,
         engine_source: &engine_source,

@@ -3,7 +3,7 @@
 use crate::absorber::{Absorber, Host, Mounted};
 
 /// State of engine and absorbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum Condition {
     /// Everything works.
     Firing,

@@ -3,7 +3,7 @@
 use crate::response::Quantity;
 
 /// How orders combine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum Over {
     /// Half peak-to-peak of all orders together, with phase.
     Synthesis,

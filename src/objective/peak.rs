@@ -5,7 +5,7 @@ use crate::numerics::synthesis::Extremes;
 use crate::response::Quantity;
 
 /// Where on the range a peak lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum Place {
     /// Between the ends.
     Interior,
@@ -14,7 +14,7 @@ pub enum Place {
 }
 
 /// A local maximum over speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Peak {
     /// rad or N m; of a margin its inverse.
     pub value: f64,

@@ -8,7 +8,7 @@ use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
 /// One point of a front.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct FrontPoint {
     /// The optimum for its ring inertia.
     pub design: Vec<Mounted>,
@@ -23,7 +23,7 @@ pub struct FrontPoint {
 }
 
 /// A front and the work it took.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Front {
     /// By ascending ring inertia.
     pub points: Vec<FrontPoint>,

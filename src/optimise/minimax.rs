@@ -12,7 +12,7 @@ use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
 /// Why the iteration ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum Stop {
     /// The model promises no decrease worth having.
     Converged,
@@ -40,7 +40,7 @@ impl Stop {
 }
 
 /// Where the iteration ended.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Outcome {
     /// Coordinates.
     pub point: Vec<f64>,

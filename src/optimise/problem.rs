@@ -38,7 +38,7 @@ impl LoadCase<'_> {
 }
 
 /// One peak at a point.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Row {
     /// Index of the load case.
     pub load_case: usize,
@@ -53,7 +53,7 @@ pub struct Row {
 }
 
 /// All rows at a point.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Rows {
     /// Objective and limits, those of the objective first, largest first.
     pub rows: Vec<Row>,

@@ -16,7 +16,7 @@ const SEARCH_EVALUATIONS: u64 = 150;
 pub const SAME: f64 = 1e-6;
 
 /// One start and where it led.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Start {
     /// Where it came from.
     pub name: String,
@@ -29,7 +29,7 @@ pub struct Start {
 }
 
 /// Work by stage.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Stages {
     /// Evaluations of the starts.
     pub seeds: Work,
@@ -40,7 +40,7 @@ pub struct Stages {
 }
 
 /// The best design found, and how.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub struct Optimum {
     /// The design.
     pub design: Vec<Mounted>,

@@ -1,7 +1,7 @@
 //! What a response is asked for.
 
 /// A quantity that is linear in the angles.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 pub enum Quantity {
     /// Angle of station `from` less that of `to` (`None`: the ground, so the amplitude of a station), rad.
     Twist {

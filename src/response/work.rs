@@ -1,7 +1,7 @@
 //! Work done, counted.
 
 /// Work done, counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Work {
     /// Evaluations of a whole design.
     pub evaluations: u64,

@@ -19,7 +19,7 @@ use std::cell::RefCell;
 pub const ALIKE: f64 = 0.98;
 
 /// How well a fitted input is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum Known {
     /// The rows determine it.
     Yes,
@@ -33,7 +33,7 @@ pub enum Known {
 }
 
 /// A fitted input.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Calibrated {
     /// Which, its bounds, and its value in the engine file.
     pub free: FreeInput,
@@ -46,7 +46,7 @@ pub struct Calibrated {
 }
 
 /// A row of the fit.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct FittedRow {
     /// Index of the published amplitude.
     pub row: usize,
@@ -59,7 +59,7 @@ pub struct FittedRow {
 }
 
 /// A finished calibration.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Calibration {
     /// Fitted inputs.
     pub inputs: Vec<Calibrated>,

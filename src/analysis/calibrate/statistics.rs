@@ -12,7 +12,7 @@ const SINGULAR: f64 = 1e-6;
 const PART: f64 = 1e-3;
 
 /// Uncertainty of fitted parameters.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Statistics {
     /// Standard error of each parameter; infinite where the data do not determine it; `None` where there are no more data than parameters.
     pub standard_errors: Vec<Option<f64>>,

@@ -4,7 +4,7 @@
 //! rod, and about its centre I beta'' = L (cos beta S_y + sin beta S_x) + a m (cos beta a_Gy + sin beta a_Gx), where a is the distance of the centre from the big
 //! end. Derived here: equations (3.76) to (3.84) of \[Villalva 2014\] carry misprints.
 
-use super::{Moment, UnitForces, gas_force, torque_of, with_friction};
+use super::balance::{Moment, UnitForces, gas_force, torque_of, with_friction};
 use crate::engine::Geometry;
 
 /// Forces with the rod as a rigid body; exact kinematics.

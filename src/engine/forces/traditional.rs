@@ -1,6 +1,6 @@
 //! Traditional method: the rod as one mass on the crankpin and one on the piston pin, joined by a strut \[Villalva 2014\] section 3.4.
 
-use super::{Moment, UnitForces, gas_force, torque_of, with_friction};
+use super::balance::{Moment, UnitForces, gas_force, torque_of, with_friction};
 use crate::engine::Geometry;
 
 /// Forces with the rod's mass shared between its ends as the rotating fraction says. The strut pushes along the rod: R (1, -tan beta) on the piston with

@@ -1,6 +1,6 @@
 //! Measured pressure traces.
 
-use super::{SAMPLE_DEG, samples};
+use super::sampling::{SAMPLE_DEG, samples};
 use crate::numerics::nearest;
 
 /// Traces over a whole cycle at one or more speeds, linear in between samples.

@@ -1,98 +1,11 @@
 //! Cylinder pressure against crank angle.
-
 pub mod measured;
+pub mod model;
 pub mod otto;
+mod sampling;
 pub mod wiebe;
-
 pub use measured::Measured;
 pub use otto::Otto;
 pub use wiebe::Wiebe;
-
-use super::Geometry;
-use crate::units::RAD_PER_DEG;
-
-/// Crank angle between samples of a cycle, degrees: finer changes the largest order amplitudes by less than 1e-5.
-pub const SAMPLE_DEG: f64 = 0.1;
-
-/// A model of the cylinder pressure, each tabulated at its own speeds.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Pressure {
-    /// Air-standard Otto cycle from a power or torque curve.
-    Otto(Otto),
-    /// Single-zone heat release after Wiebe.
-    Wiebe(Wiebe),
-    /// Measured traces.
-    Measured(Measured),
-}
-
-impl Pressure {
-    /// Speeds at which the model is tabulated, rpm, ascending.
-    pub fn speeds_rpm(&self) -> &[f64] {
-        match self {
-            Self::Otto(m) => &m.speeds_rpm,
-            Self::Wiebe(m) => &m.speeds_rpm,
-            Self::Measured(m) => &m.speeds_rpm,
-        }
-    }
-
-    /// Pressure over one cycle at tabulated speed `index`, Pa absolute, every [`SAMPLE_DEG`] from firing dead centre.
-    /// `cylinders` and `strokes` turn brake power into work per cycle.
-    pub fn trace(&self, index: usize, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<f64> {
-        match self {
-            Self::Otto(m) => m.trace(index, geometry, strokes, cylinders),
-            Self::Wiebe(m) => m.trace(index, geometry, strokes),
-            Self::Measured(m) => m.trace(index, strokes),
-        }
-    }
-
-    /// Pressure of a cylinder that compresses and expands without burning, as in [`Self::trace`].
-    pub fn motored(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
-        match self {
-            Self::Otto(m) => m.motored(geometry, strokes),
-            Self::Wiebe(m) => m.motored(geometry, strokes),
-            Self::Measured(m) => m.motored(index, strokes),
-        }
-    }
-
-    /// Brake torque of the engine the model was given, N m, where it was.
-    pub fn brake_torque(&self, index: usize) -> Option<f64> {
-        match self {
-            Self::Otto(m) => Some(m.brake_torque[index]),
-            _ => None,
-        }
-    }
-
-    /// Scales the mean effective pressure of the models that have one as an input; `false` where it has none.
-    #[must_use]
-    pub fn scale_load(&mut self, fraction: f64) -> bool {
-        match self {
-            Self::Otto(m) => m.pressure_scale *= fraction,
-            Self::Wiebe(m) => m.indicated_mean_pressure.iter_mut().for_each(|p| *p *= fraction),
-            Self::Measured(_) => return false,
-        }
-        true
-    }
-}
-
-/// Samples in a cycle of an engine with `strokes` strokes.
-pub fn samples(strokes: u32) -> usize {
-    (180.0 * f64::from(strokes) / SAMPLE_DEG).round() as usize
-}
-
-/// Crank angle of sample `j` from firing dead centre, rad.
-pub fn sample_angle(j: usize) -> f64 {
-    j as f64 * SAMPLE_DEG * RAD_PER_DEG
-}
-
-/// Where a sample lies in the cycle: the angle from -180° to 180° round firing dead centre, or the gas exchange in between.
-fn closed_part_deg(j: usize, n: usize) -> Option<f64> {
-    let deg = j as f64 * SAMPLE_DEG;
-    let back = deg - n as f64 * SAMPLE_DEG;
-    if deg <= 180.0 {
-        Some(deg)
-    } else if back >= -180.0 {
-        Some(back)
-    } else {
-        None
-    }
-}
+pub use model::Pressure;
+pub use sampling::{SAMPLE_DEG, sample_angle, samples};

@@ -1,6 +1,6 @@
 //! Air-standard Otto cycle whose area gives a mean effective pressure.
 
-use super::{closed_part_deg, sample_angle, samples};
+use super::sampling::{closed_part_deg, sample_angle, samples};
 use crate::engine::Geometry;
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Single-zone cycle with heat release after Wiebe, whose area gives an indicated mean pressure.
 
-use super::{SAMPLE_DEG, closed_part_deg, sample_angle, samples};
+use super::sampling::{SAMPLE_DEG, closed_part_deg, sample_angle, samples};
 use crate::engine::Geometry;
 
 /// Compression from boost pressure at bottom dead centre, heat release x = 1 - exp(-a y^(m + 1)) over the burn \[Heywood 1988\] eq. (9.12),

@@ -1,7 +1,7 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
-use super::shown;
+use super::table::shown;
 use super::stream::Stream;
 use crate::fatigue::multiaxial::History;
 use crate::input::error::InputError;

@@ -1,6 +1,6 @@
 //! Published multiaxial safety factors, and the stresses behind them.
 
-use super::Table;
+use super::table::Table;
 use crate::input::error::InputError;
 use crate::input::published::{PublishedHistory, PublishedMultiaxial, PublishedPoint, SIX_CRITERIA};
 use crate::units::PA_PER_MPA;

@@ -1,6 +1,6 @@
 //! Published tables. Columns `table` and `engine` may be left out; with `engine`, only the rows of one engine count.
 
-use super::{Table, shown};
+use super::table::{Table, shown};
 use crate::engine::Order;
 use crate::fatigue::Cycle;
 use crate::input::error::InputError;

@@ -1,6 +1,6 @@
 //! Tables too long to be kept: rows one after the other, for errors with row and column.
 
-use super::{shown, whole};
+use super::table::{shown, whole};
 use crate::input::error::{InputError, Mistake, Place};
 use crate::units::PA_PER_MPA;
 use csv::StringRecord;

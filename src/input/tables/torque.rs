@@ -1,6 +1,6 @@
 //! Tables of the engine file: measured pressure traces and torque harmonics.
 
-use super::Table;
+use super::table::Table;
 use crate::engine::Order;
 use crate::engine::pressure::Measured;
 use crate::input::error::InputError;

@@ -1,6 +1,6 @@
 //! Stress tensors per unit load, point by point: what one finite-element run gives for every speed and absorber.
 
-use super::shown;
+use super::table::shown;
 use super::stream::Stream;
 use crate::input::error::InputError;
 use std::collections::HashSet;

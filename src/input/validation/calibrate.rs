@@ -9,7 +9,7 @@ use crate::input::schema::absorber::RawRange;
 use crate::input::schema::study::{RawCalibrate, RawExcluded};
 
 /// An input free between bounds.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct FreeInput {
     /// Which.
     pub input: Input,

@@ -5,7 +5,7 @@ use crate::engine::{Engine, Pressure, Source};
 use crate::units::PA_PER_BAR;
 
 /// An input of the model that can be fitted; values are in the unit of its key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub enum Input {
     /// Level of the pressure: `pressure_scale` of an Otto cycle; of a Wiebe cycle a factor on its mean pressure (1: as in the file).
     PressureScale,

@@ -1,6 +1,6 @@
 //! The table of a chart.
 
-use super::{Table, number, optional};
+use super::table::{Table, number, optional};
 use crate::benchmark::Chart;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::savings::Savings;

@@ -1,6 +1,6 @@
 //! `fatigue.csv`: a row a point and criterion, written as points come.
 
-use super::number;
+use super::table::number;
 use crate::analysis::stress_histories::PointResult;
 use crate::report::files::{Folder, Stream, WriteError};
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};

@@ -1,6 +1,6 @@
 //! `margin.csv`, and the columns that margins add to other tables.
 
-use super::{Table, number, optional};
+use super::table::{Table, number, optional};
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};

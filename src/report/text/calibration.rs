@@ -1,6 +1,6 @@
 //! What is printed of a calibration.
 
-use super::{significant, table};
+use super::table::{significant, table};
 use crate::analysis::Calibration;
 use crate::analysis::calibrate::Known;
 use crate::input::Study;

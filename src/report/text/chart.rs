@@ -1,6 +1,6 @@
 //! What is printed of a chart.
 
-use super::table;
+use super::table::table;
 use crate::analysis::choice::Considered;
 use crate::benchmark::energy::Balance;
 use crate::benchmark::methods::Candidate;

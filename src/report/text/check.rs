@@ -1,6 +1,7 @@
 //! What `hartog check` prints: the model that a study describes.
 
-use super::{crank, significant, table};
+use super::crank;
+use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
 use crate::analysis::audit;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};

@@ -1,6 +1,6 @@
 //! What is printed of a comparison: a table that lines up, and a paragraph generated from the numbers.
 
-use super::{aligned, dash, significant};
+use super::table::{aligned, dash, significant};
 use crate::input::{Study, UnitOf};
 use crate::units::DEG_PER_RAD;
 use crate::validation::{Comparison, Entry, Kind, Ranked, Role, Spread};

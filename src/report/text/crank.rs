@@ -1,6 +1,6 @@
 //! The crank of a study: factors of stress concentration, loads of its main bearings.
 
-use super::{significant, table};
+use super::table::{significant, table};
 use crate::crankshaft::loads::CrankModel;
 use crate::crankshaft::stress_concentration::Formulas;
 use crate::crankshaft::{Concentration, Crank};

@@ -1,7 +1,7 @@
 //! What `hartog fatigue` prints: the worst points by each criterion.
 
 use super::margin::factor;
-use super::{aligned, dash, significant};
+use super::table::{aligned, dash, significant};
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::{Criterion, Limits};
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};

@@ -1,6 +1,6 @@
 //! Margins of the crank, in words.
 
-use super::{dash, table};
+use super::table::{dash, table};
 use crate::analysis::{DesignResult, Results, SmallestMargin};
 use crate::crankshaft::{FatigueSpec, MarginCriterion};
 use crate::fatigue::multiaxial::Criterion as Multiaxial;

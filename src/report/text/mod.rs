@@ -1,5 +1,4 @@
 //! What is printed: tables that line up, and sentences.
-
 pub mod calibration;
 pub mod chart;
 pub mod check;
@@ -8,37 +7,6 @@ pub mod crank;
 pub mod fatigue;
 pub mod margin;
 mod run;
-
+mod table;
 pub use run::{choice, conditions, designs, optimum, summary};
-
-/// A table whose columns line up: the first to the left, the others to the right.
-pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
-    aligned(header, rows, |c| c == 0)
-}
-
-/// A table whose columns line up, to the left where `left` says so and to the right elsewhere.
-fn aligned(header: &[&str], rows: &[Vec<String>], left: impl Fn(usize) -> bool) -> String {
-    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).chain([header[c].chars().count()]).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let line = |cells: &[String]| {
-        let padded = cells.iter().zip(&widths).enumerate().map(|(i, (c, w))| if left(i) { format!("{c:<w$}") } else { format!("{c:>w$}") });
-        format!("  {}\n", padded.collect::<Vec<_>>().join("  ").trim_end())
-    };
-    let head: Vec<String> = header.iter().map(|h| (*h).to_owned()).collect();
-    let rule = "-".repeat(widths.iter().sum::<usize>() + 2 * (widths.len() - 1));
-    rows.iter().fold(format!("{}  {rule}\n", line(&head)), |text, row| text + &line(row))
-}
-
-/// A number with about `digits` significant digits, without exponent where it is short.
-pub fn significant(x: f64, digits: i32) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let decimals = (digits - 1 - x.abs().log10().floor() as i32).max(0) as usize;
-    if x.abs() < 1e-4 || x.abs() >= 1e8 { format!("{x:.*e}", digits as usize - 1) } else { format!("{x:.decimals$}") }
-}
-
-/// The text, or a dash where a value does not apply.
-fn dash(text: Option<String>) -> String {
-    text.unwrap_or_else(|| "-".into())
-}
+pub use table::{table, significant};

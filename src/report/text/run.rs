@@ -1,7 +1,7 @@
 //! What a run prints: designs, optima, conditions, summary.
 
 use super::margin::factor;
-use super::{dash, significant, table};
+use super::table::{dash, significant, table};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
 use crate::input::{ObjectiveSpec, Study, UnitOf};

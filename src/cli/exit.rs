@@ -1,0 +1,39 @@
+//! What every command shares: exit codes, output, threads.
+
+use std::fmt::Display;
+use std::io::Write;
+
+/// Exit code: done.
+pub const DONE: u8 = 0;
+/// Exit code: ran, but a limit failed.
+pub const FAILED: u8 = 1;
+/// Exit code: bad input or numerical failure.
+pub const BAD_INPUT: u8 = 2;
+
+/// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped. Any other loss of output ends the
+/// program with the code of bad input.
+pub fn say(text: &str) {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            fail(&format!("error: standard output cannot be written: {e}"));
+            std::process::exit(i32::from(BAD_INPUT));
+        }
+        _ => {}
+    }
+}
+
+/// Prints an error and gives the exit code of bad input.
+pub fn fail(error: &dyn Display) -> u8 {
+    let text = error.to_string();
+    let _closed = writeln!(std::io::stderr(), "{}", text.trim_end());
+    BAD_INPUT
+}
+
+/// Sets the number of threads; 0 or none leaves the choice to the machine.
+pub fn threads(count: Option<usize>) {
+    if let Some(n) = count {
+        // fails only where a pool exists already: the first wins
+        let _first = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
+    }
+}

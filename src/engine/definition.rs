@@ -1,0 +1,40 @@
+//! The engine: its cylinders or its table of torque harmonics.
+
+use super::geometry::Geometry;
+use super::harmonic_table::HarmonicTable;
+use super::layout::Layout;
+use super::pressure::Pressure;
+
+/// What makes the torque.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// Gas pressure and moving masses.
+    Cylinder {
+        /// Shape and masses of a cylinder unit.
+        geometry: Geometry,
+        /// Pressure against crank angle and speed.
+        pressure: Pressure,
+    },
+    /// A table of torque harmonics of a whole throw; no inertia torque is added.
+    Harmonics(HarmonicTable),
+}
+
+/// An engine as the torsional chain sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Engine {
+    /// Name, for titles.
+    pub name: String,
+    /// 2 or 4.
+    pub strokes: u32,
+    /// Which cylinder acts on which throw, and when it fires.
+    pub layout: Layout,
+    /// Pressure and masses, or torque harmonics.
+    pub source: Source,
+}
+
+impl Engine {
+    /// Crank angle of a working cycle, degrees: 360 (two-stroke) or 720 (four-stroke).
+    pub fn cycle_deg(&self) -> f64 {
+        180.0 * f64::from(self.strokes)
+    }
+}

@@ -1,0 +1,55 @@
+//! `comparison.csv` and `calibration.csv`.
+
+use super::table::{Table, number, optional};
+use crate::analysis::Calibration;
+use crate::report::files::{Folder, WriteError};
+use crate::validation::Comparison;
+
+/// `calibration.csv`: a row a fitted or held input.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn calibration(calibration: &Calibration, folder: &Folder) -> Result<(), WriteError> {
+    let header = ["input", "in_file", "fitted", "standard_error", "lower", "upper", "note"];
+    let mut table = Table::new(&header);
+    for i in &calibration.inputs {
+        let cells = [i.free.start, i.value].map(number);
+        let error = optional(i.standard_error.filter(|e| e.is_finite()));
+        let note = crate::report::text::calibration::known(i.known).to_owned();
+        table.row([i.free.input.key().to_owned()].into_iter().chain(cells).chain([
+            error,
+            number(i.free.lower),
+            number(i.free.upper),
+            note,
+        ]));
+    }
+    for (input, value) in &calibration.by_hand {
+        let empty = || String::new();
+        table.row([input.key().to_owned(), number(*value), empty(), empty(), empty(), empty(), "tuned by hand, held".into()]);
+    }
+    table.save(folder, "calibration.csv")
+}
+
+/// `comparison.csv`.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Result<(), WriteError> {
+    let header = ["table", "engine", "design", "quantity", "unit", "published", "computed", "deviation_percent", "role", "note"];
+    let mut table = Table::new(&header);
+    for e in &comparison.entries {
+        table.row([
+            e.table.clone(),
+            engine.to_owned(),
+            e.design.clone(),
+            e.quantity.clone(),
+            e.unit.clone(),
+            optional(e.published),
+            optional(e.computed),
+            optional(e.deviation_percent()),
+            e.role.name().to_owned(),
+            e.note.clone(),
+        ]);
+    }
+    table.save(folder, "comparison.csv")
+}

@@ -1,0 +1,43 @@
+//! `pareto.csv`: the fronts.
+
+use super::table::{Table, in_unit, in_unit_of, number, optional};
+use crate::analysis::Results;
+use crate::input::Study;
+use crate::report::files::{Folder, WriteError};
+
+/// `pareto.csv`.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let mut header = vec![
+        "absorber",
+        "ring_inertia_kg_m2",
+        "stiffness_n_m_per_rad",
+        "damping_n_m_s_per_rad",
+        &study.objective.column,
+        "kkt_residual",
+        "limits_hold",
+        "dominated",
+    ];
+    header.extend(study.more_objectives.iter().map(|o| o.column.as_str()));
+    let mut table = Table::new(&header);
+    for front in &results.fronts {
+        for (point, others) in front.front.points.iter().zip(&front.others) {
+            let a = &point.design[0].absorber;
+            let mut row = vec![
+                front.declaration.name.to_owned(),
+                number(a.ring_inertia()),
+                optional(a.stiffness()),
+                optional(a.damping()),
+                number(in_unit(study, point.value)),
+                optional(Some(point.kkt_residual).filter(|r| r.is_finite())),
+                (point.excess <= 1e-6).to_string(),
+                point.dominated.to_string(),
+            ];
+            row.extend(study.more_objectives.iter().zip(others).map(|(o, v)| number(in_unit_of(o, *v))));
+            table.row(row);
+        }
+    }
+    table.save(folder, "pareto.csv")
+}

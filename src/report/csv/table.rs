@@ -1,0 +1,52 @@
+//! A table on its way to a file, and how numbers are written.
+
+use crate::input::{ObjectiveSpec, Study, UnitOf};
+use crate::report::files::{Folder, WriteError};
+use crate::units::DEG_PER_RAD;
+
+/// A table in memory.
+pub struct Table {
+    writer: csv::Writer<Vec<u8>>,
+}
+
+impl Table {
+    pub fn new(header: &[&str]) -> Self {
+        let mut table = Self { writer: csv::Writer::from_writer(Vec::new()) };
+        table.row(header.iter().map(|h| (*h).to_owned()));
+        table
+    }
+
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        // memory does not fail to be written to, and every row has the length of the header
+        let written = self.writer.write_record(cells);
+        debug_assert!(written.is_ok(), "{written:?}");
+    }
+
+    pub fn save(self, folder: &Folder, name: &str) -> Result<(), WriteError> {
+        folder.write(name, &self.writer.into_inner().unwrap_or_default())
+    }
+}
+
+/// The shortest decimal that reads back exactly.
+pub fn number(x: f64) -> String {
+    let magnitude = x.abs();
+    if x == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{x}") } else { format!("{x:e}") }
+}
+
+pub fn optional(x: Option<f64>) -> String {
+    x.map_or_else(String::new, number)
+}
+
+/// A value of the study's (first) objective in the unit of its column.
+pub fn in_unit(study: &Study, value: f64) -> f64 {
+    in_unit_of(&study.objective, value)
+}
+
+/// A value of an objective in the unit of its column; a margin is the inverse of what is made small.
+pub fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
+    match objective.unit {
+        UnitOf::Angle => value * DEG_PER_RAD,
+        UnitOf::Torque => value,
+        UnitOf::Margin => 1.0 / value,
+    }
+}

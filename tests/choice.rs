@@ -1,4 +1,4 @@
-//! `method = "auto"`: what it chooses, how honest its estimates are, and that skipping changes nothing.
+//! `method = "auto"`: what it chooses, how often errors exceed their estimates, and that skipping changes nothing.
 
 use crate::support::{study, system};
 use hartog::analysis::choice::{self, Strategy};
@@ -27,7 +27,7 @@ fn with_tables<T>(s: &Study, sys: &System, f: impl FnOnce(&PeakFinder, &Receptan
 /// at most 10, and `auto` leaves the exact way. Designs that are not sent on err by more than the tolerance in at most 1 %. Real modes are seen to be
 /// wrong, and every smaller model costs more than what is chosen.
 #[test]
-fn estimates_are_honest() {
+fn errors_rarely_exceed_their_estimates() {
     for name in ["villalva_i6", "villalva_v10"] {
         let s = calibrated(name);
         let found = savings::measure(&s).expect("finite").expect("a search");

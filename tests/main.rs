@@ -22,6 +22,7 @@ mod multiaxial;
 mod multiaxial_margin;
 mod numerics;
 mod optima;
+mod pairs;
 mod peaks;
 mod planes;
 mod responses;

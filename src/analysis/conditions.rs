@@ -1,4 +1,4 @@
-//! A design where not everything works: a cylinder misfires, the absorber is locked or lost.
+//! A design in a load case with a fault: a cylinder misfires, the absorber is locked or lost.
 
 use super::RunError;
 use super::wanted::{Wanted, asked, shafts};
@@ -7,7 +7,7 @@ use crate::objective::{Condition, Measure, Over, Peak, PeakFinder};
 use crate::response::{Quantity, ResponseError, Work};
 use rayon::prelude::*;
 
-/// Numbers of a design where not everything works, SI.
+/// Numbers of a design in such a load case, SI.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct ConditionResult {
     /// The condition.

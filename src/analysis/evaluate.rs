@@ -9,6 +9,7 @@ use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
 use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::response::{Quantity, ResponseError, Work, quasi_static};
+use std::ops::Range;
 
 /// What makes a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -104,6 +105,15 @@ impl Classifier {
     }
 }
 
+/// What one absorber of a design bears where everything works, SI.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct AbsorberLoad {
+    /// Largest mean power that it dissipates, W.
+    pub power: f64,
+    /// Largest synthesised twist of its ring, rad.
+    pub ring_twist: f64,
+}
+
 /// Numbers of one design, SI.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct DesignResult {
@@ -125,6 +135,8 @@ pub struct DesignResult {
     pub power: Option<f64>,
     /// Largest synthesised ring twist, rad.
     pub ring_twist: Option<f64>,
+    /// The same of each absorber by itself.
+    pub loads: Vec<AbsorberLoad>,
     /// The study's objective, the largest over the conditions that an optimum is to hold in.
     pub objective: Option<f64>,
     /// Value of each limited measure over its limit, the largest over the same conditions.
@@ -179,6 +191,8 @@ fn firing(
     let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
     let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
     let (objective, limits) = asked(finder, design, wanted, work)?;
+    let power = largest_power(finder, design, 0..design.len(), work)?;
+    let loads = loads(finder, design, power.zip(ring_twist), work)?;
     let result = DesignResult {
         name: name.to_owned(),
         absorbers: design.to_vec(),
@@ -187,8 +201,9 @@ fn firing(
         order_twist,
         order_hub,
         torque,
-        power: largest_power(finder, design, work)?,
+        power,
         ring_twist,
+        loads,
         objective: Some(objective),
         limits: Vec::new(),
         margins: margins::smallest(finder, design, wanted.margins, work)?,
@@ -197,11 +212,24 @@ fn firing(
     Ok((result, limits))
 }
 
+/// What each absorber bears; `all`: power and ring twist of all together, which are those of the only one.
+fn loads(finder: &PeakFinder, design: &[Mounted], all: Option<(f64, f64)>, work: &mut Work) -> Result<Vec<AbsorberLoad>, ResponseError> {
+    if let ([_], Some((power, ring_twist))) = (design, all) {
+        return Ok(vec![AbsorberLoad { power, ring_twist }]);
+    }
+    let one = |i: usize| {
+        let power = largest_power(finder, design, i..i + 1, work)?.unwrap_or(0.0);
+        let measure = Measure { quantities: vec![Quantity::RingTwist(i)], over: Over::Synthesis };
+        Ok(AbsorberLoad { power, ring_twist: finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value) })
+    };
+    (0..design.len()).map(one).collect()
+}
+
 /// A power this share of the largest known one is refined between speeds.
 const POWER_SHARE: f64 = 0.3;
 
-/// Largest power over the speeds a design is evaluated at, refined between them where the study refines.
-fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Result<Option<f64>, ResponseError> {
+/// Largest power of some of its absorbers together over the speeds a design is evaluated at, refined between them where the study refines.
+fn largest_power(finder: &PeakFinder, design: &[Mounted], of: Range<usize>, work: &mut Work) -> Result<Option<f64>, ResponseError> {
     if design.is_empty() {
         return Ok(None);
     }
@@ -211,7 +239,7 @@ fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Re
     let orders = finder.system.orders();
     let at = |i: usize| -> f64 {
         let ring = |(r, y): (usize, &Vec<C64>)| finder.direct.power_of_twist(design, r, speeds[i], &y[i * orders..(i + 1) * orders]);
-        twists.iter().enumerate().map(ring).sum()
+        twists.iter().enumerate().filter(|(r, _)| of.contains(r)).map(ring).sum()
     };
     let values: Vec<f64> = (0..speeds.len()).map(at).collect();
     let known = values.iter().copied().fold(0.0, f64::max);
@@ -223,7 +251,7 @@ fn largest_power(finder: &PeakFinder, design: &[Mounted], work: &mut Work) -> Re
             if values[i] >= POWER_SHARE * known && values[i] >= values[before] && values[i] >= values[after] {
                 // each side apart, whatever the distances of the neighbours
                 for (a, b) in [(before, i), (i, after)].into_iter().filter(|(a, b)| a < b) {
-                    let total = |speed: f64| (0..design.len()).map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
+                    let total = |speed: f64| of.clone().map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
                     largest = largest.max(maximise(speeds[a], speeds[b], total)?.1);
                 }
             }

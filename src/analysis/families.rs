@@ -80,6 +80,8 @@ fn slot(
 pub struct Family {
     /// Its name in tables.
     pub name: String,
+    /// The same without the words of a further objective.
+    pub family: String,
     /// Its designs.
     pub space: Space,
     /// Whether it has the main size of every absorber.
@@ -111,7 +113,7 @@ pub fn wanted(spec: &OptimiseSpec, modes: &[Vec<EngineMode>]) -> Vec<Family> {
                 spec.absorbers.iter().zip(rings).for_each(|(a, ring)| name.push_str(&suffix(a, *ring)));
             }
             let space = family(spec, &Choice { types: types.clone(), rings: rings.clone() }, modes);
-            list.push(Family { name, space, is_main: i == 0 });
+            list.push(Family { family: name.clone(), name, space, is_main: i == 0 });
         }
     }
     list

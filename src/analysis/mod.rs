@@ -22,7 +22,7 @@ pub mod wanted;
 
 pub use calibrate::{Calibration, calibrate};
 pub use conditions::ConditionResult;
-pub use evaluate::{DesignResult, Nature, PeakKind};
+pub use evaluate::{AbsorberLoad, DesignResult, Nature, PeakKind};
 pub use margins::{MarginSweep, SmallestMargin};
 pub use progress::{Progress, RunError, Silent};
 pub use results::{FrontResult, OptimumResult, Results, RowCase};

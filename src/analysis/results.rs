@@ -28,7 +28,9 @@ pub struct OptimumResult {
     pub load_cases: Vec<RowCase>,
     /// Whether it is the main size of its type.
     pub main: bool,
-    /// Which objective it makes small, the first being 0.
+    /// Name of its family: that of the optimum by the study's first objective.
+    pub family: String,
+    /// Index of the objective that it minimises, the first being 0.
     pub objective: usize,
 }
 
@@ -96,6 +98,11 @@ pub struct Results {
 }
 
 impl Results {
+    /// Whether a name is that of an optimum.
+    pub fn is_optimum(&self, name: &str) -> bool {
+        self.optima.iter().any(|o| o.design.name == name)
+    }
+
     /// Whether every limit holds for every optimum.
     pub fn limits_hold(&self) -> bool {
         self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))

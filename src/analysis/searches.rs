@@ -61,7 +61,7 @@ impl Searches<'_> {
         let step = || self.progress.step();
         let found = families
             .into_par_iter()
-            .map(|(Family { name, space, is_main: main }, objective)| {
+            .map(|(Family { name, family, space, is_main: main }, objective)| {
                 let failed = |error: ResponseError| RunError { what: name.clone(), error };
                 let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
@@ -79,7 +79,7 @@ impl Searches<'_> {
                     RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
                 };
                 let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
-                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, objective })
+                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, family, objective })
             })
             .collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();

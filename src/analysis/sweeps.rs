@@ -3,7 +3,7 @@
 use super::ConditionResult;
 use crate::absorber::Mounted;
 use crate::numerics::C64;
-use crate::objective::PeakFinder;
+use crate::objective::{Condition, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
 
@@ -12,6 +12,8 @@ use crate::units::DEG_PER_RAD;
 pub struct QuantitySweep {
     /// Name with unit, as in `response.csv`.
     pub name: String,
+    /// The condition, where it is the twist in one.
+    pub condition: Option<Condition>,
     /// Per order (one row an order, in the unit of the name), empty where only the total is kept.
     pub orders: Vec<Vec<f64>>,
     /// Half peak-to-peak of all orders together (power: the sum).
@@ -56,11 +58,11 @@ pub fn sweeps(
         let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
         // single orders of twist and hub are kept; the rest would make the table many times as long
         let kept = if i < 2 { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name, orders: kept, total });
+        quantities.push(QuantitySweep { name, condition: None, orders: kept, total });
         if let Quantity::RingTwist(ring) = quantity {
             let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
             let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
-            quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), orders: Vec::new(), total });
+            quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), condition: None, orders: Vec::new(), total });
         }
     }
     for c in conditions {
@@ -71,7 +73,7 @@ pub fn sweeps(
         let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
         // a misfire brings orders of its own
         let kept = if c.cylinder.is_some() { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name: format!("twist_{}_deg", c.condition.name()), orders: kept, total });
+        quantities.push(QuantitySweep { name: format!("twist_{}_deg", c.condition.name()), condition: Some(c.condition), orders: kept, total });
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

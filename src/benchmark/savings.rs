@@ -1,4 +1,4 @@
-//! What skipping and choosing save on a study, and how honest the estimate of surrogate peaks is: over random absorbers, against exact peaks.
+//! What skipping and choosing save on a study, and how often the error of a surrogate peak exceeds its estimate: over random absorbers, against exact peaks.
 
 use super::smaller_models::{self, SmallerModel};
 use super::speed_accuracy::REPEATS;

@@ -68,7 +68,7 @@ pub struct Growth {
 pub struct SpeedAccuracy {
     /// Methods and settings.
     pub points: Vec<Point>,
-    /// The ways of a search: tables at several strides, and exactly.
+    /// Strategies of a search: tables at several strides, and exactly.
     pub ways: Vec<Considered>,
     /// The probe designs and their names.
     pub probes: Vec<(String, Vec<Mounted>)>,
@@ -191,7 +191,7 @@ pub fn measure(study: &Study, progress: &dyn Progress) -> Result<SpeedAccuracy, 
     Ok(SpeedAccuracy { points, ways, probes })
 }
 
-/// Measured seconds and true errors of the ways of a search.
+/// Measured seconds and true errors of the strategies of a search.
 fn ways(
     system: &System,
     study: &Study,

@@ -1,4 +1,4 @@
-//! Spots of a crank that are judged: fillets of every web and outlets of oil bores, with their factors and the shafts whose torque they carry.
+//! Critical locations of a crank that are judged: fillets of every web and outlets of oil bores, with their factors and the shafts whose torque they carry.
 
 use super::criterion::{FactorSource, Family, FatigueSpec, FilletSpec, MarginCriterion};
 use super::stress_concentration::{Factors, Formulas};
@@ -164,7 +164,7 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
     Some(list)
 }
 
-/// Spots with stresses per unit load: every point on the webs of its fillet.
+/// Critical locations with stresses per unit load: every point on the webs of its fillet.
 fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(String, UnitLoads)]) -> Option<Vec<CriticalLocation>> {
     let mut list = Vec::new();
     for throw in fillet.throws(crank) {

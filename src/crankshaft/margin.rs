@@ -48,7 +48,7 @@ pub struct Margin {
     bending: Vec<Vec<Cycle>>,
     /// Mean torque of each shaft at each speed (rows), N m.
     mean_torque: Vec<Vec<f64>>,
-    /// Spots of each shaft, by family.
+    /// Critical locations of each shaft, by family.
     of_shaft: Vec<[Vec<usize>; 4]>,
     /// For multiaxial criteria.
     histories: Option<Histories>,
@@ -175,7 +175,7 @@ impl Margin {
         Used { location, value, slopes: (by_amplitude * of_amplitude * s.torsion, by_mean * of_mean * s.torsion), cycle }
     }
 
-    /// Spots of a shaft that a criterion judges.
+    /// Critical locations of a shaft that a criterion judges.
     pub fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
         self.criteria[criterion].families().iter().flat_map(move |f| self.of_shaft[shaft][*f as usize].iter().copied())
     }

@@ -1,4 +1,4 @@
-//! What is to be small: a peak over the speed range.
+//! Objectives: a peak over the speed range.
 
 use crate::response::Quantity;
 

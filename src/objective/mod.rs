@@ -1,4 +1,4 @@
-//! What is to be small and how it is found: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
+//! The objective and how it is evaluated: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
 
 pub mod condition;
 mod gradient;

@@ -1,4 +1,4 @@
-//! What is to be small at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
+//! The objective at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
 
 use super::measure::Over;
 use crate::crankshaft::{Margin, Torque};

@@ -78,7 +78,7 @@ pub struct Problem<'a> {
     pub load_cases: &'a [LoadCase<'a>],
     /// The family.
     pub space: Space,
-    /// To be small.
+    /// Minimised.
     pub objective: &'a Measure,
     /// To hold.
     pub limits: &'a [Limit],

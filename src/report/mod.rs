@@ -25,6 +25,7 @@ pub fn write_run(
 ) -> Result<(), WriteError> {
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
+    csv::absorbers(results, folder)?;
     csv::response(study, results, folder)?;
     csv::margin::margin(study, results, folder)?;
     if results.fronts.is_empty() {

@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 /// A formula is taken for that of the source where it gives the printed value within this share.
 const FOUND: f64 = 0.02;
+/// Units.
+const STIFFNESS: &str = "N m/rad";
+const DAMPING: &str = "N m s/rad";
 /// Steps beside the common point.
 const STEPS: [f64; 2] = [1.01, 0.99];
 
@@ -163,9 +166,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     let inertias = [(study.chain.total_inertia(), "whole chain"), (study.modes.equivalent_inertia(mode, station), "first mode")];
     let unit = 2.0 * ring * omega;
     let mut list = Vec::new();
-    let mut put = |quantity: &str, published: f64, computed: f64, role: Role, note: String| {
-        let (kind, unit) = if quantity.starts_with("stiffness") { (Kind::Stiffness, "N m/rad") } else { (Kind::Damping, "N m s/rad") };
-        let kind = if quantity.ends_with("procedure") || quantity.contains("step") { kind } else { Kind::Other };
+    let mut put = |quantity: &str, (kind, unit): (Kind, &'static str), (published, computed): (f64, f64), role: Role, note: String| {
         list.push(Procedure { quantity: quantity.into(), kind, unit, published, computed, role, note });
     };
     let viscous = row.stiffness.is_none_or(|k| k == 0.0);
@@ -174,7 +175,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             let of = |(inertia, words): (f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), words);
             let best = inertias.map(of).into_iter().min_by(|a, b| off(a.0, c).total_cmp(&off(b.0, c)));
             if let Some((computed, inertia)) = best {
-                put("damping by procedure", c, computed, Role::Predicted, format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"));
+                put("damping by procedure", (Kind::Damping, DAMPING), (c, computed), Role::Predicted, format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"));
             }
         }
         return list;
@@ -197,13 +198,13 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
         // a tuning of one does not depend on the inertia
         let of = if t.1 == "unity" { String::new() } else { format!(", mu of the {inertia}") };
         let nearest = if off(computed, k) < FOUND { "" } else { "; none of the formulas tried is nearer" };
-        put("stiffness by procedure", k, computed, Role::Predicted, format!("{}{of}{nearest}", t.2));
+        put("stiffness by procedure", (Kind::Stiffness, STIFFNESS), (k, computed), Role::Predicted, format!("{}{of}{nearest}", t.2));
     }
     if let Some((c, (computed, mu, inertia, t))) = by_damping {
         for step in STEPS {
             if let Some(d) = fixed_points::damping(mu, t.0, Point::I, step) {
                 let note = format!("level with common point I a step away, tuning {}, mu of the {inertia}", t.1);
-                put(&format!("damping by step {step}"), c, unit * d, Role::Predicted, note);
+                put(&format!("damping by step {step}"), (Kind::Damping, DAMPING), (c, unit * d), Role::Predicted, note);
             }
         }
         let exact = match t.1 {
@@ -212,7 +213,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             _ => None,
         };
         if let Some(exact) = exact {
-            put("damping, exact", c, unit * exact, Role::Predicted, "Brock: horizontal at the common points, no step".into());
+            put("damping, exact", (Kind::Other, DAMPING), (c, unit * exact), Role::Predicted, "Brock: horizontal at the common points, no step".into());
         }
         if let Some((k, (found, _, _, used))) = by_stiffness
             && used.1 != t.1
@@ -220,7 +221,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             && off(computed, c) < FOUND
         {
             let note = format!("printed as {}, but the damping is that of the tuning {}, which needs {}", used.2, t.1, t.2);
-            put("stiffness, correct", k, ring * omega * omega * t.0 * t.0, Role::Erratum, note);
+            put("stiffness, correct", (Kind::Other, STIFFNESS), (k, ring * omega * omega * t.0 * t.0), Role::Erratum, note);
         }
     }
     list

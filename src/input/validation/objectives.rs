@@ -17,11 +17,11 @@ pub enum UnitOf {
     Angle,
     /// N m.
     Torque,
-    /// None: a safety factor, of which the inverse is to be small.
+    /// None: a safety factor, of which the inverse is minimised.
     Margin,
 }
 
-/// What is to be small.
+/// An objective.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ObjectiveSpec {
     /// The measure.

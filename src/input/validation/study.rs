@@ -61,9 +61,9 @@ pub struct Study {
     pub hub: usize,
     /// Twist that is reported.
     pub twist: Quantity,
-    /// To be small.
+    /// The (first) objective, which is minimised.
     pub objective: ObjectiveSpec,
-    /// What more optima of the main size are to make small, each by itself.
+    /// Further objectives, each with optima of the main size of its own.
     pub more_objectives: Vec<ObjectiveSpec>,
     /// To hold, with their words in the file.
     pub limits: Vec<(String, Limit)>,

@@ -1,5 +1,6 @@
 //! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly; what does not apply is empty.
 
+mod absorbers;
 pub mod chart;
 mod comparison;
 mod designs;
@@ -10,6 +11,7 @@ mod response;
 mod table;
 mod timing;
 
+pub use absorbers::absorbers;
 pub use comparison::{calibration, comparison};
 pub use designs::{DESIGN_COLUMNS, designs};
 pub use pareto::pareto;

@@ -42,7 +42,7 @@ pub fn in_unit(study: &Study, value: f64) -> f64 {
     in_unit_of(&study.objective, value)
 }
 
-/// A value of an objective in the unit of its column; a margin is the inverse of what is made small.
+/// A value of an objective in the unit of its column; a margin is the inverse of what is minimised.
 pub fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
     match objective.unit {
         UnitOf::Angle => value * DEG_PER_RAD,

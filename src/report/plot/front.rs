@@ -48,7 +48,7 @@ pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wri
     canvas::save(folder, "pareto", (900, 560), |area| {
         let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(170));
         let mut chart = ChartBuilder::on(&main)
-            .caption(format!("{}: what a ring can do", study.engine.name), text(16))
+            .caption(format!("{}: optimum against ring inertia", study.engine.name), text(16))
             .margin(px(8))
             .x_label_area_size(px(36))
             .y_label_area_size(px(58))

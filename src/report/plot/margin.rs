@@ -32,7 +32,7 @@ pub fn margins(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
 
 fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize) -> Drawn {
     let Some(model) = &results.margin else { return Ok(()) };
-    let curves: Vec<(String, Vec<f64>)> = results.margins.iter().map(|m| (m.design.replace('_', " "), m.smallest(criterion))).collect();
+    let curves: Vec<(&str, Vec<f64>)> = results.margins.iter().map(|m| (m.design.as_str(), m.smallest(criterion))).collect();
     let smallest = curves.iter().flat_map(|c| &c.1).copied().fold(f64::INFINITY, f64::min);
     let largest = curves.iter().flat_map(|c| &c.1).copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
     let accepted = model.criteria[criterion].acceptable();
@@ -62,16 +62,16 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
         chart.draw_series(DashedLineSeries::new([(span.start, least), (span.end, least)], px(6), px(5), style))?;
         entries.push((format!("accepted from {least} (dashed)"), style));
     }
-    for (i, (label, values)) in curves.iter().enumerate() {
-        let width = if label.starts_with("optimum") { 26 } else { 14 };
-        let style = if i == 0 && label == "none" { line(BLACK, 14) } else { line(COLOURS[i % COLOURS.len()], width) };
+    for (i, (design, values)) in curves.iter().enumerate() {
+        let width = if results.is_optimum(design) { 26 } else { 14 };
+        let style = if i == 0 && *design == "none" { line(BLACK, 14) } else { line(COLOURS[i % COLOURS.len()], width) };
         if values.len() == 1 {
             chart.draw_series(std::iter::once(Circle::new((first, values[0].min(top)), px(4), style)))?;
         }
         for piece in canvas::clipped(study.speeds_rpm.iter().copied().zip(values.iter().copied()), top) {
             chart.draw_series(LineSeries::new(piece, style))?;
         }
-        entries.push((label.clone(), style));
+        entries.push((design.replace('_', " "), style));
     }
     canvas::legend(&side, &entries)
 }

@@ -74,7 +74,7 @@ pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -
     let others: Vec<Curve> = sweep
         .quantities
         .iter()
-        .filter_map(|q| Some((q, q.name.strip_prefix("twist_")?.strip_suffix("_deg")?)))
+        .filter_map(|q| Some((q, q.condition?.name())))
         .enumerate()
         .map(|(i, (q, name))| Curve { label: name.replace('_', " "), values: &q.total, style: line(COLOURS[i % COLOURS.len()], 16) })
         .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, style: line(BLACK, 22) }))
@@ -104,7 +104,7 @@ pub fn overlay(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
         .iter()
         .enumerate()
         .map(|(i, s)| {
-            let optimum = s.design.starts_with("optimum_");
+            let optimum = results.is_optimum(&s.design);
             let colour =
                 if s.quantities.len() > 2 && results.sweeps[0].design == "none" && i == 0 { BLACK } else { COLOURS[i % COLOURS.len()] };
             Curve { label: s.design.replace('_', " "), values: &s.quantities[0].total, style: line(colour, if optimum { 28 } else { 15 }) }

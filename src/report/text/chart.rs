@@ -35,13 +35,13 @@ pub fn methods(measured: &SpeedAccuracy) -> String {
     table(&["method", "grid", "per design", "error", "refined", "per design", "error"], &rows)
 }
 
-/// The ways of a search: tables at several strides, and exactly.
+/// Strategies of a search: tables at several strides, and exactly.
 pub fn ways(measured: &SpeedAccuracy) -> String {
     let row = |w: &Considered| vec![w.strategy.label(), duration(w.seconds), format!("{:.1e}", w.error)];
-    table(&["way of a search", "per design", "error"], &measured.ways.iter().map(row).collect::<Vec<_>>())
+    table(&["strategy of a search", "per design", "error"], &measured.ways.iter().map(row).collect::<Vec<_>>())
 }
 
-/// What choosing and skipping save, and how honest the estimate is.
+/// What choosing and skipping save, and how often the error exceeds its estimate.
 pub fn savings(s: &Savings) -> String {
     let mut text = format!(
         "Random absorbers: {} a design with nothing skipped ({} syntheses, {} direct solutions), {} with only what can win ({}, {}): {}\n",
@@ -56,7 +56,7 @@ pub fn savings(s: &Savings) -> String {
     if let (Some((cost, h)), Some((every, best))) = (&s.surrogate, s.designs_per_second) {
         text.push_str(&format!(
             "`auto` chooses {}: {} a design; of {} random absorbers {} err by more than their estimate, median of estimated over true error {:.1}; {} of {} \
-             not sent on to the exact way err by more than the tolerance\n",
+             not evaluated exactly err by more than the tolerance\n",
             s.choice.chosen.strategy.label(),
             duration(cost.seconds),
             h.designs,

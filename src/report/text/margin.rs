@@ -106,8 +106,8 @@ fn differ(study: &Study, results: &Results) -> String {
     let mut text = String::new();
     for o in results.optima.iter().filter(|o| o.objective > 0) {
         let objective = study.objective_of(o.objective);
-        let Some((first, _)) = o.design.name.split_once("_by_") else { continue };
-        let Some(twin) = results.optima.iter().find(|t| t.design.name == first) else { continue };
+        let first = &o.family;
+        let Some(twin) = results.optima.iter().find(|t| t.objective == 0 && t.family == *first) else { continue };
         let margin = |d: &DesignResult| {
             d.margins.iter().find(|m| format!("margin_{}", name(study, m.criterion)) == objective.word).map(|m| m.margin)
         };

@@ -2,6 +2,8 @@
 
 use super::margin::factor;
 use super::table::{dash, significant, table};
+use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
+use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
 use crate::input::{ObjectiveSpec, Study, UnitOf};
@@ -11,15 +13,50 @@ use crate::response::{Quantity, Work};
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
-fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
-    let one = d.absorbers.first().map(|a| &a.absorber);
+/// Parameters that some absorber has besides ring inertia, stiffness and damping.
+fn other_parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
+    let mut list: Vec<&Parameter> = Vec::new();
+    for p in designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration()).flat_map(|t| t.parameters) {
+        if ![RING_INERTIA.key, STIFFNESS.key, DAMPING.key].contains(&p.key) && list.iter().all(|known| known.key != p.key) {
+            list.push(p);
+        }
+    }
+    list
+}
+
+/// Ring, stiffness, damping and the other parameters of an absorber.
+fn absorber_cells(mounted: Option<&Mounted>, others: &[&Parameter]) -> Vec<String> {
+    let one = mounted.map(|m| &m.absorber);
+    let mut cells = vec![
+        dash(one.map(|a| significant(a.ring_inertia(), 4))),
+        dash(one.and_then(Absorber::stiffness).map(|k| significant(k, 5))),
+        dash(one.and_then(Absorber::damping).map(|c| significant(c, 4))),
+    ];
+    cells.extend(others.iter().map(|p| dash(one.and_then(|a| a.value(p.key)).map(|x| significant(x, 4)))));
+    cells
+}
+
+/// A line for each absorber of a design after its first.
+fn further_absorbers(study: &Study, d: &DesignResult, others: &[&Parameter], columns: usize) -> Vec<Vec<String>> {
+    let line = |(i, m): (usize, &Mounted)| {
+        let host = match m.on {
+            Host::Station(station) => study.chain.stations[station].name.clone(),
+            Host::Ring(inner) => format!("ring {}", inner + 1),
+        };
+        let mut row = vec![format!("  {}: {} on {host}", i + 1, m.absorber.type_name())];
+        row.extend(absorber_cells(Some(m), others));
+        row.resize(columns, String::new());
+        row
+    };
+    d.absorbers.iter().enumerate().skip(1).map(line).collect()
+}
+
+fn design_row(study: &Study, results: &Results, d: &DesignResult, others: &[&Parameter]) -> Vec<String> {
     let orders = &results.system.excitation.orders;
     let frequency = |i: usize| dash(d.frequencies_hz.get(i).map(|f| format!("{f:.2}")));
-    let mut row = vec![
-        d.name.clone(),
-        dash(one.map(|a| significant(a.ring_inertia(), 4))),
-        dash(one.and_then(|a| a.stiffness()).map(|k| significant(k, 5))),
-        dash(one.and_then(|a| a.damping()).map(|c| significant(c, 4))),
+    let mut row = vec![d.name.clone()];
+    row.extend(absorber_cells(d.absorbers.first(), others));
+    row.extend([
         frequency(0),
         frequency(1),
         frequency(2),
@@ -29,7 +66,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
         dash(d.order_twist.map(|p| format!("{} @ {:.0}", orders[p.order], p.speed_rpm))),
         dash(d.torque.map(|p| format!("{:.0}", p.value))),
         dash(d.power.map(|p| significant(p, 3))),
-    ];
+    ]);
     if other_objective(study) {
         row.push(dash(d.objective.map(|v| significant(in_unit(study, v), 5))));
     }
@@ -38,7 +75,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
 
 /// Whether the objective is not the synthesised twist that every table shows.
 fn other_objective(study: &Study) -> bool {
-    !(study.objective.column == "peak_twist_deg" && study.objective.measure.quantities == [study.twist])
+    study.objective.measure.synthesised() != Some(study.twist)
 }
 
 /// How searches evaluated designs, where that was chosen.
@@ -66,11 +103,11 @@ pub fn choice(results: &Results) -> Option<String> {
 
 /// The table of designs and optima.
 pub fn designs(study: &Study, results: &Results) -> String {
-    let mut header = vec![
-        "design",
-        "ring/kg m²",
-        "k/N m/rad",
-        "c/N m s/rad",
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let others = other_parameters(all());
+    let mut header = vec!["design", "ring/kg m²", "k/N m/rad", "c/N m s/rad"];
+    header.extend(others.iter().map(|p| p.label));
+    header.extend([
         "f1/Hz",
         "f2/Hz",
         "f3/Hz",
@@ -79,13 +116,16 @@ pub fn designs(study: &Study, results: &Results) -> String {
         "order/°",
         "order @ rpm",
         "torque/N m",
-        "lost/W",
-    ];
+        "dissipated/W",
+    ]);
     if other_objective(study) {
         header.push(&study.objective.column);
     }
-    let all = results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
-    let rows: Vec<Vec<String>> = all.map(|d| design_row(study, results, d)).collect();
+    let mut rows = Vec::new();
+    for d in all() {
+        rows.push(design_row(study, results, d, &others));
+        rows.extend(further_absorbers(study, d, &others, header.len()));
+    }
     let name = |i: usize| study.chain.stations[i].name.as_str();
     let between = match study.twist {
         Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
@@ -94,7 +134,7 @@ pub fn designs(study: &Study, results: &Results) -> String {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     format!(
         "{}\n  twist: half peak-to-peak of all orders with phase, {between}, largest over {low} to {high} rpm; order: its largest single order;\n  \
-         torque: largest vibratory torque of a shaft; lost: power dissipated in the absorber\n",
+         torque: largest vibratory torque of a shaft; dissipated: mean power dissipated in the absorbers\n",
         table(&header, &rows)
     )
 }

@@ -1,0 +1,50 @@
+//! `absorbers.csv`: a row an absorber of every design.
+
+use super::table::{Table, number, optional};
+use crate::absorber::{Host, Mounted, Parameter, TYPES};
+use crate::analysis::{DesignResult, Results};
+use crate::report::files::{Folder, WriteError};
+use crate::units::DEG_PER_RAD;
+
+/// Parameters of all types, each once, then those of laws that a program brought.
+fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
+    let used = designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration());
+    let mut list: Vec<&Parameter> = Vec::new();
+    for p in TYPES.into_iter().chain(used).flat_map(|t| t.parameters) {
+        if list.iter().all(|known| known.key != p.key) {
+            list.push(p);
+        }
+    }
+    list
+}
+
+/// What carries an absorber: a station by its name, or the ring of another absorber of the design by its number.
+fn host(results: &Results, mounted: &Mounted) -> [String; 2] {
+    match mounted.on {
+        Host::Station(station) => [results.system.chain.stations[station].name.clone(), String::new()],
+        Host::Ring(inner) => [String::new(), (inner + 1).to_string()],
+    }
+}
+
+/// `absorbers.csv`.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let designs = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let parameters = parameters(designs());
+    let mut header = vec!["design", "absorber", "on_station", "on_ring_of", "type", "hub_inertia_kg_m2"];
+    header.extend(parameters.iter().map(|p| p.key));
+    header.extend(["dissipated_power_w", "ring_twist_deg"]);
+    let mut table = Table::new(&header);
+    for d in designs() {
+        for (i, (m, load)) in d.absorbers.iter().zip(&d.loads).enumerate() {
+            let [station, ring] = host(results, m);
+            let mut row = vec![d.name.clone(), (i + 1).to_string(), station, ring, m.absorber.type_name().to_owned(), number(m.hub_inertia)];
+            row.extend(parameters.iter().map(|p| optional(m.absorber.value(p.key))));
+            row.extend([number(load.power), number(load.ring_twist * DEG_PER_RAD)]);
+            table.row(row);
+        }
+    }
+    table.save(folder, "absorbers.csv")
+}

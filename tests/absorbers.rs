@@ -1,8 +1,8 @@
 //! Absorbers: closed forms, and the laws every type obeys.
 
 use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::closed_forms::{self, EngineMode};
 use hartog::absorber::SpringAndDamper;
+use hartog::absorber::closed_forms::{self, EngineMode};
 
 /// Amplitude of the engine mass in static deflections, omega/omega_engine = x, [Den Hartog 1956] eq. (3.24); `zeta` = c/(2 J omega_engine).
 fn amplitude(mu: f64, tuning: f64, zeta: f64, x: f64) -> f64 {

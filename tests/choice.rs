@@ -7,7 +7,7 @@ use hartog::benchmark::methods::Candidate;
 use hartog::benchmark::savings;
 use hartog::drivetrain::System;
 use hartog::input::Study;
-use hartog::objective::surrogate::{Surrogate, Scratch};
+use hartog::objective::surrogate::{Scratch, Surrogate};
 use hartog::objective::{Measure, Over, PeakFinder};
 use hartog::response::{Grid, Method, Receptance, Work};
 
@@ -94,7 +94,10 @@ fn tables_know_what_they_cannot_answer() {
         assert!(surrogate.takes(&on(0, Tuned, 0.076, 158e3, 34.2)) && surrogate.takes(&on(0, Viscous, 0.076, 0.0, 105.0)));
         assert!(surrogate.takes(&on(0, Locked, 0.076, 0.0, 0.0)));
         assert!(!surrogate.takes(&on(3, Tuned, 0.076, 158e3, 34.2)), "another station");
-        assert!(!surrogate.takes(&on(0, Undamped, 0.076, 158e3, 0.0)) && !surrogate.takes(&on(0, Tuned, 0.076, 158e3, 1.0)), "a narrow ring");
+        assert!(
+            !surrogate.takes(&on(0, Undamped, 0.076, 158e3, 0.0)) && !surrogate.takes(&on(0, Tuned, 0.076, 158e3, 1.0)),
+            "a narrow ring"
+        );
         assert!(finder.is_smooth());
         let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
         let exact = finder.peak(&[on(0, Tuned, 0.076, 158e3, 1.0)], &measure, &mut Work::default()).expect("damped").expect("excited");

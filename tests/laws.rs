@@ -78,7 +78,11 @@ fn every_declaration_is_consistent() {
                     };
                     let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i]);
                     let scale = stiffness.norm() / values[i];
-                    assert!((difference - derivative).norm() <= 1e-6 * scale, "{} parameter {i}: {difference} {derivative}", declaration.name);
+                    assert!(
+                        (difference - derivative).norm() <= 1e-6 * scale,
+                        "{} parameter {i}: {difference} {derivative}",
+                        declaration.name
+                    );
                 }
             }
         }
@@ -114,8 +118,13 @@ fn limits_of_every_law() {
         let stiff = build(declaration, &values, Host::Station(0));
         same(&sweep(&heavier(0.05), &[], s.twist), &sweep(&sys, &[stiff], s.twist), 1e-4, name);
         let plain = build(declaration, &typical(&s, declaration, 0.03, 1.0), Host::Station(0));
-        same(&sweep(&heavier(0.02), &[plain.clone()], s.twist), &sweep(&sys, &[plain.clone().with_hub(0.02)], s.twist), 1e-11, name);
-        energy(&s, &sys, &[plain.clone()], name);
+        same(
+            &sweep(&heavier(0.02), std::slice::from_ref(&plain), s.twist),
+            &sweep(&sys, &[plain.clone().with_hub(0.02)], s.twist),
+            1e-11,
+            name,
+        );
+        energy(&s, &sys, std::slice::from_ref(&plain), name);
         for outer in every_law() {
             let on_it = build(outer, &typical(&s, outer, 0.01, 1.3), Host::Ring(0));
             energy(&s, &sys, &[plain.clone(), on_it], &format!("{} on the ring of {name}", outer.name));

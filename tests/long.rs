@@ -7,7 +7,7 @@ use hartog::analysis::audit::highest_frequency_hz;
 use hartog::analysis::{self, OptimumResult, Silent, families};
 use hartog::input::{OptimiseSpec, Study};
 use hartog::objective::{Condition, PeakFinder};
-use hartog::optimise::{Problem, LoadCase, minimax, search, starts};
+use hartog::optimise::{LoadCase, Problem, minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
 use rayon::prelude::*;
 
@@ -21,11 +21,17 @@ fn with_scenes(study: &Study, f: impl FnOnce(&[LoadCase], &[Vec<EngineMode>])) {
 
 /// What a study optimises.
 fn family(study: &Study) -> &OptimiseSpec {
-    &study.optimise.as_ref().expect("optimises")
+    study.optimise.as_ref().expect("optimises")
 }
 
 /// The problem of one type and ring.
-fn problem<'a>(study: &'a Study, load_cases: &'a [LoadCase<'a>], modes: &[Vec<EngineMode>], declaration: &'static Declaration, ring: f64) -> Problem<'a> {
+fn problem<'a>(
+    study: &'a Study,
+    load_cases: &'a [LoadCase<'a>],
+    modes: &[Vec<EngineMode>],
+    declaration: &'static Declaration,
+    ring: f64,
+) -> Problem<'a> {
     let space = families::family(family(study), &families::Choice { types: vec![declaration], rings: vec![Some(ring)] }, modes);
     Problem { load_cases, space, objective: &study.objective.measure, limits: &[] }
 }

@@ -1,9 +1,11 @@
 //! Margin of the crank: as objective, as limit, over speed; and what it must not cost.
 
-use crate::support::{Kind, three_values, assert_close, on, study, system};
+use crate::support::{Kind, assert_close, on, study, system, three_values};
 use hartog::absorber::{Host, Mounted, TUNED};
 use hartog::analysis::{Results, Silent, margins, run};
-use hartog::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, MeanBending, Place, CriticalLocation, Torque};
+use hartog::crankshaft::{
+    Crank, CriticalLocation, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, MeanBending, Place, Torque,
+};
 use hartog::drivetrain::System;
 use hartog::fatigue::Criterion;
 use hartog::fatigue::multiaxial::Criterion as Multiaxial;
@@ -11,7 +13,7 @@ use hartog::input::Study;
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::{self, Extremes, Synthesiser};
 use hartog::objective::{Condition, Limit, Measure, PeakFinder};
-use hartog::optimise::{Slot, Problem, LoadCase, Space, Variable};
+use hartog::optimise::{LoadCase, Problem, Slot, Space, Variable};
 use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;

@@ -10,7 +10,7 @@ use hartog::fatigue::multiaxial::{Criterion as Multiaxial, Limits};
 use hartog::numerics::C64;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::objective::Condition;
-use hartog::optimise::{Slot, Problem, LoadCase, Space, Variable};
+use hartog::optimise::{LoadCase, Problem, Slot, Space, Variable};
 use hartog::response::Work;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;

@@ -1,6 +1,6 @@
 //! Peaks over speed: refinement, skipping, gradients, work.
 
-use crate::support::{Kind, three_values, assert_close, on, one_throw, study, system, uniform_chain};
+use crate::support::{Kind, assert_close, on, one_throw, study, system, three_values, uniform_chain};
 use hartog::absorber::Mounted;
 use hartog::analysis::{evaluate::evaluate, wanted::Wanted};
 use hartog::drivetrain::System;

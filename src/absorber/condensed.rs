@@ -137,7 +137,13 @@ fn fraction(design: &[Mounted], index: usize, at: Operating) -> Fraction {
     }
     let hub = omega2 * m.hub_inertia;
     match &m.absorber {
-        Absorber::Locked { .. } => Fraction { numerator: inertial - carried * hub, denominator: carried, inertial: C64::from(0.0), stiffness: C64::from(1.0), carried },
+        Absorber::Locked { .. } => Fraction {
+            numerator: inertial - carried * hub,
+            denominator: carried,
+            inertial: C64::from(0.0),
+            stiffness: C64::from(1.0),
+            carried,
+        },
         Absorber::Ring(law) => {
             let s = law.dynamic_stiffness(at);
             let denominator = s * carried + inertial;

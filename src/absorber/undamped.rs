@@ -23,7 +23,11 @@ pub static UNDAMPED: Declaration = Declaration {
     build: |v| Arc::new(Undamped { ring_inertia: v[0], stiffness: v[1] }),
     closed_forms: &[
         ClosedForm { name: "brock_unity", every_mode: false, values: |ring, mode| vec![ring, brock_unity_ring(ring, mode).stiffness] },
-        ClosedForm { name: "den_hartog_brock", every_mode: false, values: |ring, mode| vec![ring, den_hartog_brock_ring(ring, mode).stiffness] },
+        ClosedForm {
+            name: "den_hartog_brock",
+            every_mode: false,
+            values: |ring, mode| vec![ring, den_hartog_brock_ring(ring, mode).stiffness],
+        },
         ClosedForm { name: "h_infinity", every_mode: true, values: |ring, mode| vec![ring, h_infinity_ring(ring, mode).stiffness] },
     ],
 };

@@ -107,8 +107,12 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
     for criterion in 0..model.criteria.len() {
         for (shaft, torques) in torques.iter().enumerate() {
             let locations: Vec<usize> = model.spots_of(criterion, shaft).collect();
-            let rows: Vec<Vec<Used>> =
-                grid.speed_rpm.par_iter().zip(torques).map(|(speed, torque)| model.used_each(criterion, &locations, *speed, torque)).collect();
+            let rows: Vec<Vec<Used>> = grid
+                .speed_rpm
+                .par_iter()
+                .zip(torques)
+                .map(|(speed, torque)| model.used_each(criterion, &locations, *speed, torque))
+                .collect();
             for (k, location) in locations.iter().enumerate() {
                 let used = rows.iter().map(|row| row[k]);
                 let name = &model.locations[*location].name;

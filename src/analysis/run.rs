@@ -131,7 +131,23 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let system = systems.swap_remove(0);
     let timing = clock.timing;
     let study = study.clone();
-    Ok(Results { study, calibration: None, method, choice, designs, optima, fronts, forced_floor, sweeps, margin, margins, diagram, appearing, timing, system })
+    Ok(Results {
+        study,
+        calibration: None,
+        method,
+        choice,
+        designs,
+        optima,
+        fronts,
+        forced_floor,
+        sweeps,
+        margin,
+        margins,
+        diagram,
+        appearing,
+        timing,
+        system,
+    })
 }
 
 fn of_design(d: &DesignResult, error: ResponseError) -> RunError {

@@ -62,7 +62,12 @@ pub fn sweeps(
         if let Quantity::RingTwist(ring) = quantity {
             let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
             let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
-            quantities.push(QuantitySweep { name: format!("dissipated_power{}_w", which(ring)), condition: None, orders: Vec::new(), total });
+            quantities.push(QuantitySweep {
+                name: format!("dissipated_power{}_w", which(ring)),
+                condition: None,
+                orders: Vec::new(),
+                total,
+            });
         }
     }
     for c in conditions {
@@ -73,7 +78,12 @@ pub fn sweeps(
         let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
         // a misfire brings orders of its own
         let kept = if c.cylinder.is_some() { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name: format!("twist_{}_deg", c.condition.name()), condition: Some(c.condition), orders: kept, total });
+        quantities.push(QuantitySweep {
+            name: format!("twist_{}_deg", c.condition.name()),
+            condition: Some(c.condition),
+            orders: kept,
+            total,
+        });
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

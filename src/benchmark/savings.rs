@@ -9,7 +9,7 @@ use crate::analysis::{RunError, audit, families};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::Study;
-use crate::objective::surrogate::{Estimated, Surrogate, Scratch};
+use crate::objective::surrogate::{Estimated, Scratch, Surrogate};
 use crate::objective::{Measure, Over, PeakFinder};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;

@@ -149,7 +149,12 @@ fn absorbers_of_six() -> Vec<Scenario> {
             vec![Mounted::on_station(0, Undamped { ring_inertia: 0.02, stiffness: 60e3 })],
             [EXACT, RECEPTANCE, Wrong(0.2), Wrong(0.1), Rough, NEAR, Rough, EXACT],
         ),
-        of_six("ring held by nothing", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 0.0, damping: 0.0 })], ALONE),
+        of_six(
+            "ring held by nothing",
+            six(),
+            vec![Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 0.0, damping: 0.0 })],
+            ALONE,
+        ),
     ]
 }
 
@@ -181,7 +186,12 @@ fn changed_chains() -> Vec<Scenario> {
             declared: [EXACT, RECEPTANCE, Refused("no elastic mode"), EXACT, EXACT, EXACT, Rough, EXACT],
             in_time: [NEAR; 4],
         },
-        of_six("loose ring, 1e-12 of an inertia", six(), vec![Mounted::on_station(0, Tuned { ring_inertia: 1e-12, stiffness: 1e-7, damping: 1e-10 })], ALONE),
+        of_six(
+            "loose ring, 1e-12 of an inertia",
+            six(),
+            vec![Mounted::on_station(0, Tuned { ring_inertia: 1e-12, stiffness: 1e-7, damping: 1e-10 })],
+            ALONE,
+        ),
         of_six(
             "heavy ring, 1000 kg m²",
             six(),

@@ -13,7 +13,7 @@ use crate::input::Study;
 use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
-use crate::objective::surrogate::{Surrogate, Scratch};
+use crate::objective::surrogate::{Scratch, Surrogate};
 use crate::objective::{Measure, Over, PeakFinder};
 use crate::optimise::{Slot, Space};
 use crate::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
@@ -93,7 +93,10 @@ fn probes(study: &Study, excitation: &Excitation) -> Vec<(String, Vec<Mounted>)>
             let rings = vec![None; types.len()];
             let space = families::family(spec, &families::Choice { types, rings }, &modes);
             if let Some(design) = closed_form(&space, &modes) {
-                list.push((format!("closed_form_{}", families::joined(&space.slots.iter().map(|s| s.declaration).collect::<Vec<_>>())), design));
+                list.push((
+                    format!("closed_form_{}", families::joined(&space.slots.iter().map(|s| s.declaration).collect::<Vec<_>>())),
+                    design,
+                ));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! `hartog chart`: speed against accuracy of every response method, and where each fails.
 
-use super::progress::Bar;
 use super::exit::{DONE, FAILED, fail, say};
+use super::progress::Bar;
 use crate::benchmark::{Chart, Common};
 use crate::input::{self, Study};
 use crate::report::{Folder, text, write_chart};

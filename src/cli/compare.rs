@@ -1,7 +1,7 @@
 //! `hartog compare`: published tables beside our own numbers.
 
-use super::progress::Bar;
 use super::exit::{BAD_INPUT, DONE, FAILED, fail, say};
+use super::progress::Bar;
 use crate::analysis::{self, Calibration, Results, RunError};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;

@@ -1,7 +1,7 @@
 //! `hartog fatigue`: multiaxial criteria on stress histories.
 
-use super::progress::Bar;
 use super::exit::{DONE, fail, say, threads};
+use super::progress::Bar;
 use crate::analysis::Progress;
 use crate::analysis::stress_histories::{self, CHUNK, Summary};
 use crate::fatigue::multiaxial::Grid;

@@ -1,7 +1,7 @@
 //! `hartog run`: the main job.
 
-use super::progress::Bar;
 use super::exit::{DONE, FAILED, fail, say};
+use super::progress::Bar;
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
 use crate::report::{Folder, csv, plot, text};

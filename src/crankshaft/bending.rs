@@ -2,7 +2,7 @@
 
 use super::loads::{CrankLoads, CrankModel, InPlane};
 use super::stress_histories::Section as History;
-use super::{Crank, Family, Place, CriticalLocation};
+use super::{Crank, CriticalLocation, Family, Place};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::Cycle;
@@ -23,7 +23,14 @@ pub struct Table {
 const APART: usize = 5;
 
 /// The table. Nothing where the torque comes from a table.
-pub fn table(engine: &Engine, chain: &Chain, crank: &Crank, locations: &[CriticalLocation], speeds_rpm: &[f64], with_histories: bool) -> Option<Table> {
+pub fn table(
+    engine: &Engine,
+    chain: &Chain,
+    crank: &Crank,
+    locations: &[CriticalLocation],
+    speeds_rpm: &[f64],
+    with_histories: bool,
+) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
     // locations of one section share its loads
     let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();

@@ -3,7 +3,7 @@
 use super::critical_locations::locations;
 use super::speed_table::At;
 use super::stress_histories::Histories;
-use super::{Crank, Family, FatigueSpec, MarginCriterion, MeanBending, Place, CriticalLocation, bending};
+use super::{Crank, CriticalLocation, Family, FatigueSpec, MarginCriterion, MeanBending, Place, bending};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
@@ -62,8 +62,9 @@ impl Margin {
         let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
         let table = bending::table(engine, chain, crank, &locations, speeds_rpm, multiaxial)?;
         let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &locations, table.histories));
-        let own =
-            |shaft: usize, family: Family| (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect();
+        let own = |shaft: usize, family: Family| {
+            (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect()
+        };
         let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
         Some(Self {
             criteria: spec.criteria.clone(),
@@ -142,7 +143,13 @@ impl Margin {
         at.between(self.mean_torque[at.low][shaft], self.mean_torque[at.high][shaft])
     }
 
-    fn used_by_history(&self, (criterion, histories): (multiaxial::Criterion, &Histories), location: usize, at: At, torque: &[f64]) -> Used {
+    fn used_by_history(
+        &self,
+        (criterion, histories): (multiaxial::Criterion, &Histories),
+        location: usize,
+        at: At,
+        torque: &[f64],
+    ) -> Used {
         let value = histories.used(criterion, &histories.history(&self.locations[location], at, torque));
         Used { location, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
     }

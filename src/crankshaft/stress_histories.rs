@@ -52,7 +52,8 @@ impl Histories {
         let samples = sections.first().and_then(|s| s.first()).map_or(0, |s| s[0].len());
         let turn = |h: u32, j: usize| C64::cis(TAU * ((h as usize * j) % samples) as f64 / samples as f64);
         let turns = harmonics.iter().map(|h| (0..samples).map(|j| turn(*h, j)).collect()).collect();
-        let bent = sections.par_iter().map(|row| locations.iter().map(|location| bent(location, &row[section_of(location)])).collect()).collect();
+        let bent =
+            sections.par_iter().map(|row| locations.iter().map(|location| bent(location, &row[section_of(location)])).collect()).collect();
         Self { limits, samples, turns, sections, bent }
     }
 

@@ -51,7 +51,13 @@ impl PeakFinder<'_> {
         Ok((0..parameters).map(|p| changes.iter().map(|c| c[p]).collect()).collect())
     }
 
-    fn gradient_on_ridge(&self, of: (&[Mounted], usize), peak: &Peak, metric: PointMetric, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
+    fn gradient_on_ridge(
+        &self,
+        of: (&[Mounted], usize),
+        peak: &Peak,
+        metric: PointMetric,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
         let mut y = vec![ZERO; self.system.orders()];
         self.direct.at(of.0, peak.quantity, peak.speed_rpm, &mut y, work)?;
         let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();

@@ -94,18 +94,21 @@ impl<'a> PointMetric<'a> {
         match (self, most) {
             (Self::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),
             (Self::Used { .. }, None) => vec![0.0; changes.len()],
-            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes.iter().map(|change| {
-                let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
-                let step = DIFFERENCE * length(phasors) / length(change);
-                if !step.is_finite() {
-                    return 0.0;
-                }
-                let moved = |step: f64| {
-                    let moved: Vec<C64> = phasors.iter().zip(change).map(|(y, d)| y + d * step).collect();
-                    margin.used(*criterion, used.location, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
-                };
-                (moved(step) - moved(-step)) / (2.0 * step)
-            }).collect(),
+            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes
+                .iter()
+                .map(|change| {
+                    let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
+                    let step = DIFFERENCE * length(phasors) / length(change);
+                    if !step.is_finite() {
+                        return 0.0;
+                    }
+                    let moved = |step: f64| {
+                        let moved: Vec<C64> = phasors.iter().zip(change).map(|(y, d)| y + d * step).collect();
+                        margin.used(*criterion, used.location, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
+                    };
+                    (moved(step) - moved(-step)) / (2.0 * step)
+                })
+                .collect(),
             (Self::Used { .. }, Some(used)) => changes.iter().map(|change| along(used.slopes, change)).collect(),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::measure::Measure;
 use super::peaks::PeakFinder;
-use super::surrogate::{Surrogate, Scratch};
+use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
 use crate::response::{Quantity, ResponseError, Work};
 

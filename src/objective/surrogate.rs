@@ -99,7 +99,10 @@ impl Surrogate {
     /// speeds.
     pub fn takes(&self, mounted: &Mounted) -> bool {
         let hides = |law: &dyn Law| match law.spring_and_damper() {
-            Some(s) => s.stiffness != 0.0 && !(s.damping / (2.0 * (s.stiffness * law.ring_inertia()).sqrt()) >= LEAST_DAMPING),
+            Some(s) => {
+                let ratio = s.damping / (2.0 * (s.stiffness * law.ring_inertia()).sqrt());
+                s.stiffness != 0.0 && (ratio.is_nan() || ratio < LEAST_DAMPING)
+            }
             None => law.depends_on_speed() || !own_damping(law).is_none_or(|ratio| ratio >= LEAST_DAMPING),
         };
         mounted.on == Host::Station(self.fine.station) && !mounted.absorber.law().is_some_and(|law| hides(law.as_ref()))

@@ -89,7 +89,10 @@ fn several(space: &Space, modes: &[Vec<EngineMode>]) -> Vec<NamedPoint> {
                 })
                 .collect();
             let names: Vec<String> = modes_of.iter().map(|m| (m + 1).to_string()).collect();
-            list.push((format!("closed forms, modes {}{}", names.join(" and "), if turned { ", the other way" } else { "" }), space.point(&values)));
+            list.push((
+                format!("closed forms, modes {}{}", names.join(" and "), if turned { ", the other way" } else { "" }),
+                space.point(&values),
+            ));
         }
     }
     list

@@ -51,8 +51,7 @@ impl Bodies {
         let moving = design.iter().filter(|m| m.absorber.law().is_some()).count();
         let zeros = || DMatrix::zeros(n + moving, n + moving);
         let inertia = system.chain.inertias().into_iter().chain(std::iter::repeat_n(0.0, moving)).collect();
-        let mut bodies =
-            Self { inertia, stiffness: zeros(), damping: zeros(), hysteresis: zeros(), rings: Vec::new(), laws: Vec::new() };
+        let mut bodies = Self { inertia, stiffness: zeros(), damping: zeros(), hysteresis: zeros(), rings: Vec::new(), laws: Vec::new() };
         for (i, s) in system.chain.stations.iter().enumerate() {
             bodies.stiffness[(i, i)] += s.stiffness_to_ground;
             bodies.damping[(i, i)] += s.damping_to_ground;

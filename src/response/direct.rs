@@ -1,7 +1,7 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
-use super::factored::Factored;
 use super::batch::{Block, LANES, Lane};
+use super::factored::Factored;
 use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};

@@ -7,7 +7,6 @@ use crate::numerics::tridiagonal::Tridiagonal;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
-
 /// The factored system at one frequency.
 ///
 /// The column of a station with absorbers is scaled by their denominators d (see [`Condensed`]), so that the
@@ -29,7 +28,15 @@ pub struct Factored<'a> {
 impl<'a> Factored<'a> {
     pub fn new(system: &'a System) -> Self {
         let n = system.chain.len();
-        Self { system, omega: 0.0, matrix: Tridiagonal::zeros(n), x: vec![ZERO; n], scale: vec![C64::from(1.0); n], condensed: Condensed::default(), others: Vec::new() }
+        Self {
+            system,
+            omega: 0.0,
+            matrix: Tridiagonal::zeros(n),
+            x: vec![ZERO; n],
+            scale: vec![C64::from(1.0); n],
+            condensed: Condensed::default(),
+            others: Vec::new(),
+        }
     }
 
     /// Assembles and factors at the frequency of an order at a speed.

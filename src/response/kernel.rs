@@ -25,7 +25,11 @@ impl Points {
     /// Where each point is, from `first` on.
     pub fn operating(&self, first: usize, count: usize) -> Vec<Operating> {
         let range = first..first + count;
-        self.omega[range.clone()].iter().zip(&self.shaft_speed[range]).map(|(omega, s)| Operating { omega: *omega, shaft_speed: *s }).collect()
+        self.omega[range.clone()]
+            .iter()
+            .zip(&self.shaft_speed[range])
+            .map(|(omega, s)| Operating { omega: *omega, shaft_speed: *s })
+            .collect()
     }
 }
 
@@ -46,7 +50,14 @@ struct Inertias {
 
 /// Numerator and denominator of y = (y0 + z g)/(1 + z H), both times the denominator of z.
 #[inline(always)]
-fn fraction(v: &Inertias, ring_output: bool, at: (f64, (f64, f64)), y0: (f64, f64), g: (f64, f64), h: (f64, f64)) -> ((f64, f64), (f64, f64)) {
+fn fraction(
+    v: &Inertias,
+    ring_output: bool,
+    at: (f64, (f64, f64)),
+    y0: (f64, f64),
+    g: (f64, f64),
+    h: (f64, f64),
+) -> ((f64, f64), (f64, f64)) {
     let (omega, (s_re, s_im)) = at;
     let omega2 = omega * omega;
     let ring = omega2 * v.ring;

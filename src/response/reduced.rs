@@ -95,8 +95,7 @@ impl Response for Reduced<'_> {
         });
         let base = DVector::from_fn(z.len(), |m, _| under_torque(z[m].station));
         let q = if design.is_empty() { base } else { hubs.lu().solve(&base).ok_or_else(unbounded)? };
-        let theta =
-            |station: usize| (0..z.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
+        let theta = |station: usize| (0..z.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
         let y = match quantity {
             Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
             Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * (theta(s) - theta(s + 1)),

@@ -5,7 +5,7 @@
 use super::fixed_points::{self, Point};
 use super::{Entry, Kind, Role};
 use crate::absorber::mounted::station_of;
-use crate::absorber::{Declaration, Absorber, Mounted, Law, closed_forms};
+use crate::absorber::{Absorber, Declaration, Law, Mounted, closed_forms};
 use crate::drivetrain::natural;
 use crate::input::published::PublishedAbsorber;
 use crate::input::{Published, Study};
@@ -44,8 +44,7 @@ pub struct Frequencies {
 /// The same law with nothing that dissipates.
 fn without_damping(law: &Arc<dyn Law>) -> Absorber {
     let declaration = law.declaration();
-    let values: Vec<f64> =
-        declaration.parameters.iter().zip(law.values()).map(|(p, v)| if p.dissipative { 0.0 } else { v }).collect();
+    let values: Vec<f64> = declaration.parameters.iter().zip(law.values()).map(|(p, v)| if p.dissipative { 0.0 } else { v }).collect();
     Absorber::Ring((declaration.build)(&values))
 }
 
@@ -175,7 +174,13 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             let of = |(inertia, words): (f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), words);
             let best = inertias.map(of).into_iter().min_by(|a, b| off(a.0, c).total_cmp(&off(b.0, c)));
             if let Some((computed, inertia)) = best {
-                put("damping by procedure", (Kind::Damping, DAMPING), (c, computed), Role::Predicted, format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"));
+                put(
+                    "damping by procedure",
+                    (Kind::Damping, DAMPING),
+                    (c, computed),
+                    Role::Predicted,
+                    format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"),
+                );
             }
         }
         return list;
@@ -213,7 +218,13 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
             _ => None,
         };
         if let Some(exact) = exact {
-            put("damping, exact", (Kind::Other, DAMPING), (c, unit * exact), Role::Predicted, "Brock: horizontal at the common points, no step".into());
+            put(
+                "damping, exact",
+                (Kind::Other, DAMPING),
+                (c, unit * exact),
+                Role::Predicted,
+                "Brock: horizontal at the common points, no step".into(),
+            );
         }
         if let Some((k, (found, _, _, used))) = by_stiffness
             && used.1 != t.1

@@ -4,7 +4,7 @@
 //! largest value: steps look at those alone. At the summit all samples are asked again, and those that turn out to matter join.
 
 use super::history::History;
-use super::plane::{Amplitude, PlaneStress, Plane, Scratch, resolved};
+use super::plane::{Amplitude, Plane, PlaneStress, Scratch, resolved};
 use std::f64::consts::PI;
 
 /// What is to be large.
@@ -135,8 +135,10 @@ impl Slope<'_> {
         let mut here = summit;
         for radius in RINGS {
             let angles = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
-            let ring: Vec<(Plane, PlaneStress)> =
-                angles.map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine)).map(|next| (next, self.plane_stress(&next))).collect();
+            let ring: Vec<(Plane, PlaneStress)> = angles
+                .map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine))
+                .map(|next| (next, self.plane_stress(&next)))
+                .collect();
             let value = |i: usize| sought.value(&ring[i % ON_RING].1);
             let level = sought.value(&here.1);
             // hills of Dang Van's sum may be narrower than a ring: a lower top on it may lead higher

@@ -2,9 +2,9 @@
 
 use super::history::History;
 use super::invariants::Invariants;
+use super::papadopoulos;
 use super::plane::Plane;
 use super::search::{self, Found, Grid, Wanted};
-use super::papadopoulos;
 
 /// Fatigue limits of a material, Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]

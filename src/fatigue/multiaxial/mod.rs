@@ -20,15 +20,15 @@
 //! | Papadopoulos | sqrt(5 <T_a²>) + k p_max, T_a over all planes and directions | k = 3 t/f - sqrt 3 |
 //!
 //! Out of phase, criteria of the critical plane and of the invariants disagree by up to some ten per cent.
-pub mod criterion;
 pub mod bound;
 pub mod climb;
+pub mod criterion;
 pub mod history;
 pub mod invariants;
 pub mod papadopoulos;
 pub mod plane;
 pub mod search;
+pub use criterion::{Criterion, Limits, Undefined, Verdict, evaluate};
 pub use history::History;
 pub use plane::Plane;
 pub use search::Grid;
-pub use criterion::{Limits, Criterion, Undefined, Verdict, evaluate};

@@ -3,7 +3,7 @@
 use super::climb::{Slope, Sought};
 use super::history::History;
 use super::invariants;
-use super::plane::{Amplitude, PlaneStress, Plane, Scratch};
+use super::plane::{Amplitude, Plane, PlaneStress, Scratch};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
@@ -161,7 +161,8 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
         }
         let candidates = tops(seen, NEIGHBOURS);
         let mut slope = Slope { history, p: &p, sought, amplitude: grid.amplitude, scratch: Scratch::default() };
-        let mut hills: Vec<(Plane, PlaneStress)> = candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
+        let mut hills: Vec<(Plane, PlaneStress)> =
+            candidates.iter().take(MOST).map(|plane| slope.climb(*plane, 0.25 * COARSE, false)).collect();
         let top = hills.iter().map(|h| sought.value(&h.1)).fold(f64::NEG_INFINITY, f64::max);
         let high = hills.iter().filter(|h| sought.value(&h.1) >= top - HIDDEN * top.abs()).map(|h| (h.0, sought.value(&h.1)));
         let mut summits: Vec<(Plane, PlaneStress)> =

@@ -2,8 +2,8 @@
 
 use crate::absorber::{Declaration, TYPES};
 use crate::input::error::At;
-use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
 use serde::Deserialize;
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
 use std::fmt;
 use std::sync::OnceLock;
 

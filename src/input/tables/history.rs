@@ -1,8 +1,8 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
-use super::table::shown;
 use super::stream::Stream;
+use super::table::shown;
 use crate::fatigue::multiaxial::History;
 use crate::input::error::InputError;
 use crate::units::PA_PER_MPA;

@@ -1,8 +1,8 @@
 //! Stress histories by superposition \[Minucci 2010\] section 5.1.1: stresses per unit load, times the loads over the cycle.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
-use super::{PointHistory, UnitLoadReader};
 use super::table::{Table, whole};
+use super::{PointHistory, UnitLoadReader};
 use crate::fatigue::multiaxial::History;
 use crate::input::error::InputError;
 use std::path::{Path, PathBuf};
@@ -82,8 +82,7 @@ impl Iterator for Superposed {
             };
             let history = History::new((0..samples).map(at));
             if history.components.iter().flatten().all(|s| *s == 0.0) {
-                let message =
-                    format!("found no stress at all at point `{}` under these loads, expected some", super::table::shown(&name));
+                let message = format!("found no stress at all at point `{}` under these loads, expected some", super::table::shown(&name));
                 return Err(whole(&self.path, message));
             }
             Ok(PointHistory { name, history })

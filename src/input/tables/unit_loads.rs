@@ -1,7 +1,7 @@
 //! Stress tensors per unit load, point by point: what one finite-element run gives for every speed and absorber.
 
-use super::table::shown;
 use super::stream::Stream;
+use super::table::shown;
 use crate::input::error::InputError;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -16,8 +16,8 @@ mod ranges;
 mod study;
 
 pub use calibrate::{CalibrateSpec, FreeInput};
-pub use inputs::Input;
 pub use designs::DesignSpec;
+pub use inputs::Input;
 use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 use ranges::MOST_POINTS;
@@ -137,8 +137,7 @@ fn comparison(
     let published = published.map(|p| published::resolve(check, p.get_ref(), folder_of(files.path), &reach, limits));
     let read = check.mistakes.is_empty();
     let calibrate = files.study.calibrate.as_ref().filter(|_| read);
-    let calibrate =
-        calibrate.and_then(|c| calibrate::resolve(check, c, published.as_ref(), designs, &base.engine, (&base.chain, modes)));
+    let calibrate = calibrate.and_then(|c| calibrate::resolve(check, c, published.as_ref(), designs, &base.engine, (&base.chain, modes)));
     (published, calibrate)
 }
 

@@ -9,7 +9,6 @@ use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawRange, R
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::objective::Condition;
 
-
 /// Ring inertia of what is optimised, kg m².
 #[derive(Debug, Clone, PartialEq)]
 pub enum Size {
@@ -198,7 +197,10 @@ pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec
         check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
     }
     if optimise.is_some_and(|o| o.absorbers.len() > 1) {
-        check.wrong(raw, "found [pareto] with several absorbers, expected one: a front over the inertia of one ring among others is not defined");
+        check.wrong(
+            raw,
+            "found [pareto] with several absorbers, expected one: a front over the inertia of one ring among others is not defined",
+        );
     }
     let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = &raw.get_ref().against;
     let (a, b) = ordered(check, pair, false);

@@ -40,7 +40,8 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     for d in designs() {
         for (i, (m, load)) in d.absorbers.iter().zip(&d.loads).enumerate() {
             let [station, ring] = host(results, m);
-            let mut row = vec![d.name.clone(), (i + 1).to_string(), station, ring, m.absorber.type_name().to_owned(), number(m.hub_inertia)];
+            let mut row =
+                vec![d.name.clone(), (i + 1).to_string(), station, ring, m.absorber.type_name().to_owned(), number(m.hub_inertia)];
             row.extend(parameters.iter().map(|p| optional(m.absorber.value(p.key))));
             row.extend([number(load.power), number(load.ring_twist * DEG_PER_RAD)]);
             table.row(row);

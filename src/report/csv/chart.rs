@@ -93,7 +93,13 @@ fn savings(s: &Savings) -> Vec<[String; 5]> {
         );
     }
     for m in &s.smaller_models {
-        put("auto", format!("not considered: {}", m.candidate.label()), Some(m.seconds), Some(m.error), "estimated; nominal seconds by counted work".into());
+        put(
+            "auto",
+            format!("not considered: {}", m.candidate.label()),
+            Some(m.seconds),
+            Some(m.error),
+            "estimated; nominal seconds by counted work".into(),
+        );
     }
     if let Some((cost, h)) = &s.surrogate {
         put("auto", format!("{} random absorbers", h.designs), Some(cost.seconds), None, work(&cost.work));

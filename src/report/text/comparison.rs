@@ -91,7 +91,12 @@ fn best(study: &Study, c: &Comparison) -> Vec<String> {
         let beside = none.map_or_else(String::new, |n| format!(" (without absorber {})", value(study, n.objective)));
         let others: Vec<String> = plain[1..].iter().map(|d| format!("{} {}", d.name, value(study, d.objective))).collect();
         let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
-        lines.push(format!("Best published: {} with a {} of {}{beside}{others}.", best.name, study.objective.label, value(study, best.objective)));
+        lines.push(format!(
+            "Best published: {} with a {} of {}{beside}{others}.",
+            best.name,
+            study.objective.label,
+            value(study, best.objective)
+        ));
         let mut possible = |ring: String, own: &Ranked| {
             let ratio = own.objective / best.objective;
             let words = if ratio > 1.0 { "above" } else { "below" };

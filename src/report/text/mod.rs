@@ -9,4 +9,4 @@ pub mod margin;
 mod run;
 mod table;
 pub use run::{choice, conditions, designs, optimum, summary};
-pub use table::{table, significant};
+pub use table::{significant, table};

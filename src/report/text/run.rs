@@ -107,17 +107,7 @@ pub fn designs(study: &Study, results: &Results) -> String {
     let others = other_parameters(all());
     let mut header = vec!["design", "ring/kg m²", "k/N m/rad", "c/N m s/rad"];
     header.extend(others.iter().map(|p| p.label));
-    header.extend([
-        "f1/Hz",
-        "f2/Hz",
-        "f3/Hz",
-        "twist/°",
-        "at/rpm",
-        "order/°",
-        "order @ rpm",
-        "torque/N m",
-        "dissipated/W",
-    ]);
+    header.extend(["f1/Hz", "f2/Hz", "f3/Hz", "twist/°", "at/rpm", "order/°", "order @ rpm", "torque/N m", "dissipated/W"]);
     if other_objective(study) {
         header.push(&study.objective.column);
     }

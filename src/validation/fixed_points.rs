@@ -1,7 +1,7 @@
 //! Fixed points of a damped absorber on an undamped engine of one mode, and the damping that Villalva reads off one of them.
 //!
 //! Whatever the damping, the amplitude passes through two points (I below, II above). \[Villalva 2014\] section 6.2.2 asks the curve to be as
-//! high a step of one per cent beside a point as at the point; exactly level is Brock's condition ([`crate::absorber::seeds`]).
+//! high a step of one per cent beside a point as at the point; exactly level is Brock's condition ([`crate::absorber::closed_forms`]).
 
 /// One of the two points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -207,7 +207,8 @@ fn evolve(dense: &Dense, generator: &mut Xoshiro256PlusPlus) -> f64 {
             let Some(root) = Cholesky::new(covariance) else { break };
             let along = root.l() * z;
             let y = x + along * step;
-            let there = dense.norm(&values(&y), exponent);
+            // beyond e^25 of anything there is no absorber
+            let there = if y.amax() < 25.0 { dense.norm(&values(&y), exponent) } else { f64::INFINITY };
             if there <= value {
                 (x, value) = (y, there);
                 step *= (0.8f64 / 2.2).exp();

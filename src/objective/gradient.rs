@@ -1,7 +1,7 @@
 //! Derivatives of peaks with respect to the parameters of an absorber.
 
 use super::peak::Peak;
-use super::peaks::PeakFinder;
+use super::peak_search::PeakFinder;
 use super::point_metric::{DIFFERENCE, PointMetric};
 use crate::absorber::Mounted;
 use crate::numerics::maximise::maximise;

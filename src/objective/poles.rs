@@ -1,7 +1,7 @@
 //! Resonances that nothing damps: whether a measure sees them.
 
 use super::measure::Measure;
-use super::peaks::PeakFinder;
+use super::peak_search::PeakFinder;
 use super::speeds::Pole;
 use crate::absorber::Mounted;
 use crate::response::{Quantity, ResponseError, Work};

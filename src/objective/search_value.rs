@@ -1,7 +1,7 @@
 //! What searches ask of a design: its peak from tables where they are within tolerance, else exactly.
 
 use super::measure::Measure;
-use super::peaks::PeakFinder;
+use super::peak_search::PeakFinder;
 use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
 use crate::response::{Quantity, ResponseError, Work};

@@ -4,7 +4,7 @@ use super::variables::Space;
 use crate::objective::condition::Condition;
 use crate::objective::measure::{Limit, Measure};
 use crate::objective::peak::Peak;
-use crate::objective::peaks::PeakFinder;
+use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
 
 /// Smallest share of the largest peak for which a peak enters the rows: one step of an optimiser does not lift others past it.

@@ -153,6 +153,23 @@ fn off(computed: f64, published: f64) -> f64 {
     (computed / published - 1.0).abs()
 }
 
+/// The damping of a ring without a spring, by the inertia that gives it best.
+fn viscous_procedure(row: &PublishedAbsorber, ring: f64, unit: f64, inertias: &[(f64, &'static str)]) -> Option<Procedure> {
+    let published = row.damping?;
+    let of = |(inertia, words): &(f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), *words);
+    let (computed, inertia) = inertias.iter().map(of).min_by(|a, b| off(a.0, published).total_cmp(&off(b.0, published)))?;
+    let note = format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}");
+    Some(Procedure {
+        quantity: "damping by procedure".into(),
+        kind: Kind::Damping,
+        unit: DAMPING,
+        published,
+        computed,
+        role: Role::Predicted,
+        note,
+    })
+}
+
 fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     let (Some(ring), Some(station), Some(mode)) = (
         row.ring_inertia,
@@ -170,20 +187,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
     };
     let viscous = row.stiffness.is_none_or(|k| k == 0.0);
     if viscous {
-        if let Some(c) = row.damping {
-            let of = |(inertia, words): (f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), words);
-            let best = inertias.map(of).into_iter().min_by(|a, b| off(a.0, c).total_cmp(&off(b.0, c)));
-            if let Some((computed, inertia)) = best {
-                put(
-                    "damping by procedure",
-                    (Kind::Damping, DAMPING),
-                    (c, computed),
-                    Role::Predicted,
-                    format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}"),
-                );
-            }
-        }
-        return list;
+        return viscous_procedure(row, ring, unit, &inertias).into_iter().collect();
     }
     // the inertia and the tuning that give the printed stiffness, and those that give the printed damping
     let candidates = || inertias.into_iter().flat_map(|(inertia, words)| tunings(ring / inertia).map(|t| (ring / inertia, words, t)));

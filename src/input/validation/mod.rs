@@ -1,9 +1,10 @@
 //! Files as checked: SI, resolved, consistent.
 
+mod absorbers;
 mod calibrate;
 mod chain;
+mod checked_study;
 mod crank;
-mod designs;
 mod engine;
 mod fatigue;
 mod inputs;
@@ -13,15 +14,14 @@ mod objectives;
 mod optimise;
 mod published;
 mod ranges;
-mod study;
 
+pub use absorbers::DesignSpec;
 pub use calibrate::{CalibrateSpec, FreeInput};
-pub use designs::DesignSpec;
+pub use checked_study::{ResponseMethod, Study};
 pub use inputs::Input;
 use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 use ranges::MOST_POINTS;
-pub use study::{ResponseMethod, Study};
 
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
@@ -145,7 +145,7 @@ fn comparison(
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
     let modes = Modes::new(&base.chain);
-    let designs = designs::resolve(check, study, &base.chain, &modes);
+    let designs = absorbers::resolve(check, study, &base.chain, &modes);
     let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, &base.chain, &modes));
     let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {
         (Some(o), _) => o.station(0),

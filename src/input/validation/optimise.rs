@@ -1,6 +1,6 @@
 //! What is to be optimised, and the front.
 
-use super::designs::{engine_mode, hosts, root};
+use super::absorbers::{engine_mode, hosts, root};
 use crate::absorber::{Declaration, Host, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};

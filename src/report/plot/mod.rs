@@ -6,9 +6,9 @@ pub mod chart;
 pub mod comparison;
 mod excitation;
 pub mod fatigue;
-mod front;
 mod margin;
 pub mod models;
+mod pareto;
 mod response;
 
 use super::files::{Folder, WriteError};
@@ -31,7 +31,7 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()
     excitation::draw(study, results, folder)?;
     written();
     if !results.fronts.is_empty() {
-        front::draw(study, results, folder)?;
+        pareto::draw(study, results, folder)?;
         written();
     }
     margin::margins(study, results, folder)?;

@@ -1,7 +1,7 @@
 //! A study as checked.
 
+use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
-use super::designs::DesignSpec;
 use super::inputs::Input;
 use super::objectives::ObjectiveSpec;
 use super::optimise::{FrontSpec, OptimiseSpec};

@@ -1,7 +1,7 @@
 //! Optimisation: the exact optimum of Den Hartog's problem, first-order conditions, limits, bounds, the front.
 
 use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::{Declaration, Host, TUNED, UNDAMPED, VISCOUS};
+use hartog::absorber::{Declaration, Host, RUBBER, TUNED, UNDAMPED, VISCOUS};
 use hartog::analysis::{self, Results, Silent};
 use hartog::drivetrain::{Chain, Modes, Station};
 use hartog::input::{DesignSpec, FrontSpec, Size, Study};
@@ -39,6 +39,23 @@ fn den_hartog_is_solved_exactly() {
         let (first, last) = (&front.front.points[0].design[0].absorber, &front.front.points[24].design[0].absorber);
         assert_close(first.ring_inertia(), 0.01, 1e-12, 0.0, "first ratio");
         assert_close(last.ring_inertia(), 1.0, 1e-12, 0.0, "last ratio");
+    }
+}
+
+/// A ring on rubber on Den Hartog's undamped mass: k = J w0²/(1 + mu)², eta = sqrt(mu (3 + mu)/2), largest amplitude sqrt(2 (1 + mu)/mu) static twists; the
+/// amplitude to 1e-9, what is flat at the optimum to its root.
+#[test]
+fn rubber_on_an_undamped_mass_is_solved_exactly() {
+    for mu in [0.05f64, 0.1, 0.5] {
+        let results = run(&only("den_hartog", &RUBBER, Size::Each(vec![mu])));
+        let optimum = &results.optima[0].optimum;
+        assert_close(optimum.value(), 1e-4 * (2.0 * (1.0 + mu) / mu).sqrt(), 1e-9, 0.0, "amplitude");
+        let value = |key: &str| optimum.design[0].absorber.value(key).expect("a parameter");
+        assert_close(value("stiffness_n_m_per_rad"), mu * 1e4 / (1.0 + mu).powi(2), 1e-5, 0.0, "stiffness");
+        assert_close(value("loss_factor"), (0.5 * mu * (3.0 + mu)).sqrt(), 1e-5, 0.0, "loss factor");
+        // a search without closed forms to start from arrives too
+        let random = optimum.starts.iter().filter(|s| s.name.starts_with("random"));
+        assert!(random.clone().any(|s| s.finished <= optimum.value() * (1.0 + 1e-8)), "{:?}", optimum.starts);
     }
 }
 

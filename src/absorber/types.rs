@@ -1,12 +1,13 @@
 //! The types a study may name.
 
 use super::law::{ClosedForm, Declaration};
+use super::rubber::RUBBER;
 use super::tuned::TUNED;
 use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 3] = [&TUNED, &VISCOUS, &UNDAMPED];
+pub static TYPES: [&Declaration; 4] = [&TUNED, &VISCOUS, &UNDAMPED, &RUBBER];
 
 /// A type by its word.
 pub fn find(name: &str) -> Option<&'static Declaration> {

@@ -1,0 +1,68 @@
+//! Ring on rubber: a spring with a constant loss factor, S = k (1 + i eta).
+//!
+//! Rubber loses the same share of its energy in every cycle, whatever the frequency. The law holds near one frequency: it is not causal, and methods in time
+//! refuse it.
+
+use super::closed_forms::EngineMode;
+use super::dynamic_stiffness::Operating;
+use super::law::{ClosedForm, Declaration, Law};
+use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
+use crate::numerics::C64;
+use std::sync::Arc;
+
+/// Ring on rubber.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rubber {
+    /// kg m².
+    pub ring_inertia: f64,
+    /// N m/rad, not negative.
+    pub stiffness: f64,
+    /// Not negative.
+    pub loss_factor: f64,
+}
+
+/// Share of the energy lost in a cycle over 2 pi; a search may take it from nothing to far beyond any rubber.
+const LOSS_FACTOR: Parameter = Parameter {
+    key: "loss_factor",
+    label: "loss factor",
+    range: Range::NotNegative,
+    extensive: false,
+    dissipative: true,
+    bounds: |_| (0.0, 10.0),
+    typical: |_| 1.0,
+};
+
+/// Ring on rubber.
+pub static RUBBER: Declaration = Declaration {
+    name: "rubber",
+    parameters: &[RING_INERTIA, STIFFNESS, LOSS_FACTOR],
+    build: |v| Arc::new(Rubber { ring_inertia: v[0], stiffness: v[1], loss_factor: v[2] }),
+    closed_forms: &[ClosedForm { name: "hysteretic", every_mode: true, values: hysteretic }],
+};
+
+/// The exact optimum on an undamped mass: k = J w0²/(1 + mu)² and eta = sqrt(mu (3 + mu)/2), with a largest amplitude of sqrt(2 (1 + mu)/mu) static
+/// deflections. h² times the denominator less the numerator of the squared amplitude has there two double roots, as \[Nishihara & Asami 2002\] ask of a
+/// viscous damper.
+fn hysteretic(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
+    let mu = ring_inertia / engine.inertia;
+    let omega = engine.omega / (1.0 + mu);
+    vec![ring_inertia, ring_inertia * omega * omega, (0.5 * mu * (3.0 + mu)).sqrt()]
+}
+
+impl Law for Rubber {
+    fn declaration(&self) -> &'static Declaration {
+        &RUBBER
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.stiffness, self.loss_factor]
+    }
+    fn ring_inertia(&self) -> f64 {
+        self.ring_inertia
+    }
+    fn dynamic_stiffness(&self, _: Operating) -> C64 {
+        C64::new(self.stiffness, self.stiffness * self.loss_factor)
+    }
+    fn derivatives(&self, _: Operating) -> Vec<C64> {
+        vec![C64::default(), C64::new(1.0, self.loss_factor), C64::new(0.0, self.stiffness)]
+    }
+}

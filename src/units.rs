@@ -5,28 +5,28 @@ use std::f64::consts::PI;
 /// rad in a degree.
 pub const RAD_PER_DEG: f64 = PI / 180.0;
 /// degrees in a rad.
-pub const DEG_PER_RAD: f64 = 180.0 / PI;
+pub(crate) const DEG_PER_RAD: f64 = 180.0 / PI;
 /// rad/s in a revolution per minute.
 pub const RAD_PER_S_PER_RPM: f64 = PI / 30.0;
 /// Hz in a rad/s.
-pub const HZ_PER_RAD_PER_S: f64 = 0.5 / PI;
+pub(crate) const HZ_PER_RAD_PER_S: f64 = 0.5 / PI;
 /// Hz in a revolution per minute.
-pub const HZ_PER_RPM: f64 = 1.0 / 60.0;
+pub(crate) const HZ_PER_RPM: f64 = 1.0 / 60.0;
 /// m in a mm.
-pub const M_PER_MM: f64 = 1e-3;
+pub(crate) const M_PER_MM: f64 = 1e-3;
 /// Pa in a bar.
-pub const PA_PER_BAR: f64 = 1e5;
+pub(crate) const PA_PER_BAR: f64 = 1e5;
 /// Pa in a MPa.
-pub const PA_PER_MPA: f64 = 1e6;
+pub(crate) const PA_PER_MPA: f64 = 1e6;
 /// N in a kN.
-pub const N_PER_KN: f64 = 1e3;
+pub(crate) const N_PER_KN: f64 = 1e3;
 /// Pa in a GPa.
-pub const PA_PER_GPA: f64 = 1e9;
+pub(crate) const PA_PER_GPA: f64 = 1e9;
 /// Pa in a kpsi.
-pub const PA_PER_KPSI: f64 = 6.894_757_293e6;
+pub(crate) const PA_PER_KPSI: f64 = 6.894_757_293e6;
 /// m in an inch.
-pub const M_PER_IN: f64 = 0.0254;
+pub(crate) const M_PER_IN: f64 = 0.0254;
 /// W in a kW.
-pub const W_PER_KW: f64 = 1e3;
+pub(crate) const W_PER_KW: f64 = 1e3;
 /// crank degrees in a revolution.
-pub const DEG_PER_REV: f64 = 360.0;
+pub(crate) const DEG_PER_REV: f64 = 360.0;

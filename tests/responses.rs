@@ -2,7 +2,7 @@
 
 use crate::support::{Kind, assert_close, on, one_throw, study, system, uniform_chain};
 use hartog::absorber::mounted::station_of;
-use hartog::absorber::{Host, Mounted, Operating};
+use hartog::absorber::{Host, Mounted, Operating, Tuned};
 use hartog::drivetrain::{Chain, Station, System, natural};
 use hartog::numerics::{C64, I};
 use hartog::response::{Direct, Grid, Quantity, Receptance, Response, ResponseError, Work};
@@ -79,8 +79,8 @@ fn direct_equals_dense() {
         let apart = [on(0, Kind::Undamped, 0.02, 5e4, 0.0), on(3, Kind::Tuned, 0.005, 1e4, 1.0)];
         let one_on_the_other = [
             on(0, Kind::Viscous, 0.02, 0.0, 30.0),
-            Mounted { on: Host::Ring(0), hub_inertia: 0.003, ..on(0, Kind::Tuned, 0.01, 2e4, 5.0) },
-            Mounted { on: Host::Ring(1), ..on(0, Kind::Tuned, 0.004, 9e3, 1.0) },
+            Mounted::on_ring(0, Tuned { ring_inertia: 0.01, stiffness: 2e4, damping: 5.0 }).with_hub(0.003),
+            Mounted::on_ring(1, Tuned { ring_inertia: 0.004, stiffness: 9e3, damping: 1.0 }),
         ];
         for design in [&[][..], &two_on_one, &one_on_the_other, &apart, &[on(6, Kind::Viscous, 0.1, 0.0, 100.0)]] {
             check_against_dense(&sys, design, &[1000.0, 1777.0, 3050.0], 1e-9);

@@ -97,7 +97,7 @@ impl Condensed {
     }
 
     /// Angle of an absorber's host per angle of the station: by division, for places where no denominator vanishes.
-    pub fn host_per_station(&self, design: &[Mounted], index: usize) -> C64 {
+    pub(crate) fn host_per_station(&self, design: &[Mounted], index: usize) -> C64 {
         match design[index].on {
             Host::Station(_) => C64::from(1.0),
             Host::Ring(inner) => {
@@ -108,12 +108,12 @@ impl Condensed {
     }
 
     /// Denominator of an absorber's z.
-    pub fn denominator(&self, index: usize) -> C64 {
+    pub(crate) fn denominator(&self, index: usize) -> C64 {
         self.fractions[index].denominator
     }
 
     /// Derivatives of an absorber's z with respect to its parameters (ring inertia first), times the square of its denominator.
-    pub fn gradient_times_denominator2(&self, design: &[Mounted], index: usize, at: Operating) -> Vec<C64> {
+    pub(crate) fn gradient_times_denominator2(&self, design: &[Mounted], index: usize, at: Operating) -> Vec<C64> {
         let f = &self.fractions[index];
         let passed = f.stiffness * f.carried;
         let by_inertia = passed * passed * (-at.omega * at.omega);

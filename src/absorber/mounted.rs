@@ -71,7 +71,7 @@ impl Absorber {
     }
 
     /// The word used in studies and tables.
-    pub fn type_name(&self) -> &'static str {
+    pub(crate) fn type_name(&self) -> &'static str {
         self.declaration().map_or("locked", |d| d.name)
     }
 
@@ -150,7 +150,7 @@ pub fn station_of(design: &[Mounted], index: usize) -> usize {
 }
 
 /// Whether every absorber on a ring finds one, and none carries itself.
-pub fn is_tree(design: &[Mounted]) -> bool {
+pub(crate) fn is_tree(design: &[Mounted]) -> bool {
     (0..design.len()).all(|i| {
         let mut at = i;
         for _ in 0..=design.len() {

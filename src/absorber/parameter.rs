@@ -29,7 +29,7 @@ impl Surroundings<'_> {
     }
 
     /// Highest of the circular frequencies, rad/s.
-    pub fn highest(&self) -> f64 {
+    pub(crate) fn highest(&self) -> f64 {
         self.modes.iter().map(|m| m.omega).fold(self.first().omega, f64::max)
     }
 
@@ -70,7 +70,7 @@ pub const RING_INERTIA: Parameter = Parameter {
 };
 
 /// Stiffness of a spring, up to 10⁴ times that tuned to the highest mode.
-pub const STIFFNESS: Parameter = Parameter {
+pub(crate) const STIFFNESS: Parameter = Parameter {
     key: "stiffness_n_m_per_rad",
     label: "k/N m/rad",
     range: Range::NotNegative,

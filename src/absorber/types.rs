@@ -15,7 +15,7 @@ pub fn find(name: &str) -> Option<&'static Declaration> {
 }
 
 /// Words of all closed forms, each once.
-pub fn closed_form_names() -> Vec<&'static str> {
+pub(crate) fn closed_form_names() -> Vec<&'static str> {
     let mut names = Vec::new();
     for form in TYPES.into_iter().flat_map(|t| t.closed_forms) {
         if !names.contains(&form.name) {
@@ -26,6 +26,6 @@ pub fn closed_form_names() -> Vec<&'static str> {
 }
 
 /// A closed form by its word, with the first type that has it.
-pub fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
+pub(crate) fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
     TYPES.into_iter().find_map(|t| t.closed_forms.iter().find(|c| c.name == name).map(|c| (t, c)))
 }

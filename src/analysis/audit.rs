@@ -16,7 +16,7 @@ pub struct Critical {
 }
 
 /// Speeds within the range at which an order of the torque meets an elastic mode, by mode and order.
-pub fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
+pub(crate) fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let modes = study.modes.elastic().enumerate();
     modes
@@ -34,7 +34,7 @@ pub fn highest_frequency_hz(study: &Study, orders: &[Order]) -> f64 {
 }
 
 /// Friction torque implied by the pressure model: order-zero torque less brake torque, N m, and as mean pressure, Pa.
-pub fn implied_friction(study: &Study, audit: &crate::engine::excitation::Audit) -> Option<(f64, f64)> {
+pub(crate) fn implied_friction(study: &Study, audit: &crate::engine::excitation::Audit) -> Option<(f64, f64)> {
     let crate::engine::Source::Cylinder { geometry, .. } = &study.engine.source else { return None };
     let torque = audit.mean_torque - audit.brake_torque?;
     let cycle = study.engine.cycle_deg() * crate::units::RAD_PER_DEG;

@@ -29,7 +29,7 @@ pub struct ConditionResult {
 ///
 /// # Errors
 /// [`RunError`] where nothing damps a resonance, with the condition.
-pub fn in_conditions(
+pub(crate) fn in_conditions(
     finders: &[PeakFinder],
     name: &str,
     design: &[Mounted],

@@ -68,7 +68,7 @@ impl Classifier {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
+    pub(crate) fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
         if peak.quantity != self.quantity {
             return Ok(None);
         }
@@ -93,7 +93,7 @@ impl Classifier {
     }
 
     /// Largest quasi-static value over the grid: the twist that would be left if nothing resonated.
-    pub fn floor(&self, finder: &PeakFinder, over: Over) -> f64 {
+    pub(crate) fn floor(&self, finder: &PeakFinder, over: Over) -> f64 {
         let mut work = vec![];
         for &speed in &finder.grid.speed_rpm {
             work.extend(self.phasors(finder.system, speed));

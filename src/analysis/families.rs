@@ -94,7 +94,7 @@ pub fn types(spec: &OptimiseSpec) -> Vec<Vec<&'static Declaration>> {
 }
 
 /// Names of the types of a design together.
-pub fn joined(types: &[&'static Declaration]) -> String {
+pub(crate) fn joined(types: &[&'static Declaration]) -> String {
     types.iter().map(|t| t.name).collect::<Vec<_>>().join("_")
 }
 

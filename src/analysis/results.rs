@@ -99,7 +99,7 @@ pub struct Results {
 
 impl Results {
     /// Whether a name is that of an optimum.
-    pub fn is_optimum(&self, name: &str) -> bool {
+    pub(crate) fn is_optimum(&self, name: &str) -> bool {
         self.optima.iter().any(|o| o.design.name == name)
     }
 

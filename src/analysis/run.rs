@@ -37,7 +37,7 @@ impl Study {
     ///
     /// # Errors
     /// As [`Study::run`].
-    pub fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
+    pub(crate) fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
         let mut clock = Clock::start();
         let (study, calibration) = calibrate(self, progress)?;
         if calibration.is_some() {

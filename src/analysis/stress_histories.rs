@@ -6,7 +6,7 @@ use crate::input::tables::PointHistory;
 use rayon::prelude::*;
 
 /// Points evaluated at a time.
-pub const CHUNK: usize = 256;
+pub(crate) const CHUNK: usize = 256;
 /// Points kept for each criterion.
 const WORST: usize = 5;
 

@@ -12,7 +12,7 @@ const SILENT: f64 = 1e-9;
 const LOUD: f64 = 1e-6;
 
 /// The engine as it should be, then with each cylinder misfiring where the study asks for it.
-pub fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
+pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
     let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     let misfires = study.conditions.contains(&Condition::Misfire);
     let change = misfires.then(|| excitation.motored_change(&study.engine)).flatten();

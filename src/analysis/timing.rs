@@ -29,7 +29,7 @@ impl Clock {
     }
 
     /// Ends a stage, and begins the next.
-    pub fn lap(&mut self, stage: &str, work: Work) {
+    pub(crate) fn lap(&mut self, stage: &str, work: Work) {
         self.timing.push(Timing { stage: stage.into(), seconds: self.since.elapsed().as_secs_f64(), work });
         self.since = Instant::now();
     }
@@ -50,7 +50,7 @@ pub struct Repeats {
 ///
 /// # Errors
 /// The first error of `once`.
-pub fn median_seconds(repeats: Repeats, mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+pub(crate) fn median_seconds(repeats: Repeats, mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
     let (begun, mut times) = (Instant::now(), Vec::new());
     while times.len() < repeats.least || (begun.elapsed().as_secs_f64() < repeats.seconds && times.len() < repeats.most) {
         let start = Instant::now();

@@ -50,7 +50,7 @@ pub struct ModelError {
 const ROD_RATIOS: [f64; 7] = [0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5];
 const ORDER_LIMITS: [f64; 5] = [4.0, 6.0, 9.0, 12.0, 24.0];
 /// What order limits are compared with.
-pub const MANY_ORDERS: f64 = 48.0;
+pub(crate) const MANY_ORDERS: f64 = 48.0;
 const SAMPLING_DEG: [f64; 6] = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1];
 const DAMPING: [f64; 7] = [0.001, 0.002, 0.003, 0.005, 0.01, 0.02, 0.03];
 
@@ -125,7 +125,7 @@ fn sampled(engine: &Engine, step_deg: f64) -> Engine {
 }
 
 /// What a 10 rpm grid misses of one mode at 2005 rpm, in the middle between two speeds, where most is missed. The mode is damped: it has a peak.
-pub fn coarse_grid() -> ModelError {
+pub(crate) fn coarse_grid() -> ModelError {
     let omega = 2005.0 * RAD_PER_S_PER_RPM;
     let error = |damping: f64| {
         let station = Station {

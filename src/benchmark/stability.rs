@@ -24,9 +24,9 @@ pub enum Outcome {
 use Outcome::{Refused, Right, Rough, Wrong};
 
 /// Largest error of a right answer: the default tolerance of a study.
-pub const RIGHT: f64 = 1e-3;
+pub(crate) const RIGHT: f64 = 1e-3;
 /// Largest error of a rough one.
-pub const ROUGH: f64 = 0.1;
+pub(crate) const ROUGH: f64 = 0.1;
 
 /// A system with a known solution.
 #[derive(Debug, Clone)]

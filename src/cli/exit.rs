@@ -4,11 +4,11 @@ use std::fmt::Display;
 use std::io::Write;
 
 /// Exit code: done.
-pub const DONE: u8 = 0;
+pub(crate) const DONE: u8 = 0;
 /// Exit code: ran, but a limit failed.
-pub const FAILED: u8 = 1;
+pub(crate) const FAILED: u8 = 1;
 /// Exit code: bad input or numerical failure.
-pub const BAD_INPUT: u8 = 2;
+pub(crate) const BAD_INPUT: u8 = 2;
 
 /// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped. Any other loss of output ends the
 /// program with the code of bad input.

@@ -6,4 +6,5 @@ pub mod exit;
 pub mod fatigue;
 pub mod progress;
 pub mod run;
-pub use exit::{BAD_INPUT, DONE, FAILED, fail, say, threads};
+
+pub(crate) use exit::threads;

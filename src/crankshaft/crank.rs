@@ -89,7 +89,7 @@ impl Crank {
     }
 
     /// Distance between the bearings of a throw, m.
-    pub fn pitch(&self, throw: usize) -> f64 {
+    pub(crate) fn pitch(&self, throw: usize) -> f64 {
         0.5 * (self.journal_lengths[throw] + self.journal_lengths[throw + 1]) + 2.0 * self.web_thickness + self.pin_length
     }
 
@@ -111,7 +111,7 @@ impl Crank {
     }
 
     /// Middles of the rods on a throw, the first cylinder's first, m.
-    pub fn rod_places(&self, throw: usize) -> Vec<f64> {
+    pub(crate) fn rod_places(&self, throw: usize) -> Vec<f64> {
         let middle = 0.5 * (self.rods as f64 - 1.0);
         (0..self.rods).map(|k| self.places(throw)[1] + (k as f64 - middle) * self.rod_spacing).collect()
     }
@@ -133,7 +133,7 @@ impl Crank {
     }
 
     /// Thickness of the web that bears, m: without overlap, a recess deeper than its fillet leaves less of it \[IACS UR M53\] section 2.1.2.
-    pub fn bearing_web(&self) -> f64 {
+    pub(crate) fn bearing_web(&self) -> f64 {
         let undercut = (self.pin_recess - self.pin_fillet).max(0.0);
         if self.overlap() < 0.0 { self.web_thickness - undercut } else { self.web_thickness }
     }

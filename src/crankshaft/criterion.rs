@@ -64,7 +64,7 @@ impl MarginCriterion {
     }
 
     /// Whether it is the class societies' rule, with either bending.
-    pub fn is_class_rule(self) -> bool {
+    pub(crate) fn is_class_rule(self) -> bool {
         matches!(self, Self::IacsM53 | Self::IacsM53Continuous)
     }
 
@@ -79,7 +79,7 @@ impl MarginCriterion {
     }
 
     /// Least acceptable margin, where the criterion names one.
-    pub fn acceptable(self) -> Option<f64> {
+    pub(crate) fn acceptable(self) -> Option<f64> {
         (self == Self::IacsM53).then_some(class_rules::ACCEPTABLE)
     }
 }
@@ -129,7 +129,7 @@ impl FilletSpec {
     }
 
     /// Its name on one of them.
-    pub fn name_of(&self, throw: usize) -> String {
+    pub(crate) fn name_of(&self, throw: usize) -> String {
         if self.throw.is_some() { self.name.clone() } else { format!("{}_{}", self.name, throw + 1) }
     }
 }

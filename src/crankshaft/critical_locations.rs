@@ -35,7 +35,7 @@ pub struct CriticalLocation {
 }
 
 /// Stations of the throws, by throw; nothing unless they follow each other along the chain, one way or the other.
-pub fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
+pub(crate) fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
     let of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));
     let stations: Vec<usize> = (0..throws).map(of).collect::<Option<_>>()?;
     let rises = stations.windows(2).all(|p| p[0] < p[1]);

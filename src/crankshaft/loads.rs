@@ -153,7 +153,7 @@ impl CrankLoads<'_> {
     }
 
     /// Resultant bending moment at every crankpin at a sample, N m.
-    pub fn pin_moments(&self, j: usize) -> Vec<f64> {
+    pub(crate) fn pin_moments(&self, j: usize) -> Vec<f64> {
         let model = self.model;
         let resultant = |at: &f64| {
             let influence = model.beam.moment_at(&model.reactions, *at);

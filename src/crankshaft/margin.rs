@@ -81,17 +81,17 @@ impl Margin {
     }
 
     /// Whether a criterion is the class societies' rule.
-    pub fn is_class_rule(&self, criterion: usize) -> bool {
+    pub(crate) fn is_class_rule(&self, criterion: usize) -> bool {
         self.criteria[criterion].is_class_rule()
     }
 
     /// Whether a criterion asks for the whole torque, not only its extremes.
-    pub fn is_multiaxial(&self, criterion: usize) -> bool {
+    pub(crate) fn is_multiaxial(&self, criterion: usize) -> bool {
         matches!(self.criteria[criterion], MarginCriterion::Multiaxial(_))
     }
 
     /// Whether the share that is used has ridges: Dang Van's sums take distances to the centre of a ball, which moves abruptly.
-    pub fn has_ridges(&self, criterion: usize) -> bool {
+    pub(crate) fn has_ridges(&self, criterion: usize) -> bool {
         let by = self.criteria[criterion];
         [multiaxial::Criterion::DangVanPlane, multiaxial::Criterion::DangVanMesoscopic].map(MarginCriterion::Multiaxial).contains(&by)
     }
@@ -121,7 +121,7 @@ impl Margin {
     }
 
     /// Some locations of one shaft under its torque at a speed.
-    pub fn used_each(&self, criterion: usize, locations: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
+    pub(crate) fn used_each(&self, criterion: usize, locations: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
         let at = self.place(speed_rpm);
         match (self.multiaxial(criterion), locations.first()) {
             (Some(by), Some(first)) => {
@@ -183,7 +183,7 @@ impl Margin {
     }
 
     /// Critical locations of a shaft that a criterion judges.
-    pub fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
         self.criteria[criterion].families().iter().flat_map(move |f| self.of_shaft[shaft][*f as usize].iter().copied())
     }
 
@@ -193,7 +193,7 @@ impl Margin {
     }
 
     /// The same among those that may be used as much as `wanted` where the torque is up to `rise` times as large; by criteria of extremes among all.
-    pub fn most_used_above(
+    pub(crate) fn most_used_above(
         &self,
         criterion: usize,
         shaft: usize,

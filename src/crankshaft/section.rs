@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 /// Area moment of a round section, m⁴ \[Villalva 2014\] p. 151.
-pub fn area_moment(diameter: f64, bore: f64) -> f64 {
+pub(crate) fn area_moment(diameter: f64, bore: f64) -> f64 {
     PI / 64.0 * (diameter.powi(4) - bore.powi(4))
 }
 

@@ -48,18 +48,18 @@ impl Chain {
     }
 
     /// Name of a shaft length.
-    pub fn shaft_name(&self, shaft: usize) -> String {
+    pub(crate) fn shaft_name(&self, shaft: usize) -> String {
         format!("{}-{}", self.stations[shaft].name, self.stations[shaft + 1].name)
     }
 
     /// Complex stiffness of the shaft after station `shaft` at circular frequency `omega`: k (1 + i eta) + i omega c, N m/rad.
-    pub fn shaft_stiffness(&self, shaft: usize, omega: f64) -> C64 {
+    pub(crate) fn shaft_stiffness(&self, shaft: usize, omega: f64) -> C64 {
         let s = &self.stations[shaft];
         C64::new(s.stiffness_to_next, s.stiffness_to_next * s.loss_factor_to_next + omega * s.damping_to_next)
     }
 
     /// What ties station `i` to inertial space at `omega`: k + i omega c - omega² J, N m/rad.
-    pub fn ground_stiffness(&self, i: usize, omega: f64) -> C64 {
+    pub(crate) fn ground_stiffness(&self, i: usize, omega: f64) -> C64 {
         let s = &self.stations[i];
         s.stiffness_to_ground - omega * omega * s.inertia + I * (omega * s.damping_to_ground)
     }

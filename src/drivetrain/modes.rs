@@ -35,7 +35,7 @@ impl Modes {
     }
 
     /// Element of the modal damping matrix phi' C phi, 1/s; hysteretic damping enters as the viscous damping equal to it at `omega`.
-    pub fn damping_between(&self, chain: &Chain, i: usize, j: usize, omega: f64) -> f64 {
+    pub(crate) fn damping_between(&self, chain: &Chain, i: usize, j: usize, omega: f64) -> f64 {
         let phi = |station: usize, mode: usize| self.shapes[(station, mode)];
         let element = |(n, s): (usize, &Station)| {
             let to_ground = s.damping_to_ground * phi(n, i) * phi(n, j);

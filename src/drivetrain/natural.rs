@@ -25,7 +25,7 @@ pub struct Basis {
 }
 
 /// Whether every ring of a design is on a constant spring and damper.
-pub fn is_constant(design: &[Mounted]) -> bool {
+pub(crate) fn is_constant(design: &[Mounted]) -> bool {
     design.iter().filter_map(|m| m.absorber.law()).all(|law| law.spring_and_damper().is_some())
 }
 
@@ -134,7 +134,7 @@ fn coordinate(design: &[Mounted], index: usize) -> usize {
 }
 
 /// Frequency of a ring on its held hub, rad/s, from a first guess: omega² J = Re S(omega). Nothing where there is none.
-pub fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
+pub(crate) fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
     let mut omega = first;
     for _ in 0..MOST_ROUNDS {
         let next = (at_frequency(law, omega, order).stiffness / law.ring_inertia()).max(0.0).sqrt();

@@ -27,7 +27,7 @@ impl System {
     }
 
     /// The same where the modes are known.
-    pub fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
+    pub(crate) fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
         let phases = (0..excitation.orders.len())
             .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
             .collect();

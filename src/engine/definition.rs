@@ -34,7 +34,7 @@ pub struct Engine {
 
 impl Engine {
     /// Crank angle of a working cycle, degrees: 360 (two-stroke) or 720 (four-stroke).
-    pub fn cycle_deg(&self) -> f64 {
+    pub(crate) fn cycle_deg(&self) -> f64 {
         180.0 * f64::from(self.strokes)
     }
 }

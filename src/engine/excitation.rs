@@ -161,7 +161,7 @@ impl Excitation {
     }
 
     /// The same of all orders at once.
-    pub fn unit_torques(&self, speed_rpm: f64) -> Vec<C64> {
+    pub(crate) fn unit_torques(&self, speed_rpm: f64) -> Vec<C64> {
         let omega2 = (speed_rpm * RAD_PER_S_PER_RPM).powi(2);
         let with_inertia = |gas: C64, inertia: &C64| gas + inertia * omega2;
         if self.gas.len() == 1 {
@@ -182,7 +182,7 @@ impl Excitation {
     }
 
     /// The throw (from 0) of a misfiring unit, and what it adds to the torque of that throw, N m.
-    pub fn misfire_torque(&self, order: usize, speed_rpm: f64) -> Option<(usize, C64)> {
+    pub(crate) fn misfire_torque(&self, order: usize, speed_rpm: f64) -> Option<(usize, C64)> {
         self.misfire.as_ref().map(|m| (m.throw, self.between(&m.change, order, speed_rpm)))
     }
 

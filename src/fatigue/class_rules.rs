@@ -28,11 +28,11 @@ pub struct ClassRule {
 }
 
 /// sigma_add of trunk piston engines, Pa; crosshead engines have three times as much.
-pub const ADDITIONAL_BENDING: f64 = 10.0 * PA_PER_MPA;
+pub(crate) const ADDITIONAL_BENDING: f64 = 10.0 * PA_PER_MPA;
 /// Tensile strengths for which sigma_DW rises with strength as its formula was made to, Pa. Steels of the rule lie well inside.
-pub const STRENGTHS: (f64, f64) = (400.0 * PA_PER_MPA, 1700.0 * PA_PER_MPA);
+pub(crate) const STRENGTHS: (f64, f64) = (400.0 * PA_PER_MPA, 1700.0 * PA_PER_MPA);
 /// Least acceptability factor, section 7.
-pub const ACCEPTABLE: f64 = 1.15;
+pub(crate) const ACCEPTABLE: f64 = 1.15;
 /// A fillet radius below this counts as it, m.
 const LEAST_RADIUS: f64 = 2.0 * M_PER_MM;
 

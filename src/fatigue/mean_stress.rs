@@ -62,7 +62,7 @@ impl Criterion {
     }
 
     /// Whether the yield strength enters.
-    pub fn needs_yield(self) -> bool {
+    pub(crate) fn needs_yield(self) -> bool {
         matches!(self, Self::Soderberg | Self::AsmeElliptic | Self::Langer)
     }
 

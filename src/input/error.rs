@@ -94,7 +94,7 @@ impl std::error::Error for InputError {}
 
 impl InputError {
     /// Mistakes in the order of the lines they stand in.
-    pub fn sorted(mut mistakes: Vec<Mistake>) -> Self {
+    pub(crate) fn sorted(mut mistakes: Vec<Mistake>) -> Self {
         mistakes.sort_by_key(|m| match &m.place {
             Place::File(_) => (0, 0, 0),
             Place::Text { line, column, .. } => (1, *line, *column),
@@ -125,7 +125,7 @@ const MOST_BYTES: u64 = 64 << 20;
 ///
 /// # Errors
 /// What keeps it from being read, in words.
-pub fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
     let metadata = std::fs::metadata(path).map_err(|e| io_reason(&e))?;
     if metadata.is_dir() {
         return Err("found a folder, expected a file".into());
@@ -158,7 +158,7 @@ impl Source {
     ///
     /// # Errors
     /// Where it cannot be read; the place is where it is named.
-    pub fn read_named(path: &Path, named_in: &Self, span: Range<usize>) -> Result<Self, InputError> {
+    pub(crate) fn read_named(path: &Path, named_in: &Self, span: Range<usize>) -> Result<Self, InputError> {
         let bytes = read_bytes(path).map_err(|reason| {
             let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
             named_in.mistake(span, reason, Some(help))
@@ -187,7 +187,7 @@ impl Source {
     }
 
     /// A mistake at a stretch of bytes.
-    pub fn mistake(&self, span: Range<usize>, message: String, help: Option<String>) -> Mistake {
+    pub(crate) fn mistake(&self, span: Range<usize>, message: String, help: Option<String>) -> Mistake {
         let start = span.start.min(self.text.len());
         let line_start = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = self.text[start..].find('\n').map_or(self.text.len(), |i| start + i);
@@ -315,7 +315,7 @@ impl<'a> Check<'a> {
     }
 
     /// Records a mistake with help.
-    pub fn wrong_with_help<T>(&mut self, at: &At<T>, message: impl Into<String>, help: impl Into<String>) {
+    pub(crate) fn wrong_with_help<T>(&mut self, at: &At<T>, message: impl Into<String>, help: impl Into<String>) {
         self.mistakes.push(self.source.mistake(at.span(), message.into(), Some(help.into())));
     }
 
@@ -330,12 +330,12 @@ impl<'a> Check<'a> {
     }
 
     /// A number above zero, of a size that products of a few of them stay finite.
-    pub fn positive(&mut self, value: &At<f64>) -> f64 {
+    pub(crate) fn positive(&mut self, value: &At<f64>) -> f64 {
         self.within(value, SMALLEST..=LARGEST, "a number above zero, from 1e-20 to 1e20")
     }
 
     /// A number of at least zero.
-    pub fn not_negative(&mut self, value: &At<f64>) -> f64 {
+    pub(crate) fn not_negative(&mut self, value: &At<f64>) -> f64 {
         self.within(value, 0.0..=LARGEST, "a number of at least zero, up to 1e20")
     }
 
@@ -347,7 +347,7 @@ impl<'a> Check<'a> {
     }
 
     /// Ascending positive numbers, at least one.
-    pub fn ascending(&mut self, values: &At<Vec<At<f64>>>) -> Vec<f64> {
+    pub(crate) fn ascending(&mut self, values: &At<Vec<At<f64>>>) -> Vec<f64> {
         if values.get_ref().is_empty() {
             self.wrong(values, "found an empty list, expected at least one value");
         }

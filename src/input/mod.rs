@@ -19,7 +19,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`InputError`] with every mistake found.
-pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
+pub(crate) fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
     let source = Source::read(path)?;
     let raw: schema::material::RawMaterialFile = source.parse()?;
     validation::material::resolve(&source, &raw)

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, Schur, SymmetricEigen};
 /// Eigenpairs of K phi = lambda M phi for symmetric K and diagonal M, ascending, one for each mass that is not zero; the columns of the second value
 /// are scaled to phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2. Coordinates without mass follow the others statically, or stay
 /// where nothing holds them.
-pub fn generalised(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
+pub(crate) fn generalised(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     if !m.contains(&0.0) {
         return massive(k, m);
     }

@@ -39,7 +39,7 @@ pub fn smallest_ball<const D: usize>(points: [&[f64]; D]) -> Ball<D> {
 }
 
 /// The same ball, found sooner where most of the points that hold it are known: indices of points, at most D + 1; others than those only cost time.
-pub fn smallest_ball_from<const D: usize>(points: [&[f64]; D], known: &[usize]) -> Ball<D> {
+pub(crate) fn smallest_ball_from<const D: usize>(points: [&[f64]; D], known: &[usize]) -> Ball<D> {
     let first = known.first().copied().unwrap_or(0);
     let mut ball = Ball { centre: points.map(|c| c[first]), radius: 0.0, basis: [first; MOST], count: 1 };
     for new in known.iter().skip(1) {

@@ -98,7 +98,7 @@ impl Synthesiser {
     }
 
     /// Extremes to about a millionth from samples of the sum: one Newton step from the largest and the smallest of them.
-    pub fn near_samples(&self, phasors: &[C64], samples: &Samples) -> Extremes {
+    pub(crate) fn near_samples(&self, phasors: &[C64], samples: &Samples) -> Extremes {
         let end = |wanted: f64, sign: f64| {
             let angle = self.angle(samples.values.iter().position(|v| *v == wanted).unwrap_or(0));
             self.step_from(phasors, angle, sign)
@@ -118,7 +118,7 @@ impl Synthesiser {
     }
 
     /// The extremes where they may matter: nothing where `can_matter` says no to a half peak-to-peak value and a size of the middle that they do not exceed.
-    pub fn extremes_if(&self, phasors: &[C64], can_matter: impl Fn(f64, f64) -> bool) -> Option<Extremes> {
+    pub(crate) fn extremes_if(&self, phasors: &[C64], can_matter: impl Fn(f64, f64) -> bool) -> Option<Extremes> {
         if phasors.len() == 1 {
             return Some(self.single(phasors[0]));
         }
@@ -133,7 +133,7 @@ impl Synthesiser {
     }
 
     /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
-    pub fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
+    pub(crate) fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
         if phasors.len() == 1 {
             return phasors[0].norm();
         }
@@ -172,7 +172,7 @@ impl Synthesiser {
     }
 
     /// The extremes reached from the angles of `from`: the same branch for other phasors nearby.
-    pub fn branch(&self, phasors: &[C64], from: &Extremes) -> Extremes {
+    pub(crate) fn branch(&self, phasors: &[C64], from: &Extremes) -> Extremes {
         let step = self.step();
         let end = |angle: f64, sign: f64| {
             let start = Local { angle, value: sign * self.derivatives(phasors, angle).0, bend: 0.0 };
@@ -324,7 +324,7 @@ impl Synthesiser {
 
     /// d(half peak-to-peak) and d(middle) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
     /// stationary in the angle).
-    pub fn derivatives_of(&self, extremes: &Extremes, change: &[C64]) -> (f64, f64) {
+    pub(crate) fn derivatives_of(&self, extremes: &Extremes, change: &[C64]) -> (f64, f64) {
         let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * C64::cis(f64::from(h) * psi)).re).sum() };
         let (high, low) = (sum(extremes.angle_max), sum(extremes.angle_min));
         (0.5 * (high - low), 0.5 * (high + low))
@@ -337,7 +337,7 @@ pub fn bound(phasors: &[C64]) -> f64 {
 }
 
 /// The phasor of largest magnitude: its index and magnitude.
-pub fn dominating(phasors: &[C64]) -> (usize, f64) {
+pub(crate) fn dominating(phasors: &[C64]) -> (usize, f64) {
     let largest = phasors.iter().enumerate().map(|(i, y)| (i, y.norm_sqr())).fold((0, ZERO.re), |m, v| if v.1 > m.1 { v } else { m });
     (largest.0, largest.1.sqrt())
 }

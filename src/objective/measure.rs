@@ -24,7 +24,7 @@ pub struct Measure {
 
 impl Measure {
     /// The quantity, where the measure is the synthesis of one: what surrogate peaks answer for.
-    pub fn synthesised(&self) -> Option<Quantity> {
+    pub(crate) fn synthesised(&self) -> Option<Quantity> {
         match (self.over, self.quantities.as_slice()) {
             (Over::Synthesis, [quantity]) => Some(*quantity),
             _ => None,

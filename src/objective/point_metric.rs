@@ -41,7 +41,7 @@ impl<'a> PointMetric<'a> {
     }
 
     /// The value where it may reach `wanted` if the sum is up to `rise` times as large, else one not above it.
-    pub fn value_above(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64], asked: (f64, f64)) -> f64 {
+    pub(crate) fn value_above(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64], asked: (f64, f64)) -> f64 {
         match self {
             Self::Used { margin, criterion, shaft } => {
                 let torque = Torque { extremes: *extremes, phasors };
@@ -52,12 +52,12 @@ impl<'a> PointMetric<'a> {
     }
 
     /// Whether the value asks for the whole sum, not only for its extremes.
-    pub fn asks_for_all(&self) -> bool {
+    pub(crate) fn asks_for_all(&self) -> bool {
         matches!(self, Self::Used { margin, criterion, .. } if margin.is_multiaxial(*criterion))
     }
 
     /// Whether its peaks over speed may sit on ridges.
-    pub fn has_ridges(&self) -> bool {
+    pub(crate) fn has_ridges(&self) -> bool {
         matches!(self, Self::Used { margin, criterion, .. } if margin.has_ridges(*criterion))
     }
 
@@ -115,4 +115,4 @@ impl<'a> PointMetric<'a> {
 }
 
 /// Steps of differences, relative to the size of the sum: their error is its square.
-pub const DIFFERENCE: f64 = 1e-5;
+pub(crate) const DIFFERENCE: f64 = 1e-5;

@@ -9,7 +9,7 @@ use crate::response::{Quantity, ResponseError, Work};
 impl PeakFinder<'_> {
     /// Lets searches ask tables first, for the synthesis of `quantity`; a peak whose estimated error is above `tolerance` is found exactly.
     #[must_use]
-    pub fn with_surrogate(mut self, surrogate: Option<Surrogate>, quantity: Quantity, tolerance: f64) -> Self {
+    pub(crate) fn with_surrogate(mut self, surrogate: Option<Surrogate>, quantity: Quantity, tolerance: f64) -> Self {
         self.surrogate = surrogate.map(|q| (q, quantity, tolerance));
         self
     }
@@ -39,7 +39,7 @@ impl PeakFinder<'_> {
     }
 
     /// Index of the design of one absorber with the lowest peak, by tables, among those that they answer for; nothing without tables.
-    pub fn best_of(&self, designs: impl Iterator<Item = Vec<Mounted>>, measure: &Measure) -> Option<usize> {
+    pub(crate) fn best_of(&self, designs: impl Iterator<Item = Vec<Mounted>>, measure: &Measure) -> Option<usize> {
         let (surrogate, _) = self.surrogate(measure)?;
         let (mut scratch, mut best) = (Scratch::default(), None);
         for (i, design) in designs.enumerate() {

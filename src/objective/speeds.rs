@@ -147,13 +147,13 @@ impl Speeds {
     }
 
     /// Whether a speed or one of its neighbours was added: there, peaks are narrow.
-    pub fn is_narrow(&self, i: usize) -> bool {
+    pub(crate) fn is_narrow(&self, i: usize) -> bool {
         let at = self.added.partition_point(|a| *a + 1 < i);
         self.added.get(at).is_some_and(|a| *a <= i + 1)
     }
 
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.
-    pub fn merge<T: Copy>(&self, grid: Vec<T>, added: &[T], per_speed: usize) -> Vec<T> {
+    pub(crate) fn merge<T: Copy>(&self, grid: Vec<T>, added: &[T], per_speed: usize) -> Vec<T> {
         if self.added.is_empty() {
             return grid;
         }
@@ -168,7 +168,7 @@ impl Speeds {
     }
 
     /// The added speeds, rpm.
-    pub fn added_rpm(&self) -> Vec<f64> {
+    pub(crate) fn added_rpm(&self) -> Vec<f64> {
         self.added.iter().map(|i| self.rpm[*i]).collect()
     }
 }

@@ -11,9 +11,9 @@ use crate::response::{ResponseError, Work};
 const ROW_SHARE: f64 = 0.8;
 /// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
 /// order one in these units.
-pub const PENALTY: f64 = 20.0;
+pub(crate) const PENALTY: f64 = 20.0;
 /// Cost of a design without a finite response.
-pub const UNBOUNDED_COST: f64 = 1e30;
+pub(crate) const UNBOUNDED_COST: f64 = 1e30;
 
 /// One condition of the engine: what is asked of a design is asked in each.
 #[derive(Debug, Clone, Copy)]

@@ -13,7 +13,7 @@ pub type Recorder<'a> = &'a (dyn Fn() + Sync);
 /// Evaluations without derivatives from each start.
 const SEARCH_EVALUATIONS: u64 = 150;
 /// Starts that end within this share of the best have found the same optimum.
-pub const SAME: f64 = 1e-6;
+pub(crate) const SAME: f64 = 1e-6;
 
 /// One start and where it led.
 #[derive(Debug, Clone, serde::Serialize)]

@@ -7,7 +7,7 @@ use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// Modes that get closed-form starts of their own.
-pub const MOST_MODES: usize = 3;
+pub(crate) const MOST_MODES: usize = 3;
 /// Closed-form starts of several absorbers together.
 const MOST_COMBINED: usize = 12;
 /// Absorbers of one type on one mode start apart by this factor in what grows with the ring: alike they would stay alike.
@@ -114,7 +114,7 @@ fn apart(space: &Space, index: usize, mut values: Vec<f64>, same_mode: &dyn Fn(u
 }
 
 /// Points spread over the box, but not further than six e-folds from `middle`: beyond, rings are locked or loose.
-pub fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> Vec<Vec<f64>> {
+pub(crate) fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
     let bounds = space.bounds();
     let mut point = || {

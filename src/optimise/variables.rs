@@ -87,7 +87,7 @@ impl Space {
 
     /// Derivatives with respect to the coordinates from those with respect to the parameters (a row an absorber; rows that are too short are
     /// of parameters without influence).
-    pub fn chain_rule(&self, w: &[f64], gradient: &[Vec<f64>]) -> Vec<f64> {
+    pub(crate) fn chain_rule(&self, w: &[f64], gradient: &[Vec<f64>]) -> Vec<f64> {
         let by_parameter = |v: &Variable| gradient[v.absorber].get(v.parameter).copied().unwrap_or(0.0);
         self.variables.iter().zip(w).map(|(v, w)| by_parameter(v) * v.slope(v.value(*w))).collect()
     }
@@ -99,7 +99,7 @@ impl Space {
 
     /// The same family with the ring inertia of its first absorber held.
     #[must_use]
-    pub fn with_ring_inertia(&self, ring_inertia: f64) -> Self {
+    pub(crate) fn with_ring_inertia(&self, ring_inertia: f64) -> Self {
         let mut space = self.clone();
         space.slots[0].values[0] = ring_inertia;
         space.variables.retain(|v| (v.absorber, v.parameter) != (0, 0));

@@ -28,7 +28,7 @@ impl Folder {
     ///
     /// # Errors
     /// [`WriteError`] where that fails.
-    pub fn create(path: &Path) -> Result<Self, WriteError> {
+    pub(crate) fn create(path: &Path) -> Result<Self, WriteError> {
         let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
         std::fs::create_dir_all(path).map_err(failed)?;
         tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
@@ -63,7 +63,7 @@ impl Folder {
     ///
     /// # Errors
     /// [`WriteError`] where one is there and cannot be removed.
-    pub fn remove_other_plots(&self, prefix: &str) -> Result<(), WriteError> {
+    pub(crate) fn remove_other_plots(&self, prefix: &str) -> Result<(), WriteError> {
         let failed = |e: std::io::Error| WriteError { path: self.path.clone(), reason: reason(&e) };
         let mut old = Vec::new();
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
@@ -80,7 +80,7 @@ impl Folder {
     ///
     /// # Errors
     /// [`WriteError`] where that fails.
-    pub fn stream(&self) -> Result<Stream, WriteError> {
+    pub(crate) fn stream(&self) -> Result<Stream, WriteError> {
         let failed = |e: std::io::Error| WriteError { path: self.path.clone(), reason: reason(&e) };
         let file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
         Ok(Stream(BufWriter::new(file)))

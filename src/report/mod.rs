@@ -16,7 +16,7 @@ use crate::validation::Comparison;
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn write_run(
+pub(crate) fn write_run(
     study: &Study,
     calibration: Option<&Calibration>,
     results: &Results,
@@ -49,7 +49,7 @@ fn write_calibration(study: &Study, calibration: Option<&Calibration>, folder: &
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn write_comparison(
+pub(crate) fn write_comparison(
     study: &Study,
     calibration: Option<&Calibration>,
     comparison: &Comparison,
@@ -71,7 +71,7 @@ pub fn write_comparison(
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
     csv::chart::speed_accuracy(chart, folder)?;
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
     let models: Vec<_> = std::iter::once(&chart.common.grid).chain(&chart.models).collect();

@@ -15,7 +15,7 @@ use crate::numerics::C64;
 use multiversion::multiversion;
 
 /// Points solved together.
-pub const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 /// A complex number of each point.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ impl Lane {
     }
 
     /// The sum at each point.
-    pub fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         let mut sum = *self;
         for l in 0..LANES {
             sum.re[l] += other.re[l];
@@ -44,7 +44,7 @@ impl Lane {
     }
 
     /// The negative at each point.
-    pub fn minus(&self) -> Self {
+    pub(crate) fn minus(&self) -> Self {
         Self { re: self.re.map(|x| -x), im: self.im.map(|x| -x) }
     }
 

@@ -72,7 +72,7 @@ impl<'a> Direct<'a> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
-    pub fn at_each(
+    pub(crate) fn at_each(
         &self,
         design: &[Mounted],
         quantities: &[Quantity],
@@ -173,7 +173,7 @@ impl<'a> Direct<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for the twist of a ring, which depends on the
     /// parameters by itself, too.
-    pub fn sensitivity(
+    pub(crate) fn sensitivity(
         &self,
         design: &[Mounted],
         index: usize,
@@ -250,7 +250,7 @@ impl<'a> Direct<'a> {
     }
 
     /// The same from the phasors of the ring twist.
-    pub fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
+    pub(crate) fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
         let Some(law) = design[index].absorber.law() else { return 0.0 };
         let rate = |n: usize| self.system.excitation.orders[n].value() * speed_rpm * RAD_PER_S_PER_RPM;
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;

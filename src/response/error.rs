@@ -58,7 +58,7 @@ pub enum ResponseError {
 
 impl ResponseError {
     /// At an order and speed.
-    pub fn unbounded(order: Order, speed_rpm: f64) -> Self {
+    pub(crate) fn unbounded(order: Order, speed_rpm: f64) -> Self {
         Self::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM }
     }
 }

@@ -11,7 +11,7 @@ use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// Growth of the marches over the solution that is left; an error of about this many roundings remains.
-pub const LARGEST_CANCELLATION: f64 = 1e6;
+pub(crate) const LARGEST_CANCELLATION: f64 = 1e6;
 
 /// Transfer matrices along the chain.
 #[derive(Debug)]

@@ -23,7 +23,7 @@ pub struct Points {
 
 impl Points {
     /// Where each point is, from `first` on.
-    pub fn operating(&self, first: usize, count: usize) -> Vec<Operating> {
+    pub(crate) fn operating(&self, first: usize, count: usize) -> Vec<Operating> {
         let range = first..first + count;
         self.omega[range.clone()]
             .iter()

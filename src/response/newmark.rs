@@ -31,7 +31,7 @@ impl<'a> Newmark<'a> {
     }
 
     /// Largest stable product of circular frequency and step; infinite where every step is stable.
-    pub fn largest_step(&self) -> f64 {
+    pub(crate) fn largest_step(&self) -> f64 {
         let missing = 0.5 * self.gamma - self.beta;
         if missing > 0.0 { 1.0 / missing.sqrt() } else { f64::INFINITY }
     }

@@ -55,7 +55,7 @@ pub fn check(method: &'static str, system: &System, bodies: &Bodies, steps: usiz
 }
 
 /// Seconds of a working cycle at a speed.
-pub fn cycle_seconds(system: &System, speed_rpm: f64) -> f64 {
+pub(crate) fn cycle_seconds(system: &System, speed_rpm: f64) -> f64 {
     let first = system.excitation.orders[0].value() / f64::from(system.excitation.harmonics[0]);
     std::f64::consts::TAU / (first * speed_rpm * RAD_PER_S_PER_RPM)
 }
@@ -132,7 +132,7 @@ impl Motion {
 }
 
 /// Power of a state under a torque.
-pub fn power_of(bodies: &Bodies, state: &DVector<f64>, torque: &DVector<f64>) -> Power {
+pub(crate) fn power_of(bodies: &Bodies, state: &DVector<f64>, torque: &DVector<f64>) -> Power {
     let rates = state.rows(bodies.len(), bodies.len());
     Power { input: rates.dot(torque), dissipated: rates.dot(&(&bodies.damping * rates)) }
 }

@@ -65,7 +65,7 @@ pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
 ///
 /// # Errors
 /// Those of the method.
-pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>, work: &mut Work) -> Result<Vec<Power>, ResponseError> {
+pub(crate) fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>, work: &mut Work) -> Result<Vec<Power>, ResponseError> {
     let (system, n) = (method.system(), method.system().chain.len());
     let sweeps = method.sweep_each(design, &quantities(n, design.len()), work)?;
     let orders = method.orders().len();

@@ -5,7 +5,7 @@ use crate::drivetrain::System;
 
 /// A quantity per unit torque at each station if every elastic mode followed as if static (no amplification): what is left of it when
 /// nothing resonates. Zero for rings.
-pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
+pub(crate) fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
     let modes = &system.modes;
     let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
     let output = |mode: usize| match quantity {

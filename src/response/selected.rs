@@ -25,7 +25,7 @@ pub enum Method<'a> {
 
 impl Method<'_> {
     /// Solves spent on tables.
-    pub fn setup(&self) -> Work {
+    pub(crate) fn setup(&self) -> Work {
         match self {
             Self::Direct(_) => Work::default(),
             Self::Receptance(m) => m.setup,

@@ -53,7 +53,7 @@ fn undamped(design: &[Mounted]) -> Vec<Mounted> {
     design.iter().map(still).collect()
 }
 
-pub fn conventions(study: &Study, published: &Published) -> Vec<Frequencies> {
+pub(crate) fn conventions(study: &Study, published: &Published) -> Vec<Frequencies> {
     let worst = |row: &PublishedAbsorber, own: &[f64]| {
         let off = |(i, hz): (usize, &Option<f64>)| hz.map(|hz| own.get(i).map_or(f64::INFINITY, |o| (o / hz - 1.0).abs()));
         row.frequencies_hz.iter().enumerate().filter_map(off).fold(0.0, f64::max)
@@ -244,13 +244,13 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
 
 impl Frequencies {
     /// Number of the mode nearest to a frequency, from 1, with its frequency; nothing where there is none.
-    pub fn nearest(&self, hz: f64) -> Option<(usize, f64)> {
+    pub(crate) fn nearest(&self, hz: f64) -> Option<(usize, f64)> {
         let found = self.fitting.iter().enumerate().min_by(|a, b| (a.1 - hz).abs().total_cmp(&(b.1 - hz).abs()));
         found.map(|(i, f)| (i + 1, *f))
     }
 }
 
 /// The type of a design's first absorber; nothing where there is none, or where it is locked.
-pub fn type_of(design: &[Mounted]) -> Option<&'static Declaration> {
+pub(crate) fn type_of(design: &[Mounted]) -> Option<&'static Declaration> {
     design.first().and_then(|m| m.absorber.declaration())
 }

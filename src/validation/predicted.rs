@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 const TO_EXHAUST: f64 = PI;
 
 /// A speed that the tables name.
-pub fn speed_of(published: &Published, condition: &str) -> Option<f64> {
+pub(crate) fn speed_of(published: &Published, condition: &str) -> Option<f64> {
     let key = if condition == "max_speed" { "speed_max".to_owned() } else { format!("speed_{condition}") };
     published.quantities.iter().find(|q| q.name == key).and_then(|q| q.value.as_ref().ok().copied())
 }

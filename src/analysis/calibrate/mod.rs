@@ -16,7 +16,7 @@ use search::Found;
 use std::cell::RefCell;
 
 /// Two inputs with a correlation beyond this cannot be told apart.
-pub const ALIKE: f64 = 0.98;
+pub(crate) const ALIKE: f64 = 0.98;
 
 /// How well a fitted input is known.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]

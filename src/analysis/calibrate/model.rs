@@ -26,7 +26,7 @@ impl<'a> Model<'a> {
     }
 
     /// With the engine file as it is.
-    pub fn as_in_the_file(&self) -> Result<Vec<f64>, RunError> {
+    pub(crate) fn as_in_the_file(&self) -> Result<Vec<f64>, RunError> {
         self.of(self.study, Excitation::new(&self.study.engine, self.study.order_limit))
     }
 

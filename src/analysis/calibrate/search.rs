@@ -29,7 +29,7 @@ pub fn range(f: &FreeInput) -> Range {
 }
 
 /// What each input may change by at a point, to compare inputs of different units.
-pub fn sizes(spec: &CalibrateSpec, point: &[f64]) -> Vec<f64> {
+pub(crate) fn sizes(spec: &CalibrateSpec, point: &[f64]) -> Vec<f64> {
     spec.inputs.iter().zip(point).map(|(f, x)| range(f).size(*x)).collect()
 }
 

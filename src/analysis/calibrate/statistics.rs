@@ -71,7 +71,7 @@ pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64], mu
 
 /// One standard deviation along the direction that the data determine least, in the unit of each parameter; nothing where there are no more
 /// data than parameters or nothing is determined.
-pub fn weakest(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn weakest(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64]) -> Option<Vec<f64>> {
     let mut longest: Option<(f64, Vec<f64>)> = None;
     let share = |one: &[f64]| one.iter().zip(widths).map(|(d, w)| (d / w).powi(2)).sum::<f64>();
     statistics(jacobian, residuals, widths, |one, _| {
@@ -88,7 +88,7 @@ const DISTANCES: [f64; 6] = [3.0, 4.0, 6.0, 9.0, 13.0, 20.0];
 
 /// How many times wider than linear theory a direction is: the furthest distance, either way, at which the sum of squares has risen by no
 /// more than nine times s², over three. `rise(t)`: the rise at `t` standard deviations, nothing outside the bounds.
-pub fn stretch(variance: f64, rise: impl Fn(f64) -> Option<f64>) -> f64 {
+pub(crate) fn stretch(variance: f64, rise: impl Fn(f64) -> Option<f64>) -> f64 {
     let limit = 9.0 * variance;
     let reach = |sign: f64| {
         let (mut furthest, mut before) = (3.0, (0.0, 0.0));

@@ -31,7 +31,7 @@ pub struct UnitForces {
 /// Force of the rod on the piston along x where friction of the liner takes part: the piston asks for `wanted` without it, and the normal force is
 /// |slope x + offset| for a force x. `motion`: dx/dtheta of the piston, towards the crankshaft. One of the two signs of the normal force fits, since
 /// friction times slope is below one.
-pub fn with_friction(geometry: &Geometry, motion: f64, wanted: f64, (slope, offset): (f64, f64)) -> f64 {
+pub(crate) fn with_friction(geometry: &Geometry, motion: f64, wanted: f64, (slope, offset): (f64, f64)) -> f64 {
     let mu = geometry.liner_friction;
     if mu == 0.0 || motion == 0.0 {
         return wanted;
@@ -44,12 +44,12 @@ pub fn with_friction(geometry: &Geometry, motion: f64, wanted: f64, (slope, offs
 }
 
 /// Force of the gas on the piston towards the crankshaft, N.
-pub fn gas_force(geometry: &Geometry, pressure: f64) -> f64 {
+pub(crate) fn gas_force(geometry: &Geometry, pressure: f64) -> f64 {
     (pressure - geometry.crankcase_pressure) * geometry.piston_area()
 }
 
 /// Torque of a force on the crankpin, N m.
-pub fn torque_of(geometry: &Geometry, theta: f64, big_end: [f64; 2]) -> f64 {
+pub(crate) fn torque_of(geometry: &Geometry, theta: f64, big_end: [f64; 2]) -> f64 {
     let (sine, cosine) = theta.sin_cos();
     geometry.slider_crank.crank_radius * (cosine * big_end[1] - sine * big_end[0])
 }

@@ -46,7 +46,7 @@ impl Pressure {
     }
 
     /// Brake torque of the engine the model was given, N m, where it was.
-    pub fn brake_torque(&self, index: usize) -> Option<f64> {
+    pub(crate) fn brake_torque(&self, index: usize) -> Option<f64> {
         match self {
             Self::Otto(m) => Some(m.brake_torque[index]),
             _ => None,
@@ -55,7 +55,7 @@ impl Pressure {
 
     /// Scales the mean effective pressure of the models that have one as an input; `false` where it has none.
     #[must_use]
-    pub fn scale_load(&mut self, fraction: f64) -> bool {
+    pub(crate) fn scale_load(&mut self, fraction: f64) -> bool {
         match self {
             Self::Otto(m) => m.pressure_scale *= fraction,
             Self::Wiebe(m) => m.indicated_mean_pressure.iter_mut().for_each(|p| *p *= fraction),

@@ -3,7 +3,7 @@
 use crate::units::RAD_PER_DEG;
 
 /// Crank angle between samples of a cycle, degrees: finer changes the largest order amplitudes by less than 1e-5.
-pub const SAMPLE_DEG: f64 = 0.1;
+pub(crate) const SAMPLE_DEG: f64 = 0.1;
 
 /// Samples in a cycle of an engine with `strokes` strokes.
 pub fn samples(strokes: u32) -> usize {
@@ -16,7 +16,7 @@ pub fn sample_angle(j: usize) -> f64 {
 }
 
 /// Where a sample lies in the cycle: the angle from -180° to 180° round firing dead centre, or the gas exchange in between.
-pub fn closed_part_deg(j: usize, n: usize) -> Option<f64> {
+pub(crate) fn closed_part_deg(j: usize, n: usize) -> Option<f64> {
     let deg = j as f64 * SAMPLE_DEG;
     let back = deg - n as f64 * SAMPLE_DEG;
     if deg <= 180.0 {

@@ -73,7 +73,7 @@ impl Slope<'_> {
     }
 
     /// Near a summit, with steps from the first downwards; where all the neighbourhood is looked at, to a summit with no higher ground on `RINGS` round it.
-    pub fn climb(&mut self, start: Plane, first: f64, all_round: bool) -> (Plane, PlaneStress) {
+    pub(crate) fn climb(&mut self, start: Plane, first: f64, all_round: bool) -> (Plane, PlaneStress) {
         let sought = self.sought;
         let mut here = (start, self.plane_stress(&start));
         let mut chosen = vec![false; self.history.len()];

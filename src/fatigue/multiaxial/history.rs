@@ -25,7 +25,7 @@ impl History {
     }
 
     /// A plane state of one normal stress and its shear: xx and xy.
-    pub fn plane_state(xx: Vec<f64>, xy: Vec<f64>) -> Self {
+    pub(crate) fn plane_state(xx: Vec<f64>, xy: Vec<f64>) -> Self {
         let none = || vec![0.0; xx.len()];
         let [yy, zz, yz, zx] = [none(), none(), none(), none()];
         Self { components: [xx, yy, zz, xy, yz, zx] }
@@ -47,7 +47,7 @@ impl History {
     }
 
     /// A linear quantity at every sample.
-    pub fn project(&self, weights: &Weights, out: &mut Vec<f64>) {
+    pub(crate) fn project(&self, weights: &Weights, out: &mut Vec<f64>) {
         out.resize(self.len(), 0.0);
         project(&self.components.each_ref().map(Vec::as_slice), weights, out);
     }
@@ -66,7 +66,7 @@ impl History {
     }
 
     /// The deviator as a vector of five dimensions whose length is sqrt(J2), \[Minucci 2010\] eq. (4.20): one row a dimension, Pa.
-    pub fn deviator(&self) -> [Vec<f64>; 5] {
+    pub(crate) fn deviator(&self) -> [Vec<f64>; 5] {
         deviator_weights().map(|w| {
             let mut row = Vec::new();
             self.project(&w, &mut row);
@@ -99,7 +99,7 @@ fn deviator_weights() -> [Weights; 5] {
 }
 
 /// The deviator of one tensor in the same five dimensions.
-pub fn deviator_of(tensor: &[f64; 6]) -> [f64; 5] {
+pub(crate) fn deviator_of(tensor: &[f64; 6]) -> [f64; 5] {
     deviator_weights().map(|w| w.iter().zip(tensor).map(|(w, t)| w * t).sum())
 }
 

@@ -51,12 +51,12 @@ impl Invariants {
     }
 
     /// Largest hydrostatic stress, Pa.
-    pub fn hydrostatic_max(&self) -> f64 {
+    pub(crate) fn hydrostatic_max(&self) -> f64 {
         self.hydrostatic_amplitude + self.hydrostatic_mean
     }
 
     /// Largest over the cycle of the Tresca stress of the deviator about the ball's centre and `k` times the hydrostatic stress \[Dang Van 1989\].
-    pub fn mesoscopic(&self, history: &History, k: f64) -> f64 {
+    pub(crate) fn mesoscopic(&self, history: &History, k: f64) -> f64 {
         let (path, p) = (history.deviator(), history.hydrostatic());
         let at = |j: usize| tresca([0, 1, 2, 3, 4].map(|d| path[d][j] - self.centre[d])) + k * p[j];
         (0..history.len()).map(at).fold(f64::NEG_INFINITY, f64::max)

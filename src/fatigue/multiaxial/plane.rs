@@ -29,7 +29,7 @@ impl Plane {
     }
 
     /// Two directions on it, at right angles: of growing phi, of growing theta.
-    pub fn directions(&self) -> [[f64; 3]; 2] {
+    pub(crate) fn directions(&self) -> [[f64; 3]; 2] {
         let ((st, ct), (sp, cp)) = (self.theta.sin_cos(), self.phi.sin_cos());
         [[cp * ct, cp * st, -sp], [-st, ct, 0.0]]
     }

@@ -7,7 +7,7 @@ const EQUAL_DEG: f64 = 1e-6;
 /// Fewer samples are no cycle.
 const FEWEST: usize = 3;
 /// The end of a cycle is its beginning again to this share of the largest value.
-pub const CLOSED: f64 = 1e-6;
+pub(crate) const CLOSED: f64 = 1e-6;
 
 /// Whether an angle follows the others: in a step as theirs, or as `known` where the angles are known.
 ///
@@ -31,7 +31,7 @@ pub fn follows(angles: &[f64], next: f64, known: Option<f64>) -> Result<(), Stri
 ///
 /// # Errors
 /// What is wrong.
-pub fn ends_where_it_began(angles: &[f64], of: &str) -> Result<bool, String> {
+pub(crate) fn ends_where_it_began(angles: &[f64], of: &str) -> Result<bool, String> {
     let n = angles.len();
     if n < FEWEST {
         return Err(format!("found {n} samples{of}, expected at least {FEWEST}"));

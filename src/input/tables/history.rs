@@ -43,7 +43,7 @@ impl HistoryReader {
     ///
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
-    pub fn open(path: &Path) -> Result<Self, InputError> {
+    pub(crate) fn open(path: &Path) -> Result<Self, InputError> {
         let stream = Stream::open(path, ["point", "crank_deg"])?;
         Ok(Self { stream, waiting: None, angles: Vec::new(), seen: HashSet::new(), ended: false })
     }

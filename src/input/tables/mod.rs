@@ -12,5 +12,5 @@ pub use history::{HistoryReader, PointHistory};
 pub use multiaxial::{histories, multiaxial};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use superposed::Superposed;
-pub use torque::{pressure_traces, torque_harmonics};
+pub(crate) use torque::{pressure_traces, torque_harmonics};
 pub use unit_loads::{UnitLoadReader, UnitPoint};

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 /// Columns of a stress tensor.
-pub const TENSOR: [&str; 6] = ["sxx_mpa", "syy_mpa", "szz_mpa", "sxy_mpa", "syz_mpa", "szx_mpa"];
+pub(crate) const TENSOR: [&str; 6] = ["sxx_mpa", "syy_mpa", "szz_mpa", "sxy_mpa", "syz_mpa", "szx_mpa"];
 
 /// A table with these columns, in this order or another.
 pub struct Stream {
@@ -21,7 +21,7 @@ pub struct Stream {
 
 impl Stream {
     /// Opens a table with two columns and those of a tensor.
-    pub fn open(path: &Path, first: [&'static str; 2]) -> Result<Self, InputError> {
+    pub(crate) fn open(path: &Path, first: [&'static str; 2]) -> Result<Self, InputError> {
         let whole = |message: String| whole(path, message);
         if !path.is_file() {
             return Err(whole(if path.exists() { "found no file there, expected a table".into() } else { "file not found".into() }));

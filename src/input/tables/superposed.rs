@@ -65,7 +65,7 @@ impl Superposed {
     ///
     /// # Errors
     /// [`InputError`] with file, row and column.
-    pub fn open(unit_loads: &Path, loads: &Path) -> Result<Self, InputError> {
+    pub(crate) fn open(unit_loads: &Path, loads: &Path) -> Result<Self, InputError> {
         let loads = Loads::read(loads)?;
         Ok(Self { path: unit_loads.to_path_buf(), points: UnitLoadReader::open(unit_loads, &loads.names)?, loads })
     }

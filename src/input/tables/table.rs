@@ -4,7 +4,7 @@ use crate::input::error::{InputError, Mistake, Place, read_bytes};
 use std::path::{Path, PathBuf};
 
 /// A cell for a message: a quotation mark left open makes one of the rest of the file.
-pub fn shown(cell: &str) -> String {
+pub(crate) fn shown(cell: &str) -> String {
     const MOST: usize = 40;
     let line = cell.lines().next().unwrap_or("");
     if line.chars().count() > MOST || line.len() < cell.len() { line.chars().take(MOST).chain(['…']).collect() } else { line.to_owned() }
@@ -73,7 +73,7 @@ impl Table {
     }
 
     /// A cell that must hold a number.
-    pub fn filled(&self, row: u64, column: usize, cell: &str) -> Result<f64, InputError> {
+    pub(crate) fn filled(&self, row: u64, column: usize, cell: &str) -> Result<f64, InputError> {
         self.number(row, column, cell)?.ok_or_else(|| self.at(row, column, "found an empty cell, expected a number".into()))
     }
 
@@ -100,7 +100,7 @@ impl Table {
     }
 
     /// Index of a column that may be there.
-    pub fn optional(&self, name: &str) -> Option<usize> {
+    pub(crate) fn optional(&self, name: &str) -> Option<usize> {
         self.header.iter().position(|h| h == name)
     }
 }

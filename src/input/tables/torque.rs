@@ -12,7 +12,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-pub fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputError> {
+pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputError> {
     let table = Table::read(path)?;
     let rows = table.numbers()?;
     let angle = table.column("crank_deg")?;
@@ -64,7 +64,7 @@ pub fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputErr
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-pub fn torque_harmonics(path: &Path, strokes: u32) -> Result<Vec<(Order, C64)>, InputError> {
+pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<Vec<(Order, C64)>, InputError> {
     let table = Table::read(path)?;
     let rows = table.numbers()?;
     let (order, amplitude, phase) = (table.column("order")?, table.column("amplitude_n_m")?, table.column("phase_deg")?);

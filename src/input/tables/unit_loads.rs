@@ -34,7 +34,7 @@ impl UnitLoadReader {
     ///
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
-    pub fn open(path: &Path, loads: &[String]) -> Result<Self, InputError> {
+    pub(crate) fn open(path: &Path, loads: &[String]) -> Result<Self, InputError> {
         let stream = Stream::open(path, ["point", "load"])?;
         Ok(Self { stream, loads: loads.to_vec(), waiting: None, seen: HashSet::new(), ended: false })
     }

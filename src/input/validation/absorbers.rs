@@ -18,7 +18,7 @@ pub struct DesignSpec {
     pub absorbers: Vec<Mounted>,
 }
 
-pub fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes) -> Vec<DesignSpec> {
+pub(crate) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes) -> Vec<DesignSpec> {
     let mut names = HashSet::new();
     let mut designs = Vec::new();
     for raw in &study.design {
@@ -44,7 +44,7 @@ pub fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes
 }
 
 /// What carries each absorber of a list: a station, or the ring of another one by its name. Nothing where a mistake leaves none.
-pub fn hosts(check: &mut Check, chain: &Chain, list: &[(Option<&At<String>>, &RawOn)]) -> Vec<Option<Host>> {
+pub(crate) fn hosts(check: &mut Check, chain: &Chain, list: &[(Option<&At<String>>, &RawOn)]) -> Vec<Option<Host>> {
     let mut names = HashSet::new();
     for name in list.iter().filter_map(|a| a.0) {
         check.name(name);
@@ -111,7 +111,7 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
 }
 
 /// Engine inertia at a station for the closed forms and the first elastic mode's frequency; nothing where no elastic mode moves there.
-pub fn engine_mode(chain: &Chain, modes: &Modes, station: usize, whole_chain: bool) -> Option<EngineMode> {
+pub(crate) fn engine_mode(chain: &Chain, modes: &Modes, station: usize, whole_chain: bool) -> Option<EngineMode> {
     let mode = modes.elastic().next()?;
     let inertia = if whole_chain { chain.total_inertia() } else { modes.equivalent_inertia(mode, station) };
     (inertia.is_finite() && inertia < 1e6 * chain.total_inertia()).then_some(EngineMode { inertia, omega: modes.omega[mode] })

@@ -38,7 +38,7 @@ pub struct CalibrateSpec {
     pub by_hand: Vec<(Input, f64)>,
 }
 
-pub fn resolve(
+pub(crate) fn resolve(
     check: &mut Check,
     at: &At<RawCalibrate>,
     published: Option<&Published>,

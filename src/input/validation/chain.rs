@@ -6,7 +6,7 @@ use crate::input::schema::engine::{RawEngine, RawStation};
 use std::collections::HashSet;
 
 /// The chain, or nothing where a mistake leaves none. `throws`: how many the layout has (0 where it is unknown).
-pub fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Option<Chain> {
+pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Option<Chain> {
     if raw.station.is_empty() {
         check.wrong(&raw.strokes, "found no [[station]], expected at least one in an engine file");
         return None;

@@ -85,7 +85,7 @@ pub struct Study {
 
 impl Study {
     /// An objective: the first, or one of those after it.
-    pub fn objective_of(&self, index: usize) -> &ObjectiveSpec {
+    pub(crate) fn objective_of(&self, index: usize) -> &ObjectiveSpec {
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
     }
 

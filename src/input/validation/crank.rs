@@ -37,7 +37,7 @@ const KEYS: [&str; 18] = [
 ];
 
 /// The crank, or nothing where a mistake leaves none.
-pub fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) -> Option<Crank> {
+pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) -> Option<Crank> {
     let Source::Cylinder { geometry, .. } = &engine.source else {
         check.wrong(raw, "found [crank] with torque harmonics, expected it with [geometry] and a cylinder pressure: its loads are forces");
         return None;
@@ -191,7 +191,7 @@ fn spans(check: &mut Check, raw: &RawCrank, pitches: &[f64], crank: &Crank) {
 }
 
 /// Keys of dimensions outside the ranges of the formulas for stress concentration, reported where they stand.
-pub fn check_ranges(check: &mut Check, raw: &RawCrank, crank: &Crank) {
+pub(crate) fn check_ranges(check: &mut Check, raw: &RawCrank, crank: &Crank) {
     for out in crank.notch().out_of_range() {
         let (low, high) = out.range;
         let at = match out.name {

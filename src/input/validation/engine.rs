@@ -10,7 +10,7 @@ use crate::units::{M_PER_MM, PA_PER_BAR, RAD_PER_S_PER_RPM, W_PER_KW};
 use std::path::Path;
 
 /// The engine, or nothing where a mistake leaves none.
-pub fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engine> {
+pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engine> {
     let strokes = *raw.strokes.get_ref();
     if strokes != 2 && strokes != 4 {
         check.wrong(&raw.strokes, format!("found {strokes}, expected 2 or 4 strokes in a cycle"));

@@ -46,7 +46,7 @@ impl From<RawCriterion> for MarginCriterion {
 }
 
 /// The table, or nothing where a mistake leaves none. Paths are relative to `folder`.
-pub fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
+pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
     let Some(crank) = crank else {
         check.wrong(raw, "found [fatigue] for an engine without [crank], expected its dimensions in the engine file");
         return None;
@@ -109,7 +109,7 @@ fn only_class_rule(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriter
 }
 
 /// Whether factors come from formulas anywhere.
-pub fn needs_formulas(spec: &FatigueSpec) -> bool {
+pub(crate) fn needs_formulas(spec: &FatigueSpec) -> bool {
     let by_fillets = spec.criteria.iter().any(|c| !c.is_class_rule());
     spec.criteria.iter().any(|c| c.is_class_rule())
         || (by_fillets && spec.fillets.iter().any(|f| matches!(f.factors, FactorSource::Formulas(_))))

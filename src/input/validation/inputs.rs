@@ -61,7 +61,7 @@ impl Input {
     }
 
     /// Whether it changes the torque, or else the chain.
-    pub fn changes_torque(self) -> bool {
+    pub(crate) fn changes_torque(self) -> bool {
         !matches!(self, Self::ThrowDamping | Self::ShaftDamping | Self::ShaftLossFactor)
     }
 

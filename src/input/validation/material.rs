@@ -9,7 +9,7 @@ use crate::units::PA_PER_MPA;
 ///
 /// # Errors
 /// [`InputError`] with every mistake found.
-pub fn resolve(source: &Source, raw: &RawMaterialFile) -> Result<Limits, InputError> {
+pub(crate) fn resolve(source: &Source, raw: &RawMaterialFile) -> Result<Limits, InputError> {
     let mut check = Check::new(source);
     let tensile = check.positive(&raw.tensile_strength_mpa);
     let below = |check: &mut Check, value: &At<f64>, what: &str, most: f64, of: &str| {

@@ -61,7 +61,7 @@ fn torques(chain: &Chain) -> Vec<Quantity> {
 
 /// The twist reported where a study names none: from the hub to the last station, or over the whole chain where the hub is the last; to
 /// the ground where there is one station only.
-pub fn default_twist(chain: &Chain, hub: usize) -> Quantity {
+pub(crate) fn default_twist(chain: &Chain, hub: usize) -> Quantity {
     let last = chain.len() - 1;
     Quantity::Twist { from: if hub == last { 0 } else { hub }, to: (last > 0).then_some(last) }
 }

@@ -101,7 +101,7 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
     conditions
 }
 
-pub fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
+pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
     let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
         let x = value.map_or(default, |v| *v.get_ref());
         if let Some(v) = value

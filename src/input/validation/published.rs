@@ -13,7 +13,7 @@ use std::path::Path;
 const LEAST_AMPLITUDE_DEG: f64 = 0.1;
 
 /// The tables. `limits`: those of multiaxial criteria, where the study has any.
-pub fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
+pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
     let engine = raw.engine.get_ref().clone();
     let mut published = Published {
         frequencies: Vec::new(),

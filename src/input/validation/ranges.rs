@@ -8,7 +8,7 @@ use crate::input::schema::fatigue::RawFatigue;
 use crate::input::schema::study::RawStudy;
 
 /// More points than this in a sweep would take gigabytes: a mistake in the file.
-pub const MOST_POINTS: f64 = 5e6;
+pub(crate) const MOST_POINTS: f64 = 5e6;
 
 pub fn speeds(check: &mut Check, study: &RawStudy) -> Vec<f64> {
     let raw = study.speed_rpm.get_ref();
@@ -34,7 +34,7 @@ pub fn speeds(check: &mut Check, study: &RawStudy) -> Vec<f64> {
 }
 
 /// A margin needs the torque beside every throw.
-pub fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &Chain) {
+pub(crate) fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &Chain) {
     let throws = chain.stations.iter().map(|s| s.throws.len()).sum();
     let found = if chain.len() == 1 || chain.stations.iter().any(|s| s.throws.len() > 1) {
         "found [fatigue] for a chain with several throws on a station or without shafts, expected a station for each throw"
@@ -46,7 +46,7 @@ pub fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &Chain) 
     check.wrong(fatigue, found);
 }
 
-pub fn check_load(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
+pub(crate) fn check_load(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
     let Some(load) = &study.load_fraction else { return };
     let fraction = check.within(load, 0.0..=1.5, "a fraction of the full mean pressure, 0 to 1.5");
     let scaled = match &mut engine.source {
@@ -58,7 +58,7 @@ pub fn check_load(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
     }
 }
 
-pub fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit: f64) {
+pub(crate) fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit: f64) {
     let some = match &engine.source {
         Source::Cylinder { .. } => !Order::up_to(limit, engine.strokes).is_empty(),
         Source::Harmonics(table) => table.harmonics.iter().any(|(o, c)| o.value() <= limit && c.norm() > 0.0),
@@ -72,7 +72,7 @@ pub fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit:
     }
 }
 
-pub fn check_range(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) {
+pub(crate) fn check_range(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) {
     let Source::Cylinder { pressure, .. } = &engine.source else { return };
     let table = pressure.speeds_rpm();
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);

@@ -10,7 +10,7 @@ use crate::response::Quantity;
 use crate::units::DEG_PER_RAD;
 
 /// Columns of `designs.csv`, in order.
-pub const DESIGN_COLUMNS: [&str; 22] = [
+pub(crate) const DESIGN_COLUMNS: [&str; 22] = [
     "design",
     "absorber",
     "ring_inertia_kg_m2",

@@ -32,7 +32,7 @@ impl FatigueTable {
     ///
     /// # Errors
     /// [`WriteError`] where it cannot be written.
-    pub fn create(folder: &Folder) -> Result<Self, WriteError> {
+    pub(crate) fn create(folder: &Folder) -> Result<Self, WriteError> {
         let mut table = Self { writer: csv::Writer::from_writer(folder.stream()?), path: folder.path().join("fatigue.csv") };
         table.row(COLUMNS.iter().copied().chain(["note"]).map(str::to_owned))?;
         Ok(table)
@@ -74,7 +74,7 @@ impl FatigueTable {
     ///
     /// # Errors
     /// [`WriteError`] where it cannot be written.
-    pub fn finish(self, folder: &Folder) -> Result<(), WriteError> {
+    pub(crate) fn finish(self, folder: &Folder) -> Result<(), WriteError> {
         let path = self.path;
         let stream = self.writer.into_inner().map_err(|e| WriteError { path, reason: e.to_string() })?;
         folder.keep(stream, "fatigue.csv")

@@ -13,8 +13,9 @@ mod timing;
 
 pub use absorbers::absorbers;
 pub use comparison::{calibration, comparison};
-pub use designs::{DESIGN_COLUMNS, designs};
+pub use designs::designs;
 pub use pareto::pareto;
 pub use response::response;
-pub use table::{in_unit, in_unit_of, number};
+pub use table::number;
+pub(crate) use table::in_unit;
 pub use timing::timing;

@@ -22,7 +22,7 @@ impl Table {
         debug_assert!(written.is_ok(), "{written:?}");
     }
 
-    pub fn save(self, folder: &Folder, name: &str) -> Result<(), WriteError> {
+    pub(crate) fn save(self, folder: &Folder, name: &str) -> Result<(), WriteError> {
         folder.write(name, &self.writer.into_inner().unwrap_or_default())
     }
 }
@@ -33,17 +33,17 @@ pub fn number(x: f64) -> String {
     if x == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{x}") } else { format!("{x:e}") }
 }
 
-pub fn optional(x: Option<f64>) -> String {
+pub(crate) fn optional(x: Option<f64>) -> String {
     x.map_or_else(String::new, number)
 }
 
 /// A value of the study's (first) objective in the unit of its column.
-pub fn in_unit(study: &Study, value: f64) -> f64 {
+pub(crate) fn in_unit(study: &Study, value: f64) -> f64 {
     in_unit_of(&study.objective, value)
 }
 
 /// A value of an objective in the unit of its column; a margin is the inverse of what is minimised.
-pub fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
+pub(crate) fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
     match objective.unit {
         UnitOf::Angle => value * DEG_PER_RAD,
         UnitOf::Torque => value,

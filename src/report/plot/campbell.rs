@@ -24,7 +24,7 @@ fn push(study: &Study, results: &Results, n: usize) -> f64 {
         .fold(0.0, f64::max)
 }
 
-pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let all = &results.system.excitation.orders;
     let mut chosen: Vec<usize> = (0..all.len()).collect();
     chosen.sort_by(|a, b| push(study, results, *b).total_cmp(&push(study, results, *a)));

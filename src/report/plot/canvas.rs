@@ -17,7 +17,7 @@ pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 /// Colours that the colour-blind can tell apart (after Okabe and Ito).
-pub const COLOURS: [RGBColor; 7] = [
+pub(crate) const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -27,12 +27,12 @@ pub const COLOURS: [RGBColor; 7] = [
     RGBColor(120, 94, 60),
 ];
 /// Lines of a grid.
-pub const PALE: RGBColor = RGBColor(225, 225, 225);
+pub(crate) const PALE: RGBColor = RGBColor(225, 225, 225);
 /// Secondary text and lines.
-pub const GREY: RGBColor = RGBColor(110, 110, 110);
+pub(crate) const GREY: RGBColor = RGBColor(110, 110, 110);
 
 /// A length in the drawing, from units of the shown size.
-pub const fn px(units: u32) -> u32 {
+pub(crate) const fn px(units: u32) -> u32 {
     units * SCALE
 }
 
@@ -47,7 +47,7 @@ pub fn line(colour: RGBColor, tenths: u32) -> ShapeStyle {
 }
 
 /// A filled shape.
-pub fn fill(colour: RGBColor, opacity: f64) -> ShapeStyle {
+pub(crate) fn fill(colour: RGBColor, opacity: f64) -> ShapeStyle {
     colour.mix(opacity).filled()
 }
 
@@ -74,7 +74,7 @@ pub(super) use log_axes;
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn save(folder: &Folder, name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area) -> Drawn) -> Result<(), WriteError> {
+pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), draw: impl FnOnce(&Area) -> Drawn) -> Result<(), WriteError> {
     let failed = |reason: String| WriteError { path: folder.path().join(format!("{name}.svg")), reason };
     static FONT: OnceLock<bool> = OnceLock::new();
     let registered = *FONT.get_or_init(|| register_font("DejaVu Sans", FontStyle::Normal, dejavu::sans::regular()).is_ok());
@@ -107,13 +107,13 @@ fn png(svg: &str) -> Option<Vec<u8>> {
 }
 
 /// A number for an axis: no needless digits.
-pub fn tick(x: &f64) -> String {
+pub(crate) fn tick(x: &f64) -> String {
     let rounded = (x * 1e9).round() / 1e9;
     format!("{rounded}")
 }
 
 /// A round number a little above `x`: 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten.
-pub fn round_up(x: f64) -> f64 {
+pub(crate) fn round_up(x: f64) -> f64 {
     if x.is_nan() || x <= 0.0 {
         return 1.0;
     }
@@ -122,13 +122,13 @@ pub fn round_up(x: f64) -> f64 {
 }
 
 /// 1, 2 and 5 times the powers of ten between two values.
-pub fn ticks(left: f64, right: f64) -> Vec<f64> {
+pub(crate) fn ticks(left: f64, right: f64) -> Vec<f64> {
     let decades = left.log10().floor() as i32..=right.log10().ceil() as i32;
     decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d))).filter(|t| (left..right).contains(t)).collect()
 }
 
 /// Stretches of a curve below `top`, each ending on it where the curve leaves.
-pub fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f64, f64)>> {
+pub(crate) fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f64, f64)>> {
     let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
     let mut before: Option<(f64, f64)> = None;
     for (x, y) in points {
@@ -156,7 +156,7 @@ pub fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec<Vec<(f
 }
 
 /// Entries of a legend in a column of its own, so that it covers no curve.
-pub fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
+pub(crate) fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
     for (i, (label, style)) in entries.iter().enumerate() {
         let y = (px(26) + i as u32 * px(19)) as i32;
         area.draw(&PathElement::new(vec![(px(4) as i32, y), (px(28) as i32, y)], *style))?;
@@ -187,6 +187,6 @@ macro_rules! mesh {
 pub(super) use mesh;
 
 /// The area below a title.
-pub fn titled<'a>(area: &Area<'a>, title: &str) -> Result<Area<'a>, Box<dyn std::error::Error>> {
+pub(crate) fn titled<'a>(area: &Area<'a>, title: &str) -> Result<Area<'a>, Box<dyn std::error::Error>> {
     Ok(area.margin(px(6), 0, 0, 0).titled(title, text(17))?)
 }

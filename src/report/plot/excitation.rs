@@ -31,7 +31,7 @@ fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec
     canvas::legend(&side, &entries)
 }
 
-pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let system = &results.system;
     let orders: Vec<f64> = system.excitation.orders.iter().map(|o| o.value()).collect();
     let all = &study.speeds_rpm;

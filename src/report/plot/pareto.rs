@@ -14,7 +14,7 @@ fn colour(type_name: &str) -> RGBColor {
     TYPES.iter().position(|t| t.name == type_name).map_or(GREY, |i| COLOURS[i % COLOURS.len()])
 }
 
-pub fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let front = |front: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
         front.front.points.iter().map(|p| (p.design[0].absorber.ring_inertia(), in_unit(study, p.value))).collect()
     };

@@ -55,7 +55,7 @@ fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) 
 }
 
 /// Twist and hub amplitude of one design.
-pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -> Result<(), WriteError> {
     let (twist, hub) = (&sweep.quantities[0], &sweep.quantities[1]);
     let mut orders: Vec<usize> = (0..twist.orders.len()).collect();
     orders.sort_by(|a, b| largest(&twist.orders[*b]).total_cmp(&largest(&twist.orders[*a])));
@@ -97,7 +97,7 @@ pub fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -
 }
 
 /// Synthesised twist of all designs.
-pub fn overlay(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+pub(crate) fn overlay(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let top = canvas::round_up(results.sweeps.iter().map(|s| largest(&s.quantities[0].total)).fold(0.0, f64::max));
     let curves: Vec<Curve> = results
         .sweeps

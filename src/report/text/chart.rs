@@ -36,7 +36,7 @@ pub fn methods(measured: &SpeedAccuracy) -> String {
 }
 
 /// Strategies of a search: tables at several strides, and exactly.
-pub fn ways(measured: &SpeedAccuracy) -> String {
+pub(crate) fn ways(measured: &SpeedAccuracy) -> String {
     let row = |w: &Considered| vec![w.strategy.label(), duration(w.seconds), format!("{:.1e}", w.error)];
     table(&["strategy of a search", "per design", "error"], &measured.ways.iter().map(row).collect::<Vec<_>>())
 }

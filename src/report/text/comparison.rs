@@ -72,7 +72,7 @@ const ONE_DIGIT: f64 = 0.1 + 1e-9;
 const SAME_RING: f64 = 1e-9;
 
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
-pub fn paragraph(study: &Study, c: &Comparison) -> String {
+pub(crate) fn paragraph(study: &Study, c: &Comparison) -> String {
     let parts = [best(study, c), reproduced(study, c), own_stresses(c), multiaxial_alone(c), misprints(c), doubts(study, c), tolerances(c)];
     parts.concat().iter().map(|line| format!("  {line}\n")).collect()
 }

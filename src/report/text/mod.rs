@@ -8,5 +8,6 @@ pub mod fatigue;
 pub mod margin;
 mod run;
 mod table;
-pub use run::{choice, conditions, designs, optimum, summary};
-pub use table::{significant, table};
+pub use run::{choice, conditions, designs, optimum};
+pub(crate) use run::summary;
+pub use table::table;

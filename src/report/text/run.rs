@@ -226,7 +226,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 }
 
 /// What the run found, in sentences.
-pub fn summary(study: &Study, results: &Results) -> String {
+pub(crate) fn summary(study: &Study, results: &Results) -> String {
     let mut text = String::new();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     for (i, (words, limit)) in study.limits.iter().enumerate() {

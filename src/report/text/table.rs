@@ -6,7 +6,7 @@ pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// A table whose columns line up, to the left where `left` says so and to the right elsewhere.
-pub fn aligned(header: &[&str], rows: &[Vec<String>], left: impl Fn(usize) -> bool) -> String {
+pub(crate) fn aligned(header: &[&str], rows: &[Vec<String>], left: impl Fn(usize) -> bool) -> String {
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).chain([header[c].chars().count()]).max().unwrap_or(0);
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let line = |cells: &[String]| {
@@ -19,7 +19,7 @@ pub fn aligned(header: &[&str], rows: &[Vec<String>], left: impl Fn(usize) -> bo
 }
 
 /// A number with about `digits` significant digits, without exponent where it is short.
-pub fn significant(x: f64, digits: i32) -> String {
+pub(crate) fn significant(x: f64, digits: i32) -> String {
     if x == 0.0 {
         return "0".into();
     }
@@ -28,6 +28,6 @@ pub fn significant(x: f64, digits: i32) -> String {
 }
 
 /// The text, or a dash where a value does not apply.
-pub fn dash(text: Option<String>) -> String {
+pub(crate) fn dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| "-".into())
 }

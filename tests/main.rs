@@ -28,3 +28,4 @@ mod planes;
 mod responses;
 mod shaft;
 mod support;
+mod surface;

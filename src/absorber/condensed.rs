@@ -10,7 +10,7 @@ use crate::numerics::C64;
 
 /// Dynamic stiffness that an absorber, with all that sits on its ring, adds to what carries it: z = numerator/denominator, N m/rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fraction {
+pub(crate) struct Fraction {
     /// With its sign and the hub.
     pub numerator: C64,
     /// S + m, times the denominators of the absorbers on the ring.
@@ -25,7 +25,7 @@ pub struct Fraction {
 
 /// An absorber on a station.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hub {
+pub(crate) struct Hub {
     /// Index of the absorber in the design.
     pub absorber: usize,
     /// Index of the station.
@@ -49,7 +49,7 @@ pub struct Ring {
 
 /// A design at one frequency.
 #[derive(Debug, Clone, Default)]
-pub struct Condensed {
+pub(crate) struct Condensed {
     /// What acts on the stations, in the order of the design.
     pub hubs: Vec<Hub>,
     /// Every absorber, in the order of the design.

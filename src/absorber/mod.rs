@@ -12,7 +12,7 @@ pub mod types;
 pub mod undamped;
 pub mod viscous;
 
-pub use condensed::Condensed;
+pub(crate) use condensed::Condensed;
 pub use dynamic_stiffness::{Operating, SpringAndDamper};
 pub use law::{ClosedForm, Declaration, Law};
 pub use mounted::{Absorber, Host, Mounted};

@@ -21,7 +21,7 @@ pub struct Near {
     pub speed_rpm: f64,
 }
 
-/// Largest amplitude of an order at the hub of the study within [`WINDOW`] of a speed and the range of the study; `None` where that is
+/// Largest amplitude of an order at the hub of the study within `WINDOW` of a speed and the range of the study; `None` where that is
 /// empty or the torque has no such order.
 ///
 /// # Errors

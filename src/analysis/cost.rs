@@ -14,7 +14,12 @@ const REPEATS: Repeats = Repeats { least: 1, most: 21, seconds: 0.5 };
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub(crate) fn per_design(finder: &PeakFinder, design: &[Mounted], quantity: Quantity, margins: &[Measure]) -> Result<Vec<Timing>, ResponseError> {
+pub(crate) fn per_design(
+    finder: &PeakFinder,
+    design: &[Mounted],
+    quantity: Quantity,
+    margins: &[Measure],
+) -> Result<Vec<Timing>, ResponseError> {
     let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
     let (mut squares, mut phasors) = (Vec::new(), Vec::new());
     finder.method.sweep(design, quantity, &mut phasors, &mut Work::default())?;

@@ -41,7 +41,7 @@ const SHARE: f64 = 0.2;
 
 /// Sets peaks against the quasi-static response of the chain.
 #[derive(Debug, Clone)]
-pub struct Classifier {
+pub(crate) struct Classifier {
     quantity: Quantity,
     /// Per torque at each station.
     per_torque: Vec<f64>,

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 const SCREENED: usize = 4096;
 
 /// What all searches of a study share.
-pub struct Searches<'a> {
+pub(crate) struct Searches<'a> {
     pub study: &'a Study,
     pub finders: &'a [PeakFinder<'a>],
     pub load_cases: &'a [LoadCase<'a>],

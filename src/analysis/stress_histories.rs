@@ -30,7 +30,7 @@ impl PointResult {
 
 /// What is kept of all points: memory does not grow with their number.
 #[derive(Debug, Clone, Default)]
-pub struct Summary {
+pub(crate) struct Summary {
     /// How many there were.
     pub points: usize,
     /// For each criterion the points with the smallest factors, smallest first.

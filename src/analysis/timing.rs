@@ -16,7 +16,7 @@ pub struct Timing {
 
 /// Times one stage after the other.
 #[derive(Debug)]
-pub struct Clock {
+pub(crate) struct Clock {
     /// Stages so far.
     pub timing: Vec<Timing>,
     since: Instant,
@@ -37,7 +37,7 @@ impl Clock {
 
 /// How often something is repeated to be timed.
 #[derive(Debug, Clone, Copy)]
-pub struct Repeats {
+pub(crate) struct Repeats {
     /// At least.
     pub least: usize,
     /// At most.

@@ -18,9 +18,9 @@ use crate::units::RAD_PER_S_PER_RPM;
 pub enum Simplification {
     /// The two-term series of the slider-crank instead of its exact motion, against the ratio of crank radius to rod length.
     TruncatedSeries,
-    /// Orders up to a limit, against [`MANY_ORDERS`].
+    /// Orders up to a limit, against `MANY_ORDERS`.
     OrderLimit,
-    /// Pressure known every so many degrees, linear in between, against [`SAMPLE_DEG`].
+    /// Pressure known every so many degrees, linear in between, against `SAMPLE_DEG`.
     PressureSampling,
     /// The largest value on a 10 rpm grid instead of the refined peak of one mode, against its damping ratio.
     CoarseGrid,

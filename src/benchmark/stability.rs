@@ -12,13 +12,13 @@ use crate::response::{Dense, Grid, Quantity, Response, ResponseError, Work};
 /// What a method is declared to make of a scenario; errors are the largest difference over the largest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Outcome {
-    /// Within this error, at most [`RIGHT`].
+    /// Within this error, at most `RIGHT`.
     Right(f64),
-    /// Between [`RIGHT`] and [`ROUGH`].
+    /// Between `RIGHT` and `ROUGH`.
     Rough,
     /// An error that says this.
     Refused(&'static str),
-    /// Off by at least this, at least [`ROUGH`], and known to be.
+    /// Off by at least this, at least `ROUGH`, and known to be.
     Wrong(f64),
 }
 use Outcome::{Refused, Right, Rough, Wrong};

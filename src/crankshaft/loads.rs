@@ -41,7 +41,7 @@ pub struct InPlane {
 }
 
 /// (place in m, value) along the crank, in the plane of a throw and across it.
-pub type InPlanes = [Vec<(f64, f64)>; 2];
+pub(crate) type InPlanes = [Vec<(f64, f64)>; 2];
 
 impl<'a> CrankModel<'a> {
     /// Reactions by beam elements. Nothing where the torque comes from a table.

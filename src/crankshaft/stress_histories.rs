@@ -20,7 +20,7 @@ use std::f64::consts::TAU;
 const BLOCK: usize = 16;
 
 /// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
-pub type Section = [Vec<f64>; 3];
+pub(crate) type Section = [Vec<f64>; 3];
 
 /// What a location bears by bending alone at a speed.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,7 +35,7 @@ struct Bent {
 
 /// Histories of all locations at the speeds of a sweep.
 #[derive(Debug, Clone)]
-pub struct Histories {
+pub(crate) struct Histories {
     limits: Limits,
     samples: usize,
     /// Turn of every harmonic at every sample: a row a harmonic.

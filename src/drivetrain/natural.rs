@@ -17,7 +17,7 @@ const SETTLED: f64 = 1e-12;
 
 /// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
 #[derive(Debug, Clone)]
-pub struct Basis {
+pub(crate) struct Basis {
     /// Mode shapes: a row a station, a column a mode.
     shapes: DMatrix<f64>,
     stiffness: Vec<f64>,

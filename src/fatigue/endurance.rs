@@ -33,9 +33,9 @@ pub struct Endurance {
     pub diameter: f64,
     /// Finish.
     pub surface: Surface,
-    /// °C, up to [`HOTTEST`].
+    /// °C, up to `HOTTEST`.
     pub temperature_c: f64,
-    /// Per cent, one of [`RELIABILITIES`].
+    /// Per cent, one of `RELIABILITIES`.
     pub reliability_percent: f64,
 }
 

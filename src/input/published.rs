@@ -127,7 +127,7 @@ impl PublishedPoint {
     }
 }
 
-/// Multiaxial safety factors at a point, by [`SIX_CRITERIA`].
+/// Multiaxial safety factors at a point, by `SIX_CRITERIA`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedMultiaxial {
     /// Where.

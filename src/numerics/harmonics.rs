@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// Analyses functions sampled at the same points; the angles of all samples and harmonics are computed once.
 #[derive(Debug, Clone)]
-pub struct Analyser<'a> {
+pub(crate) struct Analyser<'a> {
     /// e^{-i psi_j}: every sample and harmonic has one of these angles.
     turn: Vec<C64>,
     harmonics: &'a [u32],
@@ -31,7 +31,7 @@ impl<'a> Analyser<'a> {
     }
 }
 
-/// [`Analyser::analyse`] of one function.
+/// `analyse` of one function.
 pub fn analyse(samples: &[f64], harmonics: &[u32]) -> Vec<C64> {
     Analyser::new(samples.len(), harmonics).analyse(samples)
 }

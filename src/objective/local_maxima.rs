@@ -28,7 +28,7 @@ pub struct Candidate {
 }
 
 /// A refined peak: speed, place, and whether it ran away.
-pub struct Refined {
+pub(crate) struct Refined {
     /// rpm.
     pub speed_rpm: f64,
     /// Where on the range.

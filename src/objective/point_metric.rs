@@ -8,7 +8,7 @@ use crate::response::Quantity;
 
 /// The value of a synthesis.
 #[derive(Debug, Clone, Copy)]
-pub enum PointMetric<'a> {
+pub(crate) enum PointMetric<'a> {
     /// Half peak-to-peak.
     HalfRange,
     /// Share of the strength that is used at the worst location of a shaft.

@@ -26,7 +26,7 @@ const UNDAMPED: f64 = 1e-10;
 
 /// The chain as far as narrow resonances need it.
 #[derive(Debug)]
-pub struct Resonances {
+pub(crate) struct Resonances {
     basis: Basis,
     /// As many modes as can be afforded: a heavy hub bends the low modes of the chain.
     full: Basis,

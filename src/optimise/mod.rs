@@ -12,5 +12,5 @@ pub mod variables;
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
 pub use problem::{LoadCase, Problem, Row, Rows};
-pub use search::{Optimum, Recorder, Stages, Start};
+pub use search::{Optimum, Stages, Start};
 pub use variables::{Slot, Space, Variable};

@@ -14,7 +14,7 @@ const MOST_COMBINED: usize = 12;
 const APART: f64 = 1.3;
 
 /// A named start.
-pub type NamedPoint = (String, Vec<f64>);
+pub(crate) type NamedPoint = (String, Vec<f64>);
 
 /// Starts for a family, with the modes of each of its absorbers: the closed forms of each mode (a free ring inertia at its upper bound and its middle),
 /// the lowest bounds, then `random` points from `seed`.

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 
 /// A linearised row: value and gradient.
 #[derive(Debug, Clone)]
-pub struct Line {
+pub(crate) struct Line {
     /// Whether it belongs to a limit (to be at most zero) or to the objective (to be at most t).
     pub limit: bool,
     /// In units of the largest objective.

@@ -19,7 +19,7 @@ pub(crate) const LANES: usize = 8;
 
 /// A complex number of each point.
 #[derive(Debug, Clone, Copy)]
-pub struct Lane {
+pub(crate) struct Lane {
     re: [f64; LANES],
     im: [f64; LANES],
 }
@@ -56,7 +56,7 @@ impl Lane {
 
 /// Points that are solved together: frequencies and torques in, angles out.
 #[derive(Debug, Clone)]
-pub struct Block {
+pub(crate) struct Block {
     /// Circular frequencies, rad/s.
     pub omega: [f64; LANES],
     /// Speed of the shaft, rad/s.

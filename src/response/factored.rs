@@ -11,7 +11,7 @@ use crate::units::RAD_PER_S_PER_RPM;
 ///
 /// The column of a station with absorbers is scaled by their denominators d (see [`Condensed`]), so that the
 /// unknown there is q = theta/d: finite and exact where an undamped ring resonates.
-pub struct Factored<'a> {
+pub(crate) struct Factored<'a> {
     system: &'a System,
     /// Circular frequency, rad/s.
     pub omega: f64,

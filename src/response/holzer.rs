@@ -2,7 +2,7 @@
 //!
 //! Two marches, one from an angle of one at the first station without torque, one from rest with the torque; the torque behind the last
 //! station must vanish. On long chains and above the resonances of single shafts both grow and their difference loses digits: more than
-//! [`LARGEST_CANCELLATION`] is refused.
+//! `LARGEST_CANCELLATION` is refused.
 
 use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::{Condensed, Mounted, Operating};
@@ -15,7 +15,7 @@ pub(crate) const LARGEST_CANCELLATION: f64 = 1e6;
 
 /// Transfer matrices along the chain.
 #[derive(Debug)]
-pub struct Holzer<'a> {
+pub(crate) struct Holzer<'a> {
     system: &'a System,
     grid: &'a Grid,
 }

@@ -6,7 +6,7 @@ use multiversion::multiversion;
 
 /// One table entry a point, in separate arrays so that the loop runs several points at a time.
 #[derive(Debug, Clone, Default)]
-pub struct Points {
+pub(crate) struct Points {
     /// Circular frequency, rad/s.
     pub omega: Vec<f64>,
     /// Speed of the shaft, rad/s.

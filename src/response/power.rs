@@ -51,9 +51,9 @@ impl Motion {
 }
 
 /// What a method's own model dissipates, W, given circular frequency (rad/s) and phasors.
-pub type Dissipated<'a> = &'a dyn Fn(f64, &Motion) -> f64;
+pub(crate) type Dissipated<'a> = &'a dyn Fn(f64, &Motion) -> f64;
 
-/// Quantities that [`powers`] asks a method for, for tables.
+/// Quantities that `powers` asks a method for, for tables.
 pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
     let angles = (0..stations).map(|from| Quantity::Twist { from, to: None });
     let twists = (1..stations).map(|to| Quantity::Twist { from: to - 1, to: Some(to) });
@@ -65,7 +65,12 @@ pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
 ///
 /// # Errors
 /// Those of the method.
-pub(crate) fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>, work: &mut Work) -> Result<Vec<Power>, ResponseError> {
+pub(crate) fn powers(
+    method: &dyn Response,
+    design: &[Mounted],
+    own: Option<Dissipated>,
+    work: &mut Work,
+) -> Result<Vec<Power>, ResponseError> {
     let (system, n) = (method.system(), method.system().chain.len());
     let sweeps = method.sweep_each(design, &quantities(n, design.len()), work)?;
     let orders = method.orders().len();

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Engine modes with exact absorbers.
 #[derive(Debug)]
-pub struct Reduced<'a> {
+pub(crate) struct Reduced<'a> {
     system: &'a System,
     grid: &'a Grid,
     /// Modes kept, rigid ones included.

@@ -21,7 +21,7 @@ const STEPS: [f64; 2] = [1.01, 0.99];
 
 /// Whether the ring's damping is in printed frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Convention {
+pub(crate) enum Convention {
     /// Of the undamped motion.
     Undamped,
     /// Imaginary parts of the eigenvalues, the ring's damping included.
@@ -30,7 +30,7 @@ pub enum Convention {
 
 /// Frequencies of one published design by the convention that fits its printed ones, and by the other.
 #[derive(Debug, Clone)]
-pub struct Frequencies {
+pub(crate) struct Frequencies {
     /// Design.
     pub design: String,
     /// The one that fits; `None` without absorber, where there is no difference.

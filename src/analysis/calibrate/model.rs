@@ -9,7 +9,7 @@ use crate::response::{Direct, Grid, ResponseError, Work};
 use std::sync::Arc;
 
 /// Amplitudes of the fitted rows for inputs of given values, rad. Torques are kept while only the chain changes.
-pub struct Model<'a> {
+pub(crate) struct Model<'a> {
     study: &'a Study,
     spec: &'a CalibrateSpec,
     grid: Grid,

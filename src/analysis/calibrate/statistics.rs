@@ -26,7 +26,7 @@ pub struct Statistics {
 
 /// Covariance = s² (J'J)^-1 at the minimum, each of its directions times the square of the `stretch` that belongs to it. `jacobian`: a row a
 /// residual, a column a parameter; `widths`: what each parameter can change at all, to compare parameters of different units. `stretch` is
-/// given one standard deviation along a direction and s², see [`stretch`]; one where linear theory is enough.
+/// given one standard deviation along a direction and s², see `stretch`; one where linear theory is enough.
 pub fn statistics(jacobian: &DMatrix<f64>, residuals: &[f64], widths: &[f64], mut stretch: impl FnMut(&[f64], f64) -> f64) -> Statistics {
     let (m, p) = jacobian.shape();
     let degrees_of_freedom = m.saturating_sub(p);

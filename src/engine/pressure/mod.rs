@@ -7,6 +7,6 @@ pub mod wiebe;
 pub use measured::Measured;
 pub use model::Pressure;
 pub use otto::Otto;
-pub use sampling::{sample_angle, samples};
 pub(crate) use sampling::SAMPLE_DEG;
+pub use sampling::{sample_angle, samples};
 pub use wiebe::Wiebe;

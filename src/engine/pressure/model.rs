@@ -26,7 +26,7 @@ impl Pressure {
         }
     }
 
-    /// Pressure over one cycle at tabulated speed `index`, Pa absolute, every [`super::SAMPLE_DEG`] from firing dead centre.
+    /// Pressure over one cycle at tabulated speed `index`, Pa absolute, every `SAMPLE_DEG` from firing dead centre.
     /// `cylinders` and `strokes` turn brake power into work per cycle.
     pub fn trace(&self, index: usize, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<f64> {
         match self {

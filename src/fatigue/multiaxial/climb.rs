@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 /// What is to be large.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sought {
+pub(crate) enum Sought {
     /// The shear amplitude.
     Shear,
     /// The shear amplitude and so many times the largest normal stress.
@@ -53,7 +53,7 @@ const CLOSE: f64 = 0.005;
 
 /// A history, and what is sought on its planes.
 #[derive(Debug)]
-pub struct Slope<'a> {
+pub(crate) struct Slope<'a> {
     /// All samples.
     pub history: &'a History,
     /// Its hydrostatic stress.

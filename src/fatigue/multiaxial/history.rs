@@ -10,7 +10,7 @@ pub struct History {
 }
 
 /// Weights of the six components in a quantity that is linear in the tensor.
-pub type Weights = [f64; 6];
+pub(crate) type Weights = [f64; 6];
 
 impl History {
     /// From tensors, sample by sample.

@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawAbsorber {
+pub(crate) struct RawAbsorber {
     pub name: Option<At<String>>,
     pub on: RawOn,
     pub hub_inertia_kg_m2: Option<At<f64>>,
@@ -19,20 +19,20 @@ pub struct RawAbsorber {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawOn {
+pub(crate) enum RawOn {
     Station(At<String>),
     Ring(At<String>),
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawLocked {
+pub(crate) struct RawLocked {
     pub ring_inertia_kg_m2: At<f64>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawSeeded {
+pub(crate) struct RawSeeded {
     pub by: At<String>,
     pub ring_inertia_kg_m2: At<f64>,
     #[serde(default)]
@@ -41,7 +41,7 @@ pub struct RawSeeded {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawEngineInertia {
+pub(crate) enum RawEngineInertia {
     #[default]
     Modal,
     WholeChain,
@@ -49,7 +49,7 @@ pub enum RawEngineInertia {
 
 /// A type with its values.
 #[derive(Debug)]
-pub enum RawType {
+pub(crate) enum RawType {
     /// A declared type, a value for each of its parameters.
     Declared(&'static Declaration, Vec<At<f64>>),
     Locked(RawLocked),
@@ -58,11 +58,11 @@ pub enum RawType {
 
 /// A type by its word.
 #[derive(Debug, Clone, Copy)]
-pub struct RawKind(pub &'static Declaration);
+pub(crate) struct RawKind(pub &'static Declaration);
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawSize {
+pub(crate) enum RawSize {
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(RawRange),
     InertiaRatio(RawRange),
@@ -70,7 +70,7 @@ pub enum RawSize {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawRange {
+pub(crate) enum RawRange {
     Fixed(At<f64>),
     Between(At<Vec<At<f64>>>),
     Each(At<Vec<At<f64>>>),
@@ -78,7 +78,7 @@ pub enum RawRange {
 
 /// A family of absorbers: besides these keys, bounds of any parameter of a type.
 #[derive(Debug)]
-pub struct RawOptimised {
+pub(crate) struct RawOptimised {
     pub name: Option<At<String>>,
     pub on: RawOn,
     pub hub_inertia_kg_m2: Option<At<f64>>,

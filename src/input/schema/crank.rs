@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawCrank {
+pub(crate) struct RawCrank {
     pub pitch_mm: RawEach,
     pub crankpin_diameter_mm: At<f64>,
     pub crankpin_length_mm: At<f64>,
@@ -33,14 +33,14 @@ pub struct RawCrank {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawEach {
+pub(crate) enum RawEach {
     All(At<f64>),
     Each(At<Vec<At<f64>>>),
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawOilBore {
+pub(crate) struct RawOilBore {
     pub diameter_mm: At<f64>,
     pub angle_deg: Option<At<f64>>,
 }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawEngine {
+pub(crate) struct RawEngine {
     pub name: At<String>,
     pub strokes: At<i64>,
     pub geometry: Option<At<RawGeometry>>,
@@ -19,7 +19,7 @@ pub struct RawEngine {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawGeometry {
+pub(crate) struct RawGeometry {
     pub bore_mm: At<f64>,
     pub crank_radius_mm: At<f64>,
     pub rod_length_mm: At<f64>,
@@ -36,7 +36,7 @@ pub struct RawGeometry {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawKinematics {
+pub(crate) enum RawKinematics {
     #[default]
     Exact,
     Truncated,
@@ -44,21 +44,21 @@ pub enum RawKinematics {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawLayout {
+pub(crate) enum RawLayout {
     InLine(RawInLine),
     V(RawV),
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawInLine {
+pub(crate) struct RawInLine {
     pub firing_order: At<Vec<At<i64>>>,
     pub firing_deg: At<Vec<At<f64>>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawV {
+pub(crate) struct RawV {
     pub bank_angle_deg: At<f64>,
     pub firing_order: At<Vec<At<i64>>>,
     pub firing_deg: At<Vec<At<f64>>>,
@@ -66,7 +66,7 @@ pub struct RawV {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawPressure {
+pub(crate) enum RawPressure {
     Otto(RawOtto),
     Wiebe(RawWiebe),
     Measured(RawFile),
@@ -75,7 +75,7 @@ pub enum RawPressure {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawOtto {
+pub(crate) struct RawOtto {
     pub speed_rpm: At<Vec<At<f64>>>,
     pub curve: RawCurve,
     pub compression_ratio: At<f64>,
@@ -85,7 +85,7 @@ pub struct RawOtto {
 }
 
 #[derive(Debug, Deserialize)]
-pub enum RawCurve {
+pub(crate) enum RawCurve {
     #[serde(rename = "power_kw")]
     Power(At<Vec<At<f64>>>),
     #[serde(rename = "torque_n_m")]
@@ -94,7 +94,7 @@ pub enum RawCurve {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawWiebe {
+pub(crate) struct RawWiebe {
     pub speed_rpm: At<Vec<At<f64>>>,
     pub indicated_mean_pressure_bar: At<Vec<At<f64>>>,
     pub boost_bar: At<f64>,
@@ -107,13 +107,13 @@ pub struct RawWiebe {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawFile {
+pub(crate) struct RawFile {
     pub file: At<String>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawStation {
+pub(crate) struct RawStation {
     pub name: At<String>,
     #[serde(default)]
     pub throws: Vec<At<i64>>,

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawFatigue {
+pub(crate) struct RawFatigue {
     pub criteria: At<Vec<At<RawCriterion>>>,
     pub material: RawMaterial,
     pub endurance: Option<RawEndurance>,
@@ -21,7 +21,7 @@ pub struct RawFatigue {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawCriterion {
+pub(crate) enum RawCriterion {
     Goodman,
     Soderberg,
     Gerber,
@@ -46,7 +46,7 @@ pub enum RawCriterion {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawMeanBending {
+pub(crate) enum RawMeanBending {
     #[default]
     Signed,
     AsTension,
@@ -54,7 +54,7 @@ pub enum RawMeanBending {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawMaterial {
+pub(crate) struct RawMaterial {
     pub tensile_strength_mpa: At<f64>,
     pub yield_strength_mpa: Option<At<f64>>,
     pub bending_fatigue_limit_mpa: Option<At<f64>>,
@@ -64,7 +64,7 @@ pub struct RawMaterial {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawEndurance {
+pub(crate) struct RawEndurance {
     #[serde(default)]
     pub load: RawLoad,
     pub surface: RawSurface,
@@ -74,7 +74,7 @@ pub struct RawEndurance {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawLoad {
+pub(crate) enum RawLoad {
     #[default]
     Bending,
     Axial,
@@ -82,7 +82,7 @@ pub enum RawLoad {
 
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawSurface {
+pub(crate) enum RawSurface {
     Ground,
     Machined,
     HotRolled,
@@ -91,7 +91,7 @@ pub enum RawSurface {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawClassRule {
+pub(crate) struct RawClassRule {
     #[serde(default)]
     pub manufacture: RawManufacture,
     pub additional_bending_mpa: Option<At<f64>>,
@@ -99,7 +99,7 @@ pub struct RawClassRule {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawManufacture {
+pub(crate) enum RawManufacture {
     GrainFlow,
     #[default]
     FreeForged,
@@ -108,7 +108,7 @@ pub enum RawManufacture {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawFillet {
+pub(crate) struct RawFillet {
     pub name: At<String>,
     pub throw: Option<At<i64>>,
     #[serde(default)]
@@ -118,7 +118,7 @@ pub struct RawFillet {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawPlace {
+pub(crate) enum RawPlace {
     #[default]
     Crankpin,
     Journal,
@@ -126,7 +126,7 @@ pub enum RawPlace {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawFactors {
+pub(crate) enum RawFactors {
     Given(RawGiven),
     UnitLoads(At<String>),
     IacsM53,
@@ -136,7 +136,7 @@ pub enum RawFactors {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawGiven {
+pub(crate) struct RawGiven {
     pub bending: At<f64>,
     pub torsion: At<f64>,
 }

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawMaterialFile {
+pub(crate) struct RawMaterialFile {
     pub tensile_strength_mpa: At<f64>,
     pub yield_strength_mpa: Option<At<f64>>,
     pub bending_fatigue_limit_mpa: At<f64>,

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawStudy {
+pub(crate) struct RawStudy {
     pub engine: At<String>,
     pub speed_rpm: At<RawSpeeds>,
     pub order_limit: Option<At<f64>>,
@@ -30,7 +30,7 @@ pub struct RawStudy {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawCondition {
+pub(crate) enum RawCondition {
     Firing,
     Misfire,
     AbsorberLocked,
@@ -39,7 +39,7 @@ pub enum RawCondition {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawSpeeds {
+pub(crate) struct RawSpeeds {
     pub from: At<f64>,
     pub to: At<f64>,
     pub step: At<f64>,
@@ -47,7 +47,7 @@ pub struct RawSpeeds {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawResponse {
+pub(crate) struct RawResponse {
     #[serde(default)]
     pub method: RawMethod,
     pub tolerance: Option<At<f64>>,
@@ -56,7 +56,7 @@ pub struct RawResponse {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawMethod {
+pub(crate) enum RawMethod {
     Receptance,
     Direct,
     #[default]
@@ -65,7 +65,7 @@ pub enum RawMethod {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawDesign {
+pub(crate) struct RawDesign {
     pub name: At<String>,
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
@@ -73,7 +73,7 @@ pub struct RawDesign {
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawOver {
+pub(crate) enum RawOver {
     #[default]
     Synthesis,
     Orders,
@@ -81,7 +81,7 @@ pub enum RawOver {
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawObjective {
+pub(crate) enum RawObjective {
     PeakTwist(RawTwist),
     HubAmplitude(RawAmplitude),
     VibratoryTorque(RawTorque),
@@ -90,7 +90,7 @@ pub enum RawObjective {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawTwist {
+pub(crate) struct RawTwist {
     pub from: At<String>,
     pub to: At<String>,
     #[serde(default)]
@@ -99,7 +99,7 @@ pub struct RawTwist {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawAmplitude {
+pub(crate) struct RawAmplitude {
     pub station: At<String>,
     #[serde(default)]
     pub over: RawOver,
@@ -107,14 +107,14 @@ pub struct RawAmplitude {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawTorque {
+pub(crate) struct RawTorque {
     #[serde(default)]
     pub over: RawOver,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawConstraint {
+pub(crate) enum RawConstraint {
     PeakTwist(RawTwistLimit),
     HubAmplitude(RawAmplitudeLimit),
     VibratoryTorque(RawTorqueLimit),
@@ -123,7 +123,7 @@ pub enum RawConstraint {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawTwistLimit {
+pub(crate) struct RawTwistLimit {
     pub from: At<String>,
     pub to: At<String>,
     #[serde(default)]
@@ -133,7 +133,7 @@ pub struct RawTwistLimit {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawAmplitudeLimit {
+pub(crate) struct RawAmplitudeLimit {
     pub station: At<String>,
     #[serde(default)]
     pub over: RawOver,
@@ -142,7 +142,7 @@ pub struct RawAmplitudeLimit {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawTorqueLimit {
+pub(crate) struct RawTorqueLimit {
     #[serde(default)]
     pub over: RawOver,
     pub max_n_m: At<f64>,
@@ -150,20 +150,20 @@ pub struct RawTorqueLimit {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawMargin {
+pub(crate) struct RawMargin {
     pub criterion: Option<At<RawCriterion>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawMarginLimit {
+pub(crate) struct RawMarginLimit {
     pub min: At<f64>,
     pub criterion: Option<At<RawCriterion>>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawOptimise {
+pub(crate) struct RawOptimise {
     pub seed: Option<At<i64>>,
     pub random_starts: Option<At<i64>>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
@@ -172,14 +172,14 @@ pub struct RawOptimise {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawPareto {
+pub(crate) struct RawPareto {
     pub points: At<i64>,
     pub against: RawAgainst,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum RawAgainst {
+pub(crate) enum RawAgainst {
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(At<Vec<At<f64>>>),
     InertiaRatio(At<Vec<At<f64>>>),
@@ -187,7 +187,7 @@ pub enum RawAgainst {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawPublished {
+pub(crate) struct RawPublished {
     pub engine: At<String>,
     pub frequencies: Option<At<String>>,
     pub absorbers: Option<At<String>>,
@@ -205,7 +205,7 @@ pub struct RawPublished {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawTolerances {
+pub(crate) struct RawTolerances {
     pub frequency: Option<At<f64>>,
     pub critical_speed: Option<At<f64>>,
     pub stiffness: Option<At<f64>>,
@@ -218,7 +218,7 @@ pub struct RawTolerances {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawCalibrate {
+pub(crate) struct RawCalibrate {
     pub designs: At<Vec<At<String>>>,
     #[serde(default)]
     pub exclude: Vec<At<RawExcluded>>,
@@ -237,7 +237,7 @@ pub struct RawCalibrate {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RawExcluded {
+pub(crate) struct RawExcluded {
     pub design: At<String>,
     pub order: At<f64>,
     pub speed_rpm: At<f64>,

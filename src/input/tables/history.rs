@@ -20,7 +20,7 @@ pub struct PointHistory {
 }
 
 /// Reads a table of histories. Rows of a point follow each other; all points have the same angles.
-pub struct HistoryReader {
+pub(crate) struct HistoryReader {
     stream: Stream,
     /// First row of the next point, already read.
     waiting: Option<Row>,

@@ -54,7 +54,7 @@ impl Loads {
 }
 
 /// Histories of the points of a table of stresses per unit load, one after the other.
-pub struct Superposed {
+pub(crate) struct Superposed {
     path: PathBuf,
     points: UnitLoadReader,
     loads: Loads,

@@ -8,10 +8,10 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
 /// A point with its tensor per unit of each load, Pa; zero where the table has none.
-pub type UnitPoint = (String, Vec<[f64; 6]>);
+pub(crate) type UnitPoint = (String, Vec<[f64; 6]>);
 
 /// Reads a table of stresses per unit load. Rows of a point follow each other.
-pub struct UnitLoadReader {
+pub(crate) struct UnitLoadReader {
     stream: Stream,
     /// Names of the loads.
     loads: Vec<String>,

@@ -68,7 +68,7 @@ pub(crate) fn default_twist(chain: &Chain, hub: usize) -> Quantity {
 
 /// What a study says of fatigue.
 #[derive(Debug, Clone, Copy)]
-pub enum Judged<'a> {
+pub(crate) enum Judged<'a> {
     /// Nothing.
     Not,
     /// With mistakes.

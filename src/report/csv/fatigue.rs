@@ -22,7 +22,7 @@ const COLUMNS: [&str; 11] = [
 
 /// The table being written.
 #[derive(Debug)]
-pub struct FatigueTable {
+pub(crate) struct FatigueTable {
     writer: csv::Writer<Stream>,
     path: std::path::PathBuf,
 }

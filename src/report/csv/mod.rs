@@ -16,6 +16,6 @@ pub use comparison::{calibration, comparison};
 pub use designs::designs;
 pub use pareto::pareto;
 pub use response::response;
-pub use table::number;
 pub(crate) use table::in_unit;
+pub use table::number;
 pub use timing::timing;

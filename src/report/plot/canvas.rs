@@ -12,9 +12,9 @@ const SCALE: u32 = 10;
 const PNG_ZOOM: f32 = 1.5;
 
 /// A drawing area of the SVG backend.
-pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// What drawing may fail with.
-pub type Drawn = Result<(), Box<dyn std::error::Error>>;
+pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 /// Colours that the colour-blind can tell apart (after Okabe and Ito).
 pub(crate) const COLOURS: [RGBColor; 7] = [

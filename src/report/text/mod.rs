@@ -8,6 +8,6 @@ pub mod fatigue;
 pub mod margin;
 mod run;
 mod table;
-pub use run::{choice, conditions, designs, optimum};
 pub(crate) use run::summary;
+pub use run::{choice, conditions, designs, optimum};
 pub use table::table;

@@ -1,0 +1,75 @@
+//! Nothing is public that no program uses.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+fn rust_files(folder: &Path, list: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            rust_files(&path, list);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            list.push(path);
+        }
+    }
+}
+
+fn texts(folder: &str) -> Vec<(PathBuf, String)> {
+    let mut list = Vec::new();
+    rust_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut list);
+    list.into_iter().map(|p| (p.clone(), std::fs::read_to_string(&p).expect("UTF-8"))).collect()
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|w| !w.is_empty())
+}
+
+/// The name that a line declares as public, and whether it is a type.
+fn declared(line: &str) -> Option<(&str, bool)> {
+    let rest = line.trim_start().strip_prefix("pub ")?;
+    let rest = rest.strip_prefix("const fn ").map_or(rest, |_| &rest["const ".len()..]);
+    let (kind, rest) = rest.split_once(' ')?;
+    let name = words(rest).next()?;
+    match kind {
+        "fn" | "const" | "static" => Some((name, false)),
+        "struct" | "enum" | "trait" | "type" => Some((name, true)),
+        _ => None,
+    }
+}
+
+/// Functions and constants are named by the command, the tests or the examples; types are too, or stand in the signature of something public.
+#[test]
+fn every_public_name_is_used_outside() {
+    let library: Vec<_> = texts("src").into_iter().filter(|(path, _)| !path.ends_with("src/main.rs")).collect();
+    let mut programs: String = texts("tests").into_iter().chain(texts("studies/examples")).map(|t| t.1).collect();
+    programs += &std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/main.rs")).expect("UTF-8");
+    let used: BTreeSet<&str> = words(&programs).collect();
+    // what stands in a public signature or field, or between a public function's name and its body
+    let mut signatures = BTreeSet::new();
+    for (_, text) in &library {
+        let mut open = false;
+        for line in text.lines().filter(|l| !l.trim_start().starts_with("//")) {
+            let starts = line.trim_start().starts_with("pub ") && !line.contains(" mod ") && !line.contains(" use ");
+            let shown = starts || open || line.trim_start().starts_with("type ") || line.starts_with("impl");
+            if shown {
+                let own = declared(line).map(|d| d.0);
+                signatures.extend(words(line).filter(|w| Some(*w) != own));
+            }
+            open = (open || starts && line.contains("fn ")) && !line.contains('{') && !line.contains(';');
+            // variants carry types
+            if line.starts_with("    ") && line.trim_end().ends_with("),") && !line.contains('=') {
+                signatures.extend(words(line));
+            }
+        }
+    }
+    let mut unused = Vec::new();
+    for (path, text) in &library {
+        for (name, is_type) in text.lines().filter_map(declared) {
+            if !(used.contains(name) || is_type && signatures.contains(name)) {
+                unused.push(format!("{}: {name}", path.display()));
+            }
+        }
+    }
+    assert!(unused.is_empty(), "{unused:#?}");
+    assert!(declared("    pub fn run(&self)") == Some(("run", false)) && declared("pub(crate) fn x()").is_none());
+}

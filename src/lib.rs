@@ -73,9 +73,11 @@
 //!
 //! - \[Akl & Toussaint 1978\] S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, *Inf. Process. Lett.* 7, 219.
 //! - \[Andrew 1979\] A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, *Inf. Process. Lett.* 9, 216.
+//! - \[Asami 2017\] T. Asami, Optimal design of double-mass dynamic vibration absorbers arranged in series or in parallel, *J. Vib. Acoust.* 139,
+//!   011015.
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
-//! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2 and 3.3.
+//! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2, 3.3 and 5.7.
 //! - \[Dennis, Gay & Welsch 1981\] J. E. Dennis, D. M. Gay, R. E. Welsch, An adaptive nonlinear least-squares algorithm, *ACM Trans. Math.
 //!   Softw.* 7, 348.
 //! - \[Dang Van 1989\] K. Dang Van, B. Griveau, O. Message, On a new multiaxial fatigue limit criterion, *EGF Publ.* 3, 479.

@@ -279,3 +279,18 @@ fn frequencies_with_a_ring_equal_a_longer_chain() {
         }
     }
 }
+
+/// A ring on a ring that is next to nothing, or stiffly or heavily held, leaves the frequencies of the rest: those without it, or with it as inertia of the inner
+/// ring. Eigenvalue solvers lose the rest beside its own fast motion.
+#[test]
+fn frequencies_beside_a_ring_that_hardly_moves_on_its_own() {
+    let s = study("villalva_i6");
+    let inner = |inertia: f64| on(0, Kind::Tuned, inertia, 5.5e4, 28.0);
+    let frequencies = |design: &[Mounted]| natural::frequencies_hz(&s.chain, &s.modes, design);
+    for (ring, stiffness, damping) in [(1e-12, 1.0, 0.1), (1e-10, 0.0, 1.0), (0.01, 0.0, 1e8), (0.01, 1e14, 0.1)] {
+        let found = frequencies(&[inner(0.05), Mounted::on_ring(0, Tuned { ring_inertia: ring, stiffness, damping })]);
+        for (a, b) in frequencies(&[inner(0.05 + ring)]).iter().zip(&found) {
+            assert_close(*b, *a, 1e-6, 0.0, &format!("{ring} {stiffness} {damping}"));
+        }
+    }
+}

@@ -11,6 +11,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// Chains longer than this are represented by as many of their lowest modes.
 const LARGEST_DENSE: usize = 64;
+/// Motions of a ring on a ring that are faster than this many times the highest mode count as rigid links.
+const FASTEST: f64 = 1e4;
 /// Rounds of the iteration for laws that depend on frequency, and the change at which it ends.
 const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
@@ -57,12 +59,26 @@ impl Basis {
     /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed. Laws that depend on the
     /// speed of the shaft are taken at the speed at which `order` has the frequency of the motion.
     pub fn eigenvalues(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
+        let design = &self.with_rigid_links(design)[..];
         if is_constant(design) {
             return self.with(design, |law| at_frequency(law, 1.0, order));
         }
         let first = self.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
         let start = self.with(design, |law| at_frequency(law, own_frequency(law, first, order).unwrap_or(first), order))?;
         start.into_iter().map(|s| self.settled(design, s, order)).collect()
+    }
+
+    /// The design with rings on rings locked where their own motion is this many times faster than the highest mode: it is lost in the rounding of an
+    /// eigenvalue solver, and with it everything else. The frequencies of the rest change by less than the square of its inverse.
+    fn with_rigid_links(&self, design: &[Mounted]) -> Vec<Mounted> {
+        let fast = FASTEST * self.stiffness.iter().fold(0.0, |m: f64, k| m.max(k.sqrt()));
+        let is_rigid = |m: &Mounted| {
+            let spring = m.absorber.law().filter(|_| matches!(m.on, Host::Ring(_))).and_then(|law| law.spring_and_damper());
+            let inertia = m.absorber.ring_inertia();
+            spring.is_some_and(|s| s.damping / inertia > fast || (s.stiffness / inertia).sqrt() > fast)
+        };
+        let linked = |m: &Mounted| Mounted { absorber: Absorber::Locked { ring_inertia: m.absorber.ring_inertia() }, ..m.clone() };
+        design.iter().map(|m| if fast > 0.0 && is_rigid(m) { linked(m) } else { m.clone() }).collect()
     }
 
     /// The eigenvalue near `s` with laws taken at its own frequency.

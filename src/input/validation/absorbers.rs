@@ -48,6 +48,9 @@ pub(crate) fn hosts(check: &mut Check, chain: &Chain, list: &[(Option<&At<String
     let mut names = HashSet::new();
     for name in list.iter().filter_map(|a| a.0) {
         check.name(name);
+        if name.get_ref().is_empty() {
+            check.wrong(name, "found an empty name, expected one that `on.ring` can name");
+        }
         if !names.insert(name.get_ref()) {
             check.wrong(name, format!("found absorber `{}` a second time, expected different names", name.get_ref()));
         }
@@ -105,7 +108,15 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             Absorber::Ring((declaration.build)(&values))
         }
         RawType::Locked(l) => Absorber::Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) },
-        RawType::Seeded(s) => seeded(check, s, place?.1, chain, modes)?,
+        RawType::Seeded(s) => {
+            if let (Host::Ring(_), _) = place? {
+                check.wrong(
+                    &s.by,
+                    "found a closed form for an absorber on a ring, expected one on a station: closed forms know of no ring below",
+                );
+            }
+            seeded(check, s, place?.1, chain, modes)?
+        }
     };
     Some(Mounted { on: place?.0, hub_inertia, absorber })
 }

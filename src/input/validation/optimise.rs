@@ -35,6 +35,17 @@ pub struct AbsorberSpec {
     pub whole_chain: bool,
 }
 
+impl AbsorberSpec {
+    /// How many optima it asks for by itself.
+    fn choices(&self) -> usize {
+        let sizes = if let Size::Each(list) = &self.size { list.len() } else { 1 };
+        self.types.len() * sizes
+    }
+}
+
+/// More optima than this are a mistake in the file: each takes a search of its own.
+const MOST_OPTIMA: usize = 1000;
+
 /// What to optimise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OptimiseSpec {
@@ -121,6 +132,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, cha
     let hosts = hosts(check, chain, &list.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
     let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes)));
     let absorbers: Vec<Option<AbsorberSpec>> = absorbers.collect();
+    let optima = absorbers.iter().flatten().map(AbsorberSpec::choices).fold(1, usize::saturating_mul);
+    if optima > MOST_OPTIMA {
+        check.wrong(&raw.absorber, format!("found {optima} combinations of types and sizes, expected at most {MOST_OPTIMA}"));
+    }
     let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
     if let Some(list) = &raw.conditions
         && !conditions.iter().any(|c| matches!(c, Condition::Firing | Condition::Misfire))
@@ -186,9 +201,22 @@ fn family(check: &mut Check, raw: &RawOptimised, place: Option<(Host, usize)>, (
                 continue;
             }
         };
+        if !types.is_empty() && types.iter().all(|t| t.index(key).is_none()) {
+            let Some(at) = first_value(range) else { continue };
+            let names: Vec<&str> = types.iter().map(|t| t.name).collect();
+            check.wrong(at, format!("found bounds of `{key}`, expected those of a parameter of {}", names.join(" or ")));
+        }
         bounds.push((*key, pair));
     }
     Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, whole_chain })
+}
+
+/// Where a range begins in the file.
+fn first_value(range: &RawRange) -> Option<&At<f64>> {
+    match range {
+        RawRange::Fixed(v) => Some(v),
+        RawRange::Between(list) | RawRange::Each(list) => list.get_ref().first(),
+    }
 }
 
 pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec>, chain: &Chain, modes: &Modes) -> Option<FrontSpec> {

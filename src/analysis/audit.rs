@@ -1,7 +1,9 @@
 //! What an engine file means: modes, critical speeds and a check of the pressure against the brake torque.
 
+use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
+use crate::numerics::C64;
 use crate::units::{HZ_PER_RPM, RAD_PER_S_PER_RPM};
 
 /// A resonance in the speed range.
@@ -25,6 +27,14 @@ pub(crate) fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> 
         })
         .filter(|c| (low..=high).contains(&c.speed_rpm))
         .collect()
+}
+
+/// Largest modal torque of an order (by its index) on the first elastic modes, at the middle of the range, in the scale of the mode shapes.
+pub(crate) fn largest_modal_torque(study: &Study, system: &System, order: usize) -> f64 {
+    let speed = study.speeds_rpm[study.speeds_rpm.len() / 2];
+    let unit = system.excitation.unit_torque(order, speed).norm();
+    let modal = |m: usize| system.phases(order).iter().enumerate().map(|(i, p)| p * study.modes.shapes[(i, m)]).sum::<C64>().norm() * unit;
+    study.modes.elastic().take(3).map(modal).fold(0.0, f64::max)
 }
 
 /// Highest frequency the torque reaches, Hz.

@@ -2,6 +2,7 @@
 
 pub mod amplitude;
 pub mod audit;
+pub mod bearings;
 pub mod calibrate;
 pub mod choice;
 pub mod conditions;

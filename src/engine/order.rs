@@ -1,5 +1,6 @@
 //! Engine orders: events per crank revolution, at half steps.
 
+use crate::units::RAD_PER_S_PER_RPM;
 use std::fmt;
 
 /// An engine order; twice its value is stored, so that 4.5 is exact.
@@ -15,6 +16,11 @@ impl Order {
     /// The order as a number.
     pub fn value(self) -> f64 {
         0.5 * f64::from(self.0)
+    }
+
+    /// Circular frequency at a speed of the shaft, rad/s.
+    pub fn omega(self, speed_rpm: f64) -> f64 {
+        self.value() * speed_rpm * RAD_PER_S_PER_RPM
     }
 
     /// Periods in one working cycle of a two- or four-stroke engine.

@@ -38,7 +38,7 @@ impl Response for ClosedForm<'_> {
         let system = self.system;
         let shape = |station: usize| system.modes.shapes[(station, self.mode)];
         let excited = system.excitation.orders[order];
-        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = excited.omega(speed_rpm);
         work.modal_solves += 1;
         if design.len() > 1 {
             return Err(ResponseError::NotApplicable { method: "closed_form", why: "it takes one absorber" });

@@ -27,7 +27,7 @@ impl<'a> Dense<'a> {
     /// [`ResponseError::Unbounded`] where the system is singular.
     pub fn angles(&self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(Bodies, DVector<C64>), ResponseError> {
         let excited = self.system.excitation.orders[order];
-        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = excited.omega(speed_rpm);
         let bodies = Bodies::new(self.system, design);
         let n = bodies.len();
         let mut torque = DVector::from_element(n, ZERO);
@@ -60,7 +60,7 @@ impl Response for Dense<'_> {
         let (bodies, x) = self.angles(design, order, speed_rpm)?;
         let (from, to) = bodies.between(quantity);
         let twist = x[from] - to.map_or(ZERO, |to| x[to]);
-        let omega = self.system.excitation.orders[order].value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = self.system.excitation.orders[order].omega(speed_rpm);
         Ok(match quantity {
             Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, omega),
             _ => twist,

@@ -107,7 +107,7 @@ impl<'a> Direct<'a> {
             let mut still = [true; LANES];
             block.x.fill(Lane::ZERO);
             for (lane, still) in still.iter_mut().enumerate() {
-                block.omega[lane] = system.excitation.orders[order(lane)].value() * speed_rpm * RAD_PER_S_PER_RPM;
+                block.omega[lane] = system.excitation.orders[order(lane)].omega(speed_rpm);
                 torques.each(order(lane), |station, torque| {
                     *still &= torque == ZERO;
                     block.x[station].set(lane, torque);
@@ -252,7 +252,7 @@ impl<'a> Direct<'a> {
     /// The same from the phasors of the ring twist.
     pub(crate) fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
         let Some(law) = design[index].absorber.law() else { return 0.0 };
-        let rate = |n: usize| self.system.excitation.orders[n].value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let rate = |n: usize| self.system.excitation.orders[n].omega(speed_rpm);
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
         twist.iter().enumerate().map(|(n, y)| law.dissipated_power(Operating { omega: rate(n), shaft_speed }, y.norm())).sum()
     }

@@ -42,7 +42,7 @@ impl<'a> Factored<'a> {
     /// Assembles and factors at the frequency of an order at a speed.
     pub fn factor(&mut self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(), ResponseError> {
         let order = self.system.excitation.orders[order];
-        let omega = order.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = order.omega(speed_rpm);
         let (chain, n) = (&self.system.chain, self.system.chain.len());
         self.omega = omega;
         for i in 0..n {

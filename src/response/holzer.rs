@@ -34,7 +34,7 @@ impl Response for Holzer<'_> {
         let (order, speed_rpm) = at;
         let (chain, n) = (&self.system.chain, self.system.chain.len());
         let excited = self.system.excitation.orders[order];
-        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = excited.omega(speed_rpm);
         work.marches += 1;
         let mut torque = vec![ZERO; n];
         self.system.torque(order, speed_rpm, &mut torque);

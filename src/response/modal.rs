@@ -9,7 +9,6 @@ use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO, eigen};
-use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::DMatrix;
 
 /// Real modes with diagonal damping.
@@ -58,7 +57,7 @@ impl<'a> Modal<'a> {
             return Err(ResponseError::NotApplicable { method: "modal", why: "the law of an absorber depends on frequency or speed" });
         }
         let excited = self.system.excitation.orders[order];
-        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = excited.omega(speed_rpm);
         work.modal_solves += 1;
         let mut torque = vec![ZERO; self.system.chain.len()];
         self.system.torque(order, speed_rpm, &mut torque);

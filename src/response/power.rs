@@ -84,7 +84,7 @@ pub(crate) fn powers(
     for (i, &speed_rpm) in method.grid().speed_rpm.iter().enumerate() {
         let mut power = Power::default();
         for order in method.orders() {
-            let omega = system.excitation.orders[order].value() * speed_rpm * RAD_PER_S_PER_RPM;
+            let omega = system.excitation.orders[order].omega(speed_rpm);
             let bodies = at(i * orders + order);
             system.torque(order, speed_rpm, &mut torque);
             power.input += torque.iter().zip(&bodies.stations).map(|(t, y)| 0.5 * (t.conj() * I * omega * y).re).sum::<f64>();

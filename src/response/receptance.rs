@@ -56,7 +56,7 @@ impl<'a> Receptance<'a> {
                     if !usable {
                         singular[t].push(i * system.orders() + n);
                     }
-                    points.omega.push(order.value() * speed_rpm * RAD_PER_S_PER_RPM);
+                    points.omega.push(order.omega(speed_rpm));
                     points.shaft_speed.push(speed_rpm * RAD_PER_S_PER_RPM);
                     for (target, value) in [(&mut points.y0, y0), (&mut points.g, g), (&mut points.h, h)] {
                         target[0].push(value.re);

@@ -60,7 +60,7 @@ impl Response for Reduced<'_> {
         let (system, n) = (self.system, self.system.chain.len());
         let shapes = &system.modes.shapes;
         let excited = system.excitation.orders[order];
-        let omega = excited.value() * speed_rpm * RAD_PER_S_PER_RPM;
+        let omega = excited.omega(speed_rpm);
         work.modal_solves += 1;
         let mut torque = vec![ZERO; n];
         system.torque(order, speed_rpm, &mut torque);

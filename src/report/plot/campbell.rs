@@ -2,6 +2,7 @@
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::analysis::Results;
+use crate::analysis::audit::largest_modal_torque;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -11,23 +12,10 @@ use plotters::prelude::*;
 /// Order lines drawn: those that push the first modes hardest.
 const MOST_ORDERS: usize = 12;
 
-/// Sum over elastic modes of the modal torque of an order at the middle of the range.
-fn push(study: &Study, results: &Results, n: usize) -> f64 {
-    let system = &results.system;
-    let speed = study.speeds_rpm[study.speeds_rpm.len() / 2];
-    let unit = system.excitation.unit_torque(n, speed).norm();
-    let modes = study.modes.elastic().take(3);
-    modes
-        .map(|m| {
-            system.phases(n).iter().enumerate().map(|(i, p)| p * study.modes.shapes[(i, m)]).sum::<crate::numerics::C64>().norm() * unit
-        })
-        .fold(0.0, f64::max)
-}
-
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let all = &results.system.excitation.orders;
     let mut chosen: Vec<usize> = (0..all.len()).collect();
-    chosen.sort_by(|a, b| push(study, results, *b).total_cmp(&push(study, results, *a)));
+    chosen.sort_by(|a, b| largest_modal_torque(study, &results.system, *b).total_cmp(&largest_modal_torque(study, &results.system, *a)));
     chosen.truncate(MOST_ORDERS);
     chosen.sort_unstable();
     let orders: Vec<Order> = chosen.iter().map(|n| all[*n]).collect();

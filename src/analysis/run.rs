@@ -112,7 +112,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let (sweeps, margins, diagram) = over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -193,14 +193,15 @@ fn designs(
     Ok(designs)
 }
 
+/// What the designs that are shown do over speed.
+struct OverSpeed {
+    sweeps: Vec<Sweeps>,
+    margins: Vec<MarginSweep>,
+    diagram: Option<Diagram>,
+}
+
 /// Responses and margins over speed of the designs that are shown, and the fatigue diagram of the one with the largest margin.
-#[allow(clippy::type_complexity)]
-fn over_speed(
-    study: &Study,
-    firing: &PeakFinder,
-    finders: &[PeakFinder],
-    shown: &[&DesignResult],
-) -> Result<(Vec<Sweeps>, Vec<MarginSweep>, Option<Diagram>), RunError> {
+fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown: &[&DesignResult]) -> Result<OverSpeed, RunError> {
     let own = Grid::new(&study.speeds_rpm, &[]);
     let sweeps = shown
         .par_iter()
@@ -216,7 +217,7 @@ fn over_speed(
     let diagram = best.zip(firing.margin).map_or(Ok(None), |((d, smallest), model)| {
         diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
     })?;
-    Ok((sweeps, margins, diagram))
+    Ok(OverSpeed { sweeps, margins, diagram })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

@@ -48,6 +48,12 @@ pub enum MarginCriterion {
 }
 
 impl MarginCriterion {
+    /// All of them, in the order of tables.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        let multiaxial = multiaxial::Criterion::ALL.map(Self::Multiaxial);
+        Criterion::ALL.map(Self::MeanStress).into_iter().chain([Self::IacsM53, Self::IacsM53Continuous]).chain(multiaxial)
+    }
+
     /// The word used in studies and tables.
     pub fn name(self) -> &'static str {
         match self {

@@ -59,8 +59,8 @@ impl Lane {
 pub(crate) struct Block {
     /// Circular frequencies, rad/s.
     pub omega: [f64; LANES],
-    /// Speed of the shaft, rad/s.
-    pub shaft_speed: f64,
+    /// Speeds of the shaft, rad/s.
+    pub shaft_speed: [f64; LANES],
     /// Torque on each station, N m; solved, its angle, rad.
     pub x: Vec<Lane>,
     /// Solved, the angle of each station less that of the next, rad (nothing for the last). On the way, r.
@@ -83,7 +83,7 @@ impl Block {
         let lanes = |n| vec![Lane::ZERO; n];
         Self {
             omega: [0.0; LANES],
-            shaft_speed: 0.0,
+            shaft_speed: [0.0; LANES],
             x: lanes(stations),
             twist: lanes(stations),
             ring: lanes(rings),
@@ -114,7 +114,7 @@ impl Block {
     }
 
     fn at(&self, lane: usize) -> Operating {
-        Operating { omega: self.omega[lane], shaft_speed: self.shaft_speed }
+        Operating { omega: self.omega[lane], shaft_speed: self.shaft_speed[lane] }
     }
 
     /// S of every ring at every point.

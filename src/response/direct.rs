@@ -64,8 +64,7 @@ impl<'a> Direct<'a> {
         out: &mut [C64],
         work: &mut Work,
     ) -> Result<(), ResponseError> {
-        let mut block = Block::new(self.system.chain.len(), design.len());
-        self.speed(&mut block, design, &[quantity], speed_rpm, work, |_, n, y| out[n] = y)
+        self.points(design, &[quantity], &[speed_rpm], work, |_, n, y| out[n] = y)
     }
 
     /// Phasors of several quantities at any speeds, one sweep each.
@@ -79,56 +78,60 @@ impl<'a> Direct<'a> {
         speeds: &[f64],
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let mut block = Block::new(self.system.chain.len(), design.len());
         let mut out = vec![Vec::with_capacity(speeds.len() * self.system.orders()); quantities.len()];
-        for &speed_rpm in speeds {
-            self.speed(&mut block, design, quantities, speed_rpm, work, |i, _, y| out[i].push(y))?;
-        }
+        self.points(design, quantities, speeds, work, |i, _, y| out[i].push(y))?;
         Ok(out)
     }
 
-    /// Phasors of quantities at one speed, given to `put` with the index of the quantity and of the order, orders ascending.
-    fn speed(
+    /// Phasors of quantities at speeds, given to `put` with the index of the quantity and of the point (orders of a speed together, ascending).
+    fn points(
         &self,
-        block: &mut Block,
         design: &[Mounted],
         quantities: &[Quantity],
-        speed_rpm: f64,
+        speeds: &[f64],
         work: &mut Work,
         mut put: impl FnMut(usize, usize, C64),
     ) -> Result<(), ResponseError> {
         let (system, orders) = (self.system, self.system.orders());
-        let torques = system.torques(speed_rpm);
+        let count = speeds.len() * orders;
+        let mut block = Block::new(system.chain.len(), design.len());
+        let mut torques = None;
         let mut scalar: Option<Factored> = None;
         let mut outputs = Vec::with_capacity(quantities.len());
-        for first in (0..orders).step_by(LANES) {
-            // lanes beyond the last order repeat it
-            let order = |lane: usize| (first + lane).min(orders - 1);
+        for first in (0..count).step_by(LANES) {
             let mut still = [true; LANES];
             block.x.fill(Lane::ZERO);
             for (lane, still) in still.iter_mut().enumerate() {
-                block.omega[lane] = system.excitation.orders[order(lane)].omega(speed_rpm);
-                torques.each(order(lane), |station, torque| {
-                    *still &= torque == ZERO;
-                    block.x[station].set(lane, torque);
-                });
+                // lanes beyond the last point repeat it
+                let point = (first + lane).min(count - 1);
+                let (speed, order) = (point / orders, point % orders);
+                let speed_rpm = speeds[speed];
+                if torques.as_ref().is_none_or(|(of, _)| *of != speed) {
+                    torques = Some((speed, system.torques(speed_rpm)));
+                }
+                block.omega[lane] = system.excitation.orders[order].omega(speed_rpm);
+                block.shaft_speed[lane] = speed_rpm * RAD_PER_S_PER_RPM;
+                if let Some((_, torques)) = &torques {
+                    torques.each(order, |station, torque| {
+                        *still &= torque == ZERO;
+                        block.x[station].set(lane, torque);
+                    });
+                }
             }
-            block.shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
             block.solve(&system.chain.stations, design);
             outputs.clear();
-            outputs.extend(quantities.iter().map(|q| self.output(block, *q)));
-            for (lane, still) in still.into_iter().enumerate().take(orders - first) {
-                let n = first + lane;
+            outputs.extend(quantities.iter().map(|q| self.output(&block, *q)));
+            for (lane, still) in still.into_iter().enumerate().take(count - first) {
+                let point = first + lane;
                 if still {
-                    (0..quantities.len()).for_each(|i| put(i, n, ZERO));
-                    continue;
-                }
-                if block.cancelled[lane] <= LARGEST_CANCELLATION && outputs.iter().all(|y| y.get(lane).is_finite()) {
+                    (0..quantities.len()).for_each(|i| put(i, point, ZERO));
+                } else if block.cancelled[lane] <= LARGEST_CANCELLATION && outputs.iter().all(|y| y.get(lane).is_finite()) {
                     work.direct_solves += 1;
-                    outputs.iter().enumerate().for_each(|(i, y)| put(i, n, y.get(lane)));
+                    outputs.iter().enumerate().for_each(|(i, y)| put(i, point, y.get(lane)));
                 } else {
                     let solver = scalar.get_or_insert_with(|| Factored::new(system));
-                    solver.phasors(design, quantities, (n, speed_rpm), work, |i, y| put(i, n, y))?;
+                    let at = (point % orders, speeds[point / orders]);
+                    solver.phasors(design, quantities, at, work, |i, y| put(i, point, y))?;
                 }
             }
         }

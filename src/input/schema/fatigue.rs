@@ -1,7 +1,9 @@
 //! The fatigue table of a study.
 
+use crate::crankshaft::MarginCriterion;
 use crate::input::error::At;
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -19,29 +21,18 @@ pub(crate) struct RawFatigue {
     pub fillet: Vec<RawFillet>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawCriterion {
-    Goodman,
-    Soderberg,
-    Gerber,
-    AsmeElliptic,
-    Langer,
-    IacsM53,
-    #[serde(rename = "iacs_m53_continuous")]
-    IacsM53Continuous,
-    Matake,
-    #[serde(rename = "mcdiarmid")]
-    McDiarmid,
-    DangVanThesis,
-    DangVanPlane,
-    DangVanMesoscopic,
-    Sines,
-    Crossland,
-    KakunoKawada,
-    KakunoKawadaConsistent,
-    Findley,
-    Papadopoulos,
+/// A criterion by its word: the words are those of the criteria themselves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RawCriterion(pub MarginCriterion);
+
+impl<'de> Deserialize<'de> for RawCriterion {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        MarginCriterion::all().find(|c| c.name() == word).map(Self).ok_or_else(|| {
+            let words: Vec<String> = MarginCriterion::all().map(|c| format!("`{}`", c.name())).collect();
+            D::Error::custom(format_args!("unknown variant `{word}`, expected one of {}", words.join(", ")))
+        })
+    }
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]

@@ -5,12 +5,11 @@ use crate::crankshaft::stress_concentration::Formulas;
 use crate::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, MarginCriterion, MeanBending, Place, UnitLoads};
 use crate::fatigue::class_rules::{ADDITIONAL_BENDING, Manufacture, STRENGTHS};
 use crate::fatigue::endurance::{self, Endurance, HOTTEST, Loading, RELIABILITIES, Surface};
-use crate::fatigue::multiaxial::{Criterion as Multiaxial, Limits};
-use crate::fatigue::{ClassRule, Criterion, Strength};
+use crate::fatigue::multiaxial::Limits;
+use crate::fatigue::{ClassRule, Strength};
 use crate::input::error::{At, Check, InputError};
 use crate::input::schema::fatigue::{
-    RawCriterion, RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawMeanBending, RawPlace,
-    RawSurface,
+    RawEndurance, RawFactors, RawFatigue, RawFillet, RawLoad, RawManufacture, RawMaterial, RawMeanBending, RawPlace, RawSurface,
 };
 use crate::input::tables::{UnitLoadReader, UnitPoint};
 use crate::units::PA_PER_MPA;
@@ -19,31 +18,6 @@ use std::path::Path;
 
 /// Largest factor that is not a slip of the pen.
 const LARGEST_FACTOR: f64 = 20.0;
-
-impl From<RawCriterion> for MarginCriterion {
-    fn from(raw: RawCriterion) -> Self {
-        match raw {
-            RawCriterion::Goodman => Self::MeanStress(Criterion::Goodman),
-            RawCriterion::Soderberg => Self::MeanStress(Criterion::Soderberg),
-            RawCriterion::Gerber => Self::MeanStress(Criterion::Gerber),
-            RawCriterion::AsmeElliptic => Self::MeanStress(Criterion::AsmeElliptic),
-            RawCriterion::Langer => Self::MeanStress(Criterion::Langer),
-            RawCriterion::IacsM53 => Self::IacsM53,
-            RawCriterion::IacsM53Continuous => Self::IacsM53Continuous,
-            RawCriterion::Matake => Self::Multiaxial(Multiaxial::Matake),
-            RawCriterion::McDiarmid => Self::Multiaxial(Multiaxial::McDiarmid),
-            RawCriterion::DangVanThesis => Self::Multiaxial(Multiaxial::DangVanThesis),
-            RawCriterion::DangVanPlane => Self::Multiaxial(Multiaxial::DangVanPlane),
-            RawCriterion::DangVanMesoscopic => Self::Multiaxial(Multiaxial::DangVanMesoscopic),
-            RawCriterion::Sines => Self::Multiaxial(Multiaxial::Sines),
-            RawCriterion::Crossland => Self::Multiaxial(Multiaxial::Crossland),
-            RawCriterion::KakunoKawada => Self::Multiaxial(Multiaxial::KakunoKawada),
-            RawCriterion::KakunoKawadaConsistent => Self::Multiaxial(Multiaxial::KakunoKawadaConsistent),
-            RawCriterion::Findley => Self::Multiaxial(Multiaxial::Findley),
-            RawCriterion::Papadopoulos => Self::Multiaxial(Multiaxial::Papadopoulos),
-        }
-    }
-}
 
 /// The table, or nothing where a mistake leaves none. Paths are relative to `folder`.
 pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
@@ -65,9 +39,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Cr
         }
     }
     let nominal = fillets.is_empty() || fillets.iter().any(|f| !matches!(f.factors, FactorSource::UnitLoads(_)));
-    if let (false, Some(c)) =
-        (nominal, raw.criteria.get_ref().iter().find(|c| matches!(MarginCriterion::from(*c.get_ref()), MarginCriterion::MeanStress(_))))
-    {
+    if let (false, Some(c)) = (nominal, raw.criteria.get_ref().iter().find(|c| matches!(c.get_ref().0, MarginCriterion::MeanStress(_)))) {
         check.wrong(
             c,
             "found a criterion of mean stress where every fillet has stresses per unit load, expected a fillet with factors for it",
@@ -118,7 +90,7 @@ pub(crate) fn needs_formulas(spec: &FatigueSpec) -> bool {
 fn criteria(check: &mut Check, raw: &RawFatigue, crank: &Crank) -> Vec<MarginCriterion> {
     let mut list = Vec::new();
     for c in raw.criteria.get_ref() {
-        let criterion = MarginCriterion::from(*c.get_ref());
+        let criterion = c.get_ref().0;
         if list.contains(&criterion) {
             check.wrong(c, format!("found criterion `{}` a second time, expected each once", criterion.name()));
         }

@@ -94,7 +94,7 @@ fn criterion<'f, T>(
         }
     };
     let Some(named) = named else { return Some((0, fatigue)) };
-    let wanted = crate::crankshaft::MarginCriterion::from(*named.get_ref());
+    let wanted = named.get_ref().0;
     let found = fatigue.criteria.iter().position(|c| *c == wanted);
     if found.is_none() {
         check.wrong(named, format!("found criterion `{}`, expected one of those in [fatigue]", wanted.name()));

@@ -90,7 +90,7 @@ fn the_two_damping_ratios_mean_the_same_damper() {
 #[test]
 fn closed_forms_reproduce_the_thesis() {
     for (name, ring, stiffness, damping, viscous_ring, viscous) in
-        [("villalva_v10", 0.052, 350e3, 99.9, 0.01, 24.7), ("villalva_i6", 0.076, 158e3, 34.2, 0.076, 105.1)]
+        [("villalva_v10_thesis", 0.052, 350e3, 99.9, 0.01, 24.7), ("villalva_i6_thesis", 0.076, 158e3, 34.2, 0.076, 105.1)]
     {
         let s = study(name);
         let engine = EngineMode { inertia: s.chain.total_inertia(), omega: s.modes.omega[1] };

@@ -20,7 +20,7 @@ use std::convert::Infallible;
 
 /// The six with synthetic measurements: orders of two designs near their resonances, from known inputs.
 fn synthetic(truth: &[(Input, f64)]) -> Study {
-    let mut s = study("villalva_i6");
+    let mut s = study("villalva_i6_thesis");
     // the cycle is the same at both tabulated speeds: one is computed
     let Source::Cylinder { pressure: Pressure::Wiebe(w), .. } = &mut s.engine.source else { panic!("a Wiebe cycle") };
     w.speeds_rpm.truncate(1);
@@ -94,7 +94,7 @@ fn standard_errors_cover_the_truth() {
 /// and boost pressure beside the mean pressure.
 #[test]
 fn what_rows_cannot_tell_is_named() {
-    let mut s = study("villalva_i6");
+    let mut s = study("villalva_i6_thesis");
     let free = |input, lower, upper, start| FreeInput { input, lower, upper, start, varies: false, scale: 0.01 };
     let spec = s.calibrate.as_mut().expect("calibrates");
     spec.inputs.push(free(Input::ShaftLossFactor, 0.0, 0.02, 0.0));
@@ -151,7 +151,7 @@ fn least_squares_finds_known_minima() {
 /// Work is pinned: more evaluations of the six's rows than this would be a search that no longer converges.
 #[test]
 fn evaluations_are_few() {
-    let c = fitted(&study("villalva_i6"));
+    let c = fitted(&study("villalva_i6_thesis"));
     assert_eq!(c.agreeing.0, c.agreeing.1);
     assert!(c.evaluations <= 400, "{}", c.evaluations);
 }
@@ -160,7 +160,7 @@ fn evaluations_are_few() {
 #[test]
 fn wide_bounds_change_nothing() {
     let with = |lower: f64, upper: f64| {
-        let mut s = study("villalva_i6");
+        let mut s = study("villalva_i6_thesis");
         let free = &mut s.calibrate.as_mut().expect("calibrates").inputs;
         free.remove(0);
         (free[0].lower, free[0].upper) = (lower, upper);

@@ -28,7 +28,7 @@ fn with_tables<T>(s: &Study, sys: &System, f: impl FnOnce(&PeakFinder, &Receptan
 /// wrong, and every smaller model costs more than what is chosen.
 #[test]
 fn errors_rarely_exceed_their_estimates() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = calibrated(name);
         let found = savings::measure(&s).expect("finite").expect("a search");
         let (cost, coverage) = found.surrogate.expect("tables are chosen");
@@ -58,7 +58,7 @@ fn errors_rarely_exceed_their_estimates() {
 /// Law: a design that is given up cannot be the best, so that the best of many is the same with and without giving up, at every stride.
 #[test]
 fn giving_up_early_keeps_the_best() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let sys = system(&s);
     let spec = s.optimise.as_ref().expect("a search");
     let modes = families::engine_modes(&s, spec, audit::highest_frequency_hz(&s, &sys.excitation.orders));
@@ -85,7 +85,7 @@ fn giving_up_early_keeps_the_best() {
 /// Where tables cannot answer, they say so: another station, a ring whose own resonance may hide between grid speeds.
 #[test]
 fn tables_know_what_they_cannot_answer() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let sys = system(&s);
     with_tables(&s, &sys, |finder, tables| {
         let surrogate = Surrogate::new(tables, s.twist, 8).expect("damped");

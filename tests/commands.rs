@@ -72,7 +72,7 @@ fn threads_change_nothing() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse =
         [("step = 10", "step = 20"), ("each = [0.076, 0.038, 0.0152, 0.0076]", "each = [0.076, 0.0076]"), ("points = 100", "points = 15")];
-    let study = variant(folder.path(), "villalva_i6", &coarse);
+    let study = variant(folder.path(), "villalva_i6_thesis", &coarse);
     let out = |n: &str| folder.path().join(n);
     for n in ["1", "2", "8"] {
         hartog().arg("run").arg(&study).args(["--threads", n, "--out"]).arg(out(n)).assert().code(0);
@@ -97,7 +97,7 @@ fn failing_limit_is_exit_code_one() {
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"),
         ("[pareto]\npoints = 100\nagainst.ring_inertia_kg_m2 = [0.0038, 0.152]", ""),
     ];
-    let study = variant(folder.path(), "villalva_i6", &changes);
+    let study = variant(folder.path(), "villalva_i6_thesis", &changes);
     let output = hartog().arg("run").arg(&study).arg("--out").arg(folder.path().join("o")).assert().code(1).get_output().stdout.clone();
     assert!(String::from_utf8_lossy(&output).contains("FAILS"));
     assert!(folder.path().join("o/designs.csv").is_file());
@@ -124,7 +124,7 @@ fn undamped_resonance_is_exit_code_two() {
 /// `check` prints the resolved model and audits the pressure.
 #[test]
 fn check_audits_the_engine() {
-    let output = hartog().args(["check", "studies/villalva_v10.toml"]).assert().code(0).get_output().stdout.clone();
+    let output = hartog().args(["check", "studies/villalva_v10_thesis.toml"]).assert().code(0).get_output().stdout.clone();
     let text = String::from_utf8_lossy(&output);
     for words in ["412.84", "1053.40", "9 at 144°", "friction/N m", "throw_5", "order 0/N m", "objective: peak twist pulley to flywheel"] {
         assert!(text.contains(words), "`{words}` in\n{text}");
@@ -135,10 +135,10 @@ fn check_audits_the_engine() {
 #[test]
 fn help_has_examples() {
     for (arguments, words) in [
-        (&["--help"][..], "hartog run studies/villalva_i6.toml"),
+        (&["--help"][..], "hartog run studies/villalva_i6_thesis.toml"),
         (&["run", "--help"], "hartog run studies/villalva_i6.toml --out out/six"),
         (&["run", "--help"], "Neither the hub's amplitude nor a single order will do"),
-        (&["check", "--help"], "hartog check studies/villalva_v10.toml"),
+        (&["check", "--help"], "hartog check studies/villalva_v10_thesis.toml"),
     ] {
         let output = hartog().args(arguments).assert().code(0).get_output().stdout.clone();
         assert!(String::from_utf8_lossy(&output).contains(words), "{words}");
@@ -169,7 +169,7 @@ fn compare_writes_a_page_an_engine() {
         assert!(text.contains(words), "{words}");
     }
     assert!(text.contains("tuned by hand beforehand, and held: boost_bar") && !text.contains("Den Hartog"));
-    for engine in ["villalva_i6", "villalva_v10"] {
+    for engine in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let page = folder.path().join(engine);
         let table = read(&page, "comparison.csv");
         assert!(table.starts_with("table,engine,design,quantity,unit,published,computed,deviation_percent,role,note\n"));
@@ -188,7 +188,7 @@ fn compare_writes_a_page_an_engine() {
 #[test]
 fn compare_that_fails() {
     let folder = tempfile::tempdir().expect("folder");
-    let study = variant(folder.path(), "villalva_v10", &[("amplitude_worst = 30", "amplitude_worst = 3")]);
+    let study = variant(folder.path(), "villalva_v10_thesis", &[("amplitude_worst = 30", "amplitude_worst = 3")]);
     let output = hartog().arg("compare").arg(&study).arg("--out").arg(folder.path().join("o")).assert().code(1).get_output().stdout.clone();
     assert!(String::from_utf8_lossy(&output).contains("worst predicted amplitude, 3 %: 16.47 %: FAILS"));
     let output = hartog().args(["compare", "studies/den_hartog.toml"]).assert().code(2).get_output().stderr.clone();
@@ -200,7 +200,7 @@ fn compare_that_fails() {
 fn conditions_in_tables_and_no_stale_plots() {
     let folder = tempfile::tempdir().expect("folder");
     let small = [("step = 10", "step = 50"), ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"), ("points = 100", "points = 2")];
-    let study = variant(folder.path(), "villalva_i6", &small);
+    let study = variant(folder.path(), "villalva_i6_thesis", &small);
     let out = folder.path().join("o");
     hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
     let table = read(&out, "designs.csv");
@@ -240,7 +240,7 @@ fn compare_holds_the_conditions_of_the_optimum() {
         ("seed = 1", "seed = 1\nconditions = [\"misfire\"]"),
         ("types = [\"tuned\", \"viscous\"]", "types = [\"tuned\"]"),
     ];
-    let study = variant(folder.path(), "villalva_i6", &changes);
+    let study = variant(folder.path(), "villalva_i6_thesis", &changes);
     let out = folder.path().join("o");
     hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
     let designs = read(&out, "designs.csv");

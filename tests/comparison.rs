@@ -32,7 +32,7 @@ fn deviations<'a>(c: &'a Comparison, kind: Kind, table: &'a str) -> impl Iterato
 /// 1 %, damping within 7 %.
 #[test]
 fn absorber_tables_are_reproduced() {
-    for name in ["villalva_v10", "villalva_i6"] {
+    for name in ["villalva_v10_thesis", "villalva_i6_thesis"] {
         let c = page(name, |_| {}).2;
         let mut rows = [0; 4];
         for (e, published, computed) in deviations(&c, Kind::Frequency, "6.") {
@@ -47,7 +47,7 @@ fn absorber_tables_are_reproduced() {
             }
         }
         // four designs with three frequencies each; two tuned stiffnesses; two steps for two tuned dampings, one viscous damping
-        assert_eq!(rows, [12, if name == "villalva_v10" { 14 } else { 17 }, 2, 5], "{name}");
+        assert_eq!(rows, [12, if name == "villalva_v10_thesis" { 14 } else { 17 }, 2, 5], "{name}");
     }
 }
 
@@ -55,7 +55,7 @@ fn absorber_tables_are_reproduced() {
 #[test]
 fn optimal_and_viscous_rows_are_predicted() {
     let mut pooled = Spread::default();
-    for (name, predicted, most) in [("villalva_v10", 5, 8.0), ("villalva_i6", 6, 16.0)] {
+    for (name, predicted, most) in [("villalva_v10_thesis", 5, 8.0), ("villalva_i6_thesis", 6, 16.0)] {
         let (_, calibration, c) = page(name, |_| {});
         assert_eq!(calibration.expect("fitted").rows.len(), 7, "{name}");
         let spread = &c.verdict.all;
@@ -85,7 +85,7 @@ fn optimal_and_viscous_rows_are_predicted() {
 #[test]
 fn predicted_rows_do_not_touch_the_fit() {
     let fitted = |change: fn(&mut Study)| {
-        let (_, calibration, _) = page("villalva_i6", change);
+        let (_, calibration, _) = page("villalva_i6_thesis", change);
         calibration.expect("fitted").inputs
     };
     let as_printed = fitted(|_| {});
@@ -115,7 +115,7 @@ fn errata(c: &Comparison) -> Vec<(String, String, String)> {
 #[test]
 fn errata_are_found_not_listed() {
     let erratum = |t: &str, d: &str, q: &str| (t.to_owned(), d.to_owned(), q.to_owned());
-    let c = page("villalva_i6", |_| {}).2;
+    let c = page("villalva_i6_thesis", |_| {}).2;
     let expected = [
         erratum("4.8", "", "cranklab_cc2 f2"),
         erratum("4.8", "", "cranklab_cc2 f3"),
@@ -124,10 +124,10 @@ fn errata_are_found_not_listed() {
         erratum("6.2", "tuned_optimal", "f1 with damping"),
     ];
     assert_eq!(errata(&c), expected);
-    let c = page("villalva_v10", |_| {}).2;
+    let c = page("villalva_v10_thesis", |_| {}).2;
     assert!(errata(&c).contains(&erratum("6.1", "tuned_optimal", "stiffness, correct")) && errata(&c).len() == 3);
     // put right: Table 4.8 as Table 6.2; the stiffness of the true tuning; frequencies with the rings' damping
-    let c = page("villalva_i6", |s| {
+    let c = page("villalva_i6_thesis", |s| {
         let chain = s.modes.frequencies_hz();
         let damped: Vec<Vec<f64>> =
             s.designs.iter().map(|d| hartog::drivetrain::natural::frequencies_hz(&s.chain, &s.modes, &d.absorbers)).collect();
@@ -181,7 +181,7 @@ fn common_points_and_their_damping() {
 #[test]
 fn stated_tolerances_decide() {
     let absorber = |s: &mut Study, f: fn(&mut PublishedAbsorber)| s.published.as_mut().expect("tables").absorbers.iter_mut().for_each(f);
-    let holds = |change: &dyn Fn(&mut Study)| page("villalva_v10", |s| change(s)).2.verdict.holds();
+    let holds = |change: &dyn Fn(&mut Study)| page("villalva_v10_thesis", |s| change(s)).2.verdict.holds();
     assert!(holds(&|_: &mut Study| {}));
     assert!(!holds(&|s: &mut Study| s.published.as_mut().expect("tables").tolerances.amplitude_worst = Some(10.0)));
     assert!(holds(&|s: &mut Study| s.published.as_mut().expect("tables").tolerances = Default::default()));

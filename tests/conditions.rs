@@ -25,7 +25,7 @@ fn misfiring(study: &Study, cylinder: usize) -> Excitation {
 /// excitation. Firing angles are multiples of the sampling, so the sum is exact.
 #[test]
 fn misfire_is_a_motored_cylinder() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         let Source::Cylinder { geometry, pressure } = &s.engine.source else { panic!("a cylinder") };
         let (n, cylinders) = (samples(4), s.engine.layout.firing_deg.len());
@@ -57,7 +57,7 @@ fn misfire_is_a_motored_cylinder() {
 /// (but 10, where its banks cancel); with one cylinder misfiring every half order is there, as large as that cylinder's loss, whichever it is.
 #[test]
 fn misfire_brings_the_half_orders() {
-    for (name, spacing, cancelled) in [("villalva_i6", 3.0, None), ("villalva_v10", 2.5, Some(10.0))] {
+    for (name, spacing, cancelled) in [("villalva_i6_thesis", 3.0, None), ("villalva_v10_thesis", 2.5, Some(10.0))] {
         let mut s = study(name);
         (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::Misfire]);
         let appearing: Vec<f64> = analysis::run(&s, &Silent).expect("damped").appearing.iter().map(|o| o.value()).collect();
@@ -79,7 +79,7 @@ fn misfire_brings_the_half_orders() {
 /// Limits: a locked ring is a very stiff one and an inertia on the hub; a lost one is a lighter chain's. By both methods, with frequencies.
 #[test]
 fn locked_and_lost_are_limits() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let sys = system(&s);
     let grid = Grid::new(&s.speeds_rpm, &[]);
     let direct = Direct::new(&sys, &grid);
@@ -123,7 +123,7 @@ fn locked_and_lost_are_limits() {
 /// Gradients of all rows of a problem with several conditions, a free locked ring among them, against central differences.
 #[test]
 fn gradients_in_every_condition() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let firing = system(&s);
     let misfire = System::new(s.chain.clone(), misfiring(&s, 2));
     let grid = Grid::new(&s.speeds_rpm, &[]);
@@ -177,7 +177,7 @@ fn gradients_in_every_condition() {
 #[test]
 fn an_optimum_that_holds_in_a_misfire() {
     let run = |conditions: &[Condition]| {
-        let mut s = study("villalva_v10");
+        let mut s = study("villalva_v10_thesis");
         (s.front, s.conditions) = (None, vec![Condition::Misfire]);
         s.more_objectives.clear();
         let o = s.optimise.as_mut().expect("optimises");
@@ -199,7 +199,7 @@ fn an_optimum_that_holds_in_a_misfire() {
 /// Lost and locked absorbers in the table of a run: a lost ring leaves the engine that never had one; nothing is said of a design without.
 #[test]
 fn conditions_of_the_given_designs() {
-    let mut s = study("villalva_i6");
+    let mut s = study("villalva_i6_thesis");
     (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::AbsorberLocked, Condition::AbsorberLost]);
     let results = analysis::run(&s, &Silent).expect("damped");
     assert!(results.designs[0].conditions.is_empty(), "no absorber");

@@ -70,23 +70,23 @@ fn mean_pressure(trace: &[f64], g: &Geometry) -> f64 {
 /// (0.1°)² of the pressure.
 #[test]
 fn cycles_have_the_mean_pressure_asked_for() {
-    let (g, pressure, strokes, n) = parts("villalva_v10");
+    let (g, pressure, strokes, n) = parts("villalva_v10_thesis");
     let Pressure::Otto(otto) = &pressure else { unreachable!("Otto") };
     let wanted = otto.pressure_scale * otto.brake_mean_pressure(6, &g, strokes, n);
     // 530 N m x 4 pi over ten times 0.5266 dm³: [Villalva 2014] Figure 3.12
     assert_close(otto.brake_mean_pressure(6, &g, strokes, n), 530.0 * 4.0 * PI / (10.0 * 0.526_59e-3), 1e-4, 0.0, "brake mean pressure");
     assert_close(mean_pressure(&pressure.trace(6, &g, strokes, n), &g), wanted, 2e-4, 0.0, "Otto");
-    let (g, pressure, strokes, n) = parts("villalva_i6");
+    let (g, pressure, strokes, n) = parts("villalva_i6_thesis");
     assert_close(mean_pressure(&pressure.trace(0, &g, strokes, n), &g), 17e5, 1e-5, 0.0, "Wiebe");
 }
 
 /// Law: closed expansion is isentropic: p V^k is constant after the burn (Wiebe) and after dead centre (Otto).
 #[test]
 fn expansion_is_isentropic() {
-    for (name, k) in [("villalva_i6", 1.35), ("villalva_v10", 1.4)] {
+    for (name, k) in [("villalva_i6_thesis", 1.35), ("villalva_v10_thesis", 1.4)] {
         let (g, pressure, strokes, n) = parts(name);
         let trace = pressure.trace(0, &g, strokes, n);
-        let ratio = if name == "villalva_i6" { 17.3 } else { 12.5 };
+        let ratio = if name == "villalva_i6_thesis" { 17.3 } else { 12.5 };
         let clearance = 2.0 * g.slider_crank.crank_radius / (ratio - 1.0);
         let invariant = |deg: usize| trace[10 * deg] * (clearance + g.slider_crank.motion(sample_angle(10 * deg)).travel).powf(k);
         assert_close(invariant(170), invariant(80), 1e-12, 0.0, name);
@@ -96,9 +96,9 @@ fn expansion_is_isentropic() {
 /// Law: order zero of the torque delivers the indicated work; the moving masses deliver none.
 #[test]
 fn mean_torque_is_indicated_work() {
-    let study = study("villalva_i6");
+    let study = study("villalva_i6_thesis");
     let e = Excitation::new(&study.engine, 12.0);
-    let (g, ..) = parts("villalva_i6");
+    let (g, ..) = parts("villalva_i6_thesis");
     for audit in &e.audit {
         assert_close(audit.mean_torque * 4.0 * PI, audit.indicated_mean_pressure * g.displacement() * 6.0, 1e-12, 0.0, "work");
         assert_close(audit.indicated_mean_pressure, 17e5, 1e-9, 0.0, "indicated mean pressure");
@@ -112,7 +112,7 @@ fn mean_torque_is_indicated_work() {
 /// order in lambda.
 #[test]
 fn inertia_orders_match_the_classic_series() {
-    let study = study("villalva_v10");
+    let study = study("villalva_v10_thesis");
     let mut engine = study.engine.clone();
     let Source::Cylinder { geometry, .. } = &mut engine.source else { unreachable!("cylinders") };
     geometry.slider_crank.kinematics = Kinematics::Truncated;
@@ -142,7 +142,7 @@ fn inertia_orders_match_the_classic_series() {
 /// Law: between tabulated speeds gas phasors are linear and inertia torque goes with the square of the speed.
 #[test]
 fn torque_between_tabulated_speeds() {
-    let study = study("villalva_v10");
+    let study = study("villalva_v10_thesis");
     let e = Excitation::new(&study.engine, 12.0);
     let mut massless = study.engine.clone();
     let Source::Cylinder { geometry, .. } = &mut massless.source else { unreachable!("cylinders") };
@@ -159,7 +159,7 @@ fn torque_between_tabulated_speeds() {
 /// Law: evenly firing engines push the whole crank only with multiples of half the number of cylinders; the other orders cancel.
 #[test]
 fn firing_phases_of_the_six() {
-    let e = Excitation::new(&study("villalva_i6").engine, 12.0);
+    let e = Excitation::new(&study("villalva_i6_thesis").engine, 12.0);
     for (n, order) in e.orders.iter().enumerate() {
         let sum: C64 = (0..6).map(|t| e.phase(t, n)).sum();
         let expected = if order.value() % 3.0 == 0.0 { 6.0 } else { 0.0 };
@@ -171,11 +171,11 @@ fn firing_phases_of_the_six() {
 /// each other 144° apart in the order 1-5-2-3-4.
 #[test]
 fn firing_phases_of_the_v10() {
-    let layout = study("villalva_v10").engine.layout;
+    let layout = study("villalva_v10_thesis").engine.layout;
     assert_eq!(layout.misplaced_throw(), None);
     let sequence: Vec<f64> = [0, 4, 1, 2, 3].iter().map(|t| layout.firing_on_throw(*t)[0]).collect();
     assert_eq!(sequence, [0.0, 144.0, 288.0, 432.0, 576.0]);
-    let e = Excitation::new(&study("villalva_v10").engine, 12.0);
+    let e = Excitation::new(&study("villalva_v10_thesis").engine, 12.0);
     for (n, order) in e.orders.iter().enumerate() {
         // two units 90° apart: 2 cos(n 45°)
         assert_close(e.phase(0, n).norm(), 2.0 * (order.value() * PI / 4.0).cos().abs(), 0.0, 1e-12, &format!("order {order}"));
@@ -196,8 +196,8 @@ fn orders_of_two_and_four_strokes() {
 #[test]
 fn measured_trace_reproduces_the_cycle_it_was_taken_from() {
     use hartog::engine::pressure::Measured;
-    let study = study("villalva_i6");
-    let (g, pressure, strokes, n) = parts("villalva_i6");
+    let study = study("villalva_i6_thesis");
+    let (g, pressure, strokes, n) = parts("villalva_i6_thesis");
     let trace = pressure.trace(0, &g, strokes, n);
     let modelled = Excitation::new(&study.engine, 12.0);
     for (first, closing) in [(0, true), (-3600, false)] {
@@ -207,6 +207,7 @@ fn measured_trace_reproduces_the_cycle_it_was_taken_from() {
             speeds_rpm: vec![1000.0],
             crank_deg: (0..count).map(|i| (first + 5 * i as i64) as f64 * 0.1).collect(),
             pressure: vec![(0..count).map(|i| trace[index(i)]).collect()],
+            part_load: Vec::new(),
         };
         let mut engine = study.engine.clone();
         engine.source = Source::Cylinder { geometry: g.clone(), pressure: Pressure::Measured(measured) };
@@ -221,7 +222,7 @@ fn measured_trace_reproduces_the_cycle_it_was_taken_from() {
 /// Finer sampling than 0.1° changes no order by more than the promised 1e-5 of the largest.
 #[test]
 fn sampling_is_fine_enough() {
-    let (g, pressure, strokes, n) = parts("villalva_v10");
+    let (g, pressure, strokes, n) = parts("villalva_v10_thesis");
     let trace = pressure.trace(6, &g, strokes, n);
     let torque = |every: usize| -> Vec<C64> {
         let picked: Vec<f64> =
@@ -241,7 +242,7 @@ fn sampling_is_fine_enough() {
 /// the audit; in dead centre the rod's force is gas less oscillating mass less rotating mass.
 #[test]
 fn loads_over_the_cycle() {
-    for (name, speed) in [("villalva_i6", 1600.0), ("villalva_v10", 7400.0)] {
+    for (name, speed) in [("villalva_i6_thesis", 1600.0), ("villalva_v10_thesis", 7400.0)] {
         let s = study(name);
         let e = Excitation::new(&s.engine, 12.0);
         let loads = throw_loads(&s.engine, speed).expect("a cylinder");
@@ -257,7 +258,7 @@ fn loads_over_the_cycle() {
             assert_close(compression(row), compression(&loads.pin_force[0]), 1e-9, 0.0, name);
         }
     }
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let Source::Cylinder { geometry, pressure } = &s.engine.source else { panic!("a cylinder") };
     let (r, l) = (geometry.slider_crank.crank_radius, geometry.slider_crank.rod_length);
     let omega = 3200.0 * RAD_PER_S_PER_RPM;

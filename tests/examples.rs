@@ -38,7 +38,7 @@ fn the_library_finds_what_the_command_prints() {
 fn a_pendulum_holds_its_order_still() {
     use hartog::absorber::Mounted;
     use hartog::response::{Direct, Grid, Quantity, Response, Work};
-    let study = Study::read("studies/villalva_i6.toml").expect("shipped");
+    let study = Study::read("studies/villalva_i6_thesis.toml").expect("shipped");
     let system = crate::support::system(&study);
     let design = [Mounted::on_station(0, own_law::Pendulum { ring_inertia: 0.02, tuning_order: 3.0, damping: 0.0 })];
     let hub = Quantity::Twist { from: 0, to: None };

@@ -23,7 +23,7 @@ fn entries(name: &str) -> Vec<Entry> {
 #[test]
 fn safety_factors_follow_from_their_stresses() {
     let (mut fitting, mut errata) = (0, Vec::new());
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let all = entries(name);
         let limit = all.iter().find(|e| e.quantity.contains("fatigue limit behind")).expect("a limit");
         assert_close(limit.computed.expect("found"), 756.0, 1e-3, 0.0, "the limit behind the factors, MPa");
@@ -54,7 +54,7 @@ fn safety_factors_follow_from_their_stresses() {
 #[test]
 fn largest_stresses_are_sums() {
     let mut errata = Vec::new();
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         for e in
             entries(name).iter().filter(|e| e.kind == Kind::Other && e.quantity.starts_with("largest von Mises") && e.computed.is_some())
         {

@@ -12,7 +12,7 @@ use hartog::engine::{Excitation, Geometry, RodModel, Source};
 use hartog::numerics::harmonics;
 use std::f64::consts::TAU;
 
-const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
+const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
 
 fn geometry(name: &str) -> Geometry {
     let Source::Cylinder { geometry, .. } = study(name).engine.source else { unreachable!("cylinders") };
@@ -181,7 +181,7 @@ fn friction_of_the_liner_only_takes() {
 /// Friction lowers the mean torque of the engine, and nothing else enters the excitation at the tabulated speeds.
 #[test]
 fn friction_lowers_the_mean_torque() {
-    let mut engine = study("villalva_i6").engine;
+    let mut engine = study("villalva_i6_thesis").engine;
     let before = Excitation::new(&engine, 6.0);
     if let Source::Cylinder { geometry, .. } = &mut engine.source {
         geometry.liner_friction = 0.05;

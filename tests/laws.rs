@@ -52,7 +52,7 @@ fn same(a: &[C64], b: &[C64], tolerance: f64, what: &str) {
 /// constant spring and damper, where the law says it has them, give S at any point, and a law that depends on the speed says so.
 #[test]
 fn every_declaration_is_consistent() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     for declaration in every_law() {
         let values = typical(&s, declaration, 0.03, 1.1);
         let law = (declaration.build)(&values);
@@ -97,7 +97,7 @@ fn every_declaration_is_consistent() {
 /// A ring of no inertia changes nothing; a stiff law adds the ring to its hub; hub inertia is inertia of the station; energy in is energy dissipated.
 #[test]
 fn limits_of_every_law() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let sys = system(&s);
     let heavier = |by: f64| {
         let mut chain = s.chain.clone();
@@ -156,7 +156,7 @@ fn energy(s: &Study, sys: &System, design: &[Mounted], what: &str) {
 /// 1e-9, and gradients with respect to every parameter are those of central differences of the peak.
 #[test]
 fn methods_and_gradients_of_every_pair() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let sys = system(&s);
     for a in every_law() {
         check_methods(&s, &sys, &[(a, Host::Station(0))]);

@@ -38,7 +38,7 @@ fn problem<'a>(
 
 /// Runs both engines and hands over every optimum with its problem.
 fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[Vec<EngineMode>])) {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let mut s = study(name);
         s.front = None;
         let results = analysis::run(&s, &Silent).expect("damped");
@@ -89,7 +89,7 @@ fn no_grid_beats_an_optimum() {
 #[test]
 #[ignore = "two minutes"]
 fn fronts_are_optimal() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         let results = analysis::run(&s, &Silent).expect("damped");
         with_scenes(&s, |load_cases, modes| {

@@ -15,6 +15,7 @@ mod fatigue;
 mod forces;
 mod laws;
 mod layering;
+mod load;
 mod long;
 mod margin;
 mod methods;

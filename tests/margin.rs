@@ -19,7 +19,7 @@ use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::TAU;
 
-pub const ENGINES: [&str; 2] = ["villalva_i6", "villalva_v10"];
+pub const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
 
 /// A study with every fifth speed and nothing to optimise.
 pub fn short(name: &str) -> Study {
@@ -57,7 +57,7 @@ impl Case {
 }
 
 fn random_absorber(random: &mut Xoshiro256PlusPlus, name: &str) -> Mounted {
-    let (ring, omega) = if name == "villalva_i6" { (0.05, 1440.0) } else { (0.02, 2590.0) };
+    let (ring, omega) = if name == "villalva_i6_thesis" { (0.05, 1440.0) } else { (0.02, 2590.0) };
     let mut factor = || random.random_range(-1.0..1.0f64).exp();
     let (stiffness, damping) = (ring * omega * omega * factor(), 0.4 * ring * omega * factor());
     on(0, Kind::Tuned, ring, stiffness, damping)
@@ -189,7 +189,7 @@ fn a_mirrored_chain_is_the_same_crank() {
 /// class rule is smaller; and mean bending counted as tension never leaves a larger margin than with its sign.
 #[test]
 fn rods_side_by_side_and_signs_of_the_mean() {
-    let base = short("villalva_v10");
+    let base = short("villalva_v10_thesis");
     let smallest = |crank: Crank, mean_bending: MeanBending| -> Vec<f64> {
         let fatigue = FatigueSpec { mean_bending, ..base.fatigue.clone().expect("[fatigue]") };
         let case = Case::new(Study { crank: Some(crank), fatigue: Some(fatigue), ..base.clone() });
@@ -209,7 +209,7 @@ fn rods_side_by_side_and_signs_of_the_mean() {
 /// torque the former have a mean stress and the latter none. At the ends of the crank: between, the throw beside it in the same plane may bend a throw the other way.
 #[test]
 fn gas_opens_crankpin_fillets_and_closes_those_of_journals() {
-    let case = Case::new(short("villalva_i6"));
+    let case = Case::new(short("villalva_i6_thesis"));
     let mean_torque = case.margin.mean_torque(600.0);
     let at_ends = |(i, s): &(usize, &CriticalLocation)| case.margin.judges(0, *i) && [0, 5].contains(&s.throw);
     for (i, location) in case.margin.locations.iter().enumerate().filter(at_ends) {
@@ -252,7 +252,7 @@ fn bounds_hold() {
 #[test]
 fn tendencies_on_random_cranks() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(17);
-    let base = short("villalva_i6");
+    let base = short("villalva_i6_thesis");
     let speeds = [900.0, 2000.0, 3200.0];
     for _ in 0..12 {
         let d = base.crank.as_ref().expect("a crank").pin_diameter;
@@ -308,7 +308,7 @@ fn tendencies_on_random_cranks() {
 /// holds at the optimum, and is active where the free optimum breaks it.
 #[test]
 fn optimum_by_margin() {
-    let case = Case::new(short("villalva_v10"));
+    let case = Case::new(short("villalva_v10_thesis"));
     let measures = margins::measures(&case.study);
     let space = Space {
         slots: vec![Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.052, 0.0, 0.0] }],
@@ -352,7 +352,7 @@ fn optimum_by_margin() {
 /// A study without `[fatigue]` gives the same numbers, to the bit, does the same work and writes no table of margins.
 #[test]
 fn without_fatigue_nothing_is_paid() {
-    let with = short("villalva_i6");
+    let with = short("villalva_i6_thesis");
     let without = Study { fatigue: None, crank: None, ..with.clone() };
     let (a, b) = (run(&with, &Silent).expect("finite"), run(&without, &Silent).expect("finite"));
     assert!(b.margin.is_none() && b.margins.is_empty() && b.diagram.is_none());
@@ -368,7 +368,7 @@ fn without_fatigue_nothing_is_paid() {
 #[test]
 fn smallest_margins_of_the_shipped_engines() {
     for (name, expected) in
-        [("villalva_i6", [2.3074101298821956, 1.273298761503726]), ("villalva_v10", [2.101397321671967, 1.3406307802336397])]
+        [("villalva_i6_thesis", [2.3074101298821956, 1.273298761503726]), ("villalva_v10_thesis", [2.101397321671967, 1.3406307802336397])]
     {
         let results = run(&short(name), &Silent).expect("finite");
         let none = &results.designs[0];

@@ -42,7 +42,7 @@ fn torque_and_bending_share_their_angle() {
 /// webs are mirror images.
 #[test]
 fn unit_loads_of_the_nominal_state() {
-    let base = short("villalva_v10");
+    let base = short("villalva_v10_thesis");
     let crank = base.crank.clone().expect("a crank");
     let (bending, torsion) = (1.9, 2.2);
     let bent = bending * section::bending(crank.pin_diameter, crank.pin_bore);
@@ -87,7 +87,7 @@ fn unit_loads_of_the_nominal_state() {
 /// Law: the smallest margin is that of all locations, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.
 #[test]
 fn bounds_of_unit_loads_hold() {
-    let mut study = short("villalva_i6");
+    let mut study = short("villalva_i6_thesis");
     study.refine_peaks = false;
     let shear = |s: f64| [0.0, 0.0, 0.0, s, 0.0, 0.0];
     let round = UnitLoads { moment: shear(1e5), tangential: [0.0, 0.0, 0.0, 0.0, 0.0, 1e5], shear: [0.0; 6], torque: [0.0; 6] };
@@ -110,7 +110,7 @@ fn bounds_of_unit_loads_hold() {
 /// What is optimised by a multiaxial margin has the largest one: no random design of the same ring does better.
 #[test]
 fn optimum_by_a_multiaxial_margin() {
-    let mut study = short("villalva_v10");
+    let mut study = short("villalva_v10_thesis");
     let fatigue = study.fatigue.as_mut().expect("[fatigue]");
     fatigue.criteria = vec![MarginCriterion::Multiaxial(Multiaxial::Papadopoulos)];
     let case = Case::new(study);

@@ -63,7 +63,7 @@ fn rubber_on_an_undamped_mass_is_solved_exactly() {
 /// type, and random starts reach it too.
 #[test]
 fn optima_of_the_six() {
-    let mut s = study("villalva_i6");
+    let mut s = study("villalva_i6_thesis");
     s.front = None;
     s.more_objectives.clear();
     let results = run(&s);
@@ -95,8 +95,8 @@ fn optima_of_the_six() {
 #[test]
 fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
     let (a, b) = (0.02, 0.152);
-    let free = run(&only("villalva_i6", &TUNED, Size::Between(a, b)));
-    let mut s = only("villalva_i6", &TUNED, Size::Each(vec![a]));
+    let free = run(&only("villalva_i6_thesis", &TUNED, Size::Between(a, b)));
+    let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![a]));
     s.front = Some(FrontSpec { inertias: (0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect() });
     let front = run(&s);
     let lowest = front.fronts[0].front.points.iter().map(|p| p.value).fold(f64::INFINITY, f64::min);
@@ -169,7 +169,7 @@ fn no_peak_hides_between_grid_speeds() {
 /// A limit that binds is met exactly and costs objective; one that cannot be met is reported as failing.
 #[test]
 fn limits_bind() {
-    let mut s = only("villalva_i6", &TUNED, Size::Each(vec![0.076]));
+    let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.076]));
     let free = run(&s);
     let torque = Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis };
     let unlimited = free.optima[0].design.torque.expect("shafts").value;
@@ -192,7 +192,7 @@ fn other_objectives_have_stationary_optima() {
         Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis },
     ];
     for measure in measures {
-        let mut s = only("villalva_i6", &TUNED, Size::Each(vec![0.03]));
+        let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.03]));
         s.objective.measure = measure.clone();
         let o = &run(&s).optima[0];
         assert!(o.optimum.outcome.kkt_residual < 1e-5, "{measure:?}: {:e} {:?}", o.optimum.outcome.kkt_residual, o.optimum.outcome.stop);
@@ -203,8 +203,8 @@ fn other_objectives_have_stationary_optima() {
 /// An undamped ring on the damped six is an optimum of its own, worse than a damped one.
 #[test]
 fn undamped_optimum_is_worse_than_tuned() {
-    let undamped = run(&only("villalva_i6", &UNDAMPED, Size::Each(vec![0.0152])));
-    let tuned = run(&only("villalva_i6", &TUNED, Size::Each(vec![0.0152])));
+    let undamped = run(&only("villalva_i6_thesis", &UNDAMPED, Size::Each(vec![0.0152])));
+    let tuned = run(&only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.0152])));
     assert!(tuned.optima[0].optimum.value() < undamped.optima[0].optimum.value());
     assert!(undamped.optima[0].optimum.outcome.kkt_residual < 1e-4);
 }

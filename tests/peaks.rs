@@ -31,7 +31,7 @@ fn designs() -> [[Mounted; 1]; 3] {
 /// Independent method: a sweep every 0.25 rpm by direct solutions, without skipping. It can only miss what lies between: less than 1e-5.
 #[test]
 fn refined_peaks_equal_a_fine_sweep() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         with_finder(&s, true, |finder| {
             let (low, high) = (s.speeds_rpm[0], s.speeds_rpm[s.speeds_rpm.len() - 1]);
@@ -56,7 +56,7 @@ fn refined_peaks_equal_a_fine_sweep() {
 /// Law: `refine_peaks = false` takes the grid as it is: the largest of all grid values, found although most syntheses are skipped.
 #[test]
 fn grid_peaks_equal_the_full_evaluation() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         with_finder(&s, false, |finder| {
             for design in designs() {
@@ -119,8 +119,8 @@ fn numbers(sys: &System, design: &[Mounted], (low, high, step): (f64, f64, f64))
 /// chain, and a grid speed that all but meets a resonance.
 #[test]
 fn peaks_do_not_depend_on_the_step() {
-    let six = system(&study("villalva_i6"));
-    let mut light = study("villalva_v10");
+    let six = system(&study("villalva_i6_thesis"));
+    let mut light = study("villalva_v10_thesis");
     light.chain.stations.iter_mut().for_each(|s| s.damping_to_ground *= 0.01);
     let mut eight = uniform_chain(8, 0.1, 1e4);
     eight.stations.iter_mut().for_each(|s| s.damping_to_ground = 0.001);
@@ -147,7 +147,7 @@ fn peaks_do_not_depend_on_the_step() {
 /// of them in one interval. Found by searches on coarse grids.
 #[test]
 fn no_peak_is_out_of_sight() {
-    let (six, v10) = (study("villalva_i6"), study("villalva_v10"));
+    let (six, v10) = (study("villalva_i6_thesis"), study("villalva_v10_thesis"));
     let twist = |from, to| Quantity::Twist { from, to: Some(to) };
     let narrow = on(5, Kind::Undamped, 0.0422, 319_357.572_717_973_26, 0.0);
     let beside = on(3, Kind::Viscous, 0.0525, 0.0, 80.965_796_543_534_62);
@@ -176,7 +176,7 @@ fn no_peak_is_out_of_sight() {
 /// independent method is 200 000 samples of the cycle, which miss less than 1e-8; a search among sampled maxima misses 1e-5.
 #[test]
 fn maxima_on_shoulders_are_found() {
-    let s = study("villalva_v10");
+    let s = study("villalva_v10_thesis");
     let sys = system(&s);
     let grid = Grid::new(&[6350.0], &[]);
     let mut y = Vec::new();
@@ -224,7 +224,7 @@ fn undamped_peaks_are_refused() {
 /// 1e-5.
 #[test]
 fn gradients_equal_differences() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         with_finder(&s, true, |finder| {
             let a = on(0, Kind::Tuned, 0.02, 2.5e4, 11.0);
@@ -262,7 +262,7 @@ fn gradients_equal_differences() {
 /// Equals itself: the work of one evaluation of the six's published designs, so that a change of cost is seen.
 #[test]
 fn work_of_an_evaluation_is_pinned() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     with_finder(&s, true, |finder| {
         let mut work = Work::default();
         for d in &s.designs[1..] {

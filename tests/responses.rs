@@ -73,7 +73,7 @@ fn check_against_dense(sys: &System, design: &[Mounted], speeds: &[f64], toleran
 /// Independent method: dense LU with the rings as bodies. Rounding of ill-conditioned points allows 1e-9 of the largest angle.
 #[test]
 fn direct_equals_dense() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let sys = system(&study(name));
         let two_on_one = [on(0, Kind::Tuned, 0.01, 2e4, 5.0), Mounted { hub_inertia: 0.01, ..on(0, Kind::Viscous, 0.02, 0.0, 30.0) }];
         let apart = [on(0, Kind::Undamped, 0.02, 5e4, 0.0), on(3, Kind::Tuned, 0.005, 1e4, 1.0)];
@@ -106,7 +106,7 @@ fn compare(sys: &System, grid: &Grid, design: &[Mounted], quantity: Quantity, to
 /// The two methods agree to 1e-10 of the largest amplitude, for every type, station and quantity; ring inertias over fifteen decades.
 #[test]
 fn receptance_equals_direct() {
-    for name in ["villalva_i6", "villalva_v10"] {
+    for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         let sys = system(&s);
         let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);
@@ -255,12 +255,12 @@ fn frequencies_with_published_absorbers() {
             assert_close(*f, p, rtol, atol, name);
         }
     };
-    check("villalva_v10", Kind::Viscous, 0.01, 0.0, 24.7, [373.0, 1026.0, 1625.0], 0.01, 0.0);
-    check("villalva_i6", Kind::Viscous, 0.076, 0.0, 105.1, [189.0, 595.0, 1063.0], 0.01, 0.0);
-    check("villalva_v10", Kind::Undamped, 0.052, 350e3, 0.0, [225.0, 625.0, 1182.0], 0.0, 1.0);
-    check("villalva_v10", Kind::Undamped, 0.052, 261e3, 0.0, [219.0, 598.0, 1159.0], 0.0, 1.0);
-    check("villalva_i6", Kind::Undamped, 0.076, 158e3, 0.0, [155.0, 332.0, 642.0], 0.0, 1.0);
-    check("villalva_i6", Kind::Undamped, 0.076, 149e3, 0.0, [154.0, 327.0, 640.0], 0.0, 1.0);
+    check("villalva_v10_thesis", Kind::Viscous, 0.01, 0.0, 24.7, [373.0, 1026.0, 1625.0], 0.01, 0.0);
+    check("villalva_i6_thesis", Kind::Viscous, 0.076, 0.0, 105.1, [189.0, 595.0, 1063.0], 0.01, 0.0);
+    check("villalva_v10_thesis", Kind::Undamped, 0.052, 350e3, 0.0, [225.0, 625.0, 1182.0], 0.0, 1.0);
+    check("villalva_v10_thesis", Kind::Undamped, 0.052, 261e3, 0.0, [219.0, 598.0, 1159.0], 0.0, 1.0);
+    check("villalva_i6_thesis", Kind::Undamped, 0.076, 158e3, 0.0, [155.0, 332.0, 642.0], 0.0, 1.0);
+    check("villalva_i6_thesis", Kind::Undamped, 0.076, 149e3, 0.0, [154.0, 327.0, 640.0], 0.0, 1.0);
 }
 
 /// Independent method: without damping the frequencies are those of a chain with the ring as a further station. Long chains enter by 64
@@ -284,7 +284,7 @@ fn frequencies_with_a_ring_equal_a_longer_chain() {
 /// ring. Eigenvalue solvers lose the rest beside its own fast motion.
 #[test]
 fn frequencies_beside_a_ring_that_hardly_moves_on_its_own() {
-    let s = study("villalva_i6");
+    let s = study("villalva_i6_thesis");
     let inner = |inertia: f64| on(0, Kind::Tuned, inertia, 5.5e4, 28.0);
     let frequencies = |design: &[Mounted]| natural::frequencies_hz(&s.chain, &s.modes, design);
     for (ring, stiffness, damping) in [(1e-12, 1.0, 0.1), (1e-10, 0.0, 1.0), (0.01, 0.0, 1e8), (0.01, 1e14, 0.1)] {

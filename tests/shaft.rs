@@ -202,7 +202,7 @@ fn ranges_of_the_formulas() {
 /// digits printed (the only evidence); those of the six leave 0.04.
 #[test]
 fn printed_factors_by_an_inverse_fit() {
-    let v10 = inverse(&study("villalva_v10").crank.unwrap().notch(), [1.86, 2.56, 2.03, 2.67]).unwrap();
+    let v10 = inverse(&study("villalva_v10_thesis").crank.unwrap().notch(), [1.86, 2.56, 2.03, 2.67]).unwrap();
     for (found, printed) in v10.factors.iter().zip([1.86, 2.56, 2.03, 2.67]) {
         assert_close(*found, printed, 0.0, 1e-9, "factor");
     }
@@ -213,7 +213,7 @@ fn printed_factors_by_an_inverse_fit() {
     {
         assert_close(dimension, expected, 0.0, digits, "an independent fit, within the digits of the table");
     }
-    let six = inverse(&study("villalva_i6").crank.unwrap().notch(), [1.75, 2.11, 2.13, 2.21]).unwrap();
+    let six = inverse(&study("villalva_i6_thesis").crank.unwrap().notch(), [1.75, 2.11, 2.13, 2.21]).unwrap();
     let rest = six.factors.iter().zip([1.75, 2.11, 2.13, 2.21]).map(|(f, p)| (f - p).abs()).fold(0.0, f64::max);
     assert!(rest < 0.04 && rest > 0.03, "{rest}");
 }
@@ -255,7 +255,7 @@ fn tendencies_of_the_factors() {
 /// Degenerate cranks: one throw is statically determinate; a hundred throws keep their digits by elements.
 #[test]
 fn one_throw_and_a_hundred() {
-    let crank = Crank { journal_lengths: vec![0.04; 2], ..study("villalva_i6").crank.unwrap() };
+    let crank = Crank { journal_lengths: vec![0.04; 2], ..study("villalva_i6_thesis").crank.unwrap() };
     let r = elements::reactions(&crank.beam()).unwrap();
     for x in r.0.iter() {
         assert_close(*x, -0.5, 0.0, 1e-12, "half on each bearing");

@@ -22,7 +22,7 @@ pub(crate) struct BearingLoad {
 /// The loads at the highest speed; nothing without `[crank]` or without a cylinder pressure.
 pub(crate) fn bearing_loads(study: &Study) -> Option<Vec<BearingLoad>> {
     let crank = study.crank.as_ref()?;
-    let model = CrankModel::new(&study.engine, crank)?;
+    let model = CrankModel::new(study.engine_of_crank(), crank)?;
     let loads = model.at(study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let numbers = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
     let n = loads.theta.len();

@@ -53,7 +53,7 @@ pub fn diagram(
 ) -> Result<Option<Diagram>, ResponseError> {
     let Some(crank) = &study.crank else { return Ok(None) };
     let location = &model.locations[smallest.used.location];
-    let Some(crank_model) = CrankModel::new(&study.engine, crank) else { return Ok(None) };
+    let Some(crank_model) = CrankModel::new(study.engine_of_crank(), crank) else { return Ok(None) };
     let loads = crank_model.at(smallest.speed_rpm);
     let bending: Vec<f64> = loads.web(location.throw, location.rear).moment;
     let place = |better: fn(f64, f64) -> bool| (0..bending.len()).fold(0, |m, j| if better(bending[j], bending[m]) { j } else { m });

@@ -54,7 +54,7 @@ impl MarginSweep {
 
 /// The margin model of a study on the speeds of a sweep, with the harmonics of its torque; nothing without `[fatigue]`.
 pub fn model(study: &Study, harmonics: &[u32], grid: &Grid) -> Option<Margin> {
-    Margin::new(&study.engine, &study.chain, study.crank.as_ref()?, study.fatigue.as_ref()?, &grid.speed_rpm, harmonics)
+    Margin::new(study.engine_of_crank(), &study.chain, study.crank.as_ref()?, study.fatigue.as_ref()?, &grid.speed_rpm, harmonics)
 }
 
 /// What the smallest margins are asked with: one measure a criterion.

@@ -3,6 +3,7 @@
 use super::calibrate::Calibration;
 use super::choice::Choice;
 use super::diagram::Diagram;
+use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
 use super::margins::MarginSweep;
 use super::sweeps::Sweeps;
@@ -91,6 +92,8 @@ pub struct Results {
     pub margins: Vec<MarginSweep>,
     /// Loads along the crank at the smallest margin of the best design, by the first criterion.
     pub diagram: Option<Diagram>,
+    /// The same designs at the points of the duty, where the study has one.
+    pub duty: Vec<DutyOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.

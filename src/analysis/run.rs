@@ -11,7 +11,7 @@ use super::sweeps::{self, Sweeps};
 use super::systems::{appearing, systems};
 use super::timing::Clock;
 use super::wanted::Wanted;
-use super::{Progress, RunError, Silent, calibrate, cost, families};
+use super::{Progress, RunError, Silent, calibrate, cost, duty, families};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
@@ -113,6 +113,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let OverSpeed { sweeps, margins, diagram } = over_speed(study, &finders[0], &finders, &shown)?;
+    let duty = duty::duty(study, &shown).map_err(|(d, error)| of_design(d, error))?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -144,6 +145,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         margin,
         margins,
         diagram,
+        duty,
         appearing,
         timing,
         system,

@@ -120,6 +120,7 @@ fn sampled(engine: &Engine, step_deg: f64) -> Engine {
         speeds_rpm: pressure.speeds_rpm().to_vec(),
         crank_deg: (0..traces[0].len()).map(|j| (j * every) as f64 * SAMPLE_DEG).collect(),
         pressure: traces,
+        part_load: Vec::new(),
     };
     Engine { source: Source::Cylinder { geometry: geometry.clone(), pressure: Pressure::Measured(measured) }, ..engine.clone() }
 }

@@ -71,7 +71,8 @@ pub fn run(arguments: &Arguments) -> u8 {
 fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, folder: &Folder, timing: &[Timing]) {
     let chain = study.modes.frequencies_hz();
     let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
-    say(&format!("{}: natural frequencies {} Hz\n\n", study.engine.name, frequencies.join(", ")));
+    say(&format!("{}: natural frequencies {} Hz\n", study.engine.name, frequencies.join(", ")));
+    say(&format!("{}\n", text::reciprocating(study).map_or_else(String::new, |line| format!("  {line}\n"))));
     if let Some(calibration) = calibration {
         say(&format!("{}\n", text::calibration::calibration(study, calibration)));
     }
@@ -79,6 +80,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     let margins = text::margin::margins(study, results);
     if !margins.is_empty() {
         say(&format!("\n{margins}"));
+    }
+    let duty = text::duty(results);
+    if !duty.is_empty() {
+        say(&format!("\n{duty}"));
     }
     let conditions = text::conditions(study, results);
     if !conditions.is_empty() {

@@ -33,6 +33,23 @@ pub struct Engine {
 }
 
 impl Engine {
+    /// The same with the work of its brake curve, where its pressure follows one.
+    pub(crate) fn of_brake_curve(&self) -> Self {
+        match &self.source {
+            Source::Cylinder { geometry, pressure } => {
+                Self { source: Source::Cylinder { geometry: geometry.clone(), pressure: pressure.of_brake_curve() }, ..self.clone() }
+            }
+            Source::Harmonics(_) => self.clone(),
+        }
+    }
+
+    /// Mean inertia of the reciprocating masses of a cylinder, kg m²: half of m r² (the part that varies with twice the crank angle is as large)
+    /// \[Ker Wilson 1956\] chapter 4. Nothing where the torque comes from a table.
+    pub fn reciprocating_inertia(&self) -> Option<f64> {
+        let Source::Cylinder { geometry, .. } = &self.source else { return None };
+        Some(0.5 * geometry.oscillating_mass() * geometry.slider_crank.crank_radius.powi(2))
+    }
+
     /// Crank angle of a working cycle, degrees: 360 (two-stroke) or 720 (four-stroke).
     pub(crate) fn cycle_deg(&self) -> f64 {
         180.0 * f64::from(self.strokes)

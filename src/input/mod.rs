@@ -9,7 +9,8 @@ mod validation;
 pub use error::InputError;
 pub use published::Published;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, DesignSpec, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, ResponseMethod, Size, Study, UnitOf,
+    AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, Reciprocating,
+    ResponseMethod, Size, Study, UnitOf,
 };
 
 use error::Source;

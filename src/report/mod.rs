@@ -26,6 +26,7 @@ pub(crate) fn write_run(
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
     csv::absorbers(results, folder)?;
+    csv::duty(results, folder)?;
     csv::response(study, results, folder)?;
     csv::margin::margin(study, results, folder)?;
     if results.fronts.is_empty() {

@@ -4,7 +4,7 @@ pub mod model;
 pub mod otto;
 mod sampling;
 pub mod wiebe;
-pub use measured::Measured;
+pub use measured::{Measured, PartLoad};
 pub use model::Pressure;
 pub use otto::Otto;
 pub(crate) use sampling::SAMPLE_DEG;

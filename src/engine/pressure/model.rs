@@ -3,7 +3,8 @@
 use super::measured::Measured;
 use super::otto::Otto;
 use super::wiebe::Wiebe;
-use crate::engine::Geometry;
+use crate::engine::load::between;
+use crate::engine::{Geometry, Load};
 
 /// A model of the cylinder pressure, each tabulated at its own speeds.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,14 +54,33 @@ impl Pressure {
         }
     }
 
-    /// Scales the mean effective pressure of the models that have one as an input; `false` where it has none.
-    #[must_use]
-    pub(crate) fn scale_load(&mut self, fraction: f64) -> bool {
+    /// The same at part load: brake torque or mean pressure times the share of full load, measured traces between those of the loads measured.
+    /// Nothing where the traces were not measured at such a load.
+    pub(crate) fn at_load(&self, load: &Load) -> Option<Self> {
+        let scaled = |speeds: &[f64], full: &[f64]| -> (Vec<f64>, Vec<f64>) {
+            let corners = load.corners(speeds);
+            let values = corners.iter().map(|s| between(speeds, full, *s) * load.at(*s)).collect();
+            (corners, values)
+        };
+        Some(match self {
+            Self::Otto(m) => {
+                let (speeds_rpm, brake_torque) = scaled(&m.speeds_rpm, &m.brake_torque);
+                let scale_over_speed = speeds_rpm.iter().map(|s| between(&m.speeds_rpm, &m.scale_over_speed, *s)).collect();
+                Self::Otto(Otto { speeds_rpm, brake_torque, scale_over_speed, ..m.clone() })
+            }
+            Self::Wiebe(m) => {
+                let (speeds_rpm, indicated_mean_pressure) = scaled(&m.speeds_rpm, &m.indicated_mean_pressure);
+                Self::Wiebe(Wiebe { speeds_rpm, indicated_mean_pressure, ..m.clone() })
+            }
+            Self::Measured(m) => Self::Measured(m.at_load(load)?),
+        })
+    }
+
+    /// The same with the work of its brake curve, where it has one: the cycle of an Otto engine without its reconstruction factor.
+    pub(crate) fn of_brake_curve(&self) -> Self {
         match self {
-            Self::Otto(m) => m.pressure_scale *= fraction,
-            Self::Wiebe(m) => m.indicated_mean_pressure.iter_mut().for_each(|p| *p *= fraction),
-            Self::Measured(_) => return false,
+            Self::Otto(m) => Self::Otto(Otto { pressure_scale: 1.0, scale_over_speed: vec![1.0; m.speeds_rpm.len()], ..m.clone() }),
+            other => other.clone(),
         }
-        true
     }
 }

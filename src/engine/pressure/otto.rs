@@ -15,6 +15,8 @@ pub struct Otto {
     pub compression_ratio: f64,
     /// Cycle mean pressure over brake mean pressure. A reconstruction factor: the theses give 1/0.55, their amplitudes need less than 1.
     pub pressure_scale: f64,
+    /// What it is multiplied by at each speed.
+    pub scale_over_speed: Vec<f64>,
     /// Inlet pressure, Pa absolute.
     pub inlet_pressure: f64,
     /// c_p/c_v, above 1.
@@ -29,7 +31,7 @@ impl Otto {
 
     pub(super) fn trace(&self, index: usize, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<f64> {
         let (rc, k) = (self.compression_ratio, self.heat_capacity_ratio);
-        let mean = self.pressure_scale * self.brake_mean_pressure(index, geometry, strokes, cylinders);
+        let mean = self.pressure_scale * self.scale_over_speed[index] * self.brake_mean_pressure(index, geometry, strokes, cylinders);
         // The area of the cycle is clearance volume / (k - 1) (p3 - p2) (1 - rc^(1 - k)); displaced = clearance (rc - 1).
         let rise = mean * (rc - 1.0) * (k - 1.0) / (1.0 - rc.powf(1.0 - k));
         self.isentropes(geometry, strokes, self.inlet_pressure + rise * rc.powf(-k))

@@ -9,12 +9,21 @@ use serde::Deserialize;
 pub(crate) struct RawEngine {
     pub name: At<String>,
     pub strokes: At<i64>,
+    pub reciprocating_inertia: Option<At<RawReciprocating>>,
     pub geometry: Option<At<RawGeometry>>,
     pub layout: RawLayout,
     pub pressure: At<RawPressure>,
     pub crank: Option<At<RawCrank>>,
     #[serde(default)]
     pub station: Vec<RawStation>,
+}
+
+/// What of the moving masses is part of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawReciprocating {
+    None,
+    Mean,
 }
 
 #[derive(Debug, Deserialize)]
@@ -80,6 +89,7 @@ pub(crate) struct RawOtto {
     pub curve: RawCurve,
     pub compression_ratio: At<f64>,
     pub pressure_scale: At<f64>,
+    pub pressure_scale_over_speed: Option<At<Vec<At<f64>>>>,
     pub inlet_pressure_bar: Option<At<f64>>,
     pub heat_capacity_ratio: Option<At<f64>>,
 }

@@ -2,14 +2,17 @@
 
 use crate::crankshaft::MarginCriterion;
 use crate::input::error::At;
-use serde::de::Error;
+use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer};
+use std::fmt::Formatter;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFatigue {
     pub criteria: At<Vec<At<RawCriterion>>>,
     pub material: RawMaterial,
+    #[serde(default)]
+    pub pressure: RawCrankPressure,
     pub endurance: Option<RawEndurance>,
     #[serde(default)]
     pub mean_bending: RawMeanBending,
@@ -27,12 +30,35 @@ pub(crate) struct RawCriterion(pub MarginCriterion);
 
 impl<'de> Deserialize<'de> for RawCriterion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let word = String::deserialize(deserializer)?;
-        MarginCriterion::all().find(|c| c.name() == word).map(Self).ok_or_else(|| {
+        deserializer.deserialize_str(Word)
+    }
+}
+
+/// Takes the word itself, so that a mistake is found where it stands.
+struct Word;
+
+impl Visitor<'_> for Word {
+    type Value = RawCriterion;
+
+    fn expecting(&self, f: &mut Formatter) -> std::fmt::Result {
+        f.write_str("a criterion by its name")
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<RawCriterion, E> {
+        MarginCriterion::all().find(|c| c.name() == word).map(RawCriterion).ok_or_else(|| {
             let words: Vec<String> = MarginCriterion::all().map(|c| format!("`{}`", c.name())).collect();
-            D::Error::custom(format_args!("unknown variant `{word}`, expected one of {}", words.join(", ")))
+            E::custom(format_args!("unknown variant `{word}`, expected one of {}", words.join(", ")))
         })
     }
+}
+
+/// Pressure that bends the crank.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawCrankPressure {
+    #[default]
+    BrakeCurve,
+    Excitation,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize)]

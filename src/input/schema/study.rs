@@ -12,6 +12,9 @@ pub(crate) struct RawStudy {
     pub speed_rpm: At<RawSpeeds>,
     pub order_limit: Option<At<f64>>,
     pub load_fraction: Option<At<f64>>,
+    pub part_load: Option<At<RawPartLoad>>,
+    #[serde(default)]
+    pub duty: Vec<RawDuty>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
     #[serde(default)]
     pub response: RawResponse,
@@ -43,6 +46,21 @@ pub(crate) struct RawSpeeds {
     pub from: At<f64>,
     pub to: At<f64>,
     pub step: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawPartLoad {
+    pub speed_rpm: At<Vec<At<f64>>>,
+    pub fraction: At<Vec<At<f64>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawDuty {
+    pub speed_rpm: At<f64>,
+    pub load_fraction: At<f64>,
+    pub share: At<f64>,
 }
 
 #[derive(Debug, Default, Deserialize)]

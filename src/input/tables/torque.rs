@@ -2,13 +2,26 @@
 
 use super::table::Table;
 use crate::engine::Order;
-use crate::engine::pressure::Measured;
+use crate::engine::load::LARGEST_LOAD;
+use crate::engine::pressure::{Measured, PartLoad};
 use crate::input::error::InputError;
 use crate::numerics::C64;
 use crate::units::{PA_PER_BAR, RAD_PER_DEG};
 use std::path::Path;
 
-/// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute.
+/// Full load, per cent.
+const FULL: f64 = 100.0;
+
+/// Speed and load, per cent, of a column of pressures.
+fn speed_and_load(name: &str) -> Option<(f64, f64)> {
+    let (speed, rest) = name.strip_suffix("_bar")?.split_once("_rpm")?;
+    let load = if rest.is_empty() { "100" } else { rest.strip_prefix('_')?.strip_suffix("_percent")? };
+    let (speed, load) = (speed.parse::<f64>().ok()?, load.parse::<f64>().ok()?);
+    (speed.is_finite() && speed > 0.0 && (0.0..=100.0 * LARGEST_LOAD).contains(&load)).then_some((speed, load))
+}
+
+/// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute, at full load; at part load
+/// `<speed>_rpm_<load>_percent_bar`, every load at the same speeds.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
@@ -16,21 +29,23 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
     let table = Table::read(path)?;
     let rows = table.numbers()?;
     let angle = table.column("crank_deg")?;
-    let mut traces: Vec<(f64, usize)> = Vec::new();
+    let mut traces: Vec<((f64, f64), usize)> = Vec::new();
     for (i, name) in table.header.iter().enumerate().filter(|(i, _)| *i != angle) {
-        let speed = name.strip_suffix("_rpm_bar").and_then(|s| s.parse::<f64>().ok()).filter(|s| s.is_finite() && *s > 0.0);
-        match speed {
-            Some(speed) if traces.iter().any(|t| t.0 == speed) => {
-                return Err(table.at(1, i, format!("found a second trace for {speed} rpm")));
+        match speed_and_load(name) {
+            Some(point) if traces.iter().any(|t| t.0 == point) => {
+                return Err(table.at(1, i, format!("found a second trace for {} rpm", point.0)));
             }
-            Some(speed) => traces.push((speed, i)),
-            None => return Err(table.at(1, i, format!("found column `{name}`, expected a name like `1600_rpm_bar`"))),
+            Some(point) => traces.push((point, i)),
+            None => {
+                let expected = "expected a name like `1600_rpm_bar` or, at part load, `1600_rpm_50_percent_bar` (0 to 120)";
+                return Err(table.at(1, i, format!("found column `{name}`, {expected}")));
+            }
         }
     }
     if traces.is_empty() {
         return Err(table.whole("found no pressure column, expected one a speed, named like `1600_rpm_bar`".into()));
     }
-    traces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    traces.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
     if rows.len() < 24 {
         return Err(table.whole(format!("found {} rows, expected at least 24 over a cycle", rows.len())));
     }
@@ -50,14 +65,27 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
             format!("found a cycle of {span} degrees, expected {cycle_deg} (with or without its last angle)"),
         ));
     }
-    let mut pressure = Vec::new();
     for &(_, column) in &traces {
         if let Some(row) = rows.iter().find(|r| r.1[column] <= 0.0) {
             return Err(table.at(row.0, column, format!("found {}, expected an absolute pressure above zero", row.1[column])));
         }
-        pressure.push(rows.iter().map(|r| r.1[column] * PA_PER_BAR).collect());
     }
-    Ok(Measured { speeds_rpm: traces.iter().map(|t| t.0).collect(), crank_deg, pressure })
+    let of_load = |percent: f64| traces.iter().filter(move |t| t.0.1 == percent);
+    let pressure = |percent: f64| of_load(percent).map(|t| rows.iter().map(|r| r.1[t.1] * PA_PER_BAR).collect()).collect();
+    let speeds_rpm: Vec<f64> = of_load(FULL).map(|t| t.0.0).collect();
+    let mut loads: Vec<f64> = traces.iter().map(|t| t.0.1).filter(|load| *load != FULL).collect();
+    loads.sort_by(f64::total_cmp);
+    loads.dedup();
+    for percent in &loads {
+        let own: Vec<f64> = of_load(*percent).map(|t| t.0.0).collect();
+        if own != speeds_rpm {
+            let message =
+                format!("found {} speeds at {percent} per cent of load, expected the {} of full load", own.len(), speeds_rpm.len());
+            return Err(table.whole(message));
+        }
+    }
+    let part_load = loads.into_iter().map(|percent| PartLoad { load: percent / FULL, pressure: pressure(percent) }).collect();
+    Ok(Measured { speeds_rpm, crank_deg, pressure: pressure(FULL), part_load })
 }
 
 /// `order, amplitude_n_m, phase_deg`: torque of a whole throw, A cos(n theta + phase) from the firing of its first cylinder.

@@ -1,12 +1,21 @@
 //! Torsional chain.
 
+use super::checked_study::Reciprocating;
 use crate::drivetrain::{Chain, Station};
+use crate::engine::Engine;
 use crate::input::error::{At, Check};
-use crate::input::schema::engine::{RawEngine, RawStation};
+use crate::input::schema::engine::{RawEngine, RawReciprocating, RawStation};
 use std::collections::HashSet;
 
-/// The chain, or nothing where a mistake leaves none. `throws`: how many the layout has (0 where it is unknown).
-pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Option<Chain> {
+/// What the file says of the reciprocating masses: a typed chain holds what it holds unless it says more.
+pub(super) fn reciprocating(raw: &RawEngine) -> Reciprocating {
+    let stated = raw.reciprocating_inertia.as_ref().map(|r| *r.get_ref());
+    Reciprocating { mean: stated == Some(RawReciprocating::Mean), stated: stated.is_some() }
+}
+
+/// The chain, or nothing where a mistake leaves none. The engine is nothing where it is unknown.
+pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine>) -> Option<Chain> {
+    let throws = engine.map_or(0, |e| e.layout.throws());
     if raw.station.is_empty() {
         check.wrong(&raw.strokes, "found no [[station]], expected at least one in an engine file");
         return None;
@@ -42,6 +51,15 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, throws: usize) -> Opti
     for (t, owner) in owner.iter().enumerate() {
         if owner.is_none() {
             check.wrong(&raw.station[0].name, format!("throw {} acts on no station, expected it in `throws` of one [[station]]", t + 1));
+        }
+    }
+    if let (Some(engine), Some(asked), true) = (engine, &raw.reciprocating_inertia, reciprocating(raw).mean) {
+        match engine.reciprocating_inertia() {
+            Some(each) => {
+                let per_throw = each * engine.layout.rods_per_throw as f64;
+                stations.iter_mut().for_each(|s| s.inertia += per_throw * s.throws.len() as f64);
+            }
+            None => check.wrong(asked, "found `mean` with torque harmonics, expected it with [geometry], which has the masses"),
         }
     }
     Some(Chain { stations })

@@ -3,6 +3,7 @@
 use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
 use super::inputs::Input;
+use super::load::DutyPoint;
 use super::objectives::ObjectiveSpec;
 use super::optimise::{FrontSpec, OptimiseSpec};
 use crate::crankshaft::{Crank, FatigueSpec};
@@ -34,6 +35,15 @@ impl From<RawMethod> for ResponseMethod {
     }
 }
 
+/// What of the moving masses is part of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reciprocating {
+    /// Half of m r² of each cylinder, their mean inertia, is added to the station of its throw.
+    pub mean: bool,
+    /// The file says so; otherwise it is the default.
+    pub stated: bool,
+}
+
 /// A study, ready to run.
 #[derive(Debug, Clone)]
 pub struct Study {
@@ -43,6 +53,8 @@ pub struct Study {
     pub engine: Engine,
     /// Torsional chain.
     pub chain: Chain,
+    /// Whether its inertias hold the reciprocating masses.
+    pub reciprocating: Reciprocating,
     /// Its undamped modes.
     pub modes: Modes,
     /// Ascending, rpm.
@@ -79,6 +91,10 @@ pub struct Study {
     pub calibrate: Option<CalibrateSpec>,
     /// Dimensions of the crank, where the engine file has them.
     pub crank: Option<Crank>,
+    /// The engine whose pressure bends the crank, where it is not that of the excitation.
+    pub crank_engine: Option<Engine>,
+    /// Points at which the engine runs, with their shares of the time.
+    pub duty: Vec<DutyPoint>,
     /// How the crank's margin is judged.
     pub fatigue: Option<FatigueSpec>,
 }
@@ -87,6 +103,11 @@ impl Study {
     /// An objective: the first, or one of those after it.
     pub(crate) fn objective_of(&self, index: usize) -> &ObjectiveSpec {
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
+    }
+
+    /// The engine whose pressure bends the crank.
+    pub fn engine_of_crank(&self) -> &Engine {
+        self.crank_engine.as_ref().unwrap_or(&self.engine)
     }
 
     /// The study with other values of some inputs, each in the unit of its key.

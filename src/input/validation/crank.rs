@@ -104,6 +104,22 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
     (check.mistakes.len() == before).then_some(crank)
 }
 
+/// Margins depend on the counterweights: they are given, or said to be assumed away.
+pub(super) fn check_counterweights(check: &mut Check, crank: &At<RawCrank>, engine: &Engine) {
+    let raw = crank.get_ref();
+    if raw.counterweight_kg_m.is_some() || raw.assumed.iter().any(|key| key.get_ref() == "counterweight_kg_m") {
+        return;
+    }
+    let Source::Cylinder { geometry, .. } = &engine.source else { return };
+    let rods = engine.layout.rods_per_throw as f64;
+    let balanced = rods * geometry.rod_rotating_fraction() * geometry.rod_mass * geometry.slider_crank.crank_radius;
+    check.wrong_with_help(
+        crank,
+        "found a crank without `counterweight_kg_m` in a study of its margins, expected its moment a throw, or its name in `assumed` where there is none",
+        format!("{balanced:.4} kg m would balance the rotating mass of the rods; beside `unbalance_kg_m` of pin and webs"),
+    );
+}
+
 /// Distance between the rods on a pin: side by side unless the file says otherwise.
 fn rod_spacing(check: &mut Check, raw: &RawCrank, rods: usize, pin_length: f64) -> f64 {
     let Some(given) = &raw.rod_spacing_mm else { return if rods > 1 { pin_length / rods as f64 } else { 0.0 } };

@@ -201,11 +201,14 @@ fn otto(check: &mut Check, raw: &RawOtto) -> Otto {
             power.iter().zip(&speeds_rpm).map(|(p, s)| p * W_PER_KW / (s * RAD_PER_S_PER_RPM)).collect()
         }
     };
+    let over_speed = raw.pressure_scale_over_speed.as_ref();
+    let scale_over_speed = over_speed.map_or_else(|| vec![1.0; speeds_rpm.len()], |each| aligned(check, each, speeds_rpm.len()));
     Otto {
         speeds_rpm,
         brake_torque,
         compression_ratio: compression_ratio(check, &raw.compression_ratio),
         pressure_scale: check.within(&raw.pressure_scale, f64::MIN_POSITIVE..=5.0, "a factor above 0, at most 5"),
+        scale_over_speed,
         inlet_pressure: raw.inlet_pressure_bar.as_ref().map_or(1.0, |p| check.positive(p)) * PA_PER_BAR,
         heat_capacity_ratio: heat_capacity_ratio(check, raw.heat_capacity_ratio.as_ref(), 1.4),
     }

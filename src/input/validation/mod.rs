@@ -8,6 +8,7 @@ mod crank;
 mod engine;
 mod fatigue;
 mod inputs;
+mod load;
 pub(super) mod material;
 mod named;
 mod objectives;
@@ -17,8 +18,9 @@ mod ranges;
 
 pub use absorbers::DesignSpec;
 pub use calibrate::{CalibrateSpec, FreeInput};
-pub use checked_study::{ResponseMethod, Study};
+pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use inputs::Input;
+pub use load::DutyPoint;
 use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 use ranges::MOST_POINTS;
@@ -28,6 +30,7 @@ pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 use super::error::{Check, InputError, Source};
 use super::published::Published;
 use super::schema::engine::RawEngine;
+use super::schema::fatigue::RawCrankPressure;
 use super::schema::study::RawStudy;
 use super::tables::Reach;
 use crate::absorber::mounted::station_of;
@@ -55,6 +58,7 @@ struct Base {
     engine: Engine,
     chain: Chain,
     crank: Option<Crank>,
+    reciprocating: Reciprocating,
     speeds_rpm: Vec<f64>,
     order_limit: f64,
 }
@@ -62,7 +66,7 @@ struct Base {
 fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base> {
     let folder = files.engine_path.parent().unwrap_or_else(|| Path::new(""));
     let engine = engine::resolve(in_engine, files.engine, folder);
-    let chain = chain::resolve(in_engine, files.engine, engine.as_ref().map_or(0, |e| e.layout.throws()));
+    let chain = chain::resolve(in_engine, files.engine, engine.as_ref());
     let crank = match (&files.engine.crank, &engine) {
         (Some(raw), Some(engine)) => crank::resolve(in_engine, raw, engine),
         _ => None,
@@ -79,10 +83,10 @@ fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base>
     }
     // what follows needs a chain and an engine that make sense
     let (Some(mut engine), Some(chain), true) = (engine, chain, in_engine.mistakes.is_empty()) else { return None };
-    ranges::check_load(check, study, &mut engine);
+    load::apply(check, study, &mut engine);
     ranges::check_orders(check, study, &engine, order_limit);
     ranges::check_range(check, study, &engine, &speeds_rpm);
-    Some(Base { engine, chain, crank, speeds_rpm, order_limit })
+    Some(Base { engine, chain, crank, reciprocating: chain::reciprocating(files.engine), speeds_rpm, order_limit })
 }
 
 /// All mistakes, those of the engine file first.
@@ -108,6 +112,9 @@ fn judge(files: &Files, check: &mut Check, in_engine: &mut Check, base: &Base) -
     let raw = files.study.fatigue.as_ref()?;
     ranges::check_throws(check, raw, &base.chain);
     let spec = fatigue::resolve(check, raw, base.crank.as_ref(), folder_of(files.path))?;
+    if let Some(raw) = &files.engine.crank {
+        crank::check_counterweights(in_engine, raw, &base.engine);
+    }
     if let (Some(raw), Some(crank), true) = (&files.engine.crank, &base.crank, fatigue::needs_formulas(&spec)) {
         crank::check_ranges(in_engine, raw.get_ref(), crank);
     }
@@ -153,6 +160,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         (None, None) => 0,
     };
     let fatigue = judge(files, check, in_engine, &base);
+    let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
     let judged = match (&study.fatigue, &fatigue) {
         (None, _) => Judged::Not,
         (Some(_), None) => Judged::Wrongly,
@@ -181,6 +189,9 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     };
     Some(Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
+        crank_engine: brake_curve.then(|| base.engine.of_brake_curve()),
+        duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
+        reciprocating: base.reciprocating,
         engine: base.engine,
         chain: base.chain,
         modes,

@@ -46,18 +46,6 @@ pub(crate) fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &
     check.wrong(fatigue, found);
 }
 
-pub(crate) fn check_load(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
-    let Some(load) = &study.load_fraction else { return };
-    let fraction = check.within(load, 0.0..=1.5, "a fraction of the full mean pressure, 0 to 1.5");
-    let scaled = match &mut engine.source {
-        Source::Cylinder { pressure, .. } => pressure.scale_load(fraction),
-        Source::Harmonics(_) => false,
-    };
-    if !scaled {
-        check.wrong(load, "found `load_fraction` with measured traces or harmonics, expected it with `otto` or `wiebe` only");
-    }
-}
-
 pub(crate) fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit: f64) {
     let some = match &engine.source {
         Source::Cylinder { .. } => !Order::up_to(limit, engine.strokes).is_empty(),

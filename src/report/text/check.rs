@@ -3,23 +3,31 @@
 use super::crank;
 use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
-use crate::analysis::audit;
+use crate::analysis::{audit, reciprocating};
+use crate::drivetrain::System;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
 use crate::input::{ResponseMethod, Size, Study};
-use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
+use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::fmt::Write;
 
 /// What \[Villalva 2014\] p. 60 ff. finds when the rod's inertia, which it does not print, is doubled: "about 35 %".
 const GROWTH: f64 = 0.35;
 
+/// A secondary resonance above this share of the largest one matters.
+const SECONDARY: f64 = 0.1;
+
+/// Below this share nothing but rounding is left.
+const CANCELS: f64 = 1e-9;
+
 /// Engine, chain, modes, pressure, crank, and what is to be computed.
 pub fn model(study: &Study) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
     format!(
-        "{}\n{}\n{}\n{}\n{}",
+        "{}\n{}{}\n{}\n{}\n{}",
         engine(study),
         chain(study),
+        moving_masses(study, &excitation),
         modes(study, &excitation),
         pressure(study, &excitation) + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}")),
         work(study, &excitation)
@@ -54,7 +62,12 @@ fn engine(study: &Study) -> String {
             let _ = writeln!(text, "  {}", rod(g));
             let model = match pressure {
                 Pressure::Otto(o) => {
-                    format!("air-standard Otto cycle, compression {}, pressure scale {}", o.compression_ratio, o.pressure_scale)
+                    format!(
+                        "air-standard Otto cycle, compression {}, pressure scale {}{}",
+                        o.compression_ratio,
+                        o.pressure_scale,
+                        if o.scale_over_speed.iter().all(|x| *x == 1.0) { "" } else { " times that of each speed" }
+                    )
                 }
                 Pressure::Wiebe(w) => format!(
                     "Wiebe heat release, compression {}, boost {} bar, burn {}° to {}°, exponent {}, heat capacities {}",
@@ -96,6 +109,33 @@ fn chain(study: &Study) -> String {
     let header =
         ["station", "throws", "J/kg m²", "k next/N m/rad", "c next/N m s/rad", "loss next", "k ground/N m/rad", "c ground/N m s/rad"];
     table(&header, &rows)
+}
+
+/// Whether the chain holds the reciprocating masses, what that does, and what a linear chain leaves out.
+fn moving_masses(study: &Study, excitation: &Excitation) -> String {
+    let mut text = super::reciprocating(study).map_or_else(String::new, |line| format!("  {line}\n"));
+    let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation.clone());
+    let Some(s) = reciprocating::secondary(study, &system) else { return text };
+    let share = s.twist / s.primary;
+    if share < CANCELS {
+        text.push_str(
+            "  the part that varies with twice the crank angle cancels between the cylinders of a throw, or drives no resonance\n",
+        );
+        return text;
+    }
+    let _ = writeln!(
+        text,
+        "  the part that varies with twice the crank angle is left out: its largest effect would be order {} at {:.0} rpm, driven by order {},\n  \
+         {}° of twist, {} of the largest resonance of one order, {}° (each estimated as one mode){}",
+        s.order,
+        s.speed_rpm,
+        s.driven_by,
+        significant(s.twist * DEG_PER_RAD, 2),
+        if share < 0.01 { "below 1 %".to_owned() } else { format!("{:.0} %", 100.0 * share) },
+        significant(s.primary * DEG_PER_RAD, 2),
+        if share > SECONDARY { ": here a linear chain is not enough" } else { "" }
+    );
+    text
 }
 
 fn modes(study: &Study, excitation: &Excitation) -> String {

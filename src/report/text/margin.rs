@@ -47,6 +47,9 @@ pub fn margins(study: &Study, results: &Results) -> String {
         let rows = with_names(&|d, c| vec![dash(found(d, c).map(|m| format!("{} @ {:.0}", place(&m), m.speed_rpm)))]);
         text.push_str(&table(&header, &rows));
     }
+    if let Some(line) = super::crank_pressure(study) {
+        let _ = writeln!(text, "  {line}");
+    }
     if let Some(crank) = study.crank.as_ref().filter(|c| !c.assumed.is_empty()) {
         let _ = writeln!(text, "  Assumed dimensions of the crank: {}. Margins are as good as those.", crank.assumed.join(", "));
     }

@@ -1,0 +1,79 @@
+//! What designs do at the points of a duty: speeds and loads at which the engine runs for shares of its time.
+
+use super::DesignResult;
+use crate::absorber::Mounted;
+use crate::drivetrain::System;
+use crate::engine::{Engine, Excitation, Load, Source};
+use crate::input::{DutyPoint, Study};
+use crate::numerics::synthesis::Synthesiser;
+use crate::response::{Direct, Grid, Quantity, ResponseError, Work};
+
+/// A design at one point of the duty.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct DutyResult {
+    /// The point.
+    pub point: DutyPoint,
+    /// Half peak-to-peak twist, rad.
+    pub twist: f64,
+    /// Largest vibratory torque of a shaft, N m.
+    pub torque: f64,
+    /// Mean power dissipated in all absorbers, W.
+    pub power: f64,
+}
+
+/// A design over the duty.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct DutyOfDesign {
+    /// Its name.
+    pub design: String,
+    /// In the order of the study.
+    pub points: Vec<DutyResult>,
+}
+
+impl DutyOfDesign {
+    /// Mean of the dissipated power over the duty, W.
+    pub fn mean_power(&self) -> f64 {
+        self.points.iter().map(|p| p.point.share * p.power).sum()
+    }
+}
+
+/// The engine at a share of its full load.
+fn at_load(engine: &Engine, load_fraction: f64) -> Option<Engine> {
+    let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
+    let pressure = pressure.at_load(&Load::constant(load_fraction))?;
+    Some(Engine { source: Source::Cylinder { geometry: geometry.clone(), pressure }, ..engine.clone() })
+}
+
+/// Every design at every point; empty without a duty.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly, with the name of the design.
+pub(crate) fn duty<'d>(study: &Study, shown: &[&'d DesignResult]) -> Result<Vec<DutyOfDesign>, (&'d DesignResult, ResponseError)> {
+    let systems: Vec<(DutyPoint, System)> = study
+        .duty
+        .iter()
+        .filter_map(|point| {
+            let excitation = Excitation::new(&at_load(&study.engine, point.load_fraction)?, study.order_limit);
+            Some((*point, System::with_modes(study.chain.clone(), study.modes.clone(), excitation)))
+        })
+        .collect();
+    let all = |d: &&'d DesignResult| {
+        let points = systems.iter().map(|(point, system)| at(study, system, *point, &d.absorbers)).collect::<Result<_, _>>();
+        Ok(DutyOfDesign { design: d.name.clone(), points: points.map_err(|error| (*d, error))? })
+    };
+    if systems.is_empty() { Ok(Vec::new()) } else { shown.iter().map(all).collect() }
+}
+
+fn at(study: &Study, system: &System, point: DutyPoint, design: &[Mounted]) -> Result<DutyResult, ResponseError> {
+    let grid = Grid::new(&[point.speed_rpm], &[]);
+    let direct = Direct::new(system, &grid);
+    let shafts = system.chain.len() - 1;
+    let mut quantities = vec![study.twist];
+    quantities.extend((0..shafts).map(Quantity::ShaftTorque));
+    quantities.extend((0..design.len()).map(Quantity::RingTwist));
+    let phasors = direct.at_each(design, &quantities, &[point.speed_rpm], &mut Work::default())?;
+    let synthesiser = Synthesiser::new(&system.excitation.harmonics);
+    let half = |i: usize| synthesiser.extremes(&phasors[i]).half_peak_to_peak;
+    let power = |i: usize| direct.power_of_twist(design, i, point.speed_rpm, &phasors[1 + shafts + i]);
+    Ok(DutyResult { point, twist: half(0), torque: (1..=shafts).map(half).fold(0.0, f64::max), power: (0..design.len()).map(power).sum() })
+}

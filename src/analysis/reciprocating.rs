@@ -1,0 +1,116 @@
+//! What a linear chain leaves out of the reciprocating masses: the part of their inertia that varies with twice the crank angle.
+//!
+//! A cylinder has the inertia m r² sin² phi, phi from its dead centre: half of m r² on the average, less dI cos 2 phi with dI as large. With
+//! I theta'' + I' Omega theta' + I'' Omega² theta/2 on the left, a motion theta_n e^{i n Omega t} of its throw asks for a torque of the orders
+//! n + 2 and n - 2, -dI Omega² ((n ± 1)² + 1)/2 theta_n e^{∓2 i psi}, where psi is the crank angle of its dead centre: where such an order
+//! resonates while order n is large, a secondary resonance \[Pasricha & Carnegie 1976\]. The estimate takes theta_n from the linear model, and the
+//! resonance as one mode with its own damping.
+
+use crate::drivetrain::System;
+use crate::engine::Order;
+use crate::input::Study;
+use crate::numerics::C64;
+use crate::response::{Dense, Grid, Quantity};
+use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
+
+/// Elastic modes that are looked at.
+const MODES: usize = 2;
+
+/// First natural frequency with the mean inertia of the reciprocating masses and without it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frequencies {
+    /// Half of m r² of a cylinder, kg m².
+    pub each: f64,
+    /// Hz.
+    pub with: f64,
+    /// Hz.
+    pub without: f64,
+}
+
+/// Nothing where the torque comes from a table or the chain has no elastic mode.
+pub(crate) fn frequencies(study: &Study) -> Option<Frequencies> {
+    let each = study.engine.reciprocating_inertia()?;
+    let mut chain = study.chain.clone();
+    let sign = if study.reciprocating.mean { -1.0 } else { 1.0 };
+    let per_throw = sign * each * study.engine.layout.rods_per_throw as f64;
+    chain.stations.iter_mut().for_each(|s| s.inertia += per_throw * s.throws.len() as f64);
+    let own = *study.modes.frequencies_hz().first()?;
+    let other = *crate::drivetrain::Modes::new(&chain).frequencies_hz().first()?;
+    let (with, without) = if study.reciprocating.mean { (own, other) } else { (other, own) };
+    Some(Frequencies { each, with, without })
+}
+
+/// The largest secondary resonance, estimated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Secondary {
+    /// Order that resonates.
+    pub order: Order,
+    /// Order whose motion drives it.
+    pub driven_by: Order,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Twist of the reported stations that it adds, rad.
+    pub twist: f64,
+    /// The largest twist of one order at a resonance by its own torque, rad: both as one mode.
+    pub primary: f64,
+}
+
+/// The estimate for the engine without absorber; nothing where no order resonates in the range.
+pub(crate) fn secondary(study: &Study, system: &System) -> Option<Secondary> {
+    let variation = study.engine.reciprocating_inertia()?;
+    let mut worst: Option<Secondary> = None;
+    let mut primary: f64 = 0.0;
+    for critical in super::audit::critical_speeds(study, &system.excitation.orders).iter().filter(|c| c.mode <= MODES) {
+        let mode = study.modes.rigid + critical.mode - 1;
+        let omega = study.modes.omega[mode];
+        // twist per modal torque
+        let gain = shape_twist(study, mode) / (2.0 * study.modes.damping_ratio(mode) * omega * omega);
+        if !gain.is_finite() {
+            continue;
+        }
+        let modal = |torque: &[C64]| torque.iter().enumerate().map(|(i, t)| t * study.modes.shapes[(i, mode)]).sum::<C64>().norm();
+        let index = system.excitation.orders.iter().position(|o| *o == critical.order)?;
+        let mut torque = vec![C64::ZERO; system.chain.len()];
+        system.torque(index, critical.speed_rpm, &mut torque);
+        primary = primary.max(gain * modal(&torque));
+        for from in partners(system, critical.order) {
+            let torque = secondary_torque(study, system, (from, critical.order), critical.speed_rpm, variation)?;
+            let twist = gain * modal(&torque);
+            if worst.is_none_or(|w| twist > w.twist) {
+                let driven_by = system.excitation.orders[from];
+                worst = Some(Secondary { order: critical.order, driven_by, speed_rpm: critical.speed_rpm, twist, primary: 0.0 });
+            }
+        }
+    }
+    worst.map(|w| Secondary { primary, ..w })
+}
+
+/// Twist of the reported stations in a mode shape.
+fn shape_twist(study: &Study, mode: usize) -> f64 {
+    let shape = |station: usize| study.modes.shapes[(station, mode)];
+    match study.twist {
+        Quantity::Twist { from, to } => (shape(from) - to.map_or(0.0, shape)).abs(),
+        _ => 0.0,
+    }
+}
+
+/// Orders two below and two above, by their index.
+fn partners(system: &System, order: Order) -> Vec<usize> {
+    let apart = |o: &Order| (o.value() - order.value()).abs() == 2.0;
+    (0..system.orders()).filter(|n| apart(&system.excitation.orders[*n])).collect()
+}
+
+/// Torque of an order on the stations by the motion of another one; nothing where that is unbounded.
+fn secondary_torque(study: &Study, system: &System, (from, to): (usize, Order), speed_rpm: f64, variation: f64) -> Option<Vec<C64>> {
+    let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
+    let n = system.excitation.orders[from].value();
+    let up = if to.value() > n { 1.0 } else { -1.0 };
+    let size = -0.5 * variation * shaft_speed * shaft_speed * ((n + up).powi(2) + 1.0);
+    let (_, theta) = Dense::new(system, &Grid::new(&[speed_rpm], &[])).angles(&[], from, speed_rpm).ok()?;
+    let on = |i: usize| {
+        let cylinders = system.chain.stations[i].throws.iter().flat_map(|t| study.engine.layout.firing_on_throw(*t));
+        let turned: C64 = cylinders.map(|deg| C64::cis(-up * 2.0 * deg * RAD_PER_DEG)).sum();
+        turned * theta[i] * size
+    };
+    Some((0..system.chain.len()).map(on).collect())
+}

@@ -1,0 +1,54 @@
+//! What a study assumes of its engine, a line each: said wherever results are.
+
+use super::table::{significant, table};
+use crate::analysis::Results;
+use crate::analysis::reciprocating::frequencies;
+use crate::engine::{Pressure, Source};
+use crate::input::Study;
+use crate::units::DEG_PER_RAD;
+
+/// Whether the chain holds the mean inertia of the reciprocating masses, and what that does; nothing where the torque comes from a table.
+pub(crate) fn reciprocating(study: &Study) -> Option<String> {
+    let f = frequencies(study)?;
+    let (each, share) = (significant(f.each, 4), 100.0 * (1.0 - f.with / f.without));
+    let said = if study.reciprocating.stated { "stated in the engine file" } else { "the default of inertias that are given" };
+    Some(if study.reciprocating.mean {
+        format!("reciprocating_inertia = \"mean\" ({said}): {each} kg m² a cylinder are added, which lowers f1 by {share:.1} %")
+    } else {
+        format!("reciprocating_inertia = \"none\" ({said}): {each} kg m² a cylinder are left out; \"mean\" would lower f1 by {share:.1} %")
+    })
+}
+
+/// Which pressure bends the crank; nothing where there is one only.
+pub(crate) fn crank_pressure(study: &Study) -> Option<String> {
+    let (Some(_), Some(_)) = (&study.crank, &study.fatigue) else { return None };
+    let Source::Cylinder { pressure: Pressure::Otto(otto), .. } = &study.engine.source else { return None };
+    let scale = significant(otto.pressure_scale, 4);
+    Some(match study.crank_engine {
+        Some(_) => format!(
+            "The crank bears the pressure and the mean torque of the brake curve; the excitation has {scale} of it (pressure_scale)."
+        ),
+        None => format!(
+            "The crank bears the pressure of the excitation, {scale} of that of the brake curve: margins may be on the unsafe side."
+        ),
+    })
+}
+
+/// The designs over the duty; empty without one.
+pub(crate) fn duty(results: &Results) -> String {
+    let Some(first) = results.duty.first() else { return String::new() };
+    let point = |p: &crate::analysis::DutyResult| {
+        format!("{} rpm, {:.0} % load, {:.0} %", p.point.speed_rpm, 100.0 * p.point.load_fraction, 100.0 * p.point.share)
+    };
+    let points: Vec<String> = first.points.iter().map(point).collect();
+    let header: Vec<&str> = ["design", "mean heat/W"].into_iter().chain(points.iter().map(String::as_str)).collect();
+    let rows: Vec<Vec<String>> = results
+        .duty
+        .iter()
+        .map(|d| {
+            let twists = d.points.iter().map(|p| significant(p.twist * DEG_PER_RAD, 4));
+            [d.design.clone(), significant(d.mean_power(), 3)].into_iter().chain(twists).collect()
+        })
+        .collect();
+    format!("Duty: twist/° at each point (speed, load, share of the time), heat of the absorbers over all:\n{}", table(&header, &rows))
+}

@@ -1,0 +1,123 @@
+//! Load, counterweights and moving masses: what the engine runs at, and what its chain and crank bear.
+
+use crate::support::{assert_close, study};
+use hartog::Study;
+use hartog::engine::{Excitation, Source};
+use std::fs;
+use std::path::Path;
+
+/// The shipped six at another load: keys put at the top of its study.
+fn six(keys: &str) -> Study {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/villalva_i6.toml");
+    let text = fs::read_to_string(&path).expect("study");
+    let start = text.find("duty = [").expect("duty");
+    let end = start + text[start..].find("\n]\n").expect("its end") + 3;
+    let text = format!("{}{}{}", &text[..start], keys, &text[end..]);
+    Study::from_toml(&text, &path).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The indicated mean pressure of the cycle is the full-load curve times the share: linear between the speeds of both tables.
+#[test]
+fn part_load_scales_the_mean_pressure() {
+    let mean = |s: &Study| -> Vec<(f64, f64)> {
+        Excitation::new(&s.engine, 12.0).audit.iter().map(|a| (a.speed_rpm, a.indicated_mean_pressure / 1e5)).collect()
+    };
+    // 0.1° samples of the cycle close its area to 1e-6
+    for (speed, p) in mean(&six("load_fraction = 0.5\n")) {
+        let full = [(600.0, 8.0), (1000.0, 14.0), (1600.0, 18.0), (2600.0, 15.0), (3200.0, 6.0)];
+        let full = full.iter().find(|f| f.0 == speed).expect("a speed of the curve").1;
+        assert_close(p, 0.5 * full, 1e-5, 0.0, "half load");
+    }
+    let part = mean(&six("part_load = { speed_rpm = [1000, 2000, 3000], fraction = [1, 0.5, 0.25] }\n"));
+    let expected = [
+        (600.0, 8.0),
+        (1000.0, 14.0),
+        (1600.0, 18.0 * 0.7),
+        (2000.0, 16.8 * 0.5),
+        (2600.0, 15.0 * 0.35),
+        (3000.0, 9.0 * 0.25),
+        (3200.0, 6.0 * 0.25),
+    ];
+    assert_eq!(part.len(), expected.len());
+    for (found, wanted) in part.iter().zip(expected) {
+        assert_close(found.0, wanted.0, 0.0, 0.0, "speed");
+        assert_close(found.1, wanted.1, 1e-5, 0.0, "part load over speed");
+    }
+}
+
+/// A point of the duty is what a study of that load gives at that speed.
+#[test]
+fn a_duty_point_is_the_study_at_its_load() {
+    let mut whole =
+        six("duty = [{ speed_rpm = 1600, load_fraction = 0.5, share = 0.75 }, { speed_rpm = 2400, load_fraction = 1, share = 0.25 }]\n");
+    let mut half = six("load_fraction = 0.5\n");
+    for s in [&mut whole, &mut half] {
+        (s.optimise, s.front, s.fatigue) = (None, None, None);
+        s.conditions.clear();
+        s.more_objectives.clear();
+    }
+    let (whole, half) = (whole.run().expect("run"), half.run().expect("run"));
+    assert_eq!(whole.duty.len(), 4);
+    for (d, sweep) in whole.duty.iter().zip(&half.sweeps) {
+        let at = half.study.speeds_rpm.iter().position(|s| *s == 1600.0).expect("a speed of the study");
+        let named = |name: &str| sweep.quantities.iter().find(|q| q.name == name).map(|q| q.total[at]);
+        assert_close(d.points[0].twist.to_degrees(), named("twist_deg").expect("twist"), 1e-12, 0.0, "twist");
+        assert_close(d.points[0].power, named("dissipated_power_w").unwrap_or(0.0), 1e-12, 0.0, "power");
+        assert_close(d.mean_power(), 0.75 * d.points[0].power + 0.25 * d.points[1].power, 1e-14, 0.0, "mean power");
+    }
+}
+
+/// Measured traces between two loads are those between them; a load that was not measured is refused.
+#[test]
+fn measured_maps_are_linear_in_load() {
+    let folder = tempfile::tempdir().expect("folder");
+    let bad = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input");
+    let engine = fs::read_to_string(bad.join("engine.toml")).expect("engine");
+    let (start, end) = (engine.find("[pressure.wiebe]").expect("pressure"), engine.find("[[station]]").expect("station"));
+    let engine = format!("{}[pressure.measured]\nfile = \"map.csv\"\n{}", &engine[..start], &engine[end..]);
+    fs::write(folder.path().join("engine.toml"), engine).expect("written");
+    let pressure = |deg: f64, peak: f64| 1.0 + peak * (0.5 + 0.5 * deg.to_radians().cos()).powi(20);
+    let rows: String = (0..144)
+        .map(|i| f64::from(i) * 5.0)
+        .map(|d| format!("{d},{},{},{},{}\n", pressure(d, 40.0), pressure(d, 60.0), pressure(d, 10.0), pressure(d, 20.0)))
+        .collect();
+    let header = "crank_deg,1000_rpm_bar,4000_rpm_bar,1000_rpm_20_percent_bar,4000_rpm_20_percent_bar\n";
+    fs::write(folder.path().join("map.csv"), format!("{header}{rows}")).expect("written");
+    let text = fs::read_to_string(bad.join("study.toml")).expect("study");
+    let at = |load: &str| {
+        Study::from_toml(&text.replace("order_limit = 6", &format!("order_limit = 6\n{load}")), folder.path().join("study.toml"))
+    };
+    let torque = |load: &str| {
+        let study = at(load).unwrap_or_else(|e| panic!("{e}"));
+        Excitation::new(&study.engine, 6.0).unit_torque(1, 2500.0)
+    };
+    let (full, low, between) = (torque(""), torque("load_fraction = 0.2"), torque("load_fraction = 0.6"));
+    assert!((full - low).norm() > 1.0);
+    assert_close((0.5 * (full + low) - between).norm(), 0.0, 0.0, 1e-9 * full.norm(), "halfway between the loads measured");
+    let refused = at("load_fraction = 0.1").expect_err("below the lowest load").to_string();
+    assert!(refused.contains("outside those of the measured traces"), "{refused}");
+}
+
+/// `reciprocating_inertia = "mean"` adds half of m r² for each cylinder of a throw: oscillating mass 2 + 2/3 kg (0.333 of the rod), radius 62 mm.
+#[test]
+fn mean_reciprocating_inertia_is_half_m_r_squared() {
+    let (with, without) = (study("villalva_i6"), study("villalva_i6_thesis"));
+    let each = 0.5 * (2.0 + 0.333 * 2.0) * 0.062 * 0.062;
+    for (a, b) in with.chain.stations.iter().zip(&without.chain.stations) {
+        assert_close(a.inertia - b.inertia, each * a.throws.len() as f64, 1e-9, 1e-15, &a.name);
+    }
+    let (a, b) = (study("villalva_v10"), study("villalva_v10_thesis"));
+    let each = 0.5 * (0.43 + 0.333 * 0.56) * 0.0464 * 0.0464;
+    assert_close(a.chain.total_inertia() - b.chain.total_inertia(), 10.0 * each, 1e-9, 0.0, "ten cylinders");
+}
+
+/// Fatigue takes the work of the brake curve: the shaft at the flywheel carries 530 N m at 6500 rpm, though the excitation is scaled to 0.75 of it.
+#[test]
+fn the_crank_bears_the_brake_torque() {
+    let study = study("villalva_v10");
+    let Source::Cylinder { .. } = &study.engine.source else { panic!("a cylinder") };
+    let excited = Excitation::new(&study.engine, 12.0).audit[6];
+    let borne = Excitation::new(study.engine_of_crank(), 12.0).audit[6];
+    assert_close(excited.mean_torque, 0.75 * 530.0, 1e-4, 0.0, "excitation");
+    assert_close(borne.mean_torque, 530.0, 1e-4, 0.0, "crank");
+}

@@ -135,10 +135,10 @@ fn check_audits_the_engine() {
 #[test]
 fn help_has_examples() {
     for (arguments, words) in [
-        (&["--help"][..], "hartog run studies/villalva_i6_thesis.toml"),
+        (&["--help"][..], "hartog run studies/villalva_i6.toml"),
         (&["run", "--help"], "hartog run studies/villalva_i6.toml --out out/six"),
         (&["run", "--help"], "Neither the hub's amplitude nor a single order will do"),
-        (&["check", "--help"], "hartog check studies/villalva_v10_thesis.toml"),
+        (&["check", "--help"], "hartog check studies/villalva_v10.toml"),
     ] {
         let output = hartog().args(arguments).assert().code(0).get_output().stdout.clone();
         assert!(String::from_utf8_lossy(&output).contains(words), "{words}");

@@ -30,3 +30,4 @@ mod responses;
 mod shaft;
 mod support;
 mod surface;
+mod trees;

@@ -3,6 +3,7 @@
 use super::audit::highest_frequency_hz;
 use super::choice::{self, Choice, Strategy};
 use super::diagram::{self, Diagram};
+use super::duty::{self, DutyOfDesign};
 use super::evaluate::{self, Classifier, DesignResult};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
@@ -11,7 +12,7 @@ use super::sweeps::{self, Sweeps};
 use super::systems::{appearing, systems};
 use super::timing::Clock;
 use super::wanted::Wanted;
-use super::{Progress, RunError, Silent, calibrate, cost, duty, families};
+use super::{Progress, RunError, Silent, calibrate, cost, families};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
@@ -112,8 +113,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram } = over_speed(study, &finders[0], &finders, &shown)?;
-    let duty = duty::duty(study, &shown).map_err(|(d, error)| of_design(d, error))?;
+    let OverSpeed { sweeps, margins, diagram, duty } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -200,9 +200,10 @@ struct OverSpeed {
     sweeps: Vec<Sweeps>,
     margins: Vec<MarginSweep>,
     diagram: Option<Diagram>,
+    duty: Vec<DutyOfDesign>,
 }
 
-/// Responses and margins over speed of the designs that are shown, and the fatigue diagram of the one with the largest margin.
+/// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
 fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown: &[&DesignResult]) -> Result<OverSpeed, RunError> {
     let own = Grid::new(&study.speeds_rpm, &[]);
     let sweeps = shown
@@ -219,7 +220,8 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
     let diagram = best.zip(firing.margin).map_or(Ok(None), |((d, smallest), model)| {
         diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
     })?;
-    Ok(OverSpeed { sweeps, margins, diagram })
+    let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, margins, diagram, duty })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

@@ -2,7 +2,7 @@
 
 use super::scenarios::scenarios;
 use super::stability::{Cell, Scenario};
-use super::{energy, model_accuracy, savings, speed_accuracy};
+use super::{energy, growth, model_accuracy, savings, speed_accuracy};
 use crate::analysis::{Progress, RunError, calibrate};
 use crate::input::Study;
 
@@ -10,7 +10,7 @@ use crate::input::Study;
 #[derive(Debug)]
 pub struct Common {
     /// How cost grows.
-    pub growth: Vec<speed_accuracy::Growth>,
+    pub growth: Vec<growth::Growth>,
     /// Where methods fail.
     pub map: Vec<(Scenario, Vec<Cell>)>,
     /// Energy put in against energy dissipated.
@@ -22,7 +22,7 @@ pub struct Common {
 impl Common {
     /// Measures it.
     pub fn measure(progress: &dyn Progress) -> Self {
-        let growth = speed_accuracy::growth(progress);
+        let growth = growth::growth(progress);
         let scenarios = scenarios();
         progress.stage("stability and energy", scenarios.len() + 1);
         let map = scenarios

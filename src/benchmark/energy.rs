@@ -51,7 +51,7 @@ fn of_scenario(s: &Scenario) -> Vec<Balance> {
             put(candidate.method(), "dampers of the system", powers(method.as_ref(), &s.design, None, &mut work));
         }
     }
-    let tables = Receptance::new(&s.system, &grid, station_of(&s.design, 0), &power::quantities(s.system.chain.len(), s.design.len()));
+    let tables = Receptance::new(&s.system, &grid, station_of(&s.design, 0), &power::quantities(&s.system.chain, s.design.len()));
     put("receptance", "dampers of the system", powers(&tables, &s.design, None, &mut work));
     let modal = Modal::new(&s.system, &grid);
     let (viscous, hysteretic) = modal.own_damping(&s.design);

@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod energy;
+pub mod growth;
 pub mod methods;
 pub mod model_accuracy;
 pub mod savings;

@@ -3,7 +3,7 @@
 use super::stability::Outcome::{self, Refused, Right, Rough, Wrong};
 use super::stability::{RIGHT, Scenario};
 use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
-use crate::drivetrain::{Chain, Station, System};
+use crate::drivetrain::{Chain, Joint, Station, System};
 use crate::engine::HarmonicTable;
 use crate::engine::{Engine, Excitation, Layout, Order, Source};
 use crate::numerics::C64;
@@ -109,9 +109,29 @@ fn changed(change: impl Fn(&mut Chain)) -> System {
     System::new(chain, base.excitation)
 }
 
+/// The in-line six with a camshaft of two stations behind a gear of -1/2, and a pump behind one of 3/2, both on the second station.
+fn branched() -> System {
+    let base = six();
+    let row = &base.chain.stations;
+    let side = |name: &str, inertia: f64, stiffness: f64| Station {
+        name: name.into(),
+        inertia,
+        stiffness_to_next: stiffness,
+        damping_to_next: 0.5,
+        ..Station::default()
+    };
+    // the pulley, the camshaft, the pump, then the row from the second station on
+    let mut stations = vec![row[0].clone(), side("cam end", 0.004, 4e3), side("cam gear", 0.01, 9e4), side("pump", 0.006, 2e4)];
+    stations.extend_from_slice(&row[1..]);
+    for (from, leads_to, gear) in [(0, 4, 1.0), (2, 4, -0.5), (3, 4, 1.5)] {
+        stations[from].joint = Some(Box::new(Joint { leads_to, gear }));
+    }
+    System::new(Chain { stations }, base.excitation)
+}
+
 /// All scenarios.
 pub fn scenarios() -> Vec<Scenario> {
-    [absorbers_of_six(), changed_chains(), small_and_long_chains()].concat()
+    [absorbers_of_six(), changed_chains(), trees(), small_and_long_chains()].concat()
 }
 
 /// The in-line six with absorbers of every kind.
@@ -225,6 +245,20 @@ fn changed_chains() -> Vec<Scenario> {
             )
         },
     ]
+}
+
+/// Branches and gears.
+fn trees() -> Vec<Scenario> {
+    vec![Scenario {
+        quantity: Quantity::Twist { from: 0, to: Some(10) },
+        in_time: [Refused("geared shafts"); 4],
+        ..of_six(
+            "branches and gears",
+            branched(),
+            vec![tuned(), Mounted::on_station(1, Viscous { ring_inertia: 0.004, damping: 3.0 })],
+            [EXACT, RECEPTANCE, Refused("one absorber"), Wrong(0.5), Wrong(0.1), Wrong(0.01), Wrong(0.5), Refused("no branches, no gears")],
+        )
+    }]
 }
 
 /// Few stations with a solution in closed form, and many.

@@ -38,8 +38,9 @@ pub struct CriticalLocation {
 pub(crate) fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
     let of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));
     let stations: Vec<usize> = (0..throws).map(of).collect::<Option<_>>()?;
-    let rises = stations.windows(2).all(|p| p[0] < p[1]);
-    let falls = stations.windows(2).all(|p| p[0] > p[1]);
+    let leads = |from: usize, to: usize| chain.path(from, to).iter().all(|link| link.1 > 0.0) && from < to;
+    let rises = stations.windows(2).all(|p| leads(p[0], p[1]));
+    let falls = stations.windows(2).all(|p| leads(p[1], p[0]));
     (rises || falls).then_some(stations)
 }
 
@@ -56,7 +57,12 @@ fn shafts_beside(chain: &Chain, throws: usize, throw: usize) -> Option<[usize; 2
     let stations = stations_of_throws(chain, throws)?;
     let last = chain.len().checked_sub(2)?;
     let station = stations[throw];
-    let beside = [station.saturating_sub(1).min(last), station.min(last)];
+    // of what leads to the station, the shaft that comes from the throw before, or the one without a gear
+    let leading = |i: &usize| chain.next(*i) == station && chain.gear(*i) == 1.0;
+    let from_throw = |i: &usize| stations.iter().any(|s| *s <= *i && chain.path(*s, station).iter().any(|link| link.0 == *i));
+    let before = (0..station).filter(leading).max_by_key(|i| (from_throw(i), *i));
+    let after = if station > last { before.unwrap_or(last) } else { station };
+    let beside = [before.unwrap_or(after), after];
     let falls = stations.windows(2).any(|p| p[0] > p[1]);
     Some(if falls { [beside[1], beside[0]] } else { beside })
 }

@@ -1,5 +1,10 @@
-//! The torsional chain: rigid stations in a row, joined by shaft lengths.
+//! The torsional chain: rigid stations joined by shaft lengths and gears, in a row or as a tree.
+//!
+//! Every station but the last leads to one after it: to the following one in a row, to any later one in a tree, so that leaves come first and the
+//! root last. A gear has the ratio g = speed of a station over that of the station it leads to: the twist of the link is theta - g theta_next, and
+//! its torque acts on the next station g times. Angles, torques and stiffnesses are those of their own shaft, not referred to another one.
 
+use super::Difference;
 use crate::numerics::{C64, I};
 use nalgebra::DMatrix;
 
@@ -22,9 +27,20 @@ pub struct Station {
     pub damping_to_ground: f64,
     /// Throws (from 0) whose torque acts here.
     pub throws: Vec<usize>,
+    /// How the next station is joined; nothing: it is the following one, without a gear. Boxed: rows are swept faster where stations are small.
+    pub joint: Option<Box<Joint>>,
 }
 
-/// Stations in a row; the last one's `*_to_next` are zero.
+/// A link of a tree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// Index of the station that is meant by "next", after this one.
+    pub leads_to: usize,
+    /// Speed of this station over that of the next, negative where they turn in opposite directions; one without a gear.
+    pub gear: f64,
+}
+
+/// Stations, leaves first; the last one's `*_to_next` are zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
     /// At least one.
@@ -49,7 +65,77 @@ impl Chain {
 
     /// Name of a shaft length.
     pub(crate) fn shaft_name(&self, shaft: usize) -> String {
-        format!("{}-{}", self.stations[shaft].name, self.stations[shaft + 1].name)
+        format!("{}-{}", self.stations[shaft].name, self.stations[self.next(shaft)].name)
+    }
+
+    /// Index of the station that a station leads to.
+    pub fn next(&self, station: usize) -> usize {
+        self.stations[station].joint.as_ref().map_or(station + 1, |j| j.leads_to)
+    }
+
+    /// Speed of a station over that of the one it leads to.
+    pub(crate) fn gear(&self, station: usize) -> f64 {
+        self.stations[station].joint.as_ref().map_or(1.0, |j| j.gear)
+    }
+
+    /// Whether every station leads to the following one, without gears.
+    pub fn is_row(&self) -> bool {
+        self.stations.iter().all(|s| s.joint.is_none())
+    }
+
+    /// Whether there is a gear.
+    pub(crate) fn is_geared(&self) -> bool {
+        self.stations.iter().any(|s| s.joint.as_ref().is_some_and(|j| j.gear != 1.0))
+    }
+
+    /// Twist of the link after a station.
+    pub(crate) fn link(&self, shaft: usize) -> Difference {
+        Difference { from: shaft, to: Some((self.next(shaft), self.gear(shaft))), scale: 1.0 }
+    }
+
+    /// Elastic twist between two stations, referred to the crankshaft: angle over speed ratio of the one less that of the other.
+    pub(crate) fn between(&self, from: usize, to: usize) -> Difference {
+        if !self.is_geared() {
+            return Difference { from, to: Some((to, 1.0)), scale: 1.0 };
+        }
+        let (a, b) = (self.speed_ratio(from), self.speed_ratio(to));
+        Difference { from, to: Some((to, a / b)), scale: 1.0 / a }
+    }
+
+    /// Speed of a station over that of the crankshaft (of the first station where there is no throw).
+    pub(crate) fn speed_ratio(&self, station: usize) -> f64 {
+        self.speed_ratios().map_or(1.0, |ratios| ratios[station])
+    }
+
+    /// The same of every station; nothing without gears.
+    pub(crate) fn speed_ratios(&self) -> Option<Vec<f64>> {
+        if !self.is_geared() {
+            return None;
+        }
+        let mut over_root = vec![1.0; self.len()];
+        for i in (0..self.len() - 1).rev() {
+            over_root[i] = self.gear(i) * over_root[self.next(i)];
+        }
+        let crank = over_root[self.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0)];
+        Some(over_root.into_iter().map(|speed| speed / crank).collect())
+    }
+
+    /// Links from a station to the root.
+    fn to_root(&self, station: usize) -> impl Iterator<Item = usize> {
+        let last = self.len() - 1;
+        std::iter::successors((station < last).then_some(station), move |i| Some(self.next(*i)).filter(|next| *next < last))
+    }
+
+    /// Links between two stations, each with what its twist counts for in [`Self::between`].
+    pub(crate) fn path(&self, from: usize, to: usize) -> Vec<(usize, f64)> {
+        let (mut up, mut down): (Vec<usize>, Vec<usize>) = (self.to_root(from).collect(), self.to_root(to).collect());
+        while up.last().is_some() && up.last() == down.last() {
+            up.pop();
+            down.pop();
+        }
+        let ratios = self.speed_ratios();
+        let weight = |link: usize| ratios.as_ref().map_or(1.0, |r| 1.0 / r[link]);
+        up.into_iter().map(|i| (i, weight(i))).chain(down.into_iter().map(|i| (i, -weight(i)))).collect()
     }
 
     /// Complex stiffness of the shaft after station `shaft` at circular frequency `omega`: k (1 + i eta) + i omega c, N m/rad.
@@ -81,10 +167,11 @@ impl Chain {
         for (i, s) in self.stations.iter().enumerate() {
             k[(i, i)] += s.stiffness_to_ground;
             if i + 1 < n {
+                let (next, gear) = (self.next(i), self.gear(i));
                 k[(i, i)] += s.stiffness_to_next;
-                k[(i + 1, i + 1)] += s.stiffness_to_next;
-                k[(i, i + 1)] -= s.stiffness_to_next;
-                k[(i + 1, i)] -= s.stiffness_to_next;
+                k[(next, next)] += s.stiffness_to_next * gear * gear;
+                k[(i, next)] -= s.stiffness_to_next * gear;
+                k[(next, i)] -= s.stiffness_to_next * gear;
             }
         }
         k
@@ -93,12 +180,15 @@ impl Chain {
     /// Bodies that no spring ties to the ground: shafts without stiffness cut the chain. Each has one rigid mode.
     pub fn rigid_bodies(&self) -> usize {
         let mut free = 0;
-        let mut tied = false;
+        // whether a spring ties what hangs together with a station, of those before it
+        let mut tied = vec![false; self.len()];
         for (i, s) in self.stations.iter().enumerate() {
-            tied |= s.stiffness_to_ground > 0.0;
+            tied[i] |= s.stiffness_to_ground > 0.0;
             if i + 1 == self.len() || s.stiffness_to_next == 0.0 {
-                free += usize::from(!tied);
-                tied = false;
+                free += usize::from(!tied[i]);
+            } else {
+                let next = self.next(i);
+                tied[next] |= tied[i];
             }
         }
         free

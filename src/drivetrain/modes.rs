@@ -40,7 +40,8 @@ impl Modes {
         let element = |(n, s): (usize, &Station)| {
             let to_ground = s.damping_to_ground * phi(n, i) * phi(n, j);
             let link = s.damping_to_next + if omega > 0.0 { s.stiffness_to_next * s.loss_factor_to_next / omega } else { 0.0 };
-            if link == 0.0 { to_ground } else { to_ground + link * (phi(n, i) - phi(n + 1, i)) * (phi(n, j) - phi(n + 1, j)) }
+            let twist = |mode: usize| chain.link(n).of(|station| phi(station, mode));
+            if link == 0.0 { to_ground } else { to_ground + link * twist(i) * twist(j) }
         };
         chain.stations.iter().enumerate().map(element).sum()
     }

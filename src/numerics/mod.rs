@@ -8,7 +8,9 @@ pub mod least_squares;
 pub mod maximise;
 pub mod nearest;
 pub mod quadrature;
+pub(crate) mod sparse;
 pub mod synthesis;
+mod tree;
 pub mod tridiagonal;
 
 /// A complex number.

@@ -2,7 +2,8 @@
 //!
 //! With g_i what ties station i to inertial space (absorbers included) and s_i the shaft after it, the part of the chain up to i has the
 //! dynamic stiffness r_i = g_i + s r/(s + r) of the shaft and the part before it, springs in series; the torque that reaches i is
-//! f_i = T_i + f s/(s + r). Then theta_last = f/r and, backwards, theta_i - theta_next = (f_i - r_i theta_next)/(s_i + r_i).
+//! f_i = T_i + f s/(s + r). Then theta_last = f/r and, backwards, theta_i - theta_next = (f_i - r_i theta_next)/(s_i + r_i). In a tree every station
+//! hands what is before it to the station it leads to, and behind a gear of ratio g the next station has g theta_next, g² r and g f.
 //! Where s + r nearly cancels (the part before, held at the next station, resonates) digits are lost: the factor is reported, and the caller solves
 //! that point with exchange of rows.
 
@@ -10,7 +11,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
-use crate::drivetrain::Station;
+use crate::drivetrain::{Chain, Station};
 use crate::numerics::C64;
 use multiversion::multiversion;
 
@@ -43,9 +44,10 @@ impl Lane {
         sum
     }
 
-    /// The negative at each point.
-    pub(crate) fn minus(&self) -> Self {
-        Self { re: self.re.map(|x| -x), im: self.im.map(|x| -x) }
+    /// Real multiples at each point.
+    #[inline(always)]
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        Self { re: self.re.map(|x| factor * x), im: self.im.map(|x| factor * x) }
     }
 
     /// Sets that of one point.
@@ -63,7 +65,7 @@ pub(crate) struct Block {
     pub shaft_speed: [f64; LANES],
     /// Torque on each station, N m; solved, its angle, rad.
     pub x: Vec<Lane>,
-    /// Solved, the angle of each station less that of the next, rad (nothing for the last). On the way, r.
+    /// Solved, the twist of the link after each station, rad (nothing for the last). On the way, r.
     pub twist: Vec<Lane>,
     /// Twist of each ring against its hub, rad.
     pub ring: Vec<Lane>,
@@ -75,11 +77,14 @@ pub(crate) struct Block {
     spring: Vec<Lane>,
     /// Absorbers of each point, where rings carry rings.
     condensed: Vec<Condensed>,
+    /// Whether every station leads to the following one.
+    is_row: bool,
 }
 
 impl Block {
-    /// For chains of `stations` and `rings` absorbers.
-    pub fn new(stations: usize, rings: usize) -> Self {
+    /// For a chain and `rings` absorbers.
+    pub fn new(chain: &Chain, rings: usize) -> Self {
+        let stations = chain.len();
         let lanes = |n| vec![Lane::ZERO; n];
         Self {
             omega: [0.0; LANES],
@@ -91,6 +96,7 @@ impl Block {
             inverse: lanes(stations),
             spring: lanes(rings),
             condensed: Vec::new(),
+            is_row: chain.is_row(),
         }
     }
 
@@ -104,8 +110,11 @@ impl Block {
             self.springs(design);
             rings(self, design);
         }
-        eliminate(self, stations);
-        follow(self, stations);
+        if self.is_row {
+            along_row(self, stations);
+        } else {
+            along_tree(self, stations);
+        }
         if tiers {
             self.condensed_twists(design);
         } else {
@@ -209,17 +218,28 @@ fn rings(b: &mut Block, design: &[Mounted]) {
     b.cancelled = worst;
 }
 
-/// From the first station to the last.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn eliminate(b: &mut Block, stations: &[Station]) {
+/// Where a station leads and its gear; in a row that is known before the loop runs.
+#[inline(always)]
+fn joint<const ROW: bool>(stations: &[Station], i: usize) -> (usize, f64) {
+    match &stations[i].joint {
+        Some(joint) if !ROW => (joint.leads_to, joint.gear),
+        _ => (i + 1, 1.0),
+    }
+}
+
+/// From the leaves to the root.
+#[inline(always)]
+fn elimination<const ROW: bool>(b: &mut Block, stations: &[Station]) {
     let (omega, mut worst) = (b.omega, b.cancelled);
     for i in 0..stations.len() - 1 {
         let shaft = &stations[i];
         let (stiffness, loss, damping) =
             (shaft.stiffness_to_next, shaft.stiffness_to_next * shaft.loss_factor_to_next, shaft.damping_to_next);
+        let (after, gear) = joint::<ROW>(stations, i);
+        let square = gear * gear;
         // copies, so that the compiler sees that nothing overlaps
         let (left, reached, mut inverse) = (b.twist[i], b.x[i], Lane::ZERO);
-        let (mut next, mut next_reached) = (b.twist[i + 1], b.x[i + 1]);
+        let (mut next, mut next_reached) = (b.twist[after], b.x[after]);
         for l in 0..LANES {
             let (s_re, s_im) = (stiffness, loss + omega[l] * damping);
             let (p_re, p_im) = (s_re + left.re[l], s_im + left.im[l]);
@@ -230,21 +250,21 @@ fn eliminate(b: &mut Block, stations: &[Station]) {
             (inverse.re[l], inverse.im[l]) = (i_re, i_im);
             // s/(s + r)
             let (q_re, q_im) = (s_re * i_re - s_im * i_im, s_re * i_im + s_im * i_re);
-            next.re[l] += q_re * left.re[l] - q_im * left.im[l];
-            next.im[l] += q_re * left.im[l] + q_im * left.re[l];
-            next_reached.re[l] += q_re * reached.re[l] - q_im * reached.im[l];
-            next_reached.im[l] += q_re * reached.im[l] + q_im * reached.re[l];
+            next.re[l] += square * (q_re * left.re[l] - q_im * left.im[l]);
+            next.im[l] += square * (q_re * left.im[l] + q_im * left.re[l]);
+            next_reached.re[l] += gear * (q_re * reached.re[l] - q_im * reached.im[l]);
+            next_reached.im[l] += gear * (q_re * reached.im[l] + q_im * reached.re[l]);
         }
-        (b.inverse[i], b.twist[i + 1], b.x[i + 1]) = (inverse, next, next_reached);
+        (b.inverse[i], b.twist[after], b.x[after]) = (inverse, next, next_reached);
     }
     for l in 0..LANES {
         b.cancelled[l] = worst[l].sqrt();
     }
 }
 
-/// From the last station back to the first.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn follow(b: &mut Block, stations: &[Station]) {
+/// From the root back to the leaves.
+#[inline(always)]
+fn substitution<const ROW: bool>(b: &mut Block, stations: &[Station]) {
     let last = stations.len() - 1;
     for l in 0..LANES {
         let (r_re, r_im) = (b.twist[last].re[l], b.twist[last].im[l]);
@@ -254,7 +274,8 @@ fn follow(b: &mut Block, stations: &[Station]) {
         b.x[last].im[l] = (f_im * r_re - f_re * r_im) / size;
     }
     for i in (0..last).rev() {
-        let (left, reached, inverse, next) = (b.twist[i], b.x[i], b.inverse[i], b.x[i + 1]);
+        let (after, gear) = joint::<ROW>(stations, i);
+        let (left, reached, inverse, next) = (b.twist[i], b.x[i], b.inverse[i], b.x[after].times(gear));
         let (mut angle, mut twist) = (next, Lane::ZERO);
         for l in 0..LANES {
             let t_re = reached.re[l] - (left.re[l] * next.re[l] - left.im[l] * next.im[l]);
@@ -266,6 +287,20 @@ fn follow(b: &mut Block, stations: &[Station]) {
         }
         (b.x[i], b.twist[i]) = (angle, twist);
     }
+}
+
+/// A row of stations, without gears.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn along_row(b: &mut Block, stations: &[Station]) {
+    elimination::<true>(b, stations);
+    substitution::<true>(b, stations);
+}
+
+/// A tree, with gears.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn along_tree(b: &mut Block, stations: &[Station]) {
+    elimination::<false>(b, stations);
+    substitution::<false>(b, stations);
 }
 
 /// Twist of every ring.

@@ -2,7 +2,7 @@
 
 use super::Quantity;
 use crate::absorber::{Absorber, Host, Law, Mounted};
-use crate::drivetrain::{Station, System};
+use crate::drivetrain::{Chain, Difference, Station, System};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -23,11 +23,12 @@ pub struct Bodies {
     pub laws: Vec<(usize, Arc<dyn Law>)>,
 }
 
-fn link(matrix: &mut DMatrix<f64>, i: usize, j: usize, value: f64) {
+/// Adds what acts on angle i less `gear` times angle j.
+fn link(matrix: &mut DMatrix<f64>, i: usize, (j, gear): (usize, f64), value: f64) {
     matrix[(i, i)] += value;
-    matrix[(j, j)] += value;
-    matrix[(i, j)] -= value;
-    matrix[(j, i)] -= value;
+    matrix[(j, j)] += value * gear * gear;
+    matrix[(i, j)] -= value * gear;
+    matrix[(j, i)] -= value * gear;
 }
 
 /// Body of the ring of an absorber: rings that move follow the stations.
@@ -56,7 +57,7 @@ impl Bodies {
             bodies.stiffness[(i, i)] += s.stiffness_to_ground;
             bodies.damping[(i, i)] += s.damping_to_ground;
             if i + 1 < n {
-                bodies.shaft(i, s);
+                bodies.shaft(i, (system.chain.next(i), system.chain.gear(i)), s);
             }
         }
         for (index, m) in design.iter().enumerate() {
@@ -71,8 +72,8 @@ impl Bodies {
             bodies.inertia[body] += law.ring_inertia();
             match law.spring_and_damper() {
                 Some(s) => {
-                    link(&mut bodies.stiffness, host, body, s.stiffness);
-                    link(&mut bodies.damping, host, body, s.damping);
+                    link(&mut bodies.stiffness, host, (body, 1.0), s.stiffness);
+                    link(&mut bodies.damping, host, (body, 1.0), s.damping);
                 }
                 None => bodies.laws.push((index, law.clone())),
             }
@@ -81,10 +82,10 @@ impl Bodies {
         bodies
     }
 
-    fn shaft(&mut self, i: usize, s: &Station) {
-        link(&mut self.stiffness, i, i + 1, s.stiffness_to_next);
-        link(&mut self.damping, i, i + 1, s.damping_to_next);
-        link(&mut self.hysteresis, i, i + 1, s.stiffness_to_next * s.loss_factor_to_next);
+    fn shaft(&mut self, i: usize, next: (usize, f64), s: &Station) {
+        link(&mut self.stiffness, i, next, s.stiffness_to_next);
+        link(&mut self.damping, i, next, s.damping_to_next);
+        link(&mut self.hysteresis, i, next, s.stiffness_to_next * s.loss_factor_to_next);
     }
 
     /// Number of bodies.
@@ -97,12 +98,12 @@ impl Bodies {
         self.inertia.is_empty()
     }
 
-    /// The two bodies whose angles differ by a quantity; `None`: the ground, or nothing for the torque of a shaft.
-    pub fn between(&self, quantity: Quantity) -> (usize, Option<usize>) {
-        match quantity {
-            Quantity::Twist { from, to } => (from, to),
-            Quantity::ShaftTorque(s) => (s, Some(s + 1)),
-            Quantity::RingTwist(r) => (self.rings[r].1, Some(self.rings[r].0)),
+    /// The angles of two bodies that a quantity is, or that it is the stiffness of a shaft times.
+    pub(crate) fn between(&self, chain: &Chain, quantity: Quantity) -> Difference {
+        match (quantity, quantity.difference(chain)) {
+            (_, Some(difference)) => difference,
+            (Quantity::RingTwist(r), None) => Difference { from: self.rings[r].1, to: Some((self.rings[r].0, 1.0)), scale: 1.0 },
+            (_, None) => unreachable!("only the twist of a ring is no difference of stations"),
         }
     }
 }

@@ -64,9 +64,9 @@ impl Response for ClosedForm<'_> {
         }
         let q = force / determinant;
         let y = match quantity {
-            Quantity::Twist { from, to } => q * denominator * (shape(from) - to.map_or(0.0, shape)),
-            Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * q * denominator * (shape(s) - shape(s + 1)),
+            Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * q * denominator * system.chain.link(s).of(shape),
             Quantity::RingTwist(_) => z.map_or(ZERO, |(_, phi)| q * phi * condensed.rings[0].twist),
+            Quantity::Twist { .. } => q * denominator * quantity.difference(&system.chain).map_or(0.0, |twist| twist.of(shape)),
         };
         if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(excited, speed_rpm)) }
     }

@@ -58,8 +58,7 @@ impl Response for Dense<'_> {
         let (order, speed_rpm) = at;
         work.dense_solves += 1;
         let (bodies, x) = self.angles(design, order, speed_rpm)?;
-        let (from, to) = bodies.between(quantity);
-        let twist = x[from] - to.map_or(ZERO, |to| x[to]);
+        let twist = bodies.between(&self.system.chain, quantity).of(|body| x[body]);
         let omega = self.system.excitation.orders[order].omega(speed_rpm);
         Ok(match quantity {
             Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, omega),

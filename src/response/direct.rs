@@ -41,6 +41,21 @@ impl BasePoint {
     }
 }
 
+/// What a quantity is made of, in a block of points.
+#[derive(Debug)]
+enum Output {
+    /// Of a station.
+    Angle(usize),
+    /// Twists of links that follow each other.
+    Row(std::ops::Range<usize>),
+    /// Twists of links with their weights.
+    Path(Vec<(usize, f64)>),
+    /// Of a link.
+    Torque(usize),
+    /// Of an absorber.
+    Ring(usize),
+}
+
 impl<'a> Direct<'a> {
     /// For the speeds of `grid`.
     pub fn new(system: &'a System, grid: &'a Grid) -> Self {
@@ -94,33 +109,37 @@ impl<'a> Direct<'a> {
     ) -> Result<(), ResponseError> {
         let (system, orders) = (self.system, self.system.orders());
         let count = speeds.len() * orders;
-        let mut block = Block::new(system.chain.len(), design.len());
-        let mut torques = None;
+        if count == 0 {
+            return Ok(());
+        }
+        let mut block = Block::new(&system.chain, design.len());
+        let (mut speed, mut order) = (0, 0);
+        let mut torques = system.torques(speeds[0]);
         let mut scalar: Option<Factored> = None;
+        let made_of: Vec<Output> = quantities.iter().map(|q| self.output(*q)).collect();
         let mut outputs = Vec::with_capacity(quantities.len());
         for first in (0..count).step_by(LANES) {
             let mut still = [true; LANES];
             block.x.fill(Lane::ZERO);
             for (lane, still) in still.iter_mut().enumerate() {
+                block.omega[lane] = system.excitation.orders[order].omega(speeds[speed]);
+                block.shaft_speed[lane] = speeds[speed] * RAD_PER_S_PER_RPM;
+                torques.each(order, |station, torque| {
+                    *still &= torque == ZERO;
+                    block.x[station].set(lane, torque);
+                });
                 // lanes beyond the last point repeat it
-                let point = (first + lane).min(count - 1);
-                let (speed, order) = (point / orders, point % orders);
-                let speed_rpm = speeds[speed];
-                if torques.as_ref().is_none_or(|(of, _)| *of != speed) {
-                    torques = Some((speed, system.torques(speed_rpm)));
-                }
-                block.omega[lane] = system.excitation.orders[order].omega(speed_rpm);
-                block.shaft_speed[lane] = speed_rpm * RAD_PER_S_PER_RPM;
-                if let Some((_, torques)) = &torques {
-                    torques.each(order, |station, torque| {
-                        *still &= torque == ZERO;
-                        block.x[station].set(lane, torque);
-                    });
+                if first + lane + 1 < count {
+                    order += 1;
+                    if order == orders {
+                        (speed, order) = (speed + 1, 0);
+                        torques = system.torques(speeds[speed]);
+                    }
                 }
             }
             block.solve(&system.chain.stations, design);
             outputs.clear();
-            outputs.extend(quantities.iter().map(|q| self.output(&block, *q)));
+            outputs.extend(made_of.iter().map(|output| self.value(&block, output)));
             for (lane, still) in still.into_iter().enumerate().take(count - first) {
                 let point = first + lane;
                 if still {
@@ -138,20 +157,29 @@ impl<'a> Direct<'a> {
         Ok(())
     }
 
-    /// The quantity at every point of a block.
-    fn output(&self, block: &Block, quantity: Quantity) -> Lane {
-        let between = |a: usize, b: usize| block.twist[a..b].iter().fold(Lane::ZERO, |sum, t| sum.plus(t));
+    /// What a quantity is made of.
+    fn output(&self, quantity: Quantity) -> Output {
         match quantity {
-            Quantity::Twist { from, to: None } => block.x[from],
-            Quantity::Twist { from, to: Some(to) } if from <= to => between(from, to),
-            Quantity::Twist { from, to: Some(to) } => between(to, from).minus(),
-            Quantity::ShaftTorque(s) => {
-                let stiffness = |lane: usize| self.system.chain.shaft_stiffness(s, block.omega[lane]);
-                let mut torque = block.twist[s];
-                (0..LANES).for_each(|lane| torque.set(lane, stiffness(lane) * torque.get(lane)));
+            Quantity::Twist { from, to: None } => Output::Angle(from),
+            Quantity::Twist { from, to: Some(to) } if from < to && self.system.chain.is_row() => Output::Row(from..to),
+            Quantity::Twist { from, to: Some(to) } => Output::Path(self.system.chain.path(from, to)),
+            Quantity::ShaftTorque(s) => Output::Torque(s),
+            Quantity::RingTwist(a) => Output::Ring(a),
+        }
+    }
+
+    /// The quantity at every point of a block.
+    fn value(&self, block: &Block, output: &Output) -> Lane {
+        match output {
+            Output::Angle(station) => block.x[*station],
+            Output::Row(links) => block.twist[links.clone()].iter().fold(Lane::ZERO, |sum, twist| sum.plus(twist)),
+            Output::Path(path) => path.iter().fold(Lane::ZERO, |sum, (link, weight)| sum.plus(&block.twist[*link].times(*weight))),
+            Output::Torque(s) => {
+                let mut torque = block.twist[*s];
+                (0..LANES).for_each(|l| torque.set(l, self.system.chain.shaft_stiffness(*s, block.omega[l]) * torque.get(l)));
                 torque
             }
-            Quantity::RingTwist(a) => block.ring[a],
+            Output::Ring(a) => block.ring[*a],
         }
     }
 

@@ -1,9 +1,10 @@
-//! The tridiagonal system at one frequency, absorbers condensed onto their stations, factored with exchange of rows.
+//! The system at one frequency, absorbers condensed onto their stations: a row of stations factored with exchange of rows, a tree from its leaves to
+//! its root.
 
 use super::{Quantity, ResponseError, Work};
 use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::System;
-use crate::numerics::tridiagonal::Tridiagonal;
+use crate::numerics::sparse::Sparse;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -15,7 +16,7 @@ pub(crate) struct Factored<'a> {
     system: &'a System,
     /// Circular frequency, rad/s.
     pub omega: f64,
-    pub matrix: Tridiagonal,
+    pub matrix: Sparse,
     /// Right-hand side, then unknowns.
     pub x: Vec<C64>,
     scale: Vec<C64>,
@@ -31,7 +32,7 @@ impl<'a> Factored<'a> {
         Self {
             system,
             omega: 0.0,
-            matrix: Tridiagonal::zeros(n),
+            matrix: if system.chain.is_row() { Sparse::row(n) } else { Sparse::tree((0..n - 1).map(|i| system.chain.next(i)).collect()) },
             x: vec![ZERO; n],
             scale: vec![C64::from(1.0); n],
             condensed: Condensed::default(),
@@ -45,15 +46,15 @@ impl<'a> Factored<'a> {
         let omega = order.omega(speed_rpm);
         let (chain, n) = (&self.system.chain, self.system.chain.len());
         self.omega = omega;
-        for i in 0..n {
-            self.matrix.diagonal[i] = chain.ground_stiffness(i, omega);
+        for (i, diagonal) in self.matrix.diagonal().iter_mut().enumerate() {
+            *diagonal = chain.ground_stiffness(i, omega);
         }
         for i in 0..n - 1 {
             let s = chain.shaft_stiffness(i, omega);
-            self.matrix.diagonal[i] += s;
-            self.matrix.diagonal[i + 1] += s;
-            self.matrix.upper[i] = -s;
-            self.matrix.lower[i] = -s;
+            let gear = chain.gear(i);
+            self.matrix.diagonal()[i] += s;
+            self.matrix.diagonal()[chain.next(i)] += s * (gear * gear);
+            self.matrix.set_link(i, -s * gear);
         }
         self.others.clear();
         self.scale.fill(C64::from(1.0));
@@ -61,18 +62,14 @@ impl<'a> Factored<'a> {
         for (hub, z) in self.condensed.hubs.iter().enumerate() {
             let h = z.station;
             // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
-            self.matrix.diagonal[h] = self.matrix.diagonal[h] * z.denominator + z.numerator * self.scale[h];
+            let diagonal = self.matrix.diagonal()[h];
+            self.matrix.scale_column(h, z.denominator);
+            self.matrix.diagonal()[h] = diagonal * z.denominator + z.numerator * self.scale[h];
             for (others, _) in self.others.iter_mut().zip(&self.condensed.hubs[..hub]).filter(|o| o.1.station == h) {
                 *others *= z.denominator;
             }
             self.others.push(self.scale[h]);
             self.scale[h] *= z.denominator;
-            if h > 0 {
-                self.matrix.upper[h - 1] *= z.denominator;
-            }
-            if h + 1 < n {
-                self.matrix.lower[h] *= z.denominator;
-            }
         }
         self.matrix.factor().map_err(|_| ResponseError::unbounded(order, speed_rpm))
     }
@@ -121,8 +118,8 @@ impl<'a> Factored<'a> {
     pub fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
         let theta = |i: usize| self.scale[i] * x[i];
         match quantity {
-            Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
-            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * (theta(s) - theta(s + 1)),
+            Quantity::Twist { .. } => quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)),
+            Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),
             Quantity::RingTwist(a) => {
                 let ring = &self.condensed.rings[a];
                 self.hub(ring.hub, ring.twist, x)

@@ -35,6 +35,12 @@ impl Response for Holzer<'_> {
         let (chain, n) = (&self.system.chain, self.system.chain.len());
         let excited = self.system.excitation.orders[order];
         let omega = excited.omega(speed_rpm);
+        if !chain.is_row() {
+            return Err(ResponseError::NotApplicable {
+                method: "holzer",
+                why: "it marches along a row of stations: no branches, no gears",
+            });
+        }
         work.marches += 1;
         let mut torque = vec![ZERO; n];
         self.system.torque(order, speed_rpm, &mut torque);

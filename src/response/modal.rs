@@ -64,11 +64,11 @@ impl<'a> Modal<'a> {
         if torque.iter().all(|t| *t == ZERO) {
             return Ok(ZERO);
         }
-        let (from, to) = m.bodies.between(quantity);
+        let twist = m.bodies.between(&self.system.chain, quantity);
         let mut y = ZERO;
         for i in 0..m.omega2.len() {
             let force: C64 = torque.iter().enumerate().map(|(s, t)| t * m.shapes[(s, i)]).sum();
-            let output = m.shapes[(from, i)] - to.map_or(0.0, |to| m.shapes[(to, i)]);
+            let output = twist.of(|body| m.shapes[(body, i)]);
             let stiffness = C64::new(m.omega2[i] - omega * omega, omega * m.viscous[i] + m.hysteretic[i]);
             if stiffness.norm() <= RESONANT * omega * omega && force * output != ZERO {
                 return Err(ResponseError::unbounded(excited, speed_rpm));

@@ -39,6 +39,9 @@ pub fn check(method: &'static str, system: &System, bodies: &Bodies, steps: usiz
     if !bodies.laws.is_empty() {
         return Err(ResponseError::NotApplicable { method, why: "the law of an absorber depends on frequency or speed" });
     }
+    if system.chain.is_geared() {
+        return Err(ResponseError::NotApplicable { method, why: "the free motion of geared shafts is not one common angle" });
+    }
     if bodies.hysteresis.amax() > 0.0 {
         return Err(ResponseError::NotApplicable { method, why: "loss factors have no meaning in time" });
     }
@@ -112,11 +115,11 @@ impl Motion {
     /// [`ResponseError::Unbounded`] where they are not finite.
     pub fn phasors(&self, system: &System, bodies: &Bodies, quantity: Quantity, speed_rpm: f64) -> Result<Vec<C64>, ResponseError> {
         let n = bodies.len();
-        let (from, to) = bodies.between(quantity);
+        let between = bodies.between(&system.chain, quantity);
         let shaft = if let Quantity::ShaftTorque(s) = quantity { Some(&system.chain.stations[s]) } else { None };
         let output = |z: &DVector<f64>| {
-            let twist = z[from] - to.map_or(0.0, |to| z[to]);
-            let rate = z[n + from] - to.map_or(0.0, |to| z[n + to]);
+            let twist = between.of(|body| z[body]);
+            let rate = between.of(|body| z[n + body]);
             shaft.map_or(twist, |s| s.stiffness_to_next * twist + s.damping_to_next * rate)
         };
         let outputs: Vec<f64> = self.states.iter().map(output).collect();

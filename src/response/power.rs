@@ -2,6 +2,7 @@
 
 use super::{Quantity, Response, ResponseError, Work};
 use crate::absorber::{Host, Mounted, Operating};
+use crate::drivetrain::Chain;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -54,9 +55,9 @@ impl Motion {
 pub(crate) type Dissipated<'a> = &'a dyn Fn(f64, &Motion) -> f64;
 
 /// Quantities that `powers` asks a method for, for tables.
-pub fn quantities(stations: usize, rings: usize) -> Vec<Quantity> {
-    let angles = (0..stations).map(|from| Quantity::Twist { from, to: None });
-    let twists = (1..stations).map(|to| Quantity::Twist { from: to - 1, to: Some(to) });
+pub fn quantities(chain: &Chain, rings: usize) -> Vec<Quantity> {
+    let angles = (0..chain.len()).map(|from| Quantity::Twist { from, to: None });
+    let twists = (0..chain.len() - 1).map(|from| Quantity::Twist { from, to: Some(chain.next(from)) });
     angles.chain(twists).chain((0..rings).map(Quantity::RingTwist)).collect()
 }
 
@@ -72,12 +73,14 @@ pub(crate) fn powers(
     work: &mut Work,
 ) -> Result<Vec<Power>, ResponseError> {
     let (system, n) = (method.system(), method.system().chain.len());
-    let sweeps = method.sweep_each(design, &quantities(n, design.len()), work)?;
+    let sweeps = method.sweep_each(design, &quantities(&system.chain, design.len()), work)?;
     let orders = method.orders().len();
     let mut torque = vec![ZERO; n];
+    // twists between stations are referred to the crankshaft, those of links are not
+    let ratios = system.chain.speed_ratios().unwrap_or_else(|| vec![1.0; n]);
     let at = |point: usize| Motion {
         stations: sweeps[..n].iter().map(|s| s[point]).collect(),
-        shafts: sweeps[n..2 * n - 1].iter().map(|s| s[point]).collect(),
+        shafts: sweeps[n..2 * n - 1].iter().zip(&ratios).map(|(s, ratio)| s[point] * *ratio).collect(),
         rings: sweeps[2 * n - 1..].iter().map(|s| s[point]).collect(),
     };
     let mut list = Vec::new();

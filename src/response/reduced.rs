@@ -97,8 +97,8 @@ impl Response for Reduced<'_> {
         let q = if design.is_empty() { base } else { hubs.lu().solve(&base).ok_or_else(unbounded)? };
         let theta = |station: usize| (0..z.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
         let y = match quantity {
-            Quantity::Twist { from, to } => theta(from) - to.map_or(ZERO, theta),
-            Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * (theta(s) - theta(s + 1)),
+            Quantity::Twist { .. } => quantity.difference(&system.chain).map_or(ZERO, |twist| twist.of(theta)),
+            Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * system.chain.link(s).of(theta),
             Quantity::RingTwist(r) => q[condensed.rings[r].hub] * condensed.rings[r].twist,
         };
         if y.is_finite() { Ok(y) } else { Err(unbounded()) }

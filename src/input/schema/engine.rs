@@ -133,4 +133,6 @@ pub(crate) struct RawStation {
     pub loss_factor_to_next: Option<At<f64>>,
     pub stiffness_to_ground_n_m_per_rad: Option<At<f64>>,
     pub damping_to_ground_n_m_s_per_rad: Option<At<f64>>,
+    pub next: Option<At<String>>,
+    pub gear_ratio_to_next: Option<At<f64>>,
 }

@@ -22,9 +22,8 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
     }
     let mut names = HashSet::new();
     let mut owner: Vec<Option<String>> = vec![None; throws];
-    let last = raw.station.len() - 1;
     let mut stations = Vec::new();
-    for (i, s) in raw.station.iter().enumerate() {
+    for s in &raw.station {
         let name = s.name.get_ref();
         check.name(&s.name);
         if name.is_empty() || name == "ground" {
@@ -46,7 +45,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
                 None => owner[index - 1] = Some(name.clone()),
             }
         }
-        stations.push(station(check, s, i == last));
+        stations.push(station(check, s));
     }
     for (t, owner) in owner.iter().enumerate() {
         if owner.is_none() {
@@ -62,10 +61,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
             None => check.wrong(asked, "found `mean` with torque harmonics, expected it with [geometry], which has the masses"),
         }
     }
-    Some(Chain { stations })
+    Some(Chain { stations: super::tree::arrange(check, &raw.station, stations)? })
 }
 
-fn station(check: &mut Check, raw: &RawStation, last: bool) -> Station {
+fn station(check: &mut Check, raw: &RawStation) -> Station {
     let mut optional = |value: &Option<At<f64>>| value.as_ref().map_or(0.0, |v| check.not_negative(v));
     let station = Station {
         name: raw.name.get_ref().clone(),
@@ -75,20 +74,8 @@ fn station(check: &mut Check, raw: &RawStation, last: bool) -> Station {
         loss_factor_to_next: optional(&raw.loss_factor_to_next),
         stiffness_to_ground: optional(&raw.stiffness_to_ground_n_m_per_rad),
         damping_to_ground: optional(&raw.damping_to_ground_n_m_s_per_rad),
+        joint: None,
         throws: raw.throws.iter().filter_map(|t| usize::try_from(*t.get_ref() - 1).ok()).collect(),
     };
-    let name = raw.name.get_ref();
-    if last {
-        let to_next = [&raw.stiffness_to_next_n_m_per_rad, &raw.damping_to_next_n_m_s_per_rad, &raw.loss_factor_to_next];
-        if let Some(v) = to_next.into_iter().flatten().next() {
-            check.wrong(v, format!("found a link from `{name}` to the next station, expected none: it is the last"));
-        }
-    } else if raw.stiffness_to_next_n_m_per_rad.is_none() {
-        check.wrong_with_help(
-            &raw.name,
-            format!("found no `stiffness_to_next_n_m_per_rad` on `{name}`, expected one: another station follows"),
-            "0 is allowed where only a damper joins two stations",
-        );
-    }
     Station { inertia: check.positive(&raw.inertia_kg_m2), ..station }
 }

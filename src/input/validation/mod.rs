@@ -15,6 +15,7 @@ mod objectives;
 mod optimise;
 mod published;
 mod ranges;
+mod tree;
 
 pub use absorbers::DesignSpec;
 pub use calibrate::{CalibrateSpec, FreeInput};

@@ -2,8 +2,9 @@
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::analysis::choice::Strategy;
+use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::methods::Candidate;
-use crate::benchmark::speed_accuracy::{Growth, Point, Search, SpeedAccuracy};
+use crate::benchmark::speed_accuracy::{Point, Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -108,10 +109,10 @@ pub fn growth(measured: &[Growth], folder: &Folder) -> Result<(), WriteError> {
     let all = || measured.iter().flat_map(|g| &g.points);
     let (low, high) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
     let (low, high) = (low / 2.0, high * 2.0);
-    canvas::save(folder, "growth", (1180, 470), |area| {
+    canvas::save(folder, "growth", (1560, 470), |area| {
         let titled = canvas::titled(area, "Cost of one sweep of one design, set-up aside")?;
-        let panels = titled.split_evenly((1, 3));
-        for (panel, size) in panels.iter().zip(["stations", "orders", "speeds"]) {
+        let panels = titled.split_evenly((1, 4));
+        for (panel, size) in panels.iter().zip(SIZES) {
             let own: Vec<_> = measured.iter().filter(|g| g.size == size).collect();
             let (left, right) = own.iter().flat_map(|g| &g.points).fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
             let ticks: Vec<f64> =

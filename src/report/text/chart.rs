@@ -3,10 +3,11 @@
 use super::table::table;
 use crate::analysis::choice::Considered;
 use crate::benchmark::energy::Balance;
+use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::model_accuracy::ModelError;
 use crate::benchmark::savings::Savings;
-use crate::benchmark::speed_accuracy::{Growth, Search, SpeedAccuracy};
+use crate::benchmark::speed_accuracy::{Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
 
 fn duration(seconds: f64) -> String {
@@ -103,9 +104,9 @@ pub fn growth(measured: &[Growth]) -> String {
     let rows: Vec<Vec<String>> = Candidate::ALL
         .into_iter()
         .filter(|c| measured.iter().any(|g| g.candidate == *c))
-        .map(|c| vec![c.label(), of(c, "stations"), of(c, "orders"), of(c, "speeds")])
+        .map(|c| std::iter::once(c.label()).chain(SIZES.map(|size| of(c, size))).collect())
         .collect();
-    format!("Exponents of the cost of a sweep, set-up aside:\n{}", table(&["method", "stations", "orders", "speeds"], &rows))
+    format!("Exponents of the cost of a sweep, set-up aside:\n{}", table(&[&["method"], &SIZES[..]].concat(), &rows))
 }
 
 /// Energy balances: a row a method, a column a scenario.

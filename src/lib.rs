@@ -91,6 +91,11 @@
 //! - \[Nishihara & Asami 2002\] O. Nishihara, T. Asami, Closed-form solutions to the exact optimizations of dynamic vibration absorbers,
 //!   *J. Vib. Acoust.* 124, 576.
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
+//! - \[Friswell et al. 2010\] M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees, *Dynamics of Rotating Machines*, chapter 9.
+//! - \[Ker Wilson 1956\] W. Ker Wilson, *Practical Solution of Torsional Vibration Problems*, 3rd ed., vol. 1.
+//! - \[Nestorides 1958\] E. J. Nestorides, *A Handbook on Torsional Vibration*, BICERA, chapter 2.
+//! - \[Pasricha & Carnegie 1976\] M. S. Pasricha, W. D. Carnegie, Effects of variable inertia on the damped torsional vibrations of diesel engine
+//!   systems, *J. Sound Vib.* 46, 339.
 //! - \[Fialho & Almeida 2019\] the thesis behind slider-crank sizing, section 2.3: endurance factors and notch sensitivity.
 //! - \[Norton 2013\] R. L. Norton, *Machine Design*, 4th ed., chapter 6.
 //! - \[Shigley 2004\] J. E. Shigley, C. R. Mischke, R. G. Budynas, *Mechanical Engineering Design*, 7th ed., section 6-12.

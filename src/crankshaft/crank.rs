@@ -3,6 +3,8 @@
 use super::beam::{Beam, Support};
 use super::section;
 use super::stress_concentration::Geometry as NotchGeometry;
+use crate::drivetrain::throw_inertia::Masses;
+use crate::drivetrain::throw_stiffness::{Step, Throw, ThrowFormula};
 
 /// Where a fillet or bore runs round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -78,11 +80,27 @@ pub struct Crank {
     pub young_modulus: f64,
     /// Mass times distance from the axis of pin and webs of a throw, less that of its counterweights, kg m.
     pub unbalance: f64,
+    /// What its inertia needs beside the dimensions, where the file has it.
+    pub masses: Option<Masses>,
+    /// The formula that stiffnesses not given follow from.
+    pub stiffness_formula: Option<ThrowFormula>,
     /// Keys whose values are assumptions.
     pub assumed: Vec<String>,
 }
 
 impl Crank {
+    /// Dimensions of a throw with the mean of the journals beside it.
+    pub fn throw(&self, throw: usize) -> Throw {
+        let journal = 0.5 * (self.journal_lengths[throw] + self.journal_lengths[throw + 1]);
+        Throw {
+            pin: Step { diameter: self.pin_diameter, bore: self.pin_bore, length: self.pin_length },
+            journal: Step { diameter: self.journal_diameter, bore: self.journal_bore, length: journal },
+            radius: self.crank_radius,
+            web_thickness: self.web_thickness,
+            web_breadth: self.web_breadth,
+        }
+    }
+
     /// Number of throws.
     pub fn throws(&self) -> usize {
         self.journal_lengths.len() - 1

@@ -5,6 +5,8 @@ mod difference;
 pub mod modes;
 pub mod natural;
 pub mod system;
+pub mod throw_inertia;
+pub mod throw_stiffness;
 
 pub use chain::{Chain, Joint, Station};
 pub(crate) use difference::Difference;

@@ -3,7 +3,7 @@
 use super::amplitudes::{self, AmplitudeRow};
 use super::entry::Entry;
 use super::verdict::{self, Verdict};
-use super::{absorbers, fatigue, frequencies, multiaxial, notches, predicted, text_values};
+use super::{absorbers, chain, fatigue, frequencies, multiaxial, notches, predicted, text_values};
 use crate::analysis::{Calibration, Results, RunError};
 use crate::input::{Published, Study};
 
@@ -34,6 +34,7 @@ pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibr
     entries.extend(notches::entries(study, published));
     entries.extend(multiaxial::entries(study, published));
     entries.extend(predicted::entries(study, published, &results.system, fatigue::strength(published))?);
+    entries.extend(chain::entries(study, published));
     let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
     Ok(Comparison { entries, amplitudes, verdict })
 }

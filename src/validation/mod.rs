@@ -3,6 +3,7 @@
 
 mod absorbers;
 mod amplitudes;
+mod chain;
 pub mod comparison;
 pub mod entry;
 mod fatigue;

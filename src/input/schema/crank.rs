@@ -27,8 +27,57 @@ pub(crate) struct RawCrank {
     pub young_modulus_gpa: Option<At<f64>>,
     pub unbalance_kg_m: Option<At<f64>>,
     pub counterweight_kg_m: Option<At<f64>>,
+    pub stiffness_formula: Option<At<RawFormula>>,
+    pub masses: Option<RawMasses>,
     #[serde(default)]
     pub assumed: Vec<At<String>>,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawFormula {
+    KerWilson,
+    Carter,
+    Zimanenko,
+    Bracket,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMasses {
+    pub density_kg_m3: At<f64>,
+    pub web_height_mm: At<f64>,
+    pub web_centre_mm: At<f64>,
+    pub counterweight: Option<RawSector>,
+    #[serde(default)]
+    pub rings: Vec<RawRing>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawSector {
+    pub outer_radius_mm: At<f64>,
+    pub inner_radius_mm: At<f64>,
+    pub angle_deg: At<f64>,
+    pub thickness_mm: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawRing {
+    pub diameter_mm: At<f64>,
+    pub bore_mm: Option<At<f64>>,
+    pub length_mm: At<f64>,
+    #[serde(default)]
+    pub cut: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawStep {
+    pub diameter_mm: At<f64>,
+    pub bore_mm: Option<At<f64>>,
+    pub length_mm: At<f64>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,6 +1,6 @@
 //! The engine file.
 
-use super::crank::RawCrank;
+use super::crank::{RawCrank, RawStep};
 use crate::input::error::At;
 use serde::Deserialize;
 
@@ -127,7 +127,7 @@ pub(crate) struct RawStation {
     pub name: At<String>,
     #[serde(default)]
     pub throws: Vec<At<i64>>,
-    pub inertia_kg_m2: At<f64>,
+    pub inertia_kg_m2: Option<At<f64>>,
     pub stiffness_to_next_n_m_per_rad: Option<At<f64>>,
     pub damping_to_next_n_m_s_per_rad: Option<At<f64>>,
     pub loss_factor_to_next: Option<At<f64>>,
@@ -135,4 +135,5 @@ pub(crate) struct RawStation {
     pub damping_to_ground_n_m_s_per_rad: Option<At<f64>>,
     pub next: Option<At<String>>,
     pub gear_ratio_to_next: Option<At<f64>>,
+    pub shaft_to_next: Option<At<Vec<RawStep>>>,
 }

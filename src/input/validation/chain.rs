@@ -1,20 +1,24 @@
 //! Torsional chain.
 
 use super::checked_study::Reciprocating;
+use crate::crankshaft::Crank;
 use crate::drivetrain::{Chain, Station};
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
 use crate::input::schema::engine::{RawEngine, RawReciprocating, RawStation};
 use std::collections::HashSet;
 
-/// What the file says of the reciprocating masses: a typed chain holds what it holds unless it says more.
+/// What the file says of the reciprocating masses: a typed chain holds what it holds unless it says more; inertias that follow from dimensions do not
+/// hold them, so that their mean is added.
 pub(super) fn reciprocating(raw: &RawEngine) -> Reciprocating {
     let stated = raw.reciprocating_inertia.as_ref().map(|r| *r.get_ref());
-    Reciprocating { mean: stated == Some(RawReciprocating::Mean), stated: stated.is_some() }
+    let is_derived = raw.station.iter().any(|s| s.inertia_kg_m2.is_none() && !s.throws.is_empty());
+    let default = if is_derived { RawReciprocating::Mean } else { RawReciprocating::None };
+    Reciprocating { mean: stated.unwrap_or(default) == RawReciprocating::Mean, stated: stated.is_some() }
 }
 
 /// The chain, or nothing where a mistake leaves none. The engine is nothing where it is unknown.
-pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine>) -> Option<Chain> {
+pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine>, crank: Option<&Crank>) -> Option<Chain> {
     let throws = engine.map_or(0, |e| e.layout.throws());
     if raw.station.is_empty() {
         check.wrong(&raw.strokes, "found no [[station]], expected at least one in an engine file");
@@ -52,21 +56,26 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
             check.wrong(&raw.station[0].name, format!("throw {} acts on no station, expected it in `throws` of one [[station]]", t + 1));
         }
     }
-    if let (Some(engine), Some(asked), true) = (engine, &raw.reciprocating_inertia, reciprocating(raw).mean) {
-        match engine.reciprocating_inertia() {
-            Some(each) => {
+    let derived = super::derived_chain::derive(check, raw, engine, crank, &mut stations);
+    if let (Some(engine), true) = (engine, reciprocating(raw).mean) {
+        let asked = raw.reciprocating_inertia.as_ref();
+        match (engine.reciprocating_inertia(), asked) {
+            (Some(each), _) => {
                 let per_throw = each * engine.layout.rods_per_throw as f64;
                 stations.iter_mut().for_each(|s| s.inertia += per_throw * s.throws.len() as f64);
             }
-            None => check.wrong(asked, "found `mean` with torque harmonics, expected it with [geometry], which has the masses"),
+            (None, None) => {}
+            (None, Some(asked)) => {
+                check.wrong(asked, "found `mean` with torque harmonics, expected it with [geometry], which has the masses")
+            }
         }
     }
-    Some(Chain { stations: super::tree::arrange(check, &raw.station, stations)? })
+    Some(Chain { stations: super::tree::arrange(check, &raw.station, &derived, stations)? })
 }
 
 fn station(check: &mut Check, raw: &RawStation) -> Station {
     let mut optional = |value: &Option<At<f64>>| value.as_ref().map_or(0.0, |v| check.not_negative(v));
-    let station = Station {
+    Station {
         name: raw.name.get_ref().clone(),
         inertia: 0.0,
         stiffness_to_next: optional(&raw.stiffness_to_next_n_m_per_rad),
@@ -76,6 +85,5 @@ fn station(check: &mut Check, raw: &RawStation) -> Station {
         damping_to_ground: optional(&raw.damping_to_ground_n_m_s_per_rad),
         joint: None,
         throws: raw.throws.iter().filter_map(|t| usize::try_from(*t.get_ref() - 1).ok()).collect(),
-    };
-    Station { inertia: check.positive(&raw.inertia_kg_m2), ..station }
+    }
 }

@@ -1,13 +1,15 @@
 //! The crank: dimensions, checked against each other.
 
+use super::derived_chain;
 use crate::crankshaft::{Crank, OilBore};
+use crate::drivetrain::throw_inertia::throw_unbalance;
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::schema::crank::{RawCrank, RawEach};
 use crate::units::{M_PER_MM, PA_PER_GPA, RAD_PER_DEG};
 
 /// Of steel, GPa.
-const YOUNG_MODULUS: f64 = 206.0;
+pub(super) const YOUNG_MODULUS: f64 = 206.0;
 /// Bearings that carry a crank, N/m.
 const SOFTEST: f64 = 1e5;
 const STIFFEST: f64 = 1e13;
@@ -88,8 +90,13 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         young_modulus: raw.young_modulus_gpa.as_ref().map_or(YOUNG_MODULUS, |e| check.positive(e)) * PA_PER_GPA,
         unbalance: raw.unbalance_kg_m.as_ref().map_or(0.0, |u| check.not_negative(u))
             - raw.counterweight_kg_m.as_ref().map_or(0.0, |c| check.not_negative(c)),
+        masses: raw.masses.as_ref().map(|m| derived_chain::masses(check, m)),
+        stiffness_formula: raw.stiffness_formula.as_ref().map(|f| (*f.get_ref()).into()),
         assumed: Vec::new(),
     };
+    if let (Some(masses), None, None) = (&crank.masses, &raw.unbalance_kg_m, &raw.counterweight_kg_m) {
+        crank.unbalance = throw_unbalance(&crank.throw(0), masses);
+    }
     for key in &raw.assumed {
         if !KEYS.contains(&key.get_ref().as_str()) {
             check.wrong(key, format!("found `{}`, expected a key of [crank]", key.get_ref()));
@@ -107,7 +114,8 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
 /// Margins depend on the counterweights: they are given, or said to be assumed away.
 pub(super) fn check_counterweights(check: &mut Check, crank: &At<RawCrank>, engine: &Engine) {
     let raw = crank.get_ref();
-    if raw.counterweight_kg_m.is_some() || raw.assumed.iter().any(|key| key.get_ref() == "counterweight_kg_m") {
+    let of_drawing = raw.masses.as_ref().is_some_and(|m| m.counterweight.is_some());
+    if of_drawing || raw.counterweight_kg_m.is_some() || raw.assumed.iter().any(|key| key.get_ref() == "counterweight_kg_m") {
         return;
     }
     let Source::Cylinder { geometry, .. } = &engine.source else { return };

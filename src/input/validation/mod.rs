@@ -5,6 +5,7 @@ mod calibrate;
 mod chain;
 mod checked_study;
 mod crank;
+mod derived_chain;
 mod engine;
 mod fatigue;
 mod inputs;
@@ -67,11 +68,11 @@ struct Base {
 fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base> {
     let folder = files.engine_path.parent().unwrap_or_else(|| Path::new(""));
     let engine = engine::resolve(in_engine, files.engine, folder);
-    let chain = chain::resolve(in_engine, files.engine, engine.as_ref());
     let crank = match (&files.engine.crank, &engine) {
         (Some(raw), Some(engine)) => crank::resolve(in_engine, raw, engine),
         _ => None,
     };
+    let chain = chain::resolve(in_engine, files.engine, engine.as_ref(), crank.as_ref());
     let study = files.study;
     let speeds_rpm = ranges::speeds(check, study);
     let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, 0.5..=200.0, "an order from 0.5 to 200"));

@@ -16,9 +16,9 @@ struct Link {
 }
 
 /// Puts stations, in the order of the file, into the order of a chain; nothing where a mistake leaves none.
-pub(super) fn arrange(check: &mut Check, raw: &[RawStation], stations: Vec<Station>) -> Option<Vec<Station>> {
+pub(super) fn arrange(check: &mut Check, raw: &[RawStation], derived: &[bool], stations: Vec<Station>) -> Option<Vec<Station>> {
     let before = check.mistakes.len();
-    let links: Vec<Option<Link>> = (0..raw.len()).map(|i| link(check, raw, i)).collect();
+    let links: Vec<Option<Link>> = (0..raw.len()).map(|i| link(check, raw, i, derived[i])).collect();
     if check.mistakes.len() > before {
         return None;
     }
@@ -44,7 +44,7 @@ pub(super) fn arrange(check: &mut Check, raw: &[RawStation], stations: Vec<Stati
 }
 
 /// The link of a station; nothing for a root.
-fn link(check: &mut Check, raw: &[RawStation], i: usize) -> Option<Link> {
+fn link(check: &mut Check, raw: &[RawStation], i: usize, is_derived: bool) -> Option<Link> {
     let s = &raw[i];
     let name = s.name.get_ref();
     let gear = s.gear_ratio_to_next.as_ref().map(|g| {
@@ -59,7 +59,8 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize) -> Option<Link> {
     });
     let numbers = [&s.stiffness_to_next_n_m_per_rad, &s.damping_to_next_n_m_s_per_rad, &s.loss_factor_to_next, &s.gear_ratio_to_next];
     let first = numbers.into_iter().flatten().next();
-    let is_rigid = gear.is_some() && s.stiffness_to_next_n_m_per_rad.is_none();
+    let has_stiffness = is_derived || s.stiffness_to_next_n_m_per_rad.is_some();
+    let is_rigid = gear.is_some() && !has_stiffness;
     if let (true, Some(lost)) = (is_rigid, [&s.damping_to_next_n_m_s_per_rad, &s.loss_factor_to_next].into_iter().flatten().next()) {
         check.wrong(
             lost,
@@ -77,7 +78,7 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize) -> Option<Link> {
                 return None;
             }
         },
-        None if i + 1 < raw.len() && first.is_some() => i + 1,
+        None if i + 1 < raw.len() && (is_derived || first.is_some()) => i + 1,
         None => {
             if let (Some(number), true) = (first, i + 1 == raw.len()) {
                 check.wrong(number, format!("found a link from `{name}` to the next station, expected none: it is the last"));
@@ -91,11 +92,11 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize) -> Option<Link> {
             return None;
         }
     };
-    if !is_rigid && s.stiffness_to_next_n_m_per_rad.is_none() {
+    if !is_rigid && !has_stiffness {
         check.wrong_with_help(
             &s.name,
             format!("found no `stiffness_to_next_n_m_per_rad` on `{name}`, expected one: it leads to another station"),
-            "0 is allowed where only a damper joins two stations",
+            "0 is allowed where only a damper joins two stations; with `stiffness_formula` in [crank] and `shaft_to_next` it follows from dimensions",
         );
     }
     Some(Link { to, gear, is_rigid })

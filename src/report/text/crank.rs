@@ -4,6 +4,9 @@ use super::table::{significant, table};
 use crate::analysis::bearings::{BearingLoad, bearing_loads};
 use crate::crankshaft::stress_concentration::Formulas;
 use crate::crankshaft::{Concentration, Crank};
+use crate::drivetrain::throw_inertia::throw_inertia;
+use crate::drivetrain::throw_stiffness::{ThrowFormula, shear_modulus};
+use crate::engine::Source;
 use crate::input::Study;
 use crate::units::{DEG_PER_RAD, M_PER_MM, N_PER_KN};
 use std::fmt::Write;
@@ -21,6 +24,7 @@ pub fn crank(study: &Study) -> Option<String> {
     }
     text.push('\n');
     text.push_str(&factors(crank));
+    text.push_str(&throws(study, crank));
     if let Some(loads) = bearings(study) {
         text.push_str(&loads);
     }
@@ -44,6 +48,31 @@ fn factors(crank: &Crank) -> String {
         }
     }
     table(&["stress concentration", "bending", "radial force", "torsion"], &rows)
+}
+
+/// Stiffness of each throw by every formula: how far apart they are is how well it is known.
+fn throws(study: &Study, crank: &Crank) -> String {
+    let modulus = shear_modulus(crank.young_modulus);
+    let cell = |formula: ThrowFormula, t: usize| {
+        let throw = crank.throw(t);
+        formula.out_of_range(&throw).map_or_else(|| significant(formula.stiffness(&throw, modulus), 4), |_| "out of range".into())
+    };
+    let row = |t: usize| -> Vec<String> {
+        std::iter::once((t + 1).to_string()).chain(ThrowFormula::ALL.into_iter().map(|f| cell(f, t))).collect()
+    };
+    let header: Vec<&str> = std::iter::once("throw").chain(ThrowFormula::ALL.map(ThrowFormula::name)).collect();
+    let chosen = crank.stiffness_formula.map_or_else(
+        || "none is used: the stations give theirs".to_owned(),
+        |f| format!("`{}` is used where a station gives none", f.name()),
+    );
+    let rows: Vec<Vec<String>> = (0..crank.throws()).map(row).collect();
+    let mut text = format!("{}  torsional stiffness of a throw by the formulas, N m/rad; {chosen}\n", table(&header, &rows));
+    if let (Some(masses), Source::Cylinder { geometry, .. }) = (&crank.masses, &study.engine.source) {
+        let rods = crank.rods as f64 * geometry.rod_rotating_fraction() * geometry.rod_mass;
+        let own = throw_inertia(&crank.throw(0), masses, rods);
+        let _ = writeln!(text, "  inertia of the first throw from its dimensions, rods included: {} kg m²", significant(own, 4));
+    }
+    text
 }
 
 fn bearings(study: &Study) -> Option<String> {

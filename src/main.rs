@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::cli::{chart, check, compare, fatigue, run};
+use hartog::cli::{chart, check, compare, curves, fatigue, run};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -27,6 +27,8 @@ enum Command {
     Chart(chart::Arguments),
     /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, erratum or unexplained.
     Compare(compare::Arguments),
+    /// Plot what lies behind a design: pressure, forces, torque, bearings, crank loads, balance, modes, shafts, motions.
+    Curves(curves::Arguments),
     /// Judge stress histories by eleven multiaxial fatigue criteria.
     Fatigue(fatigue::Arguments),
 }
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Curves(arguments) => curves::curves(&arguments),
         Command::Fatigue(arguments) => fatigue::fatigue(&arguments),
     })
 }

@@ -6,6 +6,9 @@ use crate::input::Study;
 use crate::numerics::C64;
 use crate::units::{HZ_PER_RPM, RAD_PER_S_PER_RPM};
 
+/// Damping below which modes count as equally damped.
+const LEAST_DAMPING: f64 = 1e-6;
+
 /// A resonance in the speed range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Critical {
@@ -29,12 +32,21 @@ pub(crate) fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> 
         .collect()
 }
 
-/// Largest modal torque of an order (by its index) on the first elastic modes, at the middle of the range, in the scale of the mode shapes.
-pub(crate) fn largest_modal_torque(study: &Study, system: &System, order: usize) -> f64 {
-    let speed = study.speeds_rpm[study.speeds_rpm.len() / 2];
-    let unit = system.excitation.unit_torque(order, speed).norm();
-    let modal = |m: usize| system.phases(order).iter().enumerate().map(|(i, p)| p * study.modes.shapes[(i, m)]).sum::<C64>().norm() * unit;
-    study.modes.elastic().take(3).map(modal).fold(0.0, f64::max)
+/// Largest resonance of an order (by its index) with one of the first elastic modes: the coordinate of the mode at the speed where they meet, if that
+/// is in the range, with the damping of the chain alone; zero for an order that meets none.
+pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) -> f64 {
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let at = |m: usize| {
+        let speed = study.modes.critical_speed_rpm(m, system.excitation.orders[order]);
+        if !(low..=high).contains(&speed) {
+            return 0.0;
+        }
+        let unit = system.excitation.unit_torque(order, speed).norm();
+        let force = system.phases(order).iter().enumerate().map(|(i, p)| p * study.modes.shapes[(i, m)]).sum::<C64>().norm() * unit;
+        // an undamped mode has no finite resonance: modes are then compared by their torque
+        force / (study.modes.damping_ratio(m).max(LEAST_DAMPING) * study.modes.omega[m].powi(2))
+    };
+    study.modes.elastic().take(3).map(at).fold(0.0, f64::max)
 }
 
 /// Highest frequency the torque reaches, Hz.

@@ -7,6 +7,7 @@ pub mod calibrate;
 pub mod choice;
 pub mod conditions;
 pub mod cost;
+pub mod curves;
 pub mod diagram;
 mod duty;
 pub mod evaluate;

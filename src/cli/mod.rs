@@ -2,6 +2,7 @@
 pub mod chart;
 pub mod check;
 pub mod compare;
+pub mod curves;
 pub mod exit;
 pub mod fatigue;
 pub mod progress;

@@ -7,7 +7,7 @@ use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
-const STRIDE: usize = 2;
+pub(crate) const STRIDE: usize = 2;
 
 /// What does not depend on speed.
 #[derive(Debug, Clone)]

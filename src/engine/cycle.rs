@@ -46,14 +46,8 @@ impl<'a> Cycle<'a> {
     /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
     /// speeds.
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
-        let all = samples(self.engine.strokes);
-        let n = all / stride;
-        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::interval(self.speeds_rpm, speed_rpm) };
-        let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
-        let gas = |j: usize| low[j] + (high[j] - low[j]) * fraction;
-        let omega = speed_rpm * RAD_PER_S_PER_RPM;
-        let at = |j: usize| unit_forces(self.geometry, Moment { pressure: gas(j), theta: sample_angle(j), omega });
-        let unit: Vec<UnitForces> = (0..n).map(|j| at(j * stride)).collect();
+        let unit: Vec<UnitForces> = self.moments(speed_rpm, stride).into_iter().map(|m| unit_forces(self.geometry, m)).collect();
+        let n = unit.len();
         let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new(), pin_force: Vec::new() };
         for throw in 0..self.engine.layout.throws() {
             let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
@@ -75,6 +69,16 @@ impl<'a> Cycle<'a> {
         }
         loads
     }
+
+    /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.
+    pub(crate) fn moments(&self, speed_rpm: f64, stride: usize) -> Vec<Moment> {
+        let n = samples(self.engine.strokes) / stride;
+        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::interval(self.speeds_rpm, speed_rpm) };
+        let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
+        let gas = |j: usize| low[j] + (high[j] - low[j]) * fraction;
+        let omega = speed_rpm * RAD_PER_S_PER_RPM;
+        (0..n).map(|j| j * stride).map(|j| Moment { pressure: gas(j), theta: sample_angle(j), omega }).collect()
+    }
 }
 
 /// The loads at a speed, at every sample; nothing where the torque comes from a table.
@@ -95,7 +99,7 @@ pub fn crank_fixed([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 
 /// Angle of the cylinders of a throw from the middle of the banks, rad in the direction of rotation: cylinders fire a bank angle apart in
 /// the direction in which their banks lie.
-fn axes(engine: &Engine, throw: usize) -> Vec<f64> {
+pub(crate) fn axes(engine: &Engine, throw: usize) -> Vec<f64> {
     let (firing, Some(bank)) = (engine.layout.firing_on_throw(throw), engine.layout.bank_angle_deg) else { return vec![0.0] };
     let forward = ((firing[1] - firing[0] - bank).rem_euclid(360.0) + 1e-6).rem_euclid(360.0) < 1e-3;
     let half = 0.5 * bank * RAD_PER_DEG * if forward { 1.0 } else { -1.0 };

@@ -7,6 +7,7 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 
+use crate::analysis::curves::{Figure, HolzerRow};
 use crate::analysis::{Calibration, Results};
 use crate::benchmark::Chart;
 use crate::input::Study;
@@ -66,6 +67,18 @@ pub(crate) fn write_comparison(
     } else {
         folder.remove(&["comparison.svg", "comparison.png", "orders.svg", "orders.png"])
     }
+}
+
+/// Writes a table and a plot a figure, and Holzer's tables.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub(crate) fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
+    for figure in figures {
+        csv::curves::figure(figure, folder)?;
+        plot::curves::figure(figure, folder)?;
+    }
+    csv::curves::holzer(holzer, folder)
 }
 
 /// Writes the table and plots of a chart.

@@ -1,6 +1,6 @@
 //! The crank: dimensions, checked against each other.
 
-use super::derived_chain;
+use super::derived_chain::{self, YOUNG_MODULUS};
 use crate::crankshaft::{Crank, OilBore};
 use crate::drivetrain::throw_inertia::throw_unbalance;
 use crate::engine::{Engine, Source};
@@ -8,8 +8,6 @@ use crate::input::error::{At, Check};
 use crate::input::schema::crank::{RawCrank, RawEach};
 use crate::units::{M_PER_MM, PA_PER_GPA, RAD_PER_DEG};
 
-/// Of steel, GPa.
-pub(super) const YOUNG_MODULUS: f64 = 206.0;
 /// Bearings that carry a crank, N/m.
 const SOFTEST: f64 = 1e5;
 const STIFFEST: f64 = 1e13;

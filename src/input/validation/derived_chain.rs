@@ -9,6 +9,9 @@ use crate::input::schema::crank::{RawCrank, RawFormula, RawMasses, RawRing, RawS
 use crate::input::schema::engine::{RawEngine, RawStation};
 use crate::units::{M_PER_MM, RAD_PER_DEG};
 
+/// Of steel, GPa.
+pub(super) const YOUNG_MODULUS: f64 = 206.0;
+
 impl From<RawFormula> for ThrowFormula {
     fn from(raw: RawFormula) -> Self {
         match raw {
@@ -123,7 +126,7 @@ fn derived_stiffness(
     let throws: Vec<usize> =
         next.map_or_else(Vec::new, |n| [&stations[i], &stations[n]].iter().filter_map(|s| s.throws.first().copied()).collect());
     let modulus =
-        crank.map_or_else(|| shear_modulus(super::crank::YOUNG_MODULUS * crate::units::PA_PER_GPA), |c| shear_modulus(c.young_modulus));
+        crank.map_or_else(|| shear_modulus(YOUNG_MODULUS * crate::units::PA_PER_GPA), |c| shear_modulus(c.young_modulus));
     let along = shaft.as_ref().map(|steps| 1.0 / stepped_shaft(steps, modulus));
     let flexibility = match (crank, formula, throws.as_slice(), along) {
         (Some(crank), Some(formula), throws @ ([_, _] | [_]), along) if throws.len() == 2 || along.is_some() => {

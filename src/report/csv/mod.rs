@@ -3,6 +3,7 @@
 mod absorbers;
 pub mod chart;
 mod comparison;
+pub mod curves;
 mod designs;
 mod duty;
 pub mod fatigue;

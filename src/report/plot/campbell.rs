@@ -2,20 +2,20 @@
 
 use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::analysis::Results;
-use crate::analysis::audit::largest_modal_torque;
+use crate::analysis::audit::largest_resonance;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
 use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 
-/// Order lines drawn: those that push the first modes hardest.
+/// Order lines drawn: those with the largest resonances in the range.
 const MOST_ORDERS: usize = 12;
 
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let all = &results.system.excitation.orders;
     let mut chosen: Vec<usize> = (0..all.len()).collect();
-    chosen.sort_by(|a, b| largest_modal_torque(study, &results.system, *b).total_cmp(&largest_modal_torque(study, &results.system, *a)));
+    chosen.sort_by(|a, b| largest_resonance(study, &results.system, *b).total_cmp(&largest_resonance(study, &results.system, *a)));
     chosen.truncate(MOST_ORDERS);
     chosen.sort_unstable();
     let orders: Vec<Order> = chosen.iter().map(|n| all[*n]).collect();

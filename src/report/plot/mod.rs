@@ -4,6 +4,7 @@ mod campbell;
 mod canvas;
 pub mod chart;
 pub mod comparison;
+pub(crate) mod curves;
 mod excitation;
 pub mod fatigue;
 mod margin;

@@ -1,0 +1,56 @@
+//! Shear force, bending moment and torque along the crank when each of its throws is loaded most.
+
+use super::figure::{Axis, Curve, FORCE, Figure, MOMENT, Panel, TORQUE};
+use crate::crankshaft::loads::CrankModel;
+use crate::input::Study;
+
+const PLACE: Axis = Axis { column: "place_mm", label: "place along the crank / mm" };
+/// mm in a m.
+const MM: f64 = 1e3;
+
+/// One load case a throw: the instant of its largest rod force at a speed. Nothing without `[crank]`.
+pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
+    let crank = study.crank.as_ref()?;
+    let model = CrankModel::new(study.engine_of_crank(), crank)?;
+    let loads = model.at(speed_rpm);
+    let size = |t: usize, j: usize| {
+        let [x, y] = loads.on_throw(t, j);
+        x.hypot(y)
+    };
+    let worst = |t: usize| (0..loads.theta.len()).fold(0, |m, j| if size(t, j) > size(t, m) { j } else { m });
+    let (mut shear, mut moment, mut across, mut torque) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for t in 0..crank.throws() {
+        let j = worst(t);
+        let (v, m) = loads.along(j, t);
+        let named = |points: &[(f64, f64)]| Curve {
+            label: format!("throw {} at {:.0}°", t + 1, loads.theta[j].to_degrees()),
+            order: None,
+            points: points.iter().map(|(x, y)| (x * MM, *y)).collect(),
+        };
+        shear.push(named(&v[0]));
+        moment.push(named(&m[0]));
+        across.push(named(&m[1]));
+        // what the throws before a place put in
+        let mut sum = 0.0;
+        let mut steps = vec![(0.0, 0.0)];
+        for s in 0..crank.throws() {
+            let x = crank.places(s)[1];
+            steps.push((x, sum));
+            sum += loads.torque[s][j];
+            steps.push((x, sum));
+        }
+        steps.push((crank.bearings()[crank.throws()], sum));
+        torque.push(named(&steps));
+    }
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: PLACE, y, curves, y_top: None };
+    Some(Figure {
+        name: format!("crank_loads_{speed_rpm}"),
+        title: format!("{}: the crank at {speed_rpm} rpm when each throw is loaded most", study.engine.name),
+        panels: vec![
+            panel("shear force in the plane of that throw", FORCE, shear),
+            panel("bending moment in the plane of that throw", MOMENT, moment),
+            panel("bending moment across it", MOMENT, across),
+            panel("torque of the throws before a place, without vibration", TORQUE, torque),
+        ],
+    })
+}

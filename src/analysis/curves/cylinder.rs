@@ -1,0 +1,137 @@
+//! Pressure over crank angle and over swept volume; forces and torque of a cylinder, of the throws and of the main bearings.
+
+use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, TORQUE, curve};
+use crate::crankshaft::loads::CrankModel;
+use crate::engine::cycle::Cycle;
+use crate::engine::forces::{UnitForces, gas_torque, unit_forces};
+use crate::engine::pressure::sample_angle;
+use crate::engine::{Geometry, Pressure, Source};
+use crate::input::Study;
+use crate::units::{DEG_PER_RAD, PA_PER_BAR};
+
+/// Samples of the pressure between points: one degree.
+pub(super) const STRIDE: usize = 10;
+const PRESSURE: Axis = Axis { column: "pressure_bar", label: "pressure / bar" };
+const VOLUME: Axis = Axis { column: "swept_volume_cm3", label: "swept volume / cm³" };
+/// cm³ in a m³.
+const CM3: f64 = 1e6;
+
+/// Geometry and pressure of an engine with cylinders.
+pub(super) fn cylinder_of(study: &Study) -> Option<(&Geometry, &Pressure)> {
+    match &study.engine.source {
+        Source::Cylinder { geometry, pressure } => Some((geometry, pressure)),
+        Source::Harmonics(_) => None,
+    }
+}
+
+/// Crank angles of the points, degrees.
+pub(super) fn degrees(count: usize) -> impl Iterator<Item = f64> + Clone {
+    (0..count).map(|j| sample_angle(j * STRIDE) * DEG_PER_RAD)
+}
+
+/// p(theta) and p-V at the tabulated speeds: the lowest, that of the largest pressure, the highest.
+pub(super) fn pressure(study: &Study) -> Option<Figure> {
+    let (geometry, pressure) = cylinder_of(study)?;
+    let cylinders = study.engine.layout.firing_deg.len();
+    let traces: Vec<Vec<f64>> =
+        (0..pressure.speeds_rpm().len()).map(|i| pressure.trace(i, geometry, study.engine.strokes, cylinders)).collect();
+    let peak = |i: &usize| traces[*i].iter().copied().fold(0.0, f64::max);
+    let largest = (0..traces.len()).max_by(|a, b| peak(a).total_cmp(&peak(b)))?;
+    let mut chosen = vec![0, largest, traces.len() - 1];
+    chosen.sort_unstable();
+    chosen.dedup();
+    let over = |x: &dyn Fn(usize) -> f64| -> Vec<Curve> {
+        let one = |i: &usize| {
+            let points = traces[*i].iter().enumerate().step_by(STRIDE).map(|(j, p)| (x(j), p / PA_PER_BAR)).collect();
+            Curve { label: format!("{} rpm", pressure.speeds_rpm()[*i]), order: None, points }
+        };
+        chosen.iter().map(one).collect()
+    };
+    let swept = |j: usize| geometry.slider_crank.motion(sample_angle(j)).travel * geometry.piston_area() * CM3;
+    Some(Figure {
+        name: "cylinder".into(),
+        title: format!("{}: cylinder pressure", study.engine.name),
+        panels: vec![
+            Panel {
+                title: "over the cycle".into(),
+                x: CRANK_DEG,
+                y: PRESSURE,
+                curves: over(&|j| sample_angle(j) * DEG_PER_RAD),
+                y_top: None,
+            },
+            Panel { title: "over the swept volume".into(), x: VOLUME, y: PRESSURE, curves: over(&swept), y_top: None },
+        ],
+    })
+}
+
+/// Forces of one cylinder at a speed, in its own axes (along it away from the crankshaft, across it), and its torque.
+pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
+    let (geometry, _) = cylinder_of(study)?;
+    let moments = Cycle::new(&study.engine)?.moments(speed_rpm, STRIDE);
+    let unit: Vec<UnitForces> = moments.iter().map(|m| unit_forces(geometry, *m)).collect();
+    let n = unit.len();
+    let of = |label: &str, f: &dyn Fn(usize) -> f64| curve(label, degrees(n), (0..n).map(f));
+    let gas = |j: usize| gas_torque(geometry, moments[j].pressure, moments[j].theta);
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None };
+    Some(Figure {
+        name: format!("forces_{speed_rpm}"),
+        title: format!("{}: forces of a cylinder at {speed_rpm} rpm", study.engine.name),
+        panels: vec![
+            panel(
+                "along the cylinder, away from the crankshaft",
+                FORCE,
+                vec![
+                    of("gas on piston", &|j| -(moments[j].pressure - geometry.crankcase_pressure) * geometry.piston_area()),
+                    of("rod on piston", &|j| unit[j].small_end[0]),
+                    of("rod on crankpin", &|j| unit[j].big_end[0]),
+                ],
+            ),
+            panel(
+                "across the cylinder",
+                FORCE,
+                vec![
+                    of("rod on piston", &|j| unit[j].small_end[1]),
+                    of("rod on crankpin", &|j| unit[j].big_end[1]),
+                    of("liner on piston", &|j| unit[j].liner),
+                ],
+            ),
+            panel(
+                "torque on the crank",
+                TORQUE,
+                vec![of("all", &|j| unit[j].torque), of("gas", &gas), of("moving masses", &|j| unit[j].torque - gas(j))],
+            ),
+        ],
+    })
+}
+
+/// Torque of every throw and of all together at a speed.
+pub(super) fn torque(study: &Study, speed_rpm: f64) -> Option<Figure> {
+    let loads = Cycle::new(&study.engine)?.loads(speed_rpm, STRIDE);
+    let n = loads.theta.len();
+    let throws = loads.torque.iter().enumerate().map(|(t, y)| curve(format!("throw {}", t + 1), degrees(n), y.iter().copied())).collect();
+    let total = curve("all throws", degrees(n), (0..n).map(|j| loads.torque.iter().map(|t| t[j]).sum()));
+    let panel = |title: &str, curves| Panel { title: title.into(), x: CRANK_DEG, y: TORQUE, curves, y_top: None };
+    Some(Figure {
+        name: format!("torque_{speed_rpm}"),
+        title: format!("{}: torque on the crank at {speed_rpm} rpm", study.engine.name),
+        panels: vec![panel("each throw", throws), panel("all throws", vec![total])],
+    })
+}
+
+/// Size of the force on every main bearing at a speed; nothing without `[crank]`.
+pub(super) fn bearings(study: &Study, speed_rpm: f64) -> Option<Figure> {
+    let crank = study.crank.as_ref()?;
+    let model = CrankModel::new(study.engine_of_crank(), crank)?;
+    let loads = model.at(speed_rpm);
+    let every = STRIDE / crate::crankshaft::loads::STRIDE;
+    let angles = || loads.theta.iter().step_by(every).map(|t| t * DEG_PER_RAD);
+    let forces: Vec<Vec<[f64; 2]>> = (0..loads.theta.len()).step_by(every).map(|j| loads.bearing_forces(j)).collect();
+    let numbers = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
+    let size = |i: usize, b: usize| curve(format!("bearing {}", b + 1), angles(), forces.iter().map(move |f| f[i][0].hypot(f[i][1])));
+    let curves = numbers.enumerate().map(|(i, b)| size(i, b)).collect();
+    Some(Figure {
+        name: format!("bearings_{speed_rpm}"),
+        title: format!("{}: loads of the main bearings at {speed_rpm} rpm", study.engine.name),
+        panels: vec![Panel { title: "the crank a continuous beam".into(), x: CRANK_DEG, y: FORCE, curves, y_top: None }],
+    })
+}

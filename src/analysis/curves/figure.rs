@@ -1,0 +1,67 @@
+//! Curves on their way to a table and a plot.
+
+/// What stands on an axis: its column with unit, and its words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Axis {
+    /// Name in tables.
+    pub column: &'static str,
+    /// Description in plots.
+    pub label: &'static str,
+}
+
+/// Crank angle from the firing of the cylinder that fires at 0°.
+pub(crate) const CRANK_DEG: Axis = Axis { column: "crank_deg", label: "crank angle / °" };
+/// Speed.
+pub(crate) const SPEED: Axis = Axis { column: "speed_rpm", label: "speed / rpm" };
+/// Order.
+pub(crate) const ORDER: Axis = Axis { column: "order", label: "order" };
+/// Torque.
+pub(crate) const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N m" };
+/// Force.
+pub(crate) const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
+/// Moment.
+pub(crate) const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
+/// Angle.
+pub(crate) const ANGLE: Axis = Axis { column: "angle_deg", label: "angle / °" };
+
+/// One curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its name.
+    pub label: String,
+    /// The order that it is of, where it is of one: the same colour in every plot.
+    pub order: Option<crate::engine::Order>,
+    /// Its points.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Curves on common axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Its title.
+    pub title: String,
+    /// Across.
+    pub x: Axis,
+    /// Upwards.
+    pub y: Axis,
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// What the axis upwards reaches at least, so that figures can share it.
+    pub y_top: Option<f64>,
+}
+
+/// Panels that belong together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Name of its files.
+    pub name: String,
+    /// Its title.
+    pub title: String,
+    /// From top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// A curve of two columns.
+pub(crate) fn curve(label: impl Into<String>, x: impl IntoIterator<Item = f64>, y: impl IntoIterator<Item = f64>) -> Curve {
+    Curve { label: label.into(), order: None, points: x.into_iter().zip(y).collect() }
+}

@@ -1,0 +1,115 @@
+//! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
+
+use super::figure::{Axis, Figure, ORDER, Panel, curve};
+use crate::drivetrain::System;
+use crate::input::Study;
+use crate::numerics::C64;
+
+const STATION: Axis = Axis { column: "station", label: "station" };
+const RELATIVE: Axis = Axis { column: "relative_amplitude", label: "relative amplitude" };
+const VECTOR_SUM: Axis = Axis { column: "vector_sum", label: "sum of phase vectors" };
+/// Modes shown.
+const MODES: usize = 4;
+
+/// A row of Holzer's table: a station in a mode, for an angle of one at the largest station.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HolzerRow {
+    /// Elastic mode, from 1.
+    pub mode: usize,
+    /// Hz.
+    pub frequency_hz: f64,
+    /// Name.
+    pub station: String,
+    /// kg m².
+    pub inertia: f64,
+    /// Relative to the largest.
+    pub angle: f64,
+    /// J omega² theta, N m a rad of the largest.
+    pub torque: f64,
+    /// Of this station and those before it: what the link carries, N m a rad.
+    pub sum: f64,
+    /// Of the link, N m/rad.
+    pub stiffness: f64,
+    /// Of the link, a rad of the largest.
+    pub twist: f64,
+}
+
+/// Shape of a mode, its largest amplitude one.
+fn shape(study: &Study, mode: usize) -> Vec<f64> {
+    let column = study.modes.shapes.column(mode);
+    let largest = column.iter().copied().fold(0.0, |m: f64, x| if x.abs() > m.abs() { x } else { m });
+    column.iter().map(|x| x / largest).collect()
+}
+
+/// Elastic modes that are shown: number from 1 and index.
+fn shown(study: &Study) -> impl Iterator<Item = (usize, usize)> {
+    study.modes.elastic().take(MODES).enumerate().map(|(i, mode)| (i + 1, mode))
+}
+
+/// The first modes over the stations; a node is where a link has no motion, counted in stations.
+pub(super) fn modes(study: &Study) -> Figure {
+    let frequencies = study.modes.frequencies_hz();
+    let one = |(number, mode): (usize, usize)| {
+        let shape = shape(study, mode);
+        let node = |i: usize| {
+            let next = study.chain.next(i);
+            (shape[i] * shape[next] < 0.0 && next == i + 1).then(|| (i + 1) as f64 + shape[i] / (shape[i] - shape[next]))
+        };
+        let nodes: Vec<String> = (0..shape.len() - 1).filter_map(node).map(|x| format!("{x:.2}")).collect();
+        let label = format!("{:.2} Hz, nodes at {}", frequencies[number - 1], nodes.join(", "));
+        let curves = vec![curve(label, (1..=shape.len()).map(|i| i as f64), shape.iter().copied())];
+        Panel { title: format!("mode {number}"), x: STATION, y: RELATIVE, curves, y_top: None }
+    };
+    Figure {
+        name: "modes".into(),
+        title: format!("{}: mode shapes of the chain", study.engine.name),
+        panels: shown(study).map(one).collect(),
+    }
+}
+
+/// Holzer's table of the first modes; the torque behind the last station, which must vanish, is its sum.
+pub(super) fn holzer(study: &Study) -> Vec<HolzerRow> {
+    let frequencies = study.modes.frequencies_hz();
+    let stations = &study.chain.stations;
+    let mut rows = Vec::new();
+    for (number, mode) in shown(study) {
+        let (angle, omega2) = (shape(study, mode), study.modes.omega[mode].powi(2));
+        let mut sums = vec![0.0; stations.len()];
+        for (i, s) in stations.iter().enumerate() {
+            let torque = s.inertia * omega2 * angle[i];
+            sums[i] += torque - s.stiffness_to_ground * angle[i];
+            let last = i + 1 == stations.len();
+            if !last {
+                sums[study.chain.next(i)] += study.chain.gear(i) * sums[i];
+            }
+            rows.push(HolzerRow {
+                mode: number,
+                frequency_hz: frequencies[number - 1],
+                station: s.name.clone(),
+                inertia: s.inertia,
+                angle: angle[i],
+                torque,
+                sum: sums[i],
+                stiffness: s.stiffness_to_next,
+                twist: if last { 0.0 } else { study.chain.link(i).of(|station| angle[station]) },
+            });
+        }
+    }
+    rows
+}
+
+/// Sums of the firing phases of all throws weighted by a mode: by how much an order drives it, per unit torque of a throw.
+pub(super) fn phase_vectors(study: &Study, system: &System) -> Figure {
+    let orders = || system.excitation.orders.iter().map(|o| o.value());
+    let one = |(number, mode): (usize, usize)| {
+        let shape = shape(study, mode);
+        let sum = |n: usize| system.phases(n).iter().zip(&shape).map(|(p, phi)| p * *phi).sum::<C64>().norm();
+        let curves = vec![curve(format!("mode {number}"), orders(), (0..system.orders()).map(sum))];
+        Panel { title: format!("mode {number}"), x: ORDER, y: VECTOR_SUM, curves, y_top: None }
+    };
+    Figure {
+        name: "phase_vectors".into(),
+        title: format!("{}: sums of phase vectors", study.engine.name),
+        panels: shown(study).map(one).collect(),
+    }
+}

@@ -1,0 +1,103 @@
+//! `hartog curves`: every figure is a plot and a table that reads back, and the curves obey their laws.
+
+use crate::support::{assert_close, study};
+use assert_cmd::Command;
+use hartog::analysis::Silent;
+use hartog::analysis::curves::{Curves, Figure, Panel, curves};
+use hartog::engine::{Excitation, Source};
+use std::fs;
+
+fn of(name: &str, speeds: &[f64]) -> Curves {
+    curves(&study(name), speeds, &Silent).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn panel<'a>(curves: &'a Curves, figure: &str, panel: usize) -> &'a Panel {
+    let found: &Figure = curves.figures.iter().find(|f| f.name == figure).unwrap_or_else(|| panic!("{figure}"));
+    &found.panels[panel]
+}
+
+/// Trapezoids under y(x).
+fn area(points: &[(f64, f64)]) -> f64 {
+    points.windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum()
+}
+
+/// Law: the loop of the indicator diagram is the indicated work, the mean torque of all throws is order zero, a throw carries its own share, and torque of
+/// gas and masses add up. Points are a degree apart; the burn bends the loop within a few of them.
+#[test]
+fn work_of_the_cycle() {
+    let (curves, study) = (of("villalva_i6", &[1600.0]), study("villalva_i6"));
+    let audit = *Excitation::new(&study.engine, 12.0).audit.iter().find(|a| a.speed_rpm == 1600.0).expect("tabulated");
+    let Source::Cylinder { geometry, .. } = &study.engine.source else { panic!("a cylinder") };
+    let loop_at = panel(&curves, "cylinder", 1).curves.iter().find(|c| c.label == "1600 rpm").expect("a curve");
+    // bar cm³ are 0.1 J
+    let mut closed = loop_at.points.clone();
+    closed.push(closed[0]);
+    assert_close(0.1 * area(&closed), audit.indicated_mean_pressure * geometry.displacement(), 2e-3, 0.0, "indicated work");
+    let total = &panel(&curves, "torque_1600", 1).curves[0].points;
+    let mean = total.iter().map(|p| p.1).sum::<f64>() / total.len() as f64;
+    assert_close(mean, audit.mean_torque, 2e-3, 0.0, "mean torque");
+    let unit = panel(&curves, "forces_1600", 2);
+    for (j, (_, all)) in unit.curves[0].points.iter().enumerate() {
+        assert_close(unit.curves[1].points[j].1 + unit.curves[2].points[j].1, *all, 0.0, 1e-9 * 1e3, "gas and masses");
+    }
+}
+
+/// Law: Holzer's torque behind the last station vanishes, and each link carries its stiffness times its twist. Also with branches: the shipped chains.
+#[test]
+fn holzer_closes() {
+    for name in ["villalva_i6", "villalva_v10", "mendes_mwm6"] {
+        let curves = of(name, &[]);
+        let largest = curves.holzer.iter().map(|r| r.sum.abs()).fold(0.0, f64::max);
+        for r in &curves.holzer {
+            let carried = if r.stiffness > 0.0 { r.stiffness * r.twist } else { 0.0 };
+            assert_close(r.sum, carried, 1e-9, 1e-9 * largest, &format!("{name}, mode {}, {}", r.mode, r.station));
+        }
+    }
+}
+
+/// Law: an even six in line has free forces of the sixth order only, and no free moment; its counterweights change neither. Rods long against the crank have
+/// little of the sixth.
+#[test]
+fn balance_of_a_six() {
+    let curves = of("villalva_i6", &[3000.0]);
+    let force = &panel(&curves, "balance", 0).curves[0].points;
+    let one = 2.666 * 0.062 * (3000.0 * std::f64::consts::TAU / 60.0_f64).powi(2);
+    let largest = force.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+    assert!(largest > 0.0 && largest < 0.01 * one, "{largest} N of {one} N a cylinder");
+    for j in 0..60 {
+        assert_close(force[j].1, force[j + 60].1, 0.0, 1e-9 * one, "repeats every 60 degrees");
+    }
+    assert!(panel(&curves, "balance", 1).curves.iter().flat_map(|c| &c.points).all(|p| p.1 == 0.0), "no free moment");
+}
+
+/// The command writes a table and two pictures a figure; tables read back as the curves; a speed outside the study is refused.
+#[test]
+fn the_command_writes_figures() {
+    let folder = tempfile::tempdir().expect("folder");
+    let command = || {
+        let mut command = Command::cargo_bin("hartog").expect("built");
+        command.current_dir(env!("CARGO_MANIFEST_DIR")).args(["curves", "studies/villalva_v10.toml", "--out"]).arg(folder.path());
+        command
+    };
+    command().assert().code(0);
+    let curves = of("villalva_v10", &[]);
+    assert!(curves.figures.len() >= 15);
+    for figure in &curves.figures {
+        let at = |ending: &str| folder.path().join(format!("{}.{ending}", figure.name));
+        assert!(at("png").is_file() && fs::read_to_string(at("svg")).expect("svg").starts_with("<svg"), "{}", figure.name);
+        let mut reader = csv::Reader::from_path(at("csv")).expect("csv");
+        let mut rows = reader.records().map(|r| r.expect("a row"));
+        for panel in &figure.panels {
+            for (curve, point) in panel.curves.iter().flat_map(|c| c.points.iter().map(move |p| (c, p))) {
+                let row = rows.next().expect("as many rows as points");
+                assert_eq!([&row[0], &row[1], &row[2], &row[4]], [&panel.title, &curve.label, panel.x.column, panel.y.column]);
+                assert_eq!((row[3].parse::<f64>(), row[5].parse::<f64>()), (Ok(point.0), Ok(point.1)));
+            }
+        }
+        assert!(rows.next().is_none());
+    }
+    assert!(fs::read_to_string(folder.path().join("holzer.csv")).expect("holzer").starts_with("mode,frequency_hz,station,"));
+    let refused = command().args(["--speed", "9000"]).assert().code(2);
+    let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned() + &String::from_utf8_lossy(&refused.get_output().stdout);
+    assert!(said.contains("expected a speed of the study, 1000 to 8700 rpm"), "{said}");
+}

@@ -221,3 +221,51 @@ fn rigid_modes_of_trees() {
         assert!(modes.omega[2] > 1.0, "elastic");
     }
 }
+
+/// Damping of the whole chain as engineers state it: a dynamic magnifier M is a loss factor 1/M, a fraction of critical is that of the first mode, Rayleigh's
+/// alpha and beta give alpha/(2 omega) + beta omega/2 in every mode.
+#[test]
+fn damping_of_the_whole_chain() {
+    let stations = station("a", 0.02, "throws = [1]\nstiffness_to_next_n_m_per_rad = 1e5")
+        + &station("b", 0.05, "stiffness_to_next_n_m_per_rad = 3e5")
+        + &station("c", 0.9, "");
+    let with = |damping: &str| study(&format!("[damping]\n{damping}\n{stations}")).unwrap_or_else(|e| panic!("{e}"));
+    assert_close(with("dynamic_magnifier = 20").chain.stations[0].loss_factor_to_next, 0.05, 1e-12, 0.0, "loss factor");
+    let modes = with("fraction_of_critical = 0.02").modes;
+    assert_close(modes.damping_ratio(1), 0.02, 1e-9, 0.0, "first mode");
+    assert_close(modes.damping_ratio(2), 0.02 * modes.omega[2] / modes.omega[1], 1e-9, 0.0, "second mode");
+    let modes = with("rayleigh = { inertia_per_s = 3, stiffness_s = 2e-6 }").modes;
+    for mode in modes.elastic() {
+        let omega = modes.omega[mode];
+        assert_close(modes.damping_ratio(mode), 1.5 / omega + 1e-6 * omega, 1e-9, 0.0, "Rayleigh");
+    }
+    let twice = study(&format!("[damping]\ndynamic_magnifier = 20\nfraction_of_critical = 0.02\n{stations}")).expect_err("two");
+    assert!(twice.contains("expected one of `dynamic_magnifier`, `fraction_of_critical` and `rayleigh`"), "{twice}");
+    let percent = study(&format!("[damping]\nfraction_of_critical = 2\n{stations}")).expect_err("per cent");
+    assert!(percent.contains("2 % is 0.02"), "{percent}");
+}
+
+/// A chain in a table is the chain in the engine file; mistakes have row and column.
+#[test]
+fn a_chain_from_a_table() {
+    let written = station("a", 0.02, "throws = [1]\nstiffness_to_next_n_m_per_rad = 1e5\nloss_factor_to_next = 0.03")
+        + &station("b", 0.05, "next = \"c\"\ngear_ratio_to_next = -2\nstiffness_to_next_n_m_per_rad = 3e5")
+        + &station("c", 0.9, "damping_to_ground_n_m_s_per_rad = 2");
+    let header = "station,inertia_kg_m2,stiffness_to_next_n_m_per_rad,throws,loss_factor_to_next,damping_to_ground_n_m_s_per_rad,next,gear_ratio_to_next";
+    let folder = tempfile::tempdir().expect("folder");
+    let read = |rows: &str| {
+        let engine = "name = \"tree\"\nstrokes = 2\n[layout.in_line]\nfiring_order = [1]\nfiring_deg = [0]\n[pressure.harmonics]\nfile = \"h.csv\"\n\
+            [chain]\nfile = \"chain.csv\"\n";
+        fs::write(folder.path().join("engine.toml"), engine).expect("written");
+        fs::write(folder.path().join("h.csv"), "order,amplitude_n_m,phase_deg\n1,100,0\n").expect("written");
+        fs::write(folder.path().join("chain.csv"), format!("{header}\n{rows}")).expect("written");
+        let text = "engine = \"engine.toml\"\nspeed_rpm = { from = 100, to = 200, step = 10 }\n[[design]]\nname = \"none\"\n";
+        Study::from_toml(text, folder.path().join("study.toml")).map_err(|e| e.to_string())
+    };
+    let table = read("a,0.02,1e5,1,0.03,,,\nb,0.05,3e5,,,,c,-2\nc,0.9,,,,2,,\n").unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(table.chain, study(&written).unwrap_or_else(|e| panic!("{e}")).chain);
+    let wrong = read("a,0.02,-1,1,0.03,,,\nb,0.05,,,,2,,\n").expect_err("negative");
+    assert!(wrong.contains("row 2, column `stiffness_to_next_n_m_per_rad`: found -1") || wrong.contains("found -1"), "{wrong}");
+    let lost = read("a,0.02,1e5,1,0.03,,d,\nb,0.05,,,,2,,\n").expect_err("unknown");
+    assert!(lost.contains("found `d`, no station of this file"), "{lost}");
+}

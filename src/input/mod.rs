@@ -52,12 +52,31 @@ impl Study {
     }
 }
 
+/// The stations of a table named in an engine file.
+fn mass_elastic(
+    engine: &Source,
+    file: &error::At<String>,
+    own: &[schema::engine::RawStation],
+) -> Result<Vec<schema::engine::RawStation>, InputError> {
+    let mut check = error::Check::new(engine);
+    if let Some(station) = own.first() {
+        check.wrong(&station.name, "found [[station]] beside [chain], expected the stations in the file or in its table");
+        return Err(InputError { mistakes: check.mistakes });
+    }
+    let folder = engine.path().parent().unwrap_or_else(|| Path::new(""));
+    let read = |path: &Path| tables::mass_elastic(path, file.span());
+    validation::table(&mut check, file, folder, read).ok_or(InputError { mistakes: check.mistakes })
+}
+
 fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
     let study: schema::study::RawStudy = source.parse()?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());
     let engine_source = Source::read_named(&engine_path, source, study.engine.span())?;
-    let engine: schema::engine::RawEngine = engine_source.parse()?;
+    let mut engine: schema::engine::RawEngine = engine_source.parse()?;
+    if let Some(chain) = &engine.chain {
+        engine.station = mass_elastic(&engine_source, &chain.file, &engine.station)?;
+    }
     validation::resolve(&validation::Files {
         path,
         source,

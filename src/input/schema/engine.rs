@@ -14,8 +14,26 @@ pub(crate) struct RawEngine {
     pub layout: RawLayout,
     pub pressure: At<RawPressure>,
     pub crank: Option<At<RawCrank>>,
+    pub chain: Option<RawFile>,
+    pub damping: Option<RawDamping>,
     #[serde(default)]
     pub station: Vec<RawStation>,
+}
+
+/// Damping of the whole chain.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawDamping {
+    pub dynamic_magnifier: Option<At<f64>>,
+    pub fraction_of_critical: Option<At<f64>>,
+    pub rayleigh: Option<RawRayleigh>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawRayleigh {
+    pub inertia_per_s: At<f64>,
+    pub stiffness_s: At<f64>,
 }
 
 /// What of the moving masses is part of the chain.

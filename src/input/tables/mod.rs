@@ -1,6 +1,7 @@
 //! Tables with a header row: cells with their places, for errors with row and column.
 mod cycle;
 mod history;
+mod mass_elastic;
 mod multiaxial;
 mod published;
 mod stream;
@@ -10,6 +11,7 @@ mod torque;
 mod unit_loads;
 pub(crate) use history::HistoryReader;
 pub use history::PointHistory;
+pub(crate) use mass_elastic::mass_elastic;
 pub use multiaxial::{histories, multiaxial};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub(crate) use superposed::Superposed;

@@ -70,7 +70,11 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
             }
         }
     }
-    Some(Chain { stations: super::tree::arrange(check, &raw.station, &derived, stations)? })
+    let mut chain = Chain { stations: super::tree::arrange(check, &raw.station, &derived, stations)? };
+    if let Some(damping) = raw.damping.as_ref().filter(|_| check.mistakes.is_empty()) {
+        super::damping::apply(check, damping, &mut chain);
+    }
+    Some(chain)
 }
 
 fn station(check: &mut Check, raw: &RawStation) -> Station {

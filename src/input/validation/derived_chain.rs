@@ -125,8 +125,7 @@ fn derived_stiffness(
     let formula = raw_crank.and_then(|c| c.stiffness_formula.as_ref());
     let throws: Vec<usize> =
         next.map_or_else(Vec::new, |n| [&stations[i], &stations[n]].iter().filter_map(|s| s.throws.first().copied()).collect());
-    let modulus =
-        crank.map_or_else(|| shear_modulus(YOUNG_MODULUS * crate::units::PA_PER_GPA), |c| shear_modulus(c.young_modulus));
+    let modulus = crank.map_or_else(|| shear_modulus(YOUNG_MODULUS * crate::units::PA_PER_GPA), |c| shear_modulus(c.young_modulus));
     let along = shaft.as_ref().map(|steps| 1.0 / stepped_shaft(steps, modulus));
     let flexibility = match (crank, formula, throws.as_slice(), along) {
         (Some(crank), Some(formula), throws @ ([_, _] | [_]), along) if throws.len() == 2 || along.is_some() => {

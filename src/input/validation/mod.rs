@@ -5,6 +5,7 @@ mod calibrate;
 mod chain;
 mod checked_study;
 mod crank;
+mod damping;
 mod derived_chain;
 mod engine;
 mod fatigue;
@@ -27,6 +28,7 @@ use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 use ranges::MOST_POINTS;
 
+pub(super) use named::table;
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
 use super::error::{Check, InputError, Source};

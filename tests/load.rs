@@ -121,3 +121,46 @@ fn the_crank_bears_the_brake_torque() {
     assert_close(excited.mean_torque, 0.75 * 530.0, 1e-4, 0.0, "excitation");
     assert_close(borne.mean_torque, 530.0, 1e-4, 0.0, "crank");
 }
+
+/// A V6 of 60° fires evenly where its pins are split by 60°: every throw then has its cylinders 120° apart. The torque orders of all throws together are those of
+/// an even six: multiples of three only.
+#[test]
+fn split_pins_make_a_v_fire_evenly() {
+    let bad = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input");
+    let engine = fs::read_to_string(bad.join("engine.toml")).expect("engine");
+    let (start, end) = (engine.find("[layout.in_line]").expect("layout"), engine.find("[pressure.wiebe]").expect("pressure"));
+    let study = fs::read_to_string(bad.join("study.toml")).expect("study");
+    let folder = tempfile::tempdir().expect("folder");
+    let with = |layout: &str| {
+        let text = format!("{}{layout}\n{}", &engine[..start], &engine[end..]).replace("throws = [1, 2]", "throws = [1, 2, 3]");
+        fs::write(folder.path().join("engine.toml"), text).expect("written");
+        Study::from_toml(&study, folder.path().join("study.toml")).map_err(|e| e.to_string())
+    };
+    let order = "firing_order = [1, 2, 3, 4, 5, 6]\nfiring_deg = [0, 120, 240, 360, 480, 600]";
+    let even = with(&format!("[layout.v]\nbank_angle_deg = 60\nsplit_pin_deg = 60\n{order}")).unwrap_or_else(|e| panic!("{e}"));
+    let e = Excitation::new(&even.engine, 6.0);
+    let whole = |n: usize| (0..3).map(|t| e.throw_torque(t, n, 2000.0)).sum::<hartog::numerics::C64>().norm();
+    let largest = (0..e.orders.len()).map(whole).fold(0.0, f64::max);
+    for n in 0..e.orders.len() {
+        let is_third = (e.orders[n].value() / 3.0).fract() == 0.0;
+        assert_eq!(whole(n) > 1e-9 * largest, is_third, "order {}", e.orders[n]);
+    }
+    let refused = with(&format!("[layout.v]\nbank_angle_deg = 60\n{order}")).expect_err("one pin");
+    assert!(refused.contains("expected 60 degrees between them"), "{refused}");
+}
+
+/// Opposed cylinders on throws half a turn apart: inertia forces of a pair cancel at every angle, what is left of a flat twin is its moment.
+#[test]
+fn opposed_pistons_cancel() {
+    use hartog::analysis::Silent;
+    use hartog::analysis::curves::curves;
+    let bad = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input");
+    let engine = fs::read_to_string(bad.join("engine.toml")).expect("engine").replace("[layout.in_line]", "[layout.opposed]");
+    let study = fs::read_to_string(bad.join("study.toml")).expect("study");
+    let folder = tempfile::tempdir().expect("folder");
+    fs::write(folder.path().join("engine.toml"), engine).expect("written");
+    let study = Study::from_toml(&study, folder.path().join("study.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let found = curves(&study, &[3000.0], &Silent).expect("curves");
+    let balance = found.figures.iter().find(|f| f.name == "balance").expect("balance");
+    assert!(balance.panels[0].curves.iter().flat_map(|c| &c.points).all(|p| p.1 == 0.0), "a flat twin has no free force");
+}

@@ -43,7 +43,7 @@ fn long_chain(stations: usize, orders: usize, shape: Shape) -> System {
         ..Station::default()
     };
     let harmonics = (1..=orders).map(|n| (Order::from_twice(n as u32), C64::from(1e3 / n as f64))).collect();
-    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
     let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(HarmonicTable { harmonics }) };
     let mut chain = Chain { stations: (0..stations).map(station).collect() };
     if shape == Shape::Tree {

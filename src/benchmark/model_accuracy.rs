@@ -138,7 +138,7 @@ pub(crate) fn coarse_grid() -> ModelError {
             ..Station::default()
         };
         let table = HarmonicTable { harmonics: vec![(Order::from_twice(2), C64::from(1.0))] };
-        let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None };
+        let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
         let engine = Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) };
         let system = System::new(Chain { stations: vec![station] }, Excitation::new(&engine, 1.0));
         let grid = Grid::new(&(0..=100).map(|i| 1500.0 + 10.0 * f64::from(i)).collect::<Vec<_>>(), &[]);

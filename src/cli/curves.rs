@@ -17,7 +17,7 @@ crank, balance, mode shapes, phase vectors, spectrum, torque of the shafts by or
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
-    /// Output folder [default: out/<study>_curves].
+    /// Output folder [default: out/STUDY_curves].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Speed of forces and loads; may be given several times [default: that of the largest mean torque and the highest].

@@ -101,7 +101,12 @@ pub fn crank_fixed([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 /// the direction in which their banks lie.
 pub(crate) fn axes(engine: &Engine, throw: usize) -> Vec<f64> {
     let (firing, Some(bank)) = (engine.layout.firing_on_throw(throw), engine.layout.bank_angle_deg) else { return vec![0.0] };
-    let forward = ((firing[1] - firing[0] - bank).rem_euclid(360.0) + 1e-6).rem_euclid(360.0) < 1e-3;
+    let [first, second] = firing else {
+        // opposed: odd cylinders in one bank
+        let half = 0.5 * bank * RAD_PER_DEG;
+        return vec![if throw.is_multiple_of(2) { -half } else { half }];
+    };
+    let forward = ((second - first - engine.layout.split_pin_deg - bank).rem_euclid(360.0) + 1e-6).rem_euclid(360.0) < 1e-3;
     let half = 0.5 * bank * RAD_PER_DEG * if forward { 1.0 } else { -1.0 };
     vec![-half, half]
 }

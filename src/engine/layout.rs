@@ -7,8 +7,10 @@ pub struct Layout {
     pub rods_per_throw: usize,
     /// Firing angle of each cylinder, degrees of crank rotation, in the order of the cylinder numbers.
     pub firing_deg: Vec<f64>,
-    /// Angle between the banks of a V, degrees.
+    /// Angle between the banks of a V, degrees; 180 with one rod on each crankpin: opposed cylinders, odd ones in one bank.
     pub bank_angle_deg: Option<f64>,
+    /// By how much the second pin of a throw trails the first, degrees; zero where both rods share one.
+    pub split_pin_deg: f64,
 }
 
 impl Layout {
@@ -22,13 +24,13 @@ impl Layout {
         &self.firing_deg[throw * self.rods_per_throw..(throw + 1) * self.rods_per_throw]
     }
 
-    /// The first throw whose two firing angles cannot belong to one crankpin: they must differ by the bank angle (either way, the same
-    /// for all throws), up to whole revolutions.
+    /// The first throw whose two firing angles cannot belong to its crankpin: they must differ by the bank angle (either way, the same
+    /// for all throws) and the angle between split pins, up to whole revolutions.
     pub fn misplaced_throw(&self) -> Option<usize> {
-        let bank = self.bank_angle_deg?;
+        let bank = self.bank_angle_deg.filter(|_| self.rods_per_throw == 2)?;
         let off = |throw: usize, sign: f64| {
             let pair = self.firing_on_throw(throw);
-            let rest = (pair[1] - pair[0] - sign * bank).rem_euclid(360.0);
+            let rest = (pair[1] - pair[0] - self.split_pin_deg - sign * bank).rem_euclid(360.0);
             rest.min(360.0 - rest) > 1e-6
         };
         let first = |sign| (0..self.throws()).find(|&t| off(t, sign));

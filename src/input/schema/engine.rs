@@ -74,6 +74,7 @@ pub(crate) enum RawKinematics {
 pub(crate) enum RawLayout {
     InLine(RawInLine),
     V(RawV),
+    Opposed(RawInLine),
 }
 
 #[derive(Debug, Deserialize)]
@@ -87,6 +88,7 @@ pub(crate) struct RawInLine {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawV {
     pub bank_angle_deg: At<f64>,
+    pub split_pin_deg: Option<At<f64>>,
     pub firing_order: At<Vec<At<i64>>>,
     pub firing_deg: At<Vec<At<f64>>>,
 }

@@ -42,6 +42,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         check.wrong(raw, "found [crank] with torque harmonics, expected it with [geometry] and a cylinder pressure: its loads are forces");
         return None;
     };
+    if engine.layout.split_pin_deg != 0.0 {
+        check.wrong(raw, "found [crank] with split pins, expected it without: each of its throws has one plane and one crankpin");
+        return None;
+    }
     let raw = raw.get_ref();
     let before = check.mistakes.len();
     let throws = engine.layout.throws();

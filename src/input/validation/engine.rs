@@ -9,6 +9,9 @@ use crate::input::tables;
 use crate::units::{M_PER_MM, PA_PER_BAR, RAD_PER_S_PER_RPM, W_PER_KW};
 use std::path::Path;
 
+/// Angle between the banks of opposed cylinders, degrees.
+const OPPOSED: f64 = 180.0;
+
 /// The engine, or nothing where a mistake leaves none.
 pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Option<Engine> {
     let strokes = *raw.strokes.get_ref();
@@ -118,6 +121,7 @@ fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {
     let (rods_per_throw, bank, order, firing) = match raw {
         RawLayout::InLine(l) => (1, None, &l.firing_order, &l.firing_deg),
         RawLayout::V(l) => (2, Some(&l.bank_angle_deg), &l.firing_order, &l.firing_deg),
+        RawLayout::Opposed(l) => (1, None, &l.firing_order, &l.firing_deg),
     };
     let before = check.mistakes.len();
     let n = order.get_ref().len();
@@ -154,19 +158,23 @@ fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {
     if check.mistakes.len() > before {
         return None;
     }
-    let layout = Layout { rods_per_throw, firing_deg, bank_angle_deg };
+    let split = if let RawLayout::V(v) = raw { v.split_pin_deg.as_ref() } else { None };
+    let split_pin_deg = split.map_or(0.0, |s| check.within(s, -180.0..=180.0, "an angle from -180 to 180 degrees"));
+    let opposed = matches!(raw, RawLayout::Opposed(_)).then_some(OPPOSED);
+    let layout = Layout { rods_per_throw, firing_deg, bank_angle_deg: bank_angle_deg.or(opposed), split_pin_deg };
     if let (Some(throw), Some(bank)) = (layout.misplaced_throw(), bank) {
         let pair = layout.firing_on_throw(throw);
         check.wrong(
             firing,
             format!(
-                "found cylinders {} and {} of throw {} firing at {} and {} degrees, expected {} degrees between them (up to whole turns)",
+                "found cylinders {} and {} of throw {} firing at {} and {} degrees, expected {} degrees between them{} (up to whole turns)",
                 2 * throw + 1,
                 2 * throw + 2,
                 throw + 1,
                 pair[0],
                 pair[1],
-                bank.get_ref()
+                bank.get_ref(),
+                if split_pin_deg == 0.0 { String::new() } else { format!(", either way, and {split_pin_deg} of the split pins") }
             ),
         );
         return None;

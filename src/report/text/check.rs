@@ -38,6 +38,8 @@ fn engine(study: &Study) -> String {
     let e = &study.engine;
     let layout = match e.layout.bank_angle_deg {
         None => "in line".to_owned(),
+        Some(_) if e.layout.rods_per_throw == 1 => "opposed".to_owned(),
+        Some(bank) if e.layout.split_pin_deg != 0.0 => format!("V {bank}°, pins split by {}°", e.layout.split_pin_deg),
         Some(bank) => format!("V {bank}°"),
     };
     let mut text = format!("{}: {} cylinders, {layout}, {} strokes\n", e.name, e.layout.firing_deg.len(), e.strokes);

@@ -164,3 +164,47 @@ fn opposed_pistons_cancel() {
     let balance = found.figures.iter().find(|f| f.name == "balance").expect("balance");
     assert!(balance.panels[0].curves.iter().flat_map(|c| &c.points).all(|p| p.1 == 0.0), "a flat twin has no free force");
 }
+
+/// The gas of one cylinder as harmonics, its masses from the geometry: the same torque as the whole cylinder, at tabulated speeds to rounding and between
+/// them, where both are linear in the gas.
+#[test]
+fn gas_harmonics_with_masses_are_the_cylinder() {
+    let bad = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input");
+    let text = fs::read_to_string(bad.join("study.toml")).expect("study");
+    let engine = fs::read_to_string(bad.join("engine.toml")).expect("engine").replace("[10, 10]", "[10, 6]");
+    let folder = tempfile::tempdir().expect("folder");
+    let with = |engine: &str| {
+        fs::write(folder.path().join("engine.toml"), engine).expect("written");
+        Study::from_toml(&text, folder.path().join("study.toml")).map_err(|e| e.to_string())
+    };
+    let cylinder = Excitation::new(&with(&engine).unwrap_or_else(|e| panic!("{e}")).engine, 6.0);
+    let massless = engine.replace("piston_mass_kg = 0.5", "piston_mass_kg = 0").replace("rod_mass_kg = 0.6", "rod_mass_kg = 0");
+    let gas = Excitation::new(&with(&massless).unwrap_or_else(|e| panic!("{e}")).engine, 6.0);
+    let rows: String = [1000.0, 4000.0]
+        .iter()
+        .flat_map(|speed| (0..gas.orders.len()).map(|n| (*speed, n)).collect::<Vec<_>>())
+        .map(|(speed, n)| {
+            let c = gas.unit_torque(n, speed);
+            format!("{speed},{},{:e},{:e}\n", gas.orders[n].value(), c.norm(), c.arg().to_degrees())
+        })
+        .collect();
+    fs::write(folder.path().join("gas.csv"), format!("speed_rpm,order,amplitude_n_m,phase_deg\n{rows}")).expect("written");
+    let (start, end) = (engine.find("[pressure.wiebe]").expect("pressure"), engine.find("[[station]]").expect("station"));
+    let of = |keys: &str| format!("{}[pressure.harmonics]\nfile = \"gas.csv\"\n{keys}{}", &engine[..start], &engine[end..]);
+    let table = Excitation::new(&with(&of("torque = \"gas\"\n")).unwrap_or_else(|e| panic!("{e}")).engine, 6.0);
+    assert_eq!(table.orders, cylinder.orders);
+    for n in 0..table.orders.len() {
+        for speed in [1000.0, 2200.0, 4000.0] {
+            let (a, b) = (table.throw_torque(0, n, speed), cylinder.throw_torque(0, n, speed));
+            assert_close(
+                (a - b).norm(),
+                0.0,
+                0.0,
+                1e-9 * cylinder.unit_torque(1, 4000.0).norm(),
+                &format!("order {} at {speed} rpm", table.orders[n]),
+            );
+        }
+    }
+    let whole = with(&of("")).expect_err("a whole throw beside masses");
+    assert!(whole.contains("`torque = \"gas\"` in [pressure.harmonics]"), "{whole}");
+}

@@ -65,7 +65,10 @@ pub fn uniform_chain(n: usize, inertia: f64, stiffness: f64) -> Chain {
 
 /// One throw under the given harmonics (twice the order, torque amplitude), two strokes.
 pub fn one_throw(harmonics: &[(u32, f64)]) -> Excitation {
-    let table = HarmonicTable { harmonics: harmonics.iter().map(|(o, a)| (Order::from_twice(*o), C64::from(*a))).collect() };
+    let table = HarmonicTable {
+        harmonics: harmonics.iter().map(|(o, a)| (Order::from_twice(*o), C64::from(*a))).collect(),
+        ..HarmonicTable::default()
+    };
     let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
     Excitation::new(&Engine { name: "one throw".into(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
 }

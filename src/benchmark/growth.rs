@@ -44,7 +44,12 @@ fn long_chain(stations: usize, orders: usize, shape: Shape) -> System {
     };
     let harmonics = (1..=orders).map(|n| (Order::from_twice(n as u32), C64::from(1e3 / n as f64))).collect();
     let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
-    let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(HarmonicTable { harmonics }) };
+    let engine = Engine {
+        name: String::new(),
+        strokes: 4,
+        layout,
+        source: Source::Harmonics(HarmonicTable { harmonics, ..HarmonicTable::default() }),
+    };
     let mut chain = Chain { stations: (0..stations).map(station).collect() };
     if shape == Shape::Tree {
         // a row of the even stations with a branch of one station on each, every second behind a gear

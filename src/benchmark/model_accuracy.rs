@@ -137,7 +137,7 @@ pub(crate) fn coarse_grid() -> ModelError {
             throws: vec![0],
             ..Station::default()
         };
-        let table = HarmonicTable { harmonics: vec![(Order::from_twice(2), C64::from(1.0))] };
+        let table = HarmonicTable { harmonics: vec![(Order::from_twice(2), C64::from(1.0))], ..HarmonicTable::default() };
         let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
         let engine = Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) };
         let system = System::new(Chain { stations: vec![station] }, Excitation::new(&engine, 1.0));

@@ -35,7 +35,10 @@ fn uniform(n: usize, inertia: f64, stiffness: f64, damping_to_ground: f64) -> Ch
 
 /// One throw under given harmonics (order, torque amplitude) of a two-stroke.
 fn harmonics(list: &[(u32, f64)]) -> Excitation {
-    let table = HarmonicTable { harmonics: list.iter().map(|(o, a)| (Order::from_twice(2 * o), C64::from(*a))).collect() };
+    let table = HarmonicTable {
+        harmonics: list.iter().map(|(o, a)| (Order::from_twice(2 * o), C64::from(*a))).collect(),
+        ..HarmonicTable::default()
+    };
     let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
     Excitation::new(&Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
 }
@@ -64,7 +67,10 @@ fn six_under(table: &[(u32, f64)]) -> System {
         throws: if (1..7).contains(&i) { vec![i - 1] } else { Vec::new() },
         ..Station::default()
     };
-    let source = HarmonicTable { harmonics: table.iter().map(|(twice, a)| (Order::from_twice(*twice), C64::from(*a))).collect() };
+    let source = HarmonicTable {
+        harmonics: table.iter().map(|(twice, a)| (Order::from_twice(*twice), C64::from(*a))).collect(),
+        ..HarmonicTable::default()
+    };
     let layout =
         Layout { rods_per_throw: 1, firing_deg: vec![0.0, 480.0, 240.0, 600.0, 120.0, 360.0], bank_angle_deg: None, split_pin_deg: 0.0 };
     let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(source) };

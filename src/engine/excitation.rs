@@ -76,16 +76,25 @@ impl Excitation {
     }
 
     fn from_table(engine: &Engine, table: &HarmonicTable, order_limit: f64) -> Self {
-        let kept: Vec<_> = table.harmonics.iter().filter(|(o, c)| o.value() <= order_limit && *c != ZERO).copied().collect();
-        let orders: Vec<Order> = kept.iter().map(|h| h.0).collect();
-        // a table holds the torque of the whole throw: only its first unit counts
-        let first = |throw| vec![engine.layout.firing_on_throw(throw)[0]];
+        let inertia = inertia_of(engine, table, order_limit);
+        let is_there = |o: &Order| {
+            let moves = inertia.iter().any(|i| i.0 == *o);
+            moves || table.amplitudes(*o).iter().any(|c| *c != ZERO)
+        };
+        let orders: Vec<Order> = Order::up_to(order_limit, engine.strokes).into_iter().filter(is_there).collect();
+        let rows = table.over_speed.len().max(1);
+        let amplitudes: Vec<Vec<C64>> = orders.iter().map(|o| table.amplitudes(*o)).collect();
+        // a table of a whole throw: only its first unit counts
+        let units = |throw| match table.masses {
+            Some(_) => engine.layout.firing_on_throw(throw).to_vec(),
+            None => vec![engine.layout.firing_on_throw(throw)[0]],
+        };
         Self {
             harmonics: orders.iter().map(|o| o.per_cycle(engine.strokes)).collect(),
-            tabulated_rpm: Vec::new(),
-            gas: vec![kept.iter().map(|h| h.1).collect()],
-            inertia: vec![ZERO; orders.len()],
-            phases: (0..engine.layout.throws()).map(|t| phases(&first(t), &orders)).collect(),
+            tabulated_rpm: table.speeds_rpm(),
+            gas: (0..rows).map(|row| amplitudes.iter().map(|a| a[row]).collect()).collect(),
+            inertia: orders.iter().map(|o| inertia.iter().find(|i| i.0 == *o).map_or(ZERO, |i| i.1)).collect(),
+            phases: (0..engine.layout.throws()).map(|t| phases(&units(t), &orders)).collect(),
             audit: Vec::new(),
             misfire: None,
             orders,
@@ -196,6 +205,21 @@ impl Excitation {
         let firing = self.unit_torque(order, speed_rpm) * self.phases[throw][order];
         self.misfire_torque(order, speed_rpm).filter(|m| m.0 == throw).map_or(firing, |m| firing + m.1)
     }
+}
+
+/// Below this share of the largest an order of the moving masses is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Orders of the torque of the masses beside a table of the gas, per (rad/s)²; none where the table holds all.
+fn inertia_of(engine: &Engine, table: &HarmonicTable, order_limit: f64) -> Vec<(Order, C64)> {
+    let Some(masses) = &table.masses else { return Vec::new() };
+    let orders = Order::up_to(order_limit, engine.strokes);
+    let harmonics: Vec<u32> = orders.iter().map(|o| o.per_cycle(engine.strokes)).collect();
+    let n = samples(engine.strokes);
+    let torque: Vec<f64> = (0..n).map(|j| inertia_torque_per_omega2(masses, sample_angle(j))).collect();
+    let found = Analyser::new(n, &harmonics).analyse(&torque);
+    let largest = found.iter().map(|c| c.norm()).fold(0.0, f64::max);
+    orders.into_iter().zip(found).filter(|(_, c)| c.norm() > ROUNDING * largest).collect()
 }
 
 /// Sum of e^{-i n phi} over the firing angles phi (degrees), for each order n.

@@ -99,7 +99,7 @@ pub(crate) enum RawPressure {
     Otto(RawOtto),
     Wiebe(RawWiebe),
     Measured(RawFile),
-    Harmonics(RawFile),
+    Harmonics(RawHarmonics),
 }
 
 #[derive(Debug, Deserialize)]
@@ -133,6 +133,23 @@ pub(crate) struct RawWiebe {
     pub burn_duration_deg: At<f64>,
     pub wiebe_exponent: Option<At<f64>>,
     pub heat_capacity_ratio: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawHarmonics {
+    pub file: At<String>,
+    #[serde(default)]
+    pub torque: RawTorqueOf,
+}
+
+/// What a table of harmonics holds.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawTorqueOf {
+    #[default]
+    Throw,
+    Gas,
 }
 
 #[derive(Debug, Deserialize)]

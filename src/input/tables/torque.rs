@@ -1,9 +1,9 @@
 //! Tables of the engine file: measured pressure traces and torque harmonics.
 
 use super::table::Table;
-use crate::engine::Order;
 use crate::engine::load::LARGEST_LOAD;
 use crate::engine::pressure::{Measured, PartLoad};
+use crate::engine::{HarmonicTable, Order};
 use crate::input::error::InputError;
 use crate::numerics::C64;
 use crate::units::{PA_PER_BAR, RAD_PER_DEG};
@@ -88,19 +88,22 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
     Ok(Measured { speeds_rpm, crank_deg, pressure: pressure(FULL), part_load })
 }
 
-/// `order, amplitude_n_m, phase_deg`: torque of a whole throw, A cos(n theta + phase) from the firing of its first cylinder.
+/// `order, amplitude_n_m, phase_deg`: torque of a whole throw (or of the gas on a cylinder), A cos(n theta + phase) from the firing of its first cylinder. With
+/// a column `speed_rpm` it varies with speed: the same orders at each.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<Vec<(Order, C64)>, InputError> {
+pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<HarmonicTable, InputError> {
     let table = Table::read(path)?;
     let rows = table.numbers()?;
     let (order, amplitude, phase) = (table.column("order")?, table.column("amplitude_n_m")?, table.column("phase_deg")?);
-    if let Some(i) = (0..table.header.len()).find(|i| ![order, amplitude, phase].contains(i)) {
-        return Err(table.at(1, i, format!("found column `{}`, expected `order`, `amplitude_n_m` and `phase_deg` only", table.header[i])));
+    let speed = table.optional("speed_rpm");
+    if let Some(i) = (0..table.header.len()).find(|i| ![order, amplitude, phase].contains(i) && speed != Some(*i)) {
+        let found = &table.header[i];
+        return Err(table.at(1, i, format!("found column `{found}`, expected `order`, `amplitude_n_m`, `phase_deg` and `speed_rpm` only")));
     }
     let step = 4 / strokes;
-    let mut harmonics: Vec<(Order, C64)> = Vec::new();
+    let mut speeds: Vec<(f64, Vec<(Order, C64)>)> = Vec::new();
     for (row, cells) in &rows {
         let twice = 2.0 * cells[order];
         let whole = twice.fract() == 0.0 && (1.0..=2000.0).contains(&twice) && (twice as u32).is_multiple_of(step);
@@ -111,15 +114,29 @@ pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<Vec<(Order, 
         if cells[amplitude] < 0.0 {
             return Err(table.at(*row, amplitude, format!("found {}, expected at least zero", cells[amplitude])));
         }
+        let at = speed.map_or(0.0, |s| cells[s]);
+        if let Some(column) = speed.filter(|_| at <= 0.0) {
+            return Err(table.at(*row, column, format!("found {at}, expected a speed above zero")));
+        }
+        let place = speeds.iter().position(|s| s.0 == at).unwrap_or_else(|| {
+            speeds.push((at, Vec::new()));
+            speeds.len() - 1
+        });
+        let harmonics = &mut speeds[place].1;
         let o = Order::from_twice(twice as u32);
         if harmonics.iter().any(|h| h.0 == o) {
             return Err(table.at(*row, order, format!("found order {o} a second time")));
         }
         harmonics.push((o, C64::from_polar(cells[amplitude], cells[phase] * RAD_PER_DEG)));
     }
-    if harmonics.is_empty() {
-        return Err(table.whole("found no row, expected at least one harmonic".into()));
+    speeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+    speeds.iter_mut().for_each(|s| s.1.sort_by_key(|h| h.0));
+    let Some((_, first)) = speeds.first() else { return Err(table.whole("found no row, expected at least one harmonic".into())) };
+    let harmonics = first.clone();
+    if let Some((other, _)) = speeds.iter().find(|s| !s.1.iter().map(|h| h.0).eq(harmonics.iter().map(|h| h.0))) {
+        return Err(table.whole(format!("found other orders at {other} rpm than at {} rpm, expected the same at every speed", speeds[0].0)));
     }
-    harmonics.sort_by_key(|h| h.0);
-    Ok(harmonics)
+    let varies = speed.is_some() && speeds.len() > 1;
+    let over_speed = speeds.into_iter().filter(|_| varies).map(|(s, list)| (s, list.into_iter().map(|h| h.1).collect())).collect();
+    Ok(HarmonicTable { harmonics, over_speed, masses: None })
 }

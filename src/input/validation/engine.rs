@@ -4,7 +4,9 @@ use super::named::table;
 use crate::engine::pressure::{Otto, Wiebe};
 use crate::engine::{Engine, Geometry, HarmonicTable, Kinematics, Layout, Pressure, RodModel, SliderCrank, Source};
 use crate::input::error::{At, Check};
-use crate::input::schema::engine::{RawCurve, RawEngine, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawWiebe};
+use crate::input::schema::engine::{
+    RawCurve, RawEngine, RawGeometry, RawKinematics, RawLayout, RawOtto, RawPressure, RawTorqueOf, RawWiebe,
+};
 use crate::input::tables;
 use crate::units::{M_PER_MM, PA_PER_BAR, RAD_PER_S_PER_RPM, W_PER_KW};
 use std::path::Path;
@@ -23,15 +25,20 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Opti
     let layout = layout(check, &raw.layout, 180.0 * f64::from(strokes));
     let geometry = raw.geometry.as_ref().map(|g| geometry(check, g.get_ref()));
     let source = match (raw.pressure.get_ref(), geometry) {
-        (RawPressure::Harmonics(file), None) => {
-            let harmonics = table(check, &file.file, folder, |path| tables::torque_harmonics(path, strokes))?;
-            Source::Harmonics(HarmonicTable { harmonics })
-        }
-        (RawPressure::Harmonics(_), Some(_)) => {
-            if let Some(geometry) = &raw.geometry {
-                check.wrong(geometry, "found [geometry] with torque harmonics, expected none: the table holds the whole torque of a throw");
+        (RawPressure::Harmonics(h), masses) => {
+            match (h.torque, &raw.geometry) {
+                (RawTorqueOf::Throw, Some(geometry)) => check.wrong_with_help(
+                    geometry,
+                    "found [geometry] with torque harmonics, expected none: the table holds the whole torque of a throw",
+                    "`torque = \"gas\"` in [pressure.harmonics] says that it holds the gas of one cylinder only: the masses are then added",
+                ),
+                (RawTorqueOf::Gas, None) => {
+                    check.wrong(&h.file, "found harmonics of the gas without [geometry], expected the masses whose torque is to be added");
+                }
+                _ => {}
             }
-            return None;
+            let read = table(check, &h.file, folder, |path| tables::torque_harmonics(path, strokes))?;
+            Source::Harmonics(HarmonicTable { masses, ..read })
         }
         (_, None) => {
             check.wrong(&raw.pressure, "found a cylinder pressure without [geometry], expected bore, crank, rod and masses");

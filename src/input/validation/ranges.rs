@@ -49,7 +49,7 @@ pub(crate) fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &
 pub(crate) fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine, limit: f64) {
     let some = match &engine.source {
         Source::Cylinder { .. } => !Order::up_to(limit, engine.strokes).is_empty(),
-        Source::Harmonics(table) => table.harmonics.iter().any(|(o, c)| o.value() <= limit && c.norm() > 0.0),
+        Source::Harmonics(table) => table.masses.is_some() || table.harmonics.iter().any(|(o, c)| o.value() <= limit && c.norm() > 0.0),
     };
     if !some {
         let message = format!("found no order of the torque up to {limit}, expected at least one that is not zero");
@@ -61,14 +61,16 @@ pub(crate) fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine,
 }
 
 pub(crate) fn check_range(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) {
-    let Source::Cylinder { pressure, .. } = &engine.source else { return };
-    let table = pressure.speeds_rpm();
+    let table = match &engine.source {
+        Source::Cylinder { pressure, .. } => pressure.speeds_rpm().to_vec(),
+        Source::Harmonics(table) => table.speeds_rpm(),
+    };
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
     if table.len() > 1 && (first < table[0] - 1e-9 || last > table[table.len() - 1] + 1e-9) {
         check.wrong(
             &study.speed_rpm,
             format!(
-                "found {first} to {last} rpm, expected a range within the pressure table of the engine, {} to {} rpm",
+                "found {first} to {last} rpm, expected a range within the torque or pressure table of the engine, {} to {} rpm",
                 table[0],
                 table[table.len() - 1]
             ),

@@ -3,6 +3,7 @@
 use super::exit::{DONE, fail, say};
 use super::progress::Bar;
 use crate::analysis::curves::{Curves, curves as compute};
+use crate::engine::Source;
 use crate::input;
 use crate::report::{Folder, text, write_curves};
 use std::path::{Path, PathBuf};
@@ -39,13 +40,21 @@ pub fn curves(arguments: &Arguments) -> u8 {
     if let Some(speed) = arguments.speed.iter().find(|s| !(low..=high).contains(*s)) {
         return fail(&format!("error: found --speed {speed}, expected a speed of the study, {low} to {high} rpm"));
     }
+    if let (Some(speed), Source::Harmonics(_)) = (arguments.speed.first(), &study.engine.source) {
+        return fail(&format!(
+            "error: found --speed {speed} for an engine whose torque comes from a table, expected none: it has no forces to show"
+        ));
+    }
+    let mut speeds = arguments.speed.clone();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
     let path = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_curves", study.name)));
     let folder = match Folder::create(&path) {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
     let bar = Bar::default();
-    let found = compute(&study, &arguments.speed, &bar);
+    let found = compute(&study, &speeds, &bar);
     drop(bar);
     let Curves { figures, holzer } = match found {
         Ok(curves) => curves,

@@ -46,18 +46,48 @@ fn shown(study: &Study) -> impl Iterator<Item = (usize, usize)> {
     study.modes.elastic().take(MODES).enumerate().map(|(i, mode)| (i + 1, mode))
 }
 
-/// The first modes over the stations; a node is where a link has no motion, counted in stations.
+/// Stations from each leaf to the first that another branch has, the longest way first.
+fn branches(study: &Study) -> Vec<Vec<usize>> {
+    let chain = &study.chain;
+    let last = chain.len() - 1;
+    let to_root = |leaf: usize| -> Vec<usize> { std::iter::successors(Some(leaf), |i| (*i < last).then(|| chain.next(*i))).collect() };
+    let leaves = (0..chain.len()).filter(|i| (0..*i).all(|j| chain.next(j) != *i));
+    let mut ways: Vec<Vec<usize>> = leaves.map(to_root).collect();
+    ways.sort_by_key(|way| std::cmp::Reverse(way.len()));
+    let mut seen = vec![false; chain.len()];
+    for way in &mut ways {
+        let own = way.iter().position(|i| seen[*i]).map_or(way.len(), |p| p + 1);
+        way.truncate(own);
+        way.iter().for_each(|i| seen[*i] = true);
+    }
+    ways
+}
+
+/// The first modes over the stations; a node is where a link has no motion, counted in stations; in a tree it is named by its link.
 pub(super) fn modes(study: &Study) -> Figure {
     let frequencies = study.modes.frequencies_hz();
     let one = |(number, mode): (usize, usize)| {
         let shape = shape(study, mode);
+        let chain = &study.chain;
+        // seen from the shaft of the station, through the gear
         let node = |i: usize| {
-            let next = study.chain.next(i);
-            (shape[i] * shape[next] < 0.0 && next == i + 1).then(|| (i + 1) as f64 + shape[i] / (shape[i] - shape[next]))
+            let after = shape[chain.next(i)] * chain.gear(i);
+            (shape[i] * after < 0.0).then(|| match chain.is_row() {
+                true => format!("{:.2}", (i + 1) as f64 + shape[i] / (shape[i] - after)),
+                false => chain.shaft_name(i),
+            })
         };
-        let nodes: Vec<String> = (0..shape.len() - 1).filter_map(node).map(|x| format!("{x:.2}")).collect();
-        let label = format!("{:.2} Hz, nodes at {}", frequencies[number - 1], nodes.join(", "));
-        let curves = vec![curve(label, (1..=shape.len()).map(|i| i as f64), shape.iter().copied())];
+        let nodes: Vec<String> = (0..shape.len() - 1).filter_map(node).collect();
+        let label =
+            format!("{:.2} Hz, nodes at {}", frequencies[number - 1], if nodes.is_empty() { "none".into() } else { nodes.join(", ") });
+        let of = |label: String, stations: &[usize]| {
+            curve(label, stations.iter().map(|i| (i + 1) as f64), stations.iter().map(|i| shape[*i]).collect::<Vec<f64>>())
+        };
+        let ways = branches(study);
+        let curves = ways.iter().enumerate().map(|(b, stations)| {
+            of(if b == 0 { label.clone() } else { format!("branch of {}", chain.stations[stations[0]].name) }, stations)
+        });
+        let curves = curves.collect();
         Panel { title: format!("mode {number}"), x: STATION, y: RELATIVE, curves, y_top: None }
     };
     Figure {

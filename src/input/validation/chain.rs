@@ -62,7 +62,11 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
         match (engine.reciprocating_inertia(), asked) {
             (Some(each), _) => {
                 let per_throw = each * engine.layout.rods_per_throw as f64;
-                stations.iter_mut().for_each(|s| s.inertia += per_throw * s.throws.len() as f64);
+                // by default inertias that are given hold what they hold
+                let taken = |s: &RawStation| asked.is_some() || s.inertia_kg_m2.is_none();
+                for (station, _) in stations.iter_mut().zip(&raw.station).filter(|(_, raw)| taken(raw)) {
+                    station.inertia += per_throw * station.throws.len() as f64;
+                }
             }
             (None, None) => {}
             (None, Some(asked)) => {
@@ -71,6 +75,16 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
         }
     }
     let mut chain = Chain { stations: super::tree::arrange(check, &raw.station, &derived, stations)? };
+    let ratios = chain.speed_ratios();
+    let other = |i: &usize| !chain.stations[*i].throws.is_empty() && ratios.as_ref().is_some_and(|r| r[*i] != 1.0);
+    let station = (0..chain.len()).find(other).map(|i| &chain.stations[i].name);
+    if let Some(s) = raw.station.iter().find(|s| Some(s.name.get_ref()) == station) {
+        let words = format!(
+            "found throws on shafts of different speeds, that of `{}` among them, expected no gear between throws",
+            s.name.get_ref()
+        );
+        check.wrong(&s.name, words);
+    }
     if let Some(damping) = raw.damping.as_ref().filter(|_| check.mistakes.is_empty()) {
         super::damping::apply(check, damping, &mut chain);
     }

@@ -69,6 +69,14 @@ pub(super) fn derive(
     stations: &mut [Station],
 ) -> Vec<bool> {
     let raw_crank = raw.crank.as_ref().map(|c| c.get_ref());
+    if raw_crank.is_some() && crank.is_none() && engine.is_some() {
+        // its mistakes have been reported, and what follows from it is open
+        for (s, station) in raw.station.iter().zip(stations.iter_mut()) {
+            station.inertia = s.inertia_kg_m2.as_ref().map_or(1.0, |given| check.positive(given));
+        }
+        let given = |s: &RawStation| s.stiffness_to_next_n_m_per_rad.is_some() || s.gear_ratio_to_next.is_some();
+        return raw.station.iter().enumerate().map(|(i, s)| !given(s) && i + 1 < raw.station.len()).collect();
+    }
     for (s, station) in raw.station.iter().zip(stations.iter_mut()) {
         station.inertia = match &s.inertia_kg_m2 {
             Some(given) => check.positive(given),
@@ -99,7 +107,17 @@ fn derived_inertia(check: &mut Check, s: &RawStation, engine: Option<&Engine>, c
     let rods = engine?.layout.rods_per_throw as f64 * geometry.rod_rotating_fraction() * geometry.rod_mass;
     let of_throw = |t: &usize| throw_inertia::throw_inertia(&crank.throw(*t), masses, rods);
     let throws: Vec<usize> = s.throws.iter().filter_map(|t| usize::try_from(*t.get_ref() - 1).ok()).collect();
-    Some(throws.iter().filter(|t| **t < crank.throws()).map(of_throw).sum())
+    let sum: f64 = throws.iter().filter(|t| **t < crank.throws()).map(of_throw).sum();
+    if sum <= 0.0 {
+        check.wrong(
+            &s.name,
+            format!(
+                "found an inertia of {sum:.4} kg m² for `{name}` from [crank], expected one above zero: its cuts take more than there is"
+            ),
+        );
+        return None;
+    }
+    Some(sum)
 }
 
 /// Whether the stiffness after a station was put in.
@@ -117,10 +135,18 @@ fn derived_stiffness(
         }
         return false;
     }
+    // a mesh without a stiffness of its own is rigid
+    if s.gear_ratio_to_next.is_some() && s.shaft_to_next.is_none() {
+        return false;
+    }
     let next = match &s.next {
         Some(next) => raw.station.iter().position(|other| other.name.get_ref() == next.get_ref()),
         None => (i + 1 < raw.station.len()).then_some(i + 1),
     };
+    if let (Some(shaft), None) = (&s.shaft_to_next, next) {
+        check.wrong(shaft, "found `shaft_to_next` on the last station, expected none");
+        return false;
+    }
     let shaft = s.shaft_to_next.as_ref().map(|list| steps(check, list.get_ref()));
     let formula = raw_crank.and_then(|c| c.stiffness_formula.as_ref());
     let throws: Vec<usize> =
@@ -130,6 +156,12 @@ fn derived_stiffness(
     let flexibility = match (crank, formula, throws.as_slice(), along) {
         (Some(crank), Some(formula), throws @ ([_, _] | [_]), along) if throws.len() == 2 || along.is_some() => {
             let own = ThrowFormula::from(*formula.get_ref());
+            if stations[i].throws.len() > 1 || next.is_some_and(|n| stations[n].throws.len() > 1) {
+                check.wrong(
+                    &s.name,
+                    "found several throws on a station whose link follows from dimensions, expected a station for each throw",
+                );
+            }
             let half = |t: &usize| {
                 let throw = crank.throw(*t);
                 if let Some(why) = own.out_of_range(&throw) {

@@ -45,15 +45,15 @@ pub(super) fn apply(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
 }
 
 fn over_speed(check: &mut Check, raw: &RawPartLoad) -> Load {
+    let before = check.mistakes.len();
     let speeds_rpm = check.ascending(&raw.speed_rpm);
-    let mut fraction: Vec<f64> = raw.fraction.get_ref().iter().map(|f| share_of_full_load(check, f)).collect();
+    let fraction: Vec<f64> = raw.fraction.get_ref().iter().map(|f| share_of_full_load(check, f)).collect();
     if fraction.len() != speeds_rpm.len() {
         let words = format!("found {} values, expected one for each of the {} speeds", fraction.len(), speeds_rpm.len());
         check.wrong(&raw.fraction, words);
-        // a mistake stops the study: these are never used
-        fraction.resize(speeds_rpm.len().max(1), 1.0);
     }
-    Load { speeds_rpm, fraction }
+    // a mistake stops the study: full load is as good as any other
+    if check.mistakes.len() > before { Load::constant(1.0) } else { Load { speeds_rpm, fraction } }
 }
 
 fn set<T>(check: &mut Check, at: &At<T>, engine: &mut Engine, load: &Load) {

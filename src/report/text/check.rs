@@ -17,6 +17,8 @@ const GROWTH: f64 = 0.35;
 /// A secondary resonance above this share of the largest one matters.
 const SECONDARY: f64 = 0.1;
 
+/// A friction below this share of the torque is rounding.
+const NEGLIGIBLE: f64 = 1e-6;
 /// Below this share nothing but rounding is left.
 const CANCELS: f64 = 1e-9;
 
@@ -89,6 +91,7 @@ fn engine(study: &Study) -> String {
 }
 
 fn chain(study: &Study) -> String {
+    let is_row = study.chain.is_row();
     let zero = |x: f64| if x == 0.0 { "-".to_owned() } else { significant(x, 5) };
     let rows: Vec<Vec<String>> = study
         .chain
@@ -96,7 +99,7 @@ fn chain(study: &Study) -> String {
         .iter()
         .map(|s| {
             let throws: Vec<String> = s.throws.iter().map(|t| (t + 1).to_string()).collect();
-            vec![
+            let mut row = vec![
                 s.name.clone(),
                 if throws.is_empty() { "-".into() } else { throws.join(" ") },
                 significant(s.inertia, 5),
@@ -105,11 +108,21 @@ fn chain(study: &Study) -> String {
                 zero(s.loss_factor_to_next),
                 zero(s.stiffness_to_ground),
                 zero(s.damping_to_ground),
-            ]
+            ];
+            // where a tree or a gear makes "next" another than the following one
+            if let (Some(joint), false) = (&s.joint, is_row) {
+                row.extend([study.chain.stations[joint.leads_to].name.clone(), significant(joint.gear, 4)]);
+            } else if !is_row {
+                row.extend(["following".to_owned(), "1".to_owned()]);
+            }
+            row
         })
         .collect();
-    let header =
-        ["station", "throws", "J/kg m²", "k next/N m/rad", "c next/N m s/rad", "loss next", "k ground/N m/rad", "c ground/N m s/rad"];
+    let mut header =
+        vec!["station", "throws", "J/kg m²", "k next/N m/rad", "c next/N m s/rad", "loss next", "k ground/N m/rad", "c ground/N m s/rad"];
+    if !is_row {
+        header.extend(["next", "gear"]);
+    }
     table(&header, &rows)
 }
 
@@ -196,7 +209,7 @@ fn pressure(study: &Study, excitation: &Excitation) -> String {
         .collect();
     let header = ["rpm", "indicated/bar", "peak/bar", "order 0/N m", "power/kW", "brake/N m", "friction/N m", "friction/bar"];
     let mut text = format!("Excitation, per speed of the pressure table:\n{}", table(&header, &rows));
-    if excitation.audit.iter().any(|a| audit::implied_friction(study, a).is_some_and(|f| f.0 < 0.0)) {
+    if excitation.audit.iter().any(|a| audit::implied_friction(study, a).is_some_and(|f| f.0 < -NEGLIGIBLE * a.mean_torque.abs())) {
         text.push_str(
             "  The friction is negative: the pressure delivers less than the brake torque. With `pressure_scale` below one the cycle is a\n  \
              reconstruction of the torque orders, not of the work.\n",

@@ -11,7 +11,11 @@ use crate::units::DEG_PER_RAD;
 pub(crate) fn reciprocating(study: &Study) -> Option<String> {
     let f = frequencies(study)?;
     let (each, share) = (significant(f.each, 4), 100.0 * (1.0 - f.with / f.without));
-    let said = if study.reciprocating.stated { "stated in the engine file" } else { "the default of inertias that are given" };
+    let said = match study.reciprocating {
+        r if r.stated => "stated in the engine file",
+        r if r.mean => "the default of inertias that follow from dimensions",
+        _ => "the default of inertias that are given",
+    };
     Some(if study.reciprocating.mean {
         format!("reciprocating_inertia = \"mean\" ({said}): {each} kg m² a cylinder are added, which lowers f1 by {share:.1} %")
     } else {

@@ -61,6 +61,9 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
         progress.step();
     }
     figures.extend(balance::balance(&study, speeds[speeds.len() - 1]));
+    if study.modes.elastic().next().is_some() {
+        figures.push(modes::campbell(&study, &system));
+    }
     figures.extend([modes::modes(&study), modes::phase_vectors(&study, &system), responses::spectrum(&study, &system)]);
     let of_study = |error| RunError { what: "a design".into(), error };
     let mut shafts = Vec::new();

@@ -1,13 +1,18 @@
 //! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
 
-use super::figure::{Axis, Figure, ORDER, Panel, curve};
+use super::figure::{Axis, Curve, Figure, ORDER, Panel, SPEED, curve};
+use crate::analysis::audit::{critical_speeds, largest_resonance};
 use crate::drivetrain::System;
 use crate::input::Study;
 use crate::numerics::C64;
+use crate::units::HZ_PER_RPM;
 
 const STATION: Axis = Axis { column: "station", label: "station" };
 const RELATIVE: Axis = Axis { column: "relative_amplitude", label: "relative amplitude" };
 const VECTOR_SUM: Axis = Axis { column: "vector_sum", label: "sum of phase vectors" };
+const FREQUENCY: Axis = Axis { column: "frequency_hz", label: "frequency / Hz" };
+/// Order lines shown: those with the largest resonances.
+const MOST_ORDERS: usize = 12;
 /// Modes shown.
 const MODES: usize = 4;
 
@@ -94,6 +99,32 @@ pub(super) fn modes(study: &Study) -> Figure {
         name: "modes".into(),
         title: format!("{}: mode shapes of the chain", study.engine.name),
         panels: shown(study).map(one).collect(),
+    }
+}
+
+/// Natural frequencies of the chain, and the order lines that meet one of them in the range of speeds: where a curve of an order ends, it meets the
+/// highest mode that it meets.
+pub(super) fn campbell(study: &Study, system: &System) -> Figure {
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let critical = critical_speeds(study, &system.excitation.orders);
+    let frequencies = study.modes.frequencies_hz();
+    let highest = critical.iter().map(|c| c.mode).max().unwrap_or(1).min(frequencies.len());
+    let mode = |(i, f): (usize, &f64)| curve(format!("mode {}", i + 1), [low, high], [*f, *f]);
+    let mut curves: Vec<Curve> = frequencies[..highest].iter().enumerate().map(mode).collect();
+    let meets = |n: &usize| largest_resonance(study, system, *n) > 0.0;
+    let mut orders: Vec<usize> = (0..system.orders()).filter(meets).collect();
+    orders.sort_by(|a, b| largest_resonance(study, system, *b).total_cmp(&largest_resonance(study, system, *a)));
+    orders.truncate(MOST_ORDERS);
+    orders.sort_unstable();
+    for order in orders.into_iter().map(|n| system.excitation.orders[n]) {
+        let end = critical.iter().filter(|c| c.order == order).map(|c| c.speed_rpm).fold(low, f64::max);
+        let line = curve(format!("order {order}"), [low, end], [low, end].map(|s| s * order.value() * HZ_PER_RPM));
+        curves.push(Curve { order: Some(order), ..line });
+    }
+    Figure {
+        name: "campbell".into(),
+        title: format!("{}: Campbell diagram of the chain", study.engine.name),
+        panels: vec![Panel { title: "natural frequencies and orders that resonate".into(), x: SPEED, y: FREQUENCY, curves, y_top: None }],
     }
 }
 

@@ -240,3 +240,35 @@ fn tangential_force_is_torque() {
         }
     }
 }
+
+/// Law: Lagrange's equation of a cylinder whose inertia is J + m r² sin² phi, with a small vibration put in. Independent: the whole nonlinear torque, its derivative by the
+/// size of the vibration by differences, analysed into orders: n + 2, n - 2, and n itself with the mean inertia.
+#[test]
+fn variable_inertia_couples_orders() {
+    use hartog::engine::varying_inertia::secondary_torque;
+    let (rest, dm, speed) = (0.03, 0.01, 200.0_f64);
+    for order in [3.0, 4.5, 6.0] {
+        // of I phi'' + I' phi'²/2 at crank angle a = Omega t, with theta = size cos(n a) about it
+        let torque = |a: f64, size: f64| {
+            let (angle, n) = (a + size * (order * a).cos(), order * speed);
+            let (rate, acceleration) = (speed - size * n * (order * a).sin(), -size * n * n * (order * a).cos());
+            let inertia = rest + dm * angle.sin().powi(2);
+            inertia * acceleration + dm * angle.sin() * angle.cos() * rate * rate
+        };
+        let (points, size) = (2880, 1e-4);
+        let component = |of: f64| {
+            let sum: f64 = (0..points)
+                .map(|j| {
+                    let a = 2.0 * std::f64::consts::TAU * f64::from(j) / f64::from(points);
+                    (torque(a, size) - torque(a, -size)) / (2.0 * size) * (of * a).cos()
+                })
+                .sum();
+            2.0 * sum / f64::from(points)
+        };
+        let scale = 0.5 * dm * speed * speed * order * order;
+        for (up, of) in [(true, order + 2.0), (false, order - 2.0)] {
+            assert_close(component(of), secondary_torque(0.5 * dm, speed, order, up), 0.0, 1e-5 * scale, &format!("order {order} to {of}"));
+        }
+        assert_close(component(order), -(rest + 0.5 * dm) * (order * speed).powi(2), 1e-5, 0.0, "the mean inertia");
+    }
+}

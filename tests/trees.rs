@@ -3,6 +3,8 @@
 use crate::support::{Kind, assert_close, on, one_throw};
 use hartog::Study;
 use hartog::absorber::Mounted;
+use hartog::analysis::Silent;
+use hartog::analysis::curves::curves;
 use hartog::drivetrain::{Chain, Joint, Modes, Station, System};
 use hartog::response::{Dense, Direct, Grid, Quantity, Receptance, Response, Work};
 use rand::{Rng, SeedableRng};
@@ -265,7 +267,35 @@ fn a_chain_from_a_table() {
     let table = read("a,0.02,1e5,1,0.03,,,\nb,0.05,3e5,,,,c,-2\nc,0.9,,,,2,,\n").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(table.chain, study(&written).unwrap_or_else(|e| panic!("{e}")).chain);
     let wrong = read("a,0.02,-1,1,0.03,,,\nb,0.05,,,,2,,\n").expect_err("negative");
-    assert!(wrong.contains("row 2, column `stiffness_to_next_n_m_per_rad`: found -1") || wrong.contains("found -1"), "{wrong}");
+    assert!(
+        wrong.contains("found -1, expected at least zero") && wrong.contains("row 2") && wrong.contains("stiffness_to_next"),
+        "{wrong}"
+    );
     let lost = read("a,0.02,1e5,1,0.03,,d,\nb,0.05,,,,2,,\n").expect_err("unknown");
     assert!(lost.contains("found `d`, no station of this file"), "{lost}");
+}
+
+/// Law: Holzer's table closes on a tree with gears, too: each link carries its stiffness times its twist, nothing is left behind the root; and a node is where the
+/// angle changes its sign as seen through the gear.
+#[test]
+fn holzer_closes_on_a_tree() {
+    let text = station("a", 0.02, "throws = [1]\nnext = \"b\"\nstiffness_to_next_n_m_per_rad = 1e5")
+        + &station("b", 0.05, "next = \"c\"\nstiffness_to_next_n_m_per_rad = 3e5")
+        + &station("c", 0.9, "")
+        + &station("d", 0.01, "next = \"b\"\ngear_ratio_to_next = -2\nstiffness_to_next_n_m_per_rad = 2e4");
+    let study = study(&text).unwrap_or_else(|e| panic!("{e}"));
+    let found = curves(&study, &[], &Silent).expect("curves");
+    let largest = found.holzer.iter().map(|r| r.sum.abs()).fold(0.0, f64::max);
+    assert!(largest > 0.0);
+    for r in &found.holzer {
+        let carried = if r.station == "c" { 0.0 } else { r.stiffness * r.twist };
+        assert_close(r.sum, carried, 1e-9, 1e-9 * largest, &format!("mode {}, {}", r.mode, r.station));
+    }
+    let modes = found.figures.iter().find(|f| f.name == "modes").expect("modes");
+    assert_eq!(modes.panels.len(), 3);
+    for (number, panel) in modes.panels.iter().enumerate() {
+        // mode n of a tree has n nodes
+        let label = &panel.curves[0].label;
+        assert_eq!(label.split("nodes at ").nth(1).expect("nodes").split(", ").count(), number + 1, "{label}");
+    }
 }

@@ -75,5 +75,11 @@ fn at(study: &Study, system: &System, point: DutyPoint, design: &[Mounted]) -> R
     let synthesiser = Synthesiser::new(&system.excitation.harmonics);
     let half = |i: usize| synthesiser.extremes(&phasors[i]).half_peak_to_peak;
     let power = |i: usize| direct.power_of_twist(design, i, point.speed_rpm, &phasors[1 + shafts + i]);
-    Ok(DutyResult { point, twist: half(0), torque: (1..=shafts).map(half).fold(0.0, f64::max), power: (0..design.len()).map(power).sum() })
+    Ok(DutyResult {
+        point,
+        twist: half(0),
+        torque: (1..=shafts).map(half).fold(0.0, f64::max),
+        // an empty sum would be -0
+        power: (0..design.len()).map(power).fold(0.0, |sum, p| sum + p),
+    })
 }

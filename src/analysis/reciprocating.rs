@@ -1,13 +1,11 @@
 //! What a linear chain leaves out of the reciprocating masses: the part of their inertia that varies with twice the crank angle.
 //!
-//! A cylinder has the inertia m r² sin² phi, phi from its dead centre: half of m r² on the average, less dI cos 2 phi with dI as large. With
-//! I theta'' + I' Omega theta' + I'' Omega² theta/2 on the left, a motion theta_n e^{i n Omega t} of its throw asks for a torque of the orders
-//! n + 2 and n - 2, -dI Omega² ((n ± 1)² + 1)/2 theta_n e^{∓2 i psi}, where psi is the crank angle of its dead centre: where such an order
-//! resonates while order n is large, a secondary resonance \[Pasricha & Carnegie 1976\]. The estimate takes theta_n from the linear model, and the
-//! resonance as one mode with its own damping.
+//! A motion of order n asks for torques of the orders n + 2 and n - 2 (see `engine::varying_inertia`), turned by e^{∓2 i psi} where psi is the crank angle
+//! of a cylinder's dead centre: where such an order resonates while order n is large, a secondary resonance \[Pasricha & Carnegie 1976\]. The estimate
+//! takes the motion from the linear model, and the resonance as one mode with its own damping.
 
 use crate::drivetrain::System;
-use crate::engine::Order;
+use crate::engine::{Order, varying_inertia};
 use crate::input::Study;
 use crate::numerics::C64;
 use crate::response::{Dense, Grid, Quantity};
@@ -104,12 +102,14 @@ fn partners(system: &System, order: Order) -> Vec<usize> {
 fn secondary_torque(study: &Study, system: &System, (from, to): (usize, Order), speed_rpm: f64, variation: f64) -> Option<Vec<C64>> {
     let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
     let n = system.excitation.orders[from].value();
-    let up = if to.value() > n { 1.0 } else { -1.0 };
-    let size = -0.5 * variation * shaft_speed * shaft_speed * ((n + up).powi(2) + 1.0);
+    let up = to.value() > n;
+    // on the right of the equation of motion
+    let size = -varying_inertia::secondary_torque(variation, shaft_speed, n, up);
+    let turn = if up { -2.0 } else { 2.0 };
     let (_, theta) = Dense::new(system, &Grid::new(&[speed_rpm], &[])).angles(&[], from, speed_rpm).ok()?;
     let on = |i: usize| {
         let cylinders = system.chain.stations[i].throws.iter().flat_map(|t| study.engine.layout.firing_on_throw(*t));
-        let turned: C64 = cylinders.map(|deg| C64::cis(-up * 2.0 * deg * RAD_PER_DEG)).sum();
+        let turned: C64 = cylinders.map(|deg| C64::cis(turn * deg * RAD_PER_DEG)).sum();
         turned * theta[i] * size
     };
     Some((0..system.chain.len()).map(on).collect())

@@ -95,19 +95,11 @@ impl Chain {
 
     /// Elastic twist between two stations, referred to the crankshaft: angle over speed ratio of the one less that of the other.
     pub(crate) fn between(&self, from: usize, to: usize) -> Difference {
-        if !self.is_geared() {
-            return Difference { from, to: Some((to, 1.0)), scale: 1.0 };
-        }
-        let (a, b) = (self.speed_ratio(from), self.speed_ratio(to));
+        let (a, b) = self.speed_ratios().map_or((1.0, 1.0), |ratios| (ratios[from], ratios[to]));
         Difference { from, to: Some((to, a / b)), scale: 1.0 / a }
     }
 
-    /// Speed of a station over that of the crankshaft (of the first station where there is no throw).
-    pub(crate) fn speed_ratio(&self, station: usize) -> f64 {
-        self.speed_ratios().map_or(1.0, |ratios| ratios[station])
-    }
-
-    /// The same of every station; nothing without gears.
+    /// Speed of every station over that of the crankshaft (of the first station where there is no throw); nothing without gears.
     pub(crate) fn speed_ratios(&self) -> Option<Vec<f64>> {
         if !self.is_geared() {
             return None;

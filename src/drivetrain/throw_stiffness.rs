@@ -8,7 +8,8 @@
 //! - Carter: (b + 0.8 h)/D_j⁴ + 0.75 a/D_p⁴ + 1.5 R/(h W³).
 //! - Zimanenko: (b + 0.6 h D_j/b)/D_j⁴ + (0.8 a + 0.2 W D_j/R)/D_p⁴ + R sqrt(R/D_p)/(h W³).
 //!
-//! \[Nestorides 1958\] chapter 2 has them side by side. Beside them a bracket without any fit: pin and journal as long as they are between the webs, each web
+//! They are quoted as in the literature after \[Nestorides 1958\] chapter 2; their coefficients have not been checked against a printed copy, and no worked
+//! example of them was found. Beside them a bracket without any fit: pin and journal as long as they are between the webs, each web
 //! a beam of length R in bending, (3 pi/8) (1/(1 + nu)) R/(h W³) for both; what joins them is taken as rigid, bearings hold nothing.
 
 use std::f64::consts::PI;

@@ -44,9 +44,12 @@ impl Engine {
     }
 
     /// Mean inertia of the reciprocating masses of a cylinder, kg m²: half of m r² (the part that varies with twice the crank angle is as large)
-    /// \[Ker Wilson 1956\] chapter 4. Nothing where the torque comes from a table.
+    /// \[Ker Wilson 1956\]. Nothing where the torque of a whole throw comes from a table.
     pub fn reciprocating_inertia(&self) -> Option<f64> {
-        let Source::Cylinder { geometry, .. } = &self.source else { return None };
+        let geometry = match &self.source {
+            Source::Cylinder { geometry, .. } => geometry,
+            Source::Harmonics(table) => table.masses.as_ref()?,
+        };
         Some(0.5 * geometry.oscillating_mass() * geometry.slider_crank.crank_radius.powi(2))
     }
 

@@ -1,8 +1,10 @@
-//! Shear force, bending moment and torque along the crank when each of its throws is loaded most.
+//! Loads of the main bearings over the cycle; shear force, bending moment and torque along the crank when each of its throws is loaded most.
 
-use super::figure::{Axis, Curve, FORCE, Figure, MOMENT, Panel, TORQUE};
-use crate::crankshaft::loads::CrankModel;
+use super::cylinder::STRIDE;
+use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, curve};
+use crate::crankshaft::loads::{self, CrankModel};
 use crate::input::Study;
+use crate::units::DEG_PER_RAD;
 
 const PLACE: Axis = Axis { column: "place_mm", label: "place along the crank / mm" };
 /// mm in a m.
@@ -23,7 +25,7 @@ pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
         let j = worst(t);
         let (v, m) = loads.along(j, t);
         let named = |points: &[(f64, f64)]| Curve {
-            label: format!("throw {} at {:.0}°", t + 1, loads.theta[j].to_degrees()),
+            label: format!("throw {} at {:.0}°", t + 1, loads.theta[j] * DEG_PER_RAD),
             order: None,
             points: points.iter().map(|(x, y)| (x * MM, *y)).collect(),
         };
@@ -52,5 +54,23 @@ pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
             panel("bending moment across it", MOMENT, across),
             panel("torque of the throws before a place, without vibration", TORQUE, torque),
         ],
+    })
+}
+
+/// Size of the force on every main bearing at a speed; nothing without `[crank]`.
+pub(super) fn bearings(study: &Study, speed_rpm: f64) -> Option<Figure> {
+    let crank = study.crank.as_ref()?;
+    let model = CrankModel::new(study.engine_of_crank(), crank)?;
+    let loaded = model.at(speed_rpm);
+    let every = STRIDE / loads::STRIDE;
+    let angles = || loaded.theta.iter().step_by(every).map(|t| t * DEG_PER_RAD);
+    let forces: Vec<Vec<[f64; 2]>> = (0..loaded.theta.len()).step_by(every).map(|j| loaded.bearing_forces(j)).collect();
+    let numbers = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
+    let size = |i: usize, b: usize| curve(format!("bearing {}", b + 1), angles(), forces.iter().map(move |f| f[i][0].hypot(f[i][1])));
+    let curves = numbers.enumerate().map(|(i, b)| size(i, b)).collect();
+    Some(Figure {
+        name: format!("bearings_{speed_rpm}"),
+        title: format!("{}: loads of the main bearings at {speed_rpm} rpm", study.engine.name),
+        panels: vec![Panel { title: "the crank a continuous beam".into(), x: CRANK_DEG, y: FORCE, curves, y_top: None }],
     })
 }

@@ -1,9 +1,8 @@
-//! Pressure over crank angle and over swept volume; forces and torque of a cylinder, of the throws and of the main bearings.
+//! Pressure over crank angle and over swept volume; forces and torque of a cylinder and of the throws.
 
 use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, TORQUE, curve};
-use crate::crankshaft::loads::CrankModel;
 use crate::engine::cycle::Cycle;
-use crate::engine::forces::{UnitForces, gas_torque, unit_forces};
+use crate::engine::forces::{UnitForces, friction_torque, gas_torque, inertia_torque_per_omega2, unit_forces};
 use crate::engine::pressure::sample_angle;
 use crate::engine::{Geometry, Pressure, Source};
 use crate::input::Study;
@@ -72,6 +71,8 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let n = unit.len();
     let of = |label: &str, f: &dyn Fn(usize) -> f64| curve(label, degrees(n), (0..n).map(f));
     let gas = |j: usize| gas_torque(geometry, moments[j].pressure, moments[j].theta);
+    let masses = |j: usize| inertia_torque_per_omega2(geometry, moments[j].theta) * moments[j].omega.powi(2);
+    let friction = |j: usize| friction_torque(geometry, moments[j]);
     let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None };
     Some(Figure {
         name: format!("forces_{speed_rpm}"),
@@ -98,7 +99,7 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
             panel(
                 "torque on the crank",
                 TORQUE,
-                vec![of("all", &|j| unit[j].torque), of("gas", &gas), of("moving masses", &|j| unit[j].torque - gas(j))],
+                vec![of("all", &|j| unit[j].torque), of("gas", &gas), of("moving masses", &masses), of("liner friction", &friction)],
             ),
         ],
     })
@@ -115,23 +116,5 @@ pub(super) fn torque(study: &Study, speed_rpm: f64) -> Option<Figure> {
         name: format!("torque_{speed_rpm}"),
         title: format!("{}: torque on the crank at {speed_rpm} rpm", study.engine.name),
         panels: vec![panel("each throw", throws), panel("all throws", vec![total])],
-    })
-}
-
-/// Size of the force on every main bearing at a speed; nothing without `[crank]`.
-pub(super) fn bearings(study: &Study, speed_rpm: f64) -> Option<Figure> {
-    let crank = study.crank.as_ref()?;
-    let model = CrankModel::new(study.engine_of_crank(), crank)?;
-    let loads = model.at(speed_rpm);
-    let every = STRIDE / crate::crankshaft::loads::STRIDE;
-    let angles = || loads.theta.iter().step_by(every).map(|t| t * DEG_PER_RAD);
-    let forces: Vec<Vec<[f64; 2]>> = (0..loads.theta.len()).step_by(every).map(|j| loads.bearing_forces(j)).collect();
-    let numbers = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
-    let size = |i: usize, b: usize| curve(format!("bearing {}", b + 1), angles(), forces.iter().map(move |f| f[i][0].hypot(f[i][1])));
-    let curves = numbers.enumerate().map(|(i, b)| size(i, b)).collect();
-    Some(Figure {
-        name: format!("bearings_{speed_rpm}"),
-        title: format!("{}: loads of the main bearings at {speed_rpm} rpm", study.engine.name),
-        panels: vec![Panel { title: "the crank a continuous beam".into(), x: CRANK_DEG, y: FORCE, curves, y_top: None }],
     })
 }

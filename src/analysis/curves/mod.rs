@@ -56,7 +56,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));
         figures.extend(cylinder::torque(&study, *speed));
-        figures.extend(cylinder::bearings(&study, *speed));
+        figures.extend(crank_loads::bearings(&study, *speed));
         figures.extend(crank_loads::crank_loads(&study, *speed));
         progress.step();
     }

@@ -1,7 +1,9 @@
 //! The crank's dimensions in an engine file.
 
+use super::word::word;
+use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::input::error::At;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -33,13 +35,14 @@ pub(crate) struct RawCrank {
     pub assumed: Vec<At<String>>,
 }
 
-#[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawFormula {
-    KerWilson,
-    Carter,
-    Zimanenko,
-    Bracket,
+/// A formula by its word.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RawFormula(pub ThrowFormula);
+
+impl<'de> Deserialize<'de> for RawFormula {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        word(deserializer, ThrowFormula::ALL, ThrowFormula::name).map(Self)
+    }
 }
 
 #[derive(Debug, Deserialize)]

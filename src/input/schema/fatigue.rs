@@ -1,10 +1,9 @@
 //! The fatigue table of a study.
 
+use super::word::word;
 use crate::crankshaft::MarginCriterion;
 use crate::input::error::At;
-use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::fmt::Formatter;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -30,25 +29,7 @@ pub(crate) struct RawCriterion(pub MarginCriterion);
 
 impl<'de> Deserialize<'de> for RawCriterion {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_str(Word)
-    }
-}
-
-/// Takes the word itself, so that a mistake is found where it stands.
-struct Word;
-
-impl Visitor<'_> for Word {
-    type Value = RawCriterion;
-
-    fn expecting(&self, f: &mut Formatter) -> std::fmt::Result {
-        f.write_str("a criterion by its name")
-    }
-
-    fn visit_str<E: Error>(self, word: &str) -> Result<RawCriterion, E> {
-        MarginCriterion::all().find(|c| c.name() == word).map(RawCriterion).ok_or_else(|| {
-            let words: Vec<String> = MarginCriterion::all().map(|c| format!("`{}`", c.name())).collect();
-            E::custom(format_args!("unknown variant `{word}`, expected one of {}", words.join(", ")))
-        })
+        word(deserializer, MarginCriterion::all(), MarginCriterion::name).map(Self)
     }
 }
 

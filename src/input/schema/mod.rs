@@ -6,3 +6,4 @@ pub mod engine;
 pub mod fatigue;
 pub mod material;
 pub mod study;
+mod word;

@@ -70,7 +70,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
             }
             (None, None) => {}
             (None, Some(asked)) => {
-                check.wrong(asked, "found `mean` with torque harmonics, expected it with [geometry], which has the masses")
+                check.wrong(asked, "found `mean` with harmonics of a whole throw, expected it with [geometry], which has the masses")
             }
         }
     }

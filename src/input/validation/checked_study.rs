@@ -91,7 +91,7 @@ pub struct Study {
     pub calibrate: Option<CalibrateSpec>,
     /// Dimensions of the crank, where the engine file has them.
     pub crank: Option<Crank>,
-    /// The engine whose pressure bends the crank, where it is not that of the excitation.
+    /// The engine whose pressure bends the crank, where it is not that of the excitation: as in the file, whatever is fitted.
     pub crank_engine: Option<Engine>,
     /// Points at which the engine runs, with their shares of the time.
     pub duty: Vec<DutyPoint>,

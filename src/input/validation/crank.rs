@@ -93,7 +93,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         unbalance: raw.unbalance_kg_m.as_ref().map_or(0.0, |u| check.not_negative(u))
             - raw.counterweight_kg_m.as_ref().map_or(0.0, |c| check.not_negative(c)),
         masses: raw.masses.as_ref().map(|m| derived_chain::masses(check, m)),
-        stiffness_formula: raw.stiffness_formula.as_ref().map(|f| (*f.get_ref()).into()),
+        stiffness_formula: raw.stiffness_formula.as_ref().map(|f| f.get_ref().0),
         assumed: Vec::new(),
     };
     if let (Some(masses), None, None) = (&crank.masses, &raw.unbalance_kg_m, &raw.counterweight_kg_m) {

@@ -1,27 +1,16 @@
 //! Inertias and stiffnesses of stations that the file leaves to the dimensions of the crank.
 
 use crate::crankshaft::Crank;
-use crate::drivetrain::throw_stiffness::{Step, ThrowFormula, shear_modulus, stepped_shaft, stiffness};
+use crate::drivetrain::throw_stiffness::{Step, shear_modulus, stepped_shaft, stiffness};
 use crate::drivetrain::{Station, throw_inertia};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
-use crate::input::schema::crank::{RawCrank, RawFormula, RawMasses, RawRing, RawStep};
+use crate::input::schema::crank::{RawCrank, RawMasses, RawRing, RawStep};
 use crate::input::schema::engine::{RawEngine, RawStation};
 use crate::units::{M_PER_MM, RAD_PER_DEG};
 
 /// Of steel, GPa.
 pub(super) const YOUNG_MODULUS: f64 = 206.0;
-
-impl From<RawFormula> for ThrowFormula {
-    fn from(raw: RawFormula) -> Self {
-        match raw {
-            RawFormula::KerWilson => Self::KerWilson,
-            RawFormula::Carter => Self::Carter,
-            RawFormula::Zimanenko => Self::Zimanenko,
-            RawFormula::Bracket => Self::Bracket,
-        }
-    }
-}
 
 /// Masses that the file describes beside the dimensions of the crank.
 pub(super) fn masses(check: &mut Check, raw: &RawMasses) -> throw_inertia::Masses {
@@ -155,7 +144,7 @@ fn derived_stiffness(
     let along = shaft.as_ref().map(|steps| 1.0 / stepped_shaft(steps, modulus));
     let flexibility = match (crank, formula, throws.as_slice(), along) {
         (Some(crank), Some(formula), throws @ ([_, _] | [_]), along) if throws.len() == 2 || along.is_some() => {
-            let own = ThrowFormula::from(*formula.get_ref());
+            let own = formula.get_ref().0;
             if stations[i].throws.len() > 1 || next.is_some_and(|n| stations[n].throws.len() > 1) {
                 check.wrong(
                     &s.name,
@@ -171,7 +160,7 @@ fn derived_stiffness(
             };
             Some(throws.iter().map(half).sum::<f64>() + along.unwrap_or(0.0))
         }
-        (_, None, [], Some(along)) | (_, Some(_), [], Some(along)) => Some(along),
+        (_, _, [], Some(along)) => Some(along),
         (_, None, [_, ..], Some(_)) => {
             if let Some(list) = &s.shaft_to_next {
                 check.wrong(list, "found a shaft beside a throw without `stiffness_formula` in [crank], expected it: half of the throw is part of the link");

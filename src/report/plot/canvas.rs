@@ -155,6 +155,19 @@ pub(crate) fn clipped(points: impl Iterator<Item = (f64, f64)>, top: f64) -> Vec
     pieces
 }
 
+/// Colour of an order, the same in every plot: the palette twice, the second time darker.
+pub(crate) fn of_order(order: crate::engine::Order) -> RGBColor {
+    let twice = (2.0 * order.value()) as usize;
+    let RGBColor(r, g, b) = COLOURS[twice % COLOURS.len()];
+    let darker = |c: u8| if twice / COLOURS.len() % 2 == 1 { (u16::from(c) * 11 / 20) as u8 } else { c };
+    RGBColor(darker(r), darker(g), darker(b))
+}
+
+/// Width of a legend with these labels.
+pub(crate) fn legend_width<'a>(labels: impl Iterator<Item = &'a str>) -> u32 {
+    px(44 + 7 * labels.map(|l| l.chars().count()).max().unwrap_or(0) as u32).max(px(150))
+}
+
 /// Entries of a legend in a column of its own, so that it covers no curve.
 pub(crate) fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
     for (i, (label, style)) in entries.iter().enumerate() {

@@ -5,21 +5,14 @@ use crate::analysis::curves::{Curve, Figure, Panel};
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 
-/// Width of a figure, height of a panel, and room for the legend.
+/// Width of a figure and height of a panel.
 const WIDTH: u32 = 960;
 const HEIGHT: u32 = 290;
-const LEGEND: u32 = 250;
 
 /// A curve of an order has the colour of that order in every plot; others go by their place.
 fn style(curve: &Curve, place: usize) -> ShapeStyle {
     match curve.order {
-        Some(order) => {
-            // twice the palette: the second time darker
-            let twice = (2.0 * order.value()) as usize;
-            let RGBColor(r, g, b) = COLOURS[twice % COLOURS.len()];
-            let darker = |c: u8| if twice / COLOURS.len() % 2 == 1 { (u16::from(c) * 11 / 20) as u8 } else { c };
-            line(RGBColor(darker(r), darker(g), darker(b)), 14)
-        }
+        Some(order) => line(canvas::of_order(order), 14),
         None if curve.label.starts_with("all ") => line(BLACK, 20),
         None => line(COLOURS[place % COLOURS.len()], 15),
     }
@@ -35,8 +28,8 @@ fn range(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
-fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
-    let (left, side) = area.split_horizontally(area.dim_in_pixel().0 - px(LEGEND));
+fn panel(area: &canvas::Area, panel: &Panel, legend: u32) -> Drawn {
+    let (left, side) = area.split_horizontally(area.dim_in_pixel().0 - legend);
     let all = || panel.curves.iter().flat_map(|c| &c.points);
     let ((x0, x1), (y0, y1)) = (range(all().map(|p| p.0), 0.0), range(all().map(|p| p.1).chain([0.0, panel.y_top.unwrap_or(0.0)]), 0.05));
     let mut chart = ChartBuilder::on(&left)
@@ -70,10 +63,12 @@ pub(crate) fn figure(figure: &Figure, folder: &Folder) -> Result<(), WriteError>
     let most = figure.panels.iter().map(|p| p.curves.len()).max().unwrap_or(0) as u32;
     let each = HEIGHT.max(40 + 19 * most);
     let count = figure.panels.len();
+    // as wide for all panels: their axes line up
+    let legend = canvas::legend_width(figure.panels.iter().flat_map(|p| &p.curves).map(|c| c.label.as_str()));
     canvas::save(folder, &figure.name, (WIDTH, 36 + each * count as u32), |area| {
         let titled = canvas::titled(area, &figure.title)?;
         for (area, one) in titled.split_evenly((count, 1)).iter().zip(&figure.panels) {
-            panel(area, one)?;
+            panel(area, one, legend)?;
         }
         Ok(())
     })

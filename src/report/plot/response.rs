@@ -19,7 +19,8 @@ struct Curve<'a> {
 }
 
 fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &[Curve], top: f64) -> Drawn {
-    let (left, right) = area.split_horizontally(area.dim_in_pixel().0 - px(150));
+    let width = canvas::legend_width(curves.iter().map(|c| c.label.as_str()));
+    let (left, right) = area.split_horizontally(area.dim_in_pixel().0 - width);
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
     let mut chart = ChartBuilder::on(&left)
@@ -45,13 +46,12 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) -> Vec<Curve<'a>> {
-    let order = |(i, &n): (usize, &usize)| Curve {
-        label: format!("order {}", results.system.excitation.orders[n]),
-        values: &quantity.orders[n],
-        style: line(COLOURS[i % COLOURS.len()], 14),
+    let order = |&n: &usize| {
+        let order = results.system.excitation.orders[n];
+        Curve { label: format!("order {order}"), values: &quantity.orders[n], style: line(canvas::of_order(order), 14) }
     };
     let total = Curve { label: "all orders".into(), values: &quantity.total, style: line(BLACK, 22) };
-    orders.iter().enumerate().map(order).chain(std::iter::once(total)).collect()
+    orders.iter().map(order).chain(std::iter::once(total)).collect()
 }
 
 /// Twist and hub amplitude of one design.
@@ -67,8 +67,10 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
         crate::response::Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground".into(), name)),
         _ => String::new(),
     };
-    let top = canvas::round_up(largest(&twist.total));
-    let hub_top = canvas::round_up(largest(&hub.total).min(CUT * largest(&twist.total)));
+    // one scale for all designs
+    let of_all = |quantity: usize| results.sweeps.iter().map(|s| largest(&s.quantities[quantity].total)).fold(0.0, f64::max);
+    let top = canvas::round_up(of_all(0));
+    let hub_top = canvas::round_up(of_all(1).min(CUT * of_all(0)));
     let cut = if hub_top < largest(&hub.total) { " (rigid rolling at low speed cut off)" } else { "" };
     // the twist again, with a cylinder misfiring, the absorber locked, the absorber lost
     let others: Vec<Curve> = sweep

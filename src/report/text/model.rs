@@ -1,11 +1,12 @@
 //! What a study assumes of its engine, a line each: said wherever results are.
 
 use super::table::{significant, table};
-use crate::analysis::Results;
 use crate::analysis::reciprocating::frequencies;
+use crate::analysis::{DutyOfDesign, Results};
 use crate::engine::{Pressure, Source};
 use crate::input::Study;
 use crate::units::DEG_PER_RAD;
+use std::fmt::Write;
 
 /// Whether the chain holds the mean inertia of the reciprocating masses, and what that does; nothing where the torque comes from a table.
 pub(crate) fn reciprocating(study: &Study) -> Option<String> {
@@ -41,18 +42,24 @@ pub(crate) fn crank_pressure(study: &Study) -> Option<String> {
 /// The designs over the duty; empty without one.
 pub(crate) fn duty(results: &Results) -> String {
     let Some(first) = results.duty.first() else { return String::new() };
-    let point = |p: &crate::analysis::DutyResult| {
-        format!("{} rpm, {:.0} % load, {:.0} %", p.point.speed_rpm, 100.0 * p.point.load_fraction, 100.0 * p.point.share)
+    let numbers: Vec<String> = (1..=first.points.len()).map(|n| format!("point {n}")).collect();
+    let header: Vec<&str> = ["design", "mean heat/W"].into_iter().chain(numbers.iter().map(String::as_str)).collect();
+    let row = |d: &DutyOfDesign| -> Vec<String> {
+        let twists = d.points.iter().map(|p| significant(p.twist * DEG_PER_RAD, 4));
+        [d.design.clone(), significant(d.mean_power(), 3)].into_iter().chain(twists).collect()
     };
-    let points: Vec<String> = first.points.iter().map(point).collect();
-    let header: Vec<&str> = ["design", "mean heat/W"].into_iter().chain(points.iter().map(String::as_str)).collect();
-    let rows: Vec<Vec<String>> = results
-        .duty
-        .iter()
-        .map(|d| {
-            let twists = d.points.iter().map(|p| significant(p.twist * DEG_PER_RAD, 4));
-            [d.design.clone(), significant(d.mean_power(), 3)].into_iter().chain(twists).collect()
-        })
-        .collect();
-    format!("Duty: twist/° at each point (speed, load, share of the time), heat of the absorbers over all:\n{}", table(&header, &rows))
+    let rows: Vec<Vec<String>> = results.duty.iter().map(row).collect();
+    let mut text = format!("Duty: twist/° at each point, mean heat of the absorbers over all:\n{}", table(&header, &rows));
+    for (n, r) in first.points.iter().enumerate() {
+        let p = r.point;
+        let _ = writeln!(
+            text,
+            "  point {}: {} rpm, {:.0} % of full load, {:.0} % of the time",
+            n + 1,
+            p.speed_rpm,
+            100.0 * p.load_fraction,
+            100.0 * p.share
+        );
+    }
+    text
 }

@@ -1,0 +1,34 @@
+//! A value by its word, where the words stand with the values themselves.
+
+use serde::Deserializer;
+use serde::de::{Error, Visitor};
+use std::fmt::Formatter;
+
+/// One of `all` by its name. The word is taken by a visitor, so that a mistake is found where it stands.
+pub(super) fn word<'de, T: Copy, D: Deserializer<'de>>(
+    deserializer: D,
+    all: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> Result<T, D::Error> {
+    deserializer.deserialize_str(Word { all: all.into_iter().collect(), name })
+}
+
+struct Word<T> {
+    all: Vec<T>,
+    name: fn(T) -> &'static str,
+}
+
+impl<T: Copy> Visitor<'_> for Word<T> {
+    type Value = T;
+
+    fn expecting(&self, f: &mut Formatter) -> std::fmt::Result {
+        f.write_str("a word")
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
+        self.all.iter().copied().find(|value| (self.name)(*value) == word).ok_or_else(|| {
+            let words: Vec<String> = self.all.iter().map(|value| format!("`{}`", (self.name)(*value))).collect();
+            E::custom(format_args!("unknown variant `{word}`, expected one of {}", words.join(", ")))
+        })
+    }
+}

@@ -21,15 +21,23 @@ fn misfiring(study: &Study, cylinder: usize) -> Excitation {
     e.misfiring(&study.engine, cylinder, &change)
 }
 
-/// Independent: the torque of every throw summed in time from one motored and otherwise firing cylinders has the order amplitudes of the
-/// excitation. Firing angles are multiples of the sampling, so the sum is exact.
+fn unequal(study: &Study, scatter: &[f64]) -> Excitation {
+    let e = Excitation::new(&study.engine, study.order_limit);
+    let change = e.motored_change(&study.engine).expect("a cylinder");
+    e.unequal(&study.engine, scatter, &change)
+}
+
+/// Independent: the torque of every throw summed in time from its cylinders, each motored plus a share of what burning adds (none: it misfires),
+/// has the order amplitudes of the excitation. Firing angles are multiples of the sampling, so the sum is exact.
 #[test]
-fn misfire_is_a_motored_cylinder() {
+fn a_misfire_is_a_motored_cylinder_and_others_burn_unequally() {
     for name in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let s = study(name);
         let Source::Cylinder { geometry, pressure } = &s.engine.source else { panic!("a cylinder") };
         let (n, cylinders) = (samples(4), s.engine.layout.firing_deg.len());
         let (index, cylinder) = (1, 3);
+        let one_misfires: Vec<f64> = (0..cylinders).map(|c| if c == cylinder { -1.0 } else { 0.0 }).collect();
+        let scattered: Vec<f64> = (0..cylinders).map(|c| 0.07 * (1.0 + 3.0 * c as f64).sin()).collect();
         let speed = pressure.speeds_rpm()[index];
         let omega2 = (speed * RAD_PER_S_PER_RPM).powi(2);
         let torque = |trace: Vec<f64>| -> Vec<f64> {
@@ -38,19 +46,40 @@ fn misfire_is_a_motored_cylinder() {
         };
         let fired = torque(pressure.trace(index, geometry, 4, cylinders));
         let motored = torque(pressure.motored(index, geometry, 4));
-        let e = misfiring(&s, cylinder);
-        for throw in 0..s.engine.layout.throws() {
-            let mut sum = vec![0.0; n];
-            for unit in throw * s.engine.layout.rods_per_throw..(throw + 1) * s.engine.layout.rods_per_throw {
-                let shift = (s.engine.layout.firing_deg[unit] * 10.0).round() as usize;
-                let own = if unit == cylinder { &motored } else { &fired };
-                (0..n).for_each(|j| sum[(j + shift) % n] += own[j]);
-            }
-            for (o, c) in harmonics::analyse(&sum, &e.harmonics).iter().enumerate() {
-                assert!((e.throw_torque(throw, o, speed) - c).norm() < 1e-8 * fired[400].abs(), "{name} throw {throw} {}", e.orders[o]);
+        for (e, scatter) in [(misfiring(&s, cylinder), &one_misfires), (unequal(&s, &scattered), &scattered)] {
+            for throw in 0..s.engine.layout.throws() {
+                let mut sum = vec![0.0; n];
+                let rods = s.engine.layout.rods_per_throw;
+                for (unit, share) in scatter.iter().enumerate().filter(|(unit, _)| unit / rods == throw) {
+                    let shift = (s.engine.layout.firing_deg[unit] * 10.0).round() as usize;
+                    (0..n).for_each(|j| sum[(j + shift) % n] += motored[j] + (1.0 + share) * (fired[j] - motored[j]));
+                }
+                for (o, c) in harmonics::analyse(&sum, &e.harmonics).iter().enumerate() {
+                    assert!((e.throw_torque(throw, o, speed) - c).norm() < 1e-8 * fired[400].abs(), "{name} throw {throw} {}", e.orders[o]);
+                }
             }
         }
     }
+}
+
+/// Theory: a study whose only cylinder that differs does not burn comes to the same response as a misfire of that cylinder; one whose cylinders
+/// differ by nothing to that of the engine as it should be.
+#[test]
+fn unequal_cylinders_between_firing_and_misfire() {
+    let design = |conditions: &[Condition], scatter: Option<Vec<f64>>| {
+        let mut s = study("villalva_i6_thesis");
+        (s.optimise, s.front, s.conditions, s.scatter) = (None, None, conditions.to_vec(), scatter);
+        s.designs.truncate(2);
+        analysis::run(&s, &Silent).expect("damped").designs.swap_remove(1)
+    };
+    let misfire = design(&[Condition::Misfire], None);
+    let worst = misfire.conditions[0].cylinder.expect("one misfires");
+    let only = |share: f64| Some((0..6).map(|c| if c == worst { share } else { 0.0 }).collect());
+    let unequal = |share| design(&[Condition::UnequalCylinders], only(share)).conditions[0].objective;
+    assert_close(unequal(-1.0), misfire.conditions[0].objective, 1e-12, 0.0, "a misfire");
+    assert_close(unequal(0.0), misfire.objective.expect("firing"), 1e-12, 0.0, "all alike");
+    let (some, more) = (unequal(-0.3), unequal(-0.6));
+    assert!((some - more).abs() > 1e-3 * more, "{some} {more}");
 }
 
 /// Theory: the torque of the whole engine has the orders at which all firing phases add up, multiples of 3 in the six and of 2.5 in the V10

@@ -1,6 +1,7 @@
-//! A design in a load case with a fault: a cylinder misfires, the absorber is locked or lost.
+//! A design in a load case with a fault: a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
 
 use super::RunError;
+use super::systems::engines_in;
 use super::wanted::{Wanted, asked, shafts};
 use crate::absorber::Mounted;
 use crate::objective::{Condition, Measure, Over, Peak, PeakFinder};
@@ -24,8 +25,8 @@ pub struct ConditionResult {
     pub limits: Vec<f64>,
 }
 
-/// Evaluates a design in every condition of the study that makes a difference to it. `finders`: of the engine as it should be, then with each
-/// cylinder misfiring.
+/// Evaluates a design in every condition of the study that makes a difference to it. `finders`: of the engine as it should be, then of those whose
+/// cylinders differ.
 ///
 /// # Errors
 /// [`RunError`] where nothing damps a resonance, with the condition.
@@ -37,8 +38,8 @@ pub(crate) fn in_conditions(
     work: &mut Work,
 ) -> Result<Vec<ConditionResult>, RunError> {
     let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };
-    let one = |condition: Condition, cylinder: Option<usize>| -> Result<(ConditionResult, Work), ResponseError> {
-        let finder = &finders[cylinder.map_or(0, |c| c + 1)];
+    let one = |condition: Condition, finder: &PeakFinder| -> Result<(ConditionResult, Work), ResponseError> {
+        let cylinder = finder.system.excitation.units.misfiring();
         let (design, mut work) = (condition.absorbers(design), Work::default());
         let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure { quantities, over: Over::Synthesis }, &mut work);
         let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
@@ -50,13 +51,12 @@ pub(crate) fn in_conditions(
     for &condition in wanted.conditions {
         let found: Vec<(ConditionResult, Work)> = match condition {
             Condition::Firing => continue,
-            Condition::Misfire => (1..finders.len())
-                .into_par_iter()
-                .map(|f| one(condition, Some(f - 1)))
-                .collect::<Result<_, _>>()
-                .map_err(|e| failed(condition, e))?,
             Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
-            Condition::AbsorberLocked | Condition::AbsorberLost => vec![one(condition, None).map_err(|e| failed(condition, e))?],
+            Condition::Misfire | Condition::UnequalCylinders | Condition::AbsorberLocked | Condition::AbsorberLost => {
+                let engines: Vec<&PeakFinder> = engines_in(condition, finders).collect();
+                let found = engines.into_par_iter().map(|finder| one(condition, finder)).collect::<Result<_, _>>();
+                found.map_err(|e| failed(condition, e))?
+            }
         };
         found.iter().for_each(|f| *work += f.1);
         let limits = (0..wanted.limits.len()).map(|l| found.iter().map(|f| f.0.limits[l]).fold(0.0, f64::max)).collect();

@@ -9,7 +9,7 @@ use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
 use super::sweeps::{self, Sweeps};
-use super::systems::{appearing, systems};
+use super::systems::{appearing, engines_in, systems};
 use super::timing::Clock;
 use super::wanted::Wanted;
 use super::{Progress, RunError, Silent, calibrate, cost, families};
@@ -124,7 +124,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         [q] if study.objective.is_twist => Some(Classifier::new(&systems[0], *q).floor(&finders[0], study.objective.measure.over)),
         _ => None,
     };
-    let appearing = systems.get(1).map_or_else(Vec::new, |misfiring| appearing(&systems[0].excitation, &misfiring.excitation));
+    let appearing = appearing(&systems);
     let method = methods[0].name();
     drop(load_cases);
     drop(finders);
@@ -226,9 +226,8 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.
 fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
-    let of = if condition == Condition::Misfire { &finders[1..] } else { &finders[..1] };
-    let cylinder = |i| (condition == Condition::Misfire).then_some(i);
-    of.iter().enumerate().map(|(i, finder)| LoadCase { condition, cylinder: cylinder(i), finder }).collect()
+    let load_case = |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder };
+    engines_in(condition, finders).map(load_case).collect()
 }
 
 /// The study's method; receptances are tabulated for what is searched.

@@ -1,7 +1,9 @@
 //! Response of a design over the speeds of the study, for tables and plots.
 
 use super::ConditionResult;
+use super::systems::engines_in;
 use crate::absorber::Mounted;
+use crate::engine::Units;
 use crate::numerics::C64;
 use crate::objective::{Condition, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
@@ -27,6 +29,12 @@ pub struct Sweeps {
     pub design: String,
     /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, then the twist in each condition.
     pub quantities: Vec<QuantitySweep>,
+}
+
+/// The engine of a condition, with the cylinder misfiring that is worst.
+fn finder_of<'a, 'f>(finders: &'f [PeakFinder<'a>], c: &ConditionResult) -> &'f PeakFinder<'a> {
+    let units = |f: &&PeakFinder| f.system.excitation.units.misfiring() == c.cylinder;
+    engines_in(c.condition, finders).find(units).unwrap_or(&finders[0])
 }
 
 /// Computes the sweeps of a design on `grid` (the study's own speeds).
@@ -71,13 +79,13 @@ pub fn sweeps(
         }
     }
     for c in conditions {
-        let finder = &finders[c.cylinder.map_or(0, |c| c + 1)];
+        let finder = finder_of(finders, c);
         let mut phasors = Vec::new();
         Direct::new(finder.system, grid).sweep(&c.condition.absorbers(design), twist, &mut phasors, work)?;
         let total = finder.synthesis(&phasors).iter().map(|v| v * degrees).collect();
         let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
-        // a misfire brings orders of its own
-        let kept = if c.cylinder.is_some() { (0..orders).map(per_order).collect() } else { Vec::new() };
+        // cylinders that differ bring orders of their own
+        let kept = if finder.system.excitation.units != Units::Equal { (0..orders).map(per_order).collect() } else { Vec::new() };
         quantities.push(QuantitySweep {
             name: format!("twist_{}_deg", c.condition.name()),
             condition: Some(c.condition),

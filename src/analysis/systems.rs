@@ -1,31 +1,44 @@
-//! The systems of a study: its engine firing, and misfiring.
+//! The systems of a study: its engine firing, misfiring, and with cylinders that burn unequally.
 
 use crate::drivetrain::System;
 use crate::engine::{Excitation, Order};
 use crate::input::Study;
 use crate::numerics::C64;
-use crate::objective::Condition;
+use crate::objective::{Condition, PeakFinder};
 
 /// A sum of torques below this share of one of them is rounding.
 const SILENT: f64 = 1e-9;
 /// An order appears where it is at least this share.
 const LOUD: f64 = 1e-6;
 
-/// The engine as it should be, then with each cylinder misfiring where the study asks for it.
+/// The engine as it should be, then, where the study asks for it, with each cylinder misfiring and with its scatter of combustion.
 pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
+    let engine = &study.engine;
+    let asked = |condition| study.conditions.contains(&condition);
+    let mut unlike = Vec::new();
+    if (asked(Condition::Misfire) || asked(Condition::UnequalCylinders))
+        && let Some(change) = excitation.motored_change(engine)
+    {
+        if asked(Condition::Misfire) {
+            unlike.extend((0..engine.layout.firing_deg.len()).map(|cylinder| excitation.misfiring(engine, cylinder, &change)));
+        }
+        if let Some(scatter) = study.scatter.as_ref().filter(|_| asked(Condition::UnequalCylinders)) {
+            unlike.push(excitation.unequal(engine, scatter, &change));
+        }
+    }
     let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
-    let misfires = study.conditions.contains(&Condition::Misfire);
-    let change = misfires.then(|| excitation.motored_change(&study.engine)).flatten();
-    let cylinders = 0..change.as_ref().map_or(0, |_| study.engine.layout.firing_deg.len());
-    let misfiring = cylinders
-        .zip(std::iter::repeat(&change))
-        .filter_map(|(c, change)| change.as_ref().map(|change| with(excitation.misfiring(&study.engine, c, change))));
-    let misfiring: Vec<System> = misfiring.collect();
-    std::iter::once(with(excitation)).chain(misfiring).collect()
+    std::iter::once(excitation).chain(unlike).map(with).collect()
 }
 
-/// Orders whose torques of all throws together cancel while every cylinder fires, and do not with one that misfires.
-pub fn appearing(firing: &Excitation, misfiring: &Excitation) -> Vec<Order> {
+/// The engines of a condition among all of a study.
+pub(crate) fn engines_in<'a, 'f>(condition: Condition, finders: &'f [PeakFinder<'a>]) -> impl Iterator<Item = &'f PeakFinder<'a>> {
+    finders.iter().filter(move |f| condition.is_with(f.system.excitation.units))
+}
+
+/// Orders whose torques of all throws together cancel while every cylinder fires, and do not with the first one that misfires.
+pub(crate) fn appearing(systems: &[System]) -> Vec<Order> {
+    let firing = &systems[0].excitation;
+    let Some(misfiring) = systems.iter().map(|s| &s.excitation).find(|e| e.units.misfiring().is_some()) else { return Vec::new() };
     let speed = firing.tabulated_rpm.first().copied().unwrap_or(1.0);
     let whole = |e: &Excitation, n: usize| (0..e.throws()).map(|t| e.throw_torque(t, n, speed)).sum::<C64>().norm();
     let unit = (0..firing.orders.len()).map(|n| firing.unit_torque(n, speed).norm()).fold(0.0, f64::max);

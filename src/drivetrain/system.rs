@@ -46,19 +46,30 @@ impl System {
         for (out, phase) in out.iter_mut().zip(&self.phases[order]) {
             *out = unit * phase;
         }
-        if let Some((throw, change)) = self.excitation.misfire_torque(order, speed_rpm)
-            && let Some(station) = self.chain.stations.iter().position(|s| s.throws.contains(&throw))
-        {
-            out[station] += change;
+        for (throw, change) in self.excitation.changes(order, speed_rpm) {
+            if let Some(station) = self.station_of(throw) {
+                out[station] += change;
+            }
         }
     }
 
     /// Torques at one speed.
     pub(crate) fn torques(&self, speed_rpm: f64) -> Torques<'_> {
         let units = self.excitation.unit_torques(speed_rpm);
-        let misfire = (0..self.orders()).filter_map(|n| self.excitation.misfire_torque(n, speed_rpm)).collect::<Vec<_>>();
-        let station = misfire.first().and_then(|m| self.chain.stations.iter().position(|s| s.throws.contains(&m.0)));
-        Torques { system: self, units, misfire: station.map(|s| (s, misfire.into_iter().map(|m| m.1).collect())) }
+        let mut changes: Vec<(usize, Vec<C64>)> = Vec::new();
+        for order in 0..self.orders() {
+            for (index, (throw, change)) in self.excitation.changes(order, speed_rpm).enumerate() {
+                if order == 0 {
+                    changes.push((self.station_of(throw).unwrap_or(usize::MAX), Vec::new()));
+                }
+                changes[index].1.push(change);
+            }
+        }
+        Torques { system: self, units, changes }
+    }
+
+    fn station_of(&self, throw: usize) -> Option<usize> {
+        self.chain.stations.iter().position(|s| s.throws.contains(&throw))
     }
 
     /// Firing phases summed at every station: the torque per unit torque, where every unit fires.
@@ -72,8 +83,8 @@ pub(crate) struct Torques<'a> {
     system: &'a System,
     /// Of one firing unit, N m.
     units: Vec<C64>,
-    /// Station of a misfiring unit, and what it adds there, N m.
-    misfire: Option<(usize, Vec<C64>)>,
+    /// Stations of units that differ, and what they add there, N m.
+    changes: Vec<(usize, Vec<C64>)>,
 }
 
 impl Torques<'_> {
@@ -81,8 +92,8 @@ impl Torques<'_> {
     pub fn each(&self, order: usize, mut put: impl FnMut(usize, C64)) {
         for &station in &self.system.loaded {
             let phase = self.system.phases[order][station];
-            let missing = self.misfire.as_ref().filter(|m| m.0 == station).map_or(C64::ZERO, |m| m.1[order]);
-            put(station, self.units[order] * phase + missing);
+            let change: C64 = self.changes.iter().filter(|c| c.0 == station).map(|c| c.1[order]).sum();
+            put(station, self.units[order] * phase + change);
         }
     }
 }

@@ -22,12 +22,33 @@ pub struct Audit {
     pub brake_torque: Option<f64>,
 }
 
-/// A unit that compresses and expands without burning.
+/// How the units of an engine differ from each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// All alike.
+    Equal,
+    /// One (from 0) compresses and expands without burning.
+    Misfiring(usize),
+    /// Each burns with its own share.
+    Unequal,
+}
+
+impl Units {
+    /// The unit (from 0) that misfires.
+    pub fn misfiring(self) -> Option<usize> {
+        match self {
+            Self::Misfiring(cylinder) => Some(cylinder),
+            Self::Equal | Self::Unequal => None,
+        }
+    }
+}
+
+/// What units that differ add to the torque of a throw.
 #[derive(Debug, Clone, PartialEq)]
-struct Misfire {
+struct Change {
     throw: usize,
-    /// Change of the torque of the throw at each tabulated speed (one row) and order, N m.
-    change: Vec<Vec<C64>>,
+    /// At each tabulated speed (one row) and order, N m.
+    torque: Vec<Vec<C64>>,
 }
 
 /// Torque of a motored unit less that of a firing one, by tabulated speed and order, N m.
@@ -49,8 +70,10 @@ pub struct Excitation {
     inertia: Vec<C64>,
     /// Sum of the firing phases of the units on each throw (one row) for each order.
     phases: Vec<Vec<C64>>,
-    /// What a unit that does not fire changes.
-    misfire: Option<Misfire>,
+    /// How the units differ.
+    pub units: Units,
+    /// What those that differ change, throw by throw.
+    changes: Vec<Change>,
     /// One row a tabulated speed.
     pub audit: Vec<Audit>,
 }
@@ -96,7 +119,8 @@ impl Excitation {
             inertia: orders.iter().map(|o| inertia.iter().find(|i| i.0 == *o).map_or(ZERO, |i| i.1)).collect(),
             phases: (0..engine.layout.throws()).map(|t| phases(&units(t), &orders)).collect(),
             audit: Vec::new(),
-            misfire: None,
+            units: Units::Equal,
+            changes: Vec::new(),
             orders,
         }
     }
@@ -116,10 +140,36 @@ impl Excitation {
     /// The same engine with `cylinder` (from 0) misfiring. The others keep their load.
     #[must_use]
     pub fn misfiring(&self, engine: &Engine, cylinder: usize, change: &MotoredChange) -> Self {
+        let torque = self.of_cylinder(engine, cylinder, 1.0, change);
+        let changes = vec![Change { throw: cylinder / engine.layout.rods_per_throw, torque }];
+        Self { units: Units::Misfiring(cylinder), changes, ..self.clone() }
+    }
+
+    /// The same engine whose cylinders burn unequally: what burning adds to the torque of a motored cylinder is larger by `scatter` (one share a
+    /// cylinder; -1 is a misfire).
+    ///
+    /// # Panics
+    /// Where `scatter` has another length than the engine has cylinders.
+    #[must_use]
+    pub fn unequal(&self, engine: &Engine, scatter: &[f64], change: &MotoredChange) -> Self {
+        assert_eq!(scatter.len(), engine.layout.firing_deg.len(), "one share a cylinder");
+        let rods = engine.layout.rods_per_throw;
+        let changes = scatter.chunks(rods).enumerate().map(|(throw, shares)| {
+            let mut torque = vec![vec![ZERO; self.orders.len()]; change.0.len()];
+            for (rod, share) in shares.iter().enumerate() {
+                let of_cylinder = self.of_cylinder(engine, throw * rods + rod, -share, change);
+                torque.iter_mut().flatten().zip(of_cylinder.iter().flatten()).for_each(|(sum, c)| *sum += c);
+            }
+            Change { throw, torque }
+        });
+        Self { units: Units::Unequal, changes: changes.collect(), ..self.clone() }
+    }
+
+    /// A share of the change from firing to motored, at the firing angle of a cylinder.
+    fn of_cylinder(&self, engine: &Engine, cylinder: usize, share: f64, change: &MotoredChange) -> Vec<Vec<C64>> {
         let phase = phases(&[engine.layout.firing_deg[cylinder]], &self.orders);
-        let at_angle = |row: &Vec<C64>| row.iter().zip(&phase).map(|(c, p)| c * p).collect();
-        let misfire = Misfire { throw: cylinder / engine.layout.rods_per_throw, change: change.0.iter().map(at_angle).collect() };
-        Self { misfire: Some(misfire), ..self.clone() }
+        let at_angle = |row: &Vec<C64>| row.iter().zip(&phase).map(|(c, p)| c * p * share).collect();
+        change.0.iter().map(at_angle).collect()
     }
 
     fn from_cylinder(engine: &Engine, order_limit: f64) -> Self {
@@ -152,7 +202,8 @@ impl Excitation {
             harmonics,
             gas,
             audit,
-            misfire: None,
+            units: Units::Equal,
+            changes: Vec::new(),
         }
     }
 
@@ -190,9 +241,9 @@ impl Excitation {
         table[i][order] + (table[i + 1][order] - table[i][order]) * fraction
     }
 
-    /// The throw (from 0) of a misfiring unit, and what it adds to the torque of that throw, N m.
-    pub(crate) fn misfire_torque(&self, order: usize, speed_rpm: f64) -> Option<(usize, C64)> {
-        self.misfire.as_ref().map(|m| (m.throw, self.between(&m.change, order, speed_rpm)))
+    /// What units that differ add to the torque of their throws (from 0), N m.
+    pub(crate) fn changes(&self, order: usize, speed_rpm: f64) -> impl Iterator<Item = (usize, C64)> {
+        self.changes.iter().map(move |c| (c.throw, self.between(&c.torque, order, speed_rpm)))
     }
 
     /// Sum of the firing phases of the units on `throw` (from 0) at the order of index `order`.
@@ -202,8 +253,8 @@ impl Excitation {
 
     /// Complex torque amplitude of a throw, N m.
     pub fn throw_torque(&self, throw: usize, order: usize, speed_rpm: f64) -> C64 {
-        let firing = self.unit_torque(order, speed_rpm) * self.phases[throw][order];
-        self.misfire_torque(order, speed_rpm).filter(|m| m.0 == throw).map_or(firing, |m| firing + m.1)
+        let equal = self.unit_torque(order, speed_rpm) * self.phases[throw][order];
+        self.changes(order, speed_rpm).filter(|c| c.0 == throw).fold(equal, |sum, c| sum + c.1)
     }
 }
 

@@ -12,7 +12,7 @@ pub mod order;
 pub mod pressure;
 pub mod varying_inertia;
 pub use definition::{Engine, Source};
-pub use excitation::Excitation;
+pub use excitation::{Excitation, Units};
 pub use geometry::{Geometry, RodModel};
 pub use harmonic_table::HarmonicTable;
 pub use kinematics::{Kinematics, SliderCrank};

@@ -1,6 +1,7 @@
-//! Conditions an absorber is judged in: everything works, a cylinder misfires, the absorber is locked or lost.
+//! Conditions an absorber is judged in: everything works, a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
 
 use crate::absorber::{Absorber, Host, Mounted};
+use crate::engine::Units;
 
 /// State of engine and absorbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -9,6 +10,8 @@ pub enum Condition {
     Firing,
     /// One cylinder, any of them, compresses and expands without burning.
     Misfire,
+    /// The cylinders burn as unequally as the study says.
+    UnequalCylinders,
     /// The rings turn with their hubs: a seized damper, or a spring far too stiff.
     AbsorberLocked,
     /// The rings are gone; the hubs stay.
@@ -21,8 +24,18 @@ impl Condition {
         match self {
             Self::Firing => "firing",
             Self::Misfire => "misfire",
+            Self::UnequalCylinders => "unequal_cylinders",
             Self::AbsorberLocked => "absorber_locked",
             Self::AbsorberLost => "absorber_lost",
+        }
+    }
+
+    /// The engine of this condition is one whose units are like these.
+    pub(crate) fn is_with(self, units: Units) -> bool {
+        match self {
+            Self::Misfire => matches!(units, Units::Misfiring(_)),
+            Self::UnequalCylinders => units == Units::Unequal,
+            Self::Firing | Self::AbsorberLocked | Self::AbsorberLost => units == Units::Equal,
         }
     }
 
@@ -34,7 +47,7 @@ impl Condition {
             Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },
         };
         match self {
-            Self::Firing | Self::Misfire => design.to_vec(),
+            Self::Firing | Self::Misfire | Self::UnequalCylinders => design.to_vec(),
             Self::AbsorberLocked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
             Self::AbsorberLost => design.iter().map(lost).collect(),
         }

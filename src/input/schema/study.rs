@@ -16,6 +16,7 @@ pub(crate) struct RawStudy {
     #[serde(default)]
     pub duty: Vec<RawDuty>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
+    pub scatter: Option<At<RawScatter>>,
     #[serde(default)]
     pub response: RawResponse,
     #[serde(default)]
@@ -36,8 +37,15 @@ pub(crate) struct RawStudy {
 pub(crate) enum RawCondition {
     Firing,
     Misfire,
+    UnequalCylinders,
     AbsorberLocked,
     AbsorberLost,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawScatter {
+    pub combustion: At<Vec<At<f64>>>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -85,6 +85,8 @@ pub struct Study {
     pub front: Option<FrontSpec>,
     /// Conditions every design is evaluated in; firing always is.
     pub conditions: Vec<Condition>,
+    /// Of each cylinder in the condition of unequal ones: the share by which burning adds more to its torque.
+    pub scatter: Option<Vec<f64>>,
     /// Tables to compare with.
     pub published: Option<Published>,
     /// Inputs to fit to them.

@@ -182,6 +182,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let front = optimise::front(check, study, optimise.as_ref(), &base.chain, &modes);
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, &base.engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
+    let scatter = optimise::scatter(check, study, &base.engine, &conditions);
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
     if study.design.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
@@ -213,6 +214,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         optimise,
         front,
         conditions,
+        scatter,
         published,
         calibrate,
         crank: base.crank,

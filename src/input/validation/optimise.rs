@@ -95,21 +95,48 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
         let condition = match raw.get_ref() {
             RawCondition::Firing => Condition::Firing,
             RawCondition::Misfire => Condition::Misfire,
+            RawCondition::UnequalCylinders => Condition::UnequalCylinders,
             RawCondition::AbsorberLocked => Condition::AbsorberLocked,
             RawCondition::AbsorberLost => Condition::AbsorberLost,
         };
-        if condition == Condition::Misfire && matches!(engine.source, Source::Harmonics(_)) {
-            check.wrong(raw, "found `misfire` with torque harmonics of whole throws, expected it with a cylinder pressure only");
+        let name = condition.name();
+        if matches!(condition, Condition::Misfire | Condition::UnequalCylinders) && matches!(engine.source, Source::Harmonics(_)) {
+            check.wrong(raw, format!("found `{name}` with torque harmonics of whole throws, expected it with a cylinder pressure only"));
         }
         if conditions.contains(&condition) {
-            check.wrong(raw, format!("found condition `{}` a second time, expected each once", condition.name()));
+            check.wrong(raw, format!("found condition `{name}` a second time, expected each once"));
         }
         conditions.push(condition);
     }
     if conditions.is_empty() {
-        check.wrong(list, "found an empty list, expected at least one condition: firing, misfire, absorber_locked, absorber_lost");
+        check.wrong(
+            list,
+            "found an empty list, expected at least one condition: firing, misfire, unequal_cylinders, absorber_locked, absorber_lost",
+        );
     }
     conditions
+}
+
+/// Shares by which cylinders burn more or less than the others; needed by the condition that uses it, and by nothing else.
+pub(super) fn scatter(check: &mut Check, study: &RawStudy, engine: &Engine, conditions: &[Condition]) -> Option<Vec<f64>> {
+    let is_used = conditions.contains(&Condition::UnequalCylinders);
+    let Some(raw) = &study.scatter else {
+        let lists = study.conditions.iter().chain(study.optimise.iter().flat_map(|o| &o.conditions));
+        if let Some(unequal) = lists.flat_map(|l| l.get_ref()).find(|c| *c.get_ref() == RawCondition::UnequalCylinders) {
+            check.wrong(unequal, "found `unequal_cylinders` without [scatter], expected a share for each cylinder in `combustion` there");
+        }
+        return None;
+    };
+    if !is_used {
+        check.wrong(raw, "found [scatter], which no condition uses, expected `unequal_cylinders` among the `conditions`");
+    }
+    let list = &raw.get_ref().combustion;
+    let (found, cylinders) = (list.get_ref().len(), engine.layout.firing_deg.len());
+    if found != cylinders {
+        check.wrong(list, format!("found {found} values, expected one for each of the {cylinders} cylinders"));
+    }
+    let expected = "a share from -1 (a misfire) to 1: 0.05 burns 5 % more than the others";
+    Some(list.get_ref().iter().map(|share| check.within(share, -1.0..=1.0, expected)).collect())
 }
 
 pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
@@ -138,9 +165,9 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, cha
     }
     let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
     if let Some(list) = &raw.conditions
-        && !conditions.iter().any(|c| matches!(c, Condition::Firing | Condition::Misfire))
+        && conditions.iter().all(|c| matches!(c, Condition::AbsorberLocked | Condition::AbsorberLost))
     {
-        check.wrong(list, "found no condition in which an absorber works, expected `firing` or `misfire` among them");
+        check.wrong(list, "found no condition in which an absorber works, expected `firing`, `misfire` or `unequal_cylinders` among them");
     }
     Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions })
 }

@@ -60,6 +60,7 @@
 //! | [`response`] | response methods, one file each, in frequency and in time; power |
 //! | [`fatigue`] | criteria of mean stress (Goodman and others), endurance factors, class rules, multiaxial criteria |
 //! | [`crankshaft`] | the crank as a beam on its bearings, stress concentration, critical locations and their margins |
+//! | [`sizing`] | piston pin, connecting rod and crank from operating data; the rounds that make them agree |
 //! | [`objective`] | measures, conditions, the search of peaks over speed with their gradients, surrogates for searches |
 //! | [`optimise`] | problem, variables, starts, gradient-free search, minimax, front |
 //! | [`input`] | schema, validation (where a TOML key is checked), tables, errors: the only place that reads files |
@@ -75,6 +76,7 @@
 //! - \[Andrew 1979\] A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, *Inf. Process. Lett.* 9, 216.
 //! - \[Asami 2017\] T. Asami, Optimal design of double-mass dynamic vibration absorbers arranged in series or in parallel, *J. Vib. Acoust.* 139,
 //!   011015.
+//! - \[Bhandari 2010\] V. B. Bhandari, *Design of Machine Elements*, 3rd ed., chapter 25.
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
 //! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2, 3.3 and 5.7.
@@ -96,12 +98,13 @@
 //! - \[Nestorides 1958\] E. J. Nestorides, *A Handbook on Torsional Vibration*, BICERA, chapter 2.
 //! - \[Pasricha & Carnegie 1976\] M. S. Pasricha, W. D. Carnegie, Effects of variable inertia on the damped torsional vibrations of diesel engine
 //!   systems, *J. Sound Vib.* 46, 339.
-//! - \[Fialho & Almeida 2019\] the thesis behind slider-crank sizing, section 2.3: endurance factors and notch sensitivity.
-//! - \[Norton 2013\] R. L. Norton, *Machine Design*, 4th ed., chapter 6.
+//! - \[Fialho & Almeida 2019\] the thesis behind slider-crank sizing: endurance factors, notch sensitivity, sections of pin, rod and crank.
+//! - \[Norton 2013\] R. L. Norton, *Machine Design*, 4th ed., chapters 6 and 10, appendix C.
 //! - \[Shigley 2004\] J. E. Shigley, C. R. Mischke, R. G. Budynas, *Mechanical Engineering Design*, 7th ed., section 6-12.
 //! - \[Minucci 2010\] the dissertation on multiaxial fatigue of crankshafts, chapter 4.
 //! - \[Papadopoulos et al. 1997\] I. V. Papadopoulos, P. Davoli, C. Gorla, M. Filippini, A. Bernasconi, A comparative study of multiaxial high-cycle
 //!   fatigue criteria for metals, *Int. J. Fatigue* 19, 219.
+//! - \[Timoshenko 1956\] S. Timoshenko, *Strength of Materials*, part I, 3rd ed., chapter 12.
 //! - \[Villalva 2014\] the dissertation behind CrankLab, chapters 3 to 6: geometry, chains, absorbers and tables of the shipped engines.
 
 #![deny(missing_docs)]
@@ -120,6 +123,7 @@ pub mod objective;
 pub mod optimise;
 pub mod report;
 pub mod response;
+pub mod sizing;
 pub mod units;
 pub mod validation;
 

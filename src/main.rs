@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, run};
+use hartog::cli::{chart, check, compare, curves, fatigue, run, size};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -31,6 +31,8 @@ enum Command {
     Curves(curves::Arguments),
     /// Judge stress histories by eleven multiaxial fatigue criteria.
     Fatigue(fatigue::Arguments),
+    /// Size piston pin, connecting rod and crank from operating data, and write the engine and study that follow.
+    Size(size::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -41,5 +43,6 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Curves(arguments) => curves::curves(&arguments),
         Command::Fatigue(arguments) => fatigue::fatigue(&arguments),
+        Command::Size(arguments) => size::size(&arguments),
     })
 }

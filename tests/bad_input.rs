@@ -178,3 +178,23 @@ fn files_that_are_not_there_or_not_text() {
         assert!(text.contains(words), "{text}");
     }
 }
+
+/// Sizing files of `hartog size`: `sizing/*.toml`; `sizing.toml` itself is right. Nothing is printed, and nothing is left behind but an empty folder.
+#[test]
+fn sizing_files() {
+    for case in cases("sizing", "toml").into_iter().chain([folder().join("sizing.toml")]) {
+        let place = tempfile::tempdir().expect("folder");
+        fs::copy(&case, place.path().join("sizing.toml")).expect("copied");
+        fs::copy(folder().join("rounds.csv"), place.path().join("rounds.csv")).expect("copied");
+        let output =
+            Command::cargo_bin("hartog").expect("built").current_dir(place.path()).args(["size", "sizing.toml"]).output().expect("run");
+        if case.parent() == Some(&folder()) {
+            assert_eq!(output.status.code(), Some(0));
+            continue;
+        }
+        assert_eq!(output.status.code(), Some(2), "{}", case.display());
+        assert!(output.stdout.is_empty());
+        compare(&case, &String::from_utf8_lossy(&output.stderr));
+        assert_eq!(fs::read_dir(place.path().join("out/sizing")).map_or(0, Iterator::count), 0, "{}", case.display());
+    }
+}

@@ -30,6 +30,8 @@ mod peaks;
 mod planes;
 mod responses;
 mod shaft;
+mod sized;
+mod sizing;
 mod support;
 mod surface;
 mod trees;

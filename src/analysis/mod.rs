@@ -18,6 +18,7 @@ pub(crate) mod reciprocating;
 pub mod results;
 pub mod run;
 mod searches;
+pub mod sizing;
 pub mod stress_histories;
 pub mod sweeps;
 pub mod systems;

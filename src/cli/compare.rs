@@ -5,10 +5,12 @@ use super::progress::Bar;
 use crate::analysis::{self, Calibration, Results, RunError};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
-use crate::input::{self, Published, Size, Study};
+use crate::input::{self, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{Folder, text, write_comparison};
+use crate::report::{Folder, text, write_comparison, write_rounds};
+use crate::sizing::size;
 use crate::validation::Comparison;
+use crate::validation::rounds::rounds;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -47,7 +49,7 @@ struct Page {
 pub fn compare(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
     let start = Instant::now();
-    let jobs = match jobs(&arguments.studies) {
+    let (jobs, sizings) = match jobs(&arguments.studies) {
         Ok(jobs) => jobs,
         Err(code) => return code,
     };
@@ -71,6 +73,11 @@ pub fn compare(arguments: &Arguments) -> u8 {
         print(&page, &folder);
         pages.push(page);
     }
+    for study in sizings {
+        if let Err(code) = sizing(&study, &root) {
+            return code;
+        }
+    }
     if pages.len() > 1 {
         let all: Vec<&Comparison> = pages.iter().map(|p| &p.comparison).collect();
         say(&text::comparison::pooled(&all));
@@ -79,11 +86,30 @@ pub fn compare(arguments: &Arguments) -> u8 {
     if pages.iter().all(|p| p.comparison.verdict.holds()) { DONE } else { FAILED }
 }
 
-/// The studies named, or all in the folder of shipped ones that have tables.
-fn jobs(named: &[PathBuf]) -> Result<Vec<Job>, u8> {
-    let mut jobs: Vec<Job> = Vec::new();
+/// Prints and writes the rounds of sizing beside the printed ones.
+fn sizing(study: &SizingStudy, root: &Path) -> Result<(), u8> {
+    let folder = Folder::create(&root.join(&study.name)).map_err(|e| fail(&e))?;
+    let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
+    let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
+    write_rounds(&rows, &folder).map_err(|e| fail(&e))?;
+    say(&format!("{}\n\n{}  {} files written to {}\n\n", study.title, text::rounds(&rows), folder.written(), folder.path().display()));
+    Ok(())
+}
+
+/// The studies and sizing files named, or all in the folder of shipped ones that have tables.
+fn jobs(named: &[PathBuf]) -> Result<(Vec<Job>, Vec<SizingStudy>), u8> {
+    let (mut jobs, mut sizings): (Vec<Job>, Vec<SizingStudy>) = (Vec::new(), Vec::new());
     let paths = if named.is_empty() { shipped()? } else { named.to_vec() };
     for path in paths {
+        if input::is_sizing(&path) {
+            let study = input::read_sizing(&path).map_err(|error| fail(&error))?;
+            match &study.published {
+                Some(_) => sizings.push(study),
+                None if named.is_empty() => {}
+                None => return Err(fail(&format!("error: {} has no `published` table, expected one to compare with", path.display()))),
+            }
+            continue;
+        }
         let study = input::read(&path).map_err(|error| fail(&error))?;
         match study.published.clone() {
             Some(_) if jobs.iter().any(|j| j.study.name == study.name) => {
@@ -94,10 +120,10 @@ fn jobs(named: &[PathBuf]) -> Result<Vec<Job>, u8> {
             None => return Err(fail(&format!("error: {} has no [published] table, expected one to compare with", path.display()))),
         }
     }
-    if jobs.is_empty() {
+    if jobs.is_empty() && sizings.is_empty() {
         return Err(fail(&"error: no study in ./studies has a [published] table; name one: hartog compare STUDY.toml"));
     }
-    Ok(jobs)
+    Ok((jobs, sizings))
 }
 
 fn shipped() -> Result<Vec<PathBuf>, u8> {

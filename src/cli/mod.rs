@@ -7,5 +7,6 @@ pub mod exit;
 pub mod fatigue;
 pub mod progress;
 pub mod run;
+pub mod size;
 
 pub(crate) use exit::threads;

@@ -10,7 +10,7 @@ pub use error::InputError;
 pub use published::Published;
 pub use validation::{
     AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, Reciprocating,
-    ResponseMethod, Size, Study, UnitOf,
+    ResponseMethod, Size, SizedAbsorber, SizedChain, SizingStudy, Study, UnitOf,
 };
 
 use error::Source;
@@ -24,6 +24,43 @@ pub(crate) fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::L
     let source = Source::read(path)?;
     let raw: schema::material::RawMaterialFile = source.parse()?;
     validation::material::resolve(&source, &raw)
+}
+
+/// Whether a file has this key at its top.
+fn has(source: &Source, key: &str) -> bool {
+    source.parse::<toml::Table>().is_ok_and(|t| t.contains_key(key))
+}
+
+/// Whether a file that can be read is a sizing file.
+pub(crate) fn is_sizing(path: &Path) -> bool {
+    Source::read(path).is_ok_and(|source| has(&source, "mechanism"))
+}
+
+fn another_kind(path: &Path, message: &str) -> InputError {
+    error::Mistake { message: message.to_owned(), place: error::Place::File(path.to_path_buf()), help: None }.into()
+}
+
+/// Reads and checks a sizing file and the tables it names.
+///
+/// # Errors
+/// [`InputError`] with every mistake found.
+pub fn read_sizing(path: &Path) -> Result<SizingStudy, InputError> {
+    let source = Source::read(path)?;
+    if has(&source, "engine") {
+        return Err(another_kind(path, "found a study of an engine, expected a sizing file: `hartog run` takes it"));
+    }
+    let raw: schema::sizing::RawSizing = source.parse()?;
+    validation::sizing::resolve(path, &source, &raw)
+}
+
+/// Checks a study whose study and engine files are texts; tables they name are looked for beside `path`.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn from_texts(path: &Path, study: &str, engine: &str) -> Result<Study, InputError> {
+    let engine_path = path.with_file_name("engine.toml");
+    let source = Source::new(path, study);
+    parsed(path, &source, &source.parse()?, &engine_path, &Source::new(&engine_path, engine))
 }
 
 /// Reads and checks a study and everything it names.
@@ -69,20 +106,26 @@ fn mass_elastic(
 }
 
 fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
+    if has(source, "mechanism") {
+        return Err(another_kind(path, "found a sizing file, expected a study: `hartog size` takes it, and writes a study"));
+    }
     let study: schema::study::RawStudy = source.parse()?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());
     let engine_source = Source::read_named(&engine_path, source, study.engine.span())?;
+    parsed(path, source, &study, &engine_path, &engine_source)
+}
+
+fn parsed(
+    path: &Path,
+    source: &Source,
+    study: &schema::study::RawStudy,
+    engine_path: &Path,
+    engine_source: &Source,
+) -> Result<Study, InputError> {
     let mut engine: schema::engine::RawEngine = engine_source.parse()?;
     if let Some(chain) = &engine.chain {
-        engine.station = mass_elastic(&engine_source, &chain.file, &engine.station)?;
+        engine.station = mass_elastic(engine_source, &chain.file, &engine.station)?;
     }
-    validation::resolve(&validation::Files {
-        path,
-        source,
-        study: &study,
-        engine_path: &engine_path,
-        engine_source: &engine_source,
-        engine: &engine,
-    })
+    validation::resolve(&validation::Files { path, source, study, engine_path, engine_source, engine: &engine })
 }

@@ -202,3 +202,56 @@ pub struct Published {
     /// What is to hold.
     pub tolerances: Tolerances,
 }
+
+/// A printed quantity of the rounds of sizing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RoundQuantity {
+    /// As printed in Table 26 of \[Fialho & Almeida 2019\].
+    pub symbol: &'static str,
+    /// In words.
+    pub words: &'static str,
+    /// Unit of the printed values.
+    pub unit: &'static str,
+}
+
+/// Printed quantities of rounds, in the order of the table.
+pub(crate) const ROUND_QUANTITIES: [RoundQuantity; 24] = {
+    const fn of(symbol: &'static str, words: &'static str, unit: &'static str) -> RoundQuantity {
+        RoundQuantity { symbol, words, unit }
+    }
+    [
+        of("Cgv", "centre of the throw over crank radius", "-"),
+        of("Cgb", "centre of the rod over its length", "-"),
+        of("m2", "mass of the throw", "kg"),
+        of("m3", "mass of the rod", "kg"),
+        of("Ig2", "inertia of the throw about its centre", "kg m2"),
+        of("Ig3", "inertia of the rod about its big end", "kg m2"),
+        of("B", "bore", "mm"),
+        of("l", "length of the rod", "mm"),
+        of("r", "crank radius", "mm"),
+        of("tb", "web of the rod", "mm"),
+        of("Hb", "height of the rod", "mm"),
+        of("Bb", "width of the rod", "mm"),
+        of("dpp", "piston pin", "mm"),
+        of("dcp", "crankpin", "mm"),
+        of("dmp", "main journal", "mm"),
+        of("dfw", "flywheel seat", "mm"),
+        of("dioma", "bore of the big eye", "mm"),
+        of("deoma", "big eye", "mm"),
+        of("diome", "bore of the small eye", "mm"),
+        of("deome", "small eye", "mm"),
+        of("kfmp", "journal fillet in bending", "-"),
+        of("kfsmp", "journal fillet in torsion", "-"),
+        of("kfcp", "crankpin fillet in bending", "-"),
+        of("kfscp", "crankpin fillet in torsion", "-"),
+    ]
+};
+
+/// A row of printed rounds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedRounds {
+    /// What is printed.
+    pub quantity: RoundQuantity,
+    /// A value a round.
+    pub values: Vec<f64>,
+}

@@ -8,10 +8,12 @@ pub mod text;
 pub use files::{Folder, WriteError};
 
 use crate::analysis::curves::{Figure, HolzerRow};
+use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
 use crate::benchmark::Chart;
-use crate::input::Study;
+use crate::input::{SizingStudy, Study};
 use crate::validation::Comparison;
+use crate::validation::rounds::RoundRow;
 
 /// Writes everything a run gives.
 ///
@@ -79,6 +81,45 @@ pub(crate) fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Fo
         plot::curves::figure(figure, folder)?;
     }
     csv::curves::holzer(holzer, folder)
+}
+
+/// Writes printed rounds of sizing beside ours, or removes those of an earlier run where there are none.
+///
+/// # Errors
+/// [`WriteError`] where the file cannot be written.
+pub(crate) fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
+    if published.is_empty() { folder.remove(&["sizing_comparison.csv"]) } else { csv::sizing::comparison(published, folder) }
+}
+
+/// Writes tables and plots of sizing, and the engine file and study that follow.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub(crate) fn write_sizing(
+    study: &SizingStudy,
+    results: &SizingResults,
+    published: &[RoundRow],
+    folder: &Folder,
+) -> Result<(), WriteError> {
+    csv::sizing::rounds(results, folder)?;
+    write_rounds(published, folder)?;
+    if results.front.is_empty() {
+        folder.remove(&["sizing_front.csv", "sizing_front.svg", "sizing_front.png"])?;
+    } else {
+        csv::sizing::front(&results.front, folder)?;
+        plot::curves::figure(&front_figure(study, &results.front), folder)?;
+    }
+    for figure in &results.figures {
+        csv::curves::figure(figure, folder)?;
+        plot::curves::figure(figure, folder)?;
+    }
+    plot::drawing::drawing(study, &results.sized, folder)?;
+    match &results.files.pressure {
+        Some(table) => folder.write("pressure.csv", table.as_bytes())?,
+        None => folder.remove(&["pressure.csv"])?,
+    }
+    folder.write("engine.toml", results.files.engine.as_bytes())?;
+    folder.write("study.toml", results.files.study.as_bytes())
 }
 
 /// Writes the table and plots of a chart.

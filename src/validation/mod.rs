@@ -12,6 +12,7 @@ mod frequencies;
 mod multiaxial;
 mod notches;
 mod predicted;
+pub mod rounds;
 mod text_values;
 pub mod torsion_cases;
 pub mod verdict;

@@ -9,6 +9,7 @@ mod modes;
 mod responses;
 
 pub use figure::{Axis, Curve, Figure, Panel};
+pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE, curve};
 pub use modes::HolzerRow;
 
 use super::calibrate::calibrate;

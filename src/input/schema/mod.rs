@@ -5,5 +5,6 @@ pub mod crank;
 pub mod engine;
 pub mod fatigue;
 pub mod material;
+pub mod sizing;
 pub mod study;
 mod word;

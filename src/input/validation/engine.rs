@@ -44,16 +44,23 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, folder: &Path) -> Opti
             check.wrong(&raw.pressure, "found a cylinder pressure without [geometry], expected bore, crank, rod and masses");
             return None;
         }
-        (RawPressure::Otto(otto), Some(geometry)) => Source::Cylinder { geometry, pressure: Pressure::Otto(self::otto(check, otto)) },
-        (RawPressure::Wiebe(wiebe), Some(geometry)) => Source::Cylinder { geometry, pressure: Pressure::Wiebe(self::wiebe(check, wiebe)) },
-        (RawPressure::Measured(file), Some(geometry)) => {
-            let cycle = 180.0 * f64::from(strokes);
-            let measured = table(check, &file.file, folder, |path| tables::pressure_traces(path, cycle))?;
-            Source::Cylinder { geometry, pressure: Pressure::Measured(measured) }
-        }
+        (_, Some(geometry)) => Source::Cylinder { geometry, pressure: pressure(check, &raw.pressure, (folder, strokes))? },
     };
     check.name(&raw.name);
     Some(Engine { name: raw.name.get_ref().clone(), strokes, layout: layout?, source })
+}
+
+/// A cylinder pressure; nothing for harmonics, and where its table has a mistake.
+pub(super) fn pressure(check: &mut Check, raw: &At<RawPressure>, (folder, strokes): (&Path, u32)) -> Option<Pressure> {
+    match raw.get_ref() {
+        RawPressure::Otto(raw) => Some(Pressure::Otto(otto(check, raw))),
+        RawPressure::Wiebe(raw) => Some(Pressure::Wiebe(wiebe(check, raw))),
+        RawPressure::Measured(file) => {
+            let cycle = 180.0 * f64::from(strokes);
+            table(check, &file.file, folder, |path| tables::pressure_traces(path, cycle)).map(Pressure::Measured)
+        }
+        RawPressure::Harmonics(_) => None,
+    }
 }
 
 fn geometry(check: &mut Check, raw: &RawGeometry) -> Geometry {
@@ -124,7 +131,7 @@ fn fraction(check: &mut Check, raw: &At<f64>) -> f64 {
     check.within(raw, 0.0..=1.0, "a fraction from 0 to 1")
 }
 
-fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {
+pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<Layout> {
     let (rods_per_throw, bank, order, firing) = match raw {
         RawLayout::InLine(l) => (1, None, &l.firing_order, &l.firing_deg),
         RawLayout::V(l) => (2, Some(&l.bank_angle_deg), &l.firing_order, &l.firing_deg),

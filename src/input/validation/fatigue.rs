@@ -182,26 +182,33 @@ fn multiaxial(check: &mut Check, raw: &RawFatigue, criteria: &[MarginCriterion],
     asked
 }
 
+pub(super) fn surface(raw: RawSurface) -> Surface {
+    match raw {
+        RawSurface::Ground => Surface::Ground,
+        RawSurface::Machined => Surface::Machined,
+        RawSurface::HotRolled => Surface::HotRolled,
+        RawSurface::Forged => Surface::Forged,
+    }
+}
+
+/// A reliability with a factor, per cent.
+pub(super) fn reliability(check: &mut Check, raw: &At<f64>) -> f64 {
+    if !RELIABILITIES.contains(raw.get_ref()) {
+        let known: Vec<String> = RELIABILITIES.iter().map(ToString::to_string).collect();
+        check.wrong(raw, format!("found {} %, expected one of {}", raw.get_ref(), known.join(", ")));
+    }
+    *raw.get_ref()
+}
+
 fn endurance(check: &mut Check, raw: &RawEndurance, crank: &Crank) -> Endurance {
-    let reliability_percent = raw.reliability_percent.as_ref().map_or(50.0, |r| {
-        if !RELIABILITIES.contains(r.get_ref()) {
-            let known: Vec<String> = RELIABILITIES.iter().map(ToString::to_string).collect();
-            check.wrong(r, format!("found {} %, expected one of {}", r.get_ref(), known.join(", ")));
-        }
-        *r.get_ref()
-    });
+    let reliability_percent = raw.reliability_percent.as_ref().map_or(50.0, |r| reliability(check, r));
     Endurance {
         loading: match raw.load {
             RawLoad::Bending => Loading::Bending,
             RawLoad::Axial => Loading::Axial,
         },
         diameter: crank.pin_diameter,
-        surface: match raw.surface {
-            RawSurface::Ground => Surface::Ground,
-            RawSurface::Machined => Surface::Machined,
-            RawSurface::HotRolled => Surface::HotRolled,
-            RawSurface::Forged => Surface::Forged,
-        },
+        surface: surface(raw.surface),
         temperature_c: raw.temperature_c.as_ref().map_or(20.0, |t| check.within(t, -60.0..=HOTTEST, "a temperature from -60 to 550 °C")),
         reliability_percent,
     }

@@ -17,6 +17,7 @@ mod objectives;
 mod optimise;
 mod published;
 mod ranges;
+pub(super) mod sizing;
 mod tree;
 
 pub use absorbers::DesignSpec;
@@ -27,7 +28,9 @@ pub use load::DutyPoint;
 use objectives::Judged;
 pub use objectives::{ObjectiveSpec, UnitOf};
 use ranges::MOST_POINTS;
+pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 
+use named::folder_of;
 pub(super) use named::table;
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
@@ -123,10 +126,6 @@ fn judge(files: &Files, check: &mut Check, in_engine: &mut Check, base: &Base) -
         crank::check_ranges(in_engine, raw.get_ref(), crank);
     }
     Some(spec)
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent().unwrap_or_else(|| Path::new(""))
 }
 
 /// Published tables, and the inputs to be fitted to them where there is no mistake so far.

@@ -4,6 +4,11 @@ use crate::drivetrain::Chain;
 use crate::input::error::{At, Check, InputError};
 use std::path::Path;
 
+/// Folder of a file.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or_else(|| Path::new(""))
+}
+
 /// A table named in a file: a missing one is a mistake at its name, a mistake in it has its own place.
 pub fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl Fn(&Path) -> Result<T, InputError>) -> Option<T> {
     let path = folder.join(name.get_ref());

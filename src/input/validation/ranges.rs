@@ -5,13 +5,18 @@ use crate::drivetrain::Chain;
 use crate::engine::{Engine, Order, Source};
 use crate::input::error::{At, Check};
 use crate::input::schema::fatigue::RawFatigue;
-use crate::input::schema::study::RawStudy;
+use crate::input::schema::study::{RawSpeeds, RawStudy};
 
 /// More points than this in a sweep would take gigabytes: a mistake in the file.
 pub(crate) const MOST_POINTS: f64 = 5e6;
 
 pub fn speeds(check: &mut Check, study: &RawStudy) -> Vec<f64> {
-    let raw = study.speed_rpm.get_ref();
+    speeds_of(check, &study.speed_rpm)
+}
+
+/// Ascending speeds, at least one, rpm.
+pub(super) fn speeds_of(check: &mut Check, range: &At<RawSpeeds>) -> Vec<f64> {
+    let raw = range.get_ref();
     let before = check.mistakes.len();
     let (from, to, step) = (check.positive(&raw.from), check.positive(&raw.to), check.positive(&raw.step));
     if to < from {

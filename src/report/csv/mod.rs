@@ -10,6 +10,7 @@ pub mod fatigue;
 pub mod margin;
 mod pareto;
 mod response;
+pub mod sizing;
 mod table;
 mod timing;
 

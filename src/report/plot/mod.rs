@@ -5,6 +5,7 @@ mod canvas;
 pub mod chart;
 pub mod comparison;
 pub(crate) mod curves;
+pub(crate) mod drawing;
 mod excitation;
 pub mod fatigue;
 mod margin;

@@ -1,0 +1,55 @@
+//! Why sizing ends without an answer.
+
+use super::eye;
+
+/// Largest relative change of a dimension in the last round.
+pub(super) const TOLERANCE: f64 = 1e-10;
+/// Most rounds.
+pub(super) const MOST_ROUNDS: usize = 200;
+/// Widest web, in diameters of the crankpin.
+pub(super) const WIDEST_WEB: f64 = 20.0;
+
+/// Sizing ends without an answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SizingError {
+    /// Crankpin and webs fill the span between the bearings.
+    #[error("a crankpin of {:.1} mm with webs of {:.1} mm needs more room than there is between the bearings, {:.1} mm: move them apart, or take a stronger steel or a smaller design factor", 1e3 * crankpin_length, 1e3 * web_thickness, 1e3 * span)]
+    NoRoom {
+        /// m.
+        crankpin_length: f64,
+        /// m.
+        web_thickness: f64,
+        /// m.
+        span: f64,
+    },
+    /// No breadth of the web holds.
+    #[error("no web up to {WIDEST_WEB} crankpin diameters wide holds at a thickness of {:.1} mm: take a stronger steel, a smaller design factor, or give a thicker web", 1e3 * thickness)]
+    Web {
+        /// m.
+        thickness: f64,
+    },
+    /// No eye holds.
+    #[error("no {which} eye up to {} times as wide as its bore of {:.1} mm holds the pull of the pin: take a stronger steel or a smaller design factor", eye::RATIOS.1, 1e3 * bore)]
+    Eye {
+        /// Small or big.
+        which: &'static str,
+        /// m.
+        bore: f64,
+    },
+    /// A dimension grows without limit.
+    #[error("`{dimension}` grows without limit, to {:.3} m in round {round}: masses and forces drive each other up", value)]
+    Diverges {
+        /// Its name.
+        dimension: &'static str,
+        /// m.
+        value: f64,
+        /// From 1.
+        round: usize,
+    },
+    /// Rounds do not settle.
+    #[error("dimensions still change by {change:.1e} in round {MOST_ROUNDS}, expected {TOLERANCE:.0e}")]
+    NotConverged {
+        /// Largest relative change of the last round.
+        change: f64,
+    },
+}

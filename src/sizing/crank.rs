@@ -1,16 +1,22 @@
-//! Moments at the sections of a crank whose throws are carried by a bearing on each side \[Bhandari 2010\] section 25.18.
+//! Moments at the sections of a crank.
 //!
-//! With the reactions R1 = F b2/(b1 + b2) before and R2 = F b1/(b1 + b2) after a throw, radial and tangential, and T0 the torque that comes from the throws
-//! before it: the middle of the crankpin has the bending R1 b1 in both planes and the torsion T0 + R1t r; the journal at its web has what is left of R1 (b1 + s) - F s
-//! with s = l_c/2 + t/2, and T0 + F_t r. Bhandari leaves out the bending of the crankpin by the tangential force; here it counts.
+//! A throw on a bearing at each side \[Bhandari 2010\] section 25.18: with the reactions R1 = F b2/(b1 + b2) before and R2 = F b1/(b1 + b2) after it, radial and
+//! tangential, and T0 the torque that comes from the throws before, the middle of the crankpin has the bending R1 b1 in both planes and the torsion T0 + R1t r; the
+//! journal at its web R1 (b1 + s) - F s with s = l_c/2 + t/2, and T0 + F_t r. Bhandari leaves out the bending of the crankpin by the tangential force; here it counts.
+//!
+//! Or the whole crank as a beam of one section on all its bearings, where every throw bends the others.
 
 use super::cycle::{Cycle, delayed};
 use super::section::{Moments, Swing};
-use super::specification::{Bearings, Sizes};
+use super::specification::{Bearings, Bending, Sizes};
+use crate::crankshaft::beam::{Beam, Support};
+use crate::crankshaft::elements::reactions;
 
 /// Loads of a throw over the cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThrowLoads {
+    /// Angle of its crankpin from the axis of the cylinders, rad.
+    pub angle: Vec<f64>,
     /// On the crankpin away from the axis, N.
     pub radial: Vec<f64>,
     /// On the crankpin in the direction of rotation, N.
@@ -21,23 +27,29 @@ pub struct ThrowLoads {
     pub torque_after: Vec<f64>,
 }
 
+impl ThrowLoads {
+    /// Of a cylinder that fires at an angle, without torque.
+    fn of(cycle: &Cycle, firing_deg: f64, cycle_deg: f64) -> Self {
+        Self {
+            angle: cycle.crank_deg.iter().map(|deg| (deg - firing_deg).to_radians()).collect(),
+            radial: delayed(&cycle.radial, firing_deg, cycle_deg),
+            tangential: delayed(&cycle.tangential, firing_deg, cycle_deg),
+            torque_before: Vec::new(),
+            torque_after: Vec::new(),
+        }
+    }
+}
+
 /// Loads of all throws of a crank that is rigid in torsion: torques add up from the free end on.
 pub(super) fn rigid_throws(cycle: &Cycle, firing_deg: &[f64], crank_radius: f64, cycle_deg: f64) -> Vec<ThrowLoads> {
     let torque = cycle.torque(crank_radius);
     let mut sum = vec![0.0; torque.len()];
-    firing_deg
-        .iter()
-        .map(|deg| {
-            let before = sum.clone();
-            sum.iter_mut().zip(delayed(&torque, *deg, cycle_deg)).for_each(|(s, t)| *s += t);
-            ThrowLoads {
-                radial: delayed(&cycle.radial, *deg, cycle_deg),
-                tangential: delayed(&cycle.tangential, *deg, cycle_deg),
-                torque_before: before,
-                torque_after: sum.clone(),
-            }
-        })
-        .collect()
+    let throw = |deg: &f64| {
+        let torque_before = sum.clone();
+        sum.iter_mut().zip(delayed(&torque, *deg, cycle_deg)).for_each(|(s, t)| *s += t);
+        ThrowLoads { torque_before, torque_after: sum.clone(), ..ThrowLoads::of(cycle, *deg, cycle_deg) }
+    };
+    firing_deg.iter().map(throw).collect()
 }
 
 /// Loads of all throws with vibratory torques before, between and after them from elsewhere, N m; the mean adds up from throw to throw.
@@ -51,12 +63,52 @@ pub(super) fn throws_with_torque(
     let mean = cycle.torque(crank_radius).iter().sum::<f64>() / cycle.tangential.len() as f64;
     let with_mean = |i: usize| vibratory[i].iter().map(|t| t + mean * i as f64).collect();
     let throw = |(i, deg): (usize, &f64)| ThrowLoads {
-        radial: delayed(&cycle.radial, *deg, cycle_deg),
-        tangential: delayed(&cycle.tangential, *deg, cycle_deg),
         torque_before: with_mean(i),
         torque_after: with_mean(i + 1),
+        ..ThrowLoads::of(cycle, *deg, cycle_deg)
     };
     firing_deg.iter().enumerate().map(throw).collect()
+}
+
+/// Shares of the force on a crankpin that the bearings before and after it bear, where they bear nothing else.
+pub fn shares(bearings: &Bearings) -> (f64, f64) {
+    let span = bearings.before + bearings.after;
+    (bearings.after / span, bearings.before / span)
+}
+
+/// Bending per force on every throw at a place of a throw, m: `at` from the bearing before it.
+fn influence(throws: usize, throw: usize, at: f64, bearings: &Bearings, bending: Bending) -> Vec<f64> {
+    let span = bearings.before + bearings.after;
+    let own = || {
+        let mut own = vec![0.0; throws];
+        own[throw] = shares(bearings).0 * at - (at - bearings.before).max(0.0);
+        own
+    };
+    if bending == Bending::OwnBearings || throws == 1 {
+        return own();
+    }
+    let supports = (0..=throws).map(|i| Support { at: span * i as f64, stiffness: None }).collect();
+    let loads_at = (0..throws).map(|i| span * i as f64 + bearings.before).collect();
+    // on rigid bearings the reactions do not depend on the rigidity
+    let beam = Beam { supports, loads_at, rigidity: span * span };
+    reactions(&beam).map_or_else(own, |r| beam.moment_at(&r, span * throw as f64 + at).into_iter().map(|m| -m).collect())
+}
+
+/// Bending at a place of a throw over the cycle, in the plane of the throw and across it, N m.
+pub(super) fn bending(throws: &[ThrowLoads], throw: usize, at: f64, (bearings, bending): (&Bearings, Bending)) -> [Vec<f64>; 2] {
+    let influence = influence(throws.len(), throw, at, bearings, bending);
+    let own = &throws[throw];
+    let mut found = [vec![0.0; own.radial.len()], vec![0.0; own.radial.len()]];
+    for (other, arm) in throws.iter().zip(&influence).filter(|o| *o.1 != 0.0) {
+        for j in 0..own.radial.len() {
+            // turned from the axes of the other throw to its own
+            let (sine, cosine) = (other.angle[j] - own.angle[j]).sin_cos();
+            let (r, t) = (other.radial[j], other.tangential[j]);
+            found[0][j] += arm * (r * cosine - t * sine);
+            found[1][j] += arm * (r * sine + t * cosine);
+        }
+    }
+    found
 }
 
 /// Moments of two bending planes and a torque over the cycle.
@@ -66,30 +118,17 @@ fn moments(bending: [Vec<f64>; 2], torsion: Vec<f64>) -> Moments {
     Moments { bending: bending.map(Swing::of), rotating: 0.0, torsion: Swing::of(torsion), largest }
 }
 
-fn scaled(history: &[f64], factor: f64) -> Vec<f64> {
-    history.iter().map(|x| x * factor).collect()
-}
-
-/// Shares of the force on a crankpin that the bearings before and after it bear.
-pub fn shares(bearings: &Bearings) -> (f64, f64) {
-    let span = bearings.before + bearings.after;
-    (bearings.after / span, bearings.before / span)
-}
-
-/// In the middle of the crankpin.
-pub fn crankpin(loads: &ThrowLoads, bearings: &Bearings, crank_radius: f64) -> Moments {
-    let share = shares(bearings).0;
-    let bending = [&loads.radial, &loads.tangential].map(|f| scaled(f, share * bearings.before));
+/// In the middle of a crankpin.
+pub fn crankpin(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), crank_radius: f64) -> Moments {
+    let (loads, share) = (&throws[throw], shares(supported.0).0);
     let torsion = loads.torque_before.iter().zip(&loads.tangential).map(|(t, f)| t + share * f * crank_radius).collect();
-    moments(bending, torsion)
+    moments(bending(throws, throw, supported.0.before, supported), torsion)
 }
 
 /// At the web of the journal after a throw.
-pub fn journal(loads: &ThrowLoads, bearings: &Bearings, sizes: &Sizes) -> Moments {
-    let share = shares(bearings).0;
+pub fn journal(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), sizes: &Sizes) -> Moments {
     let s = 0.5 * (sizes.crankpin_length + sizes.web_thickness);
-    let arm = share * (bearings.before + s) - s;
-    moments([&loads.radial, &loads.tangential].map(|f| scaled(f, arm)), loads.torque_after.clone())
+    moments(bending(throws, throw, supported.0.before + s, supported), throws[throw].torque_after.clone())
 }
 
 /// At the flywheel's seat: its weight and the belt bend the shaft while it turns.

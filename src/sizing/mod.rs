@@ -21,4 +21,4 @@ pub mod web;
 pub use failure::SizingError;
 pub use round::{Margin, Round};
 pub use rounds::{Sized, size};
-pub use specification::{Bearings, Given, Material, Sizes, Specification, TorqueCase};
+pub use specification::{Bearings, Bending, Given, Material, Sizes, Specification, TorqueCase};

@@ -122,8 +122,8 @@ pub(super) fn round(
     let pin_diameter = pin.diameter(factor, given.pin_diameter);
     let shank = cycles.iter().map(ShankLoads::of).collect::<Vec<_>>();
     let shank_thickness = given.shank_thickness.unwrap_or_else(|| shank_thickness(spec, &shank));
-    let all = || throws.iter().flatten();
-    let crankpin_moments = all().map(|t| crank::crankpin(t, &spec.bearings, radius)).collect();
+    let all = || throws.iter().flat_map(|case| (0..case.len()).map(move |throw| (case, throw)));
+    let crankpin_moments = all().map(|(case, throw)| crank::crankpin(case, throw, spec.supported(), radius)).collect();
     let crankpin = section("crankpin", crankpin_moments, &spec.crank, crankpin_notch, false);
     let crankpin_diameter = crankpin.diameter(factor, given.crankpin_diameter);
     let mut sizes = Sizes {
@@ -144,7 +144,7 @@ pub(super) fn round(
         let span = spec.bearings.before + spec.bearings.after;
         return Err(SizingError::NoRoom { crankpin_length: sizes.crankpin_length, web_thickness: sizes.web_thickness, span });
     }
-    let journal_moments = all().map(|t| crank::journal(t, &spec.bearings, &sizes)).collect();
+    let journal_moments = all().map(|(case, throw)| crank::journal(case, throw, spec.supported(), &sizes)).collect();
     let journal = section("journal", journal_moments, &spec.crank, journal_notch, false);
     sizes.journal_diameter = journal.diameter(factor, given.journal_diameter);
     let last = throws.iter().filter_map(|t| t.last());
@@ -199,7 +199,8 @@ fn notch(spec: &Specification, diameter: f64, sizes: &Sizes) -> Notch {
 }
 
 fn web_margin(spec: &Specification, throws: &[Vec<ThrowLoads>], sizes: &Sizes) -> Margin {
-    let all = throws.iter().flatten().map(|t| web::margins(t, &spec.bearings, spec.crank_radius(), sizes, &spec.crank));
+    let all = throws.iter().flat_map(|case| (0..case.len()).map(move |throw| (case, throw)));
+    let all = all.map(|(case, throw)| web::margins(case, throw, spec.supported(), spec.crank_radius(), sizes, &spec.crank));
     let [yielding, fatigue] = all.fold([f64::INFINITY; 2], |a, b| [a[0].min(b[0]), a[1].min(b[1])]);
     Margin { section: "web", yielding, fatigue }
 }

@@ -58,6 +58,15 @@ pub struct Bearings {
     pub belt_tension: f64,
 }
 
+/// What bends the crank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bending {
+    /// Each throw by itself, on the bearings beside it, as in \[IACS UR M53\].
+    OwnBearings,
+    /// The whole crank on all its bearings, rigid ones.
+    AllBearings,
+}
+
 /// Dimensions that are not sized but given, m; ratios of eyes are outer to inner diameter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Given {
@@ -126,11 +135,18 @@ pub struct Specification {
     pub density: f64,
     /// Where the crank is carried.
     pub bearings: Bearings,
+    /// What bends it.
+    pub bending: Bending,
     /// What is not sized.
     pub given: Given,
 }
 
 impl Specification {
+    /// Where the crank is carried, and what bends it.
+    pub(super) fn supported(&self) -> (&Bearings, Bending) {
+        (&self.bearings, self.bending)
+    }
+
     /// Half of the stroke, m.
     pub fn crank_radius(&self) -> f64 {
         0.5 * self.stroke

@@ -17,6 +17,7 @@ pub(crate) struct RawSizing {
     pub buckling_factor: At<f64>,
     pub reliability_percent: At<f64>,
     pub torsion: At<RawTorsion>,
+    pub bending: RawBending,
     pub mechanism: RawMechanism,
     pub layout: RawLayout,
     pub pressure: At<RawPressure>,
@@ -35,6 +36,13 @@ pub(crate) struct RawSizing {
 pub(crate) enum RawTorsion {
     Rigid,
     Response,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawBending {
+    OwnBearings,
+    AllBearings,
 }
 
 /// What sets the stroke.

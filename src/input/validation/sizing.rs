@@ -11,9 +11,11 @@ use crate::fatigue::endurance::HOTTEST;
 use crate::input::error::{At, Check, InputError, Source};
 use crate::input::published::PublishedRounds;
 use crate::input::schema::engine::RawPressure;
-use crate::input::schema::sizing::{RawBasis, RawGiven, RawMechanism, RawPart, RawSizedChain, RawSizing, RawSizingFront, RawTorsion};
+use crate::input::schema::sizing::{
+    RawBasis, RawBending, RawGiven, RawMechanism, RawPart, RawSizedChain, RawSizing, RawSizingFront, RawTorsion,
+};
 use crate::input::tables;
-use crate::sizing::{Bearings, Given, Material, Specification, eye};
+use crate::sizing::{Bearings, Bending, Given, Material, Specification, eye};
 use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
@@ -306,6 +308,10 @@ fn specification(
         least_eye_ratio: check.within(&m.least_eye_ratio, ratios.clone(), "a ratio of outer to inner diameter from 1.02 to 4"),
         density: check.positive(&m.density_kg_m3),
         bearings,
+        bending: match raw.bending {
+            RawBending::OwnBearings => Bending::OwnBearings,
+            RawBending::AllBearings => Bending::AllBearings,
+        },
         given: given(check, &raw.given),
     })
 }

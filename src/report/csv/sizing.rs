@@ -6,7 +6,7 @@ use crate::report::files::{Folder, WriteError};
 use crate::sizing::Round;
 use crate::sizing::rod::TAPER;
 use crate::units::{DEG_PER_RAD, M_PER_MM};
-use crate::validation::rounds::RoundRow;
+use crate::validation::rounds::{EXPLAINED, RoundRow, reason};
 
 /// Quantities of a round with their units.
 fn quantities(round: &Round) -> Vec<(String, &'static str, f64)> {
@@ -54,11 +54,12 @@ pub(crate) fn rounds(results: &SizingResults, folder: &Folder) -> Result<(), Wri
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub(crate) fn comparison(rows: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
-    let mut table = Table::new(&["symbol", "quantity", "unit", "round", "published", "computed", "deviation_percent"]);
+    let mut table = Table::new(&["symbol", "quantity", "unit", "round", "published", "computed", "deviation_percent", "note"]);
     for r in rows {
         let words = [r.quantity.symbol, r.quantity.words, r.quantity.unit].map(str::to_owned);
         let numbers = [number(r.published), number(r.computed), number(r.deviation_percent())];
-        table.row(words.into_iter().chain([r.round.to_string()]).chain(numbers));
+        let note = if r.deviation_percent().abs() > EXPLAINED { reason(r.quantity.symbol) } else { "" };
+        table.row(words.into_iter().chain([r.round.to_string()]).chain(numbers).chain([note.to_owned()]));
     }
     table.save(folder, "sizing_comparison.csv")
 }

@@ -1,15 +1,12 @@
 //! What sizing says on the terminal.
 
-use super::table::{dash, significant, table};
+use super::table::{aligned, dash, significant, table};
 use crate::analysis::sizing::{SizingResults, crank_mass};
 use crate::input::SizingStudy;
 use crate::sizing::Margin;
 use crate::units::{DEG_PER_RAD, M_PER_MM};
-use crate::validation::rounds::RoundRow;
+use crate::validation::rounds::{EXPLAINED, RoundRow, reason};
 use std::fmt::Write;
-
-/// Deviations above this are listed by their last round, per cent.
-const SHOWN: f64 = 5.0;
 
 fn dimensions(results: &SizingResults) -> String {
     let (first, last) = (&results.sized.rounds[0], results.sized.last());
@@ -92,13 +89,20 @@ pub(crate) fn rounds(rows: &[RoundRow]) -> String {
             ]
         })
         .collect();
-    let off = rows.iter().filter(|r| r.round == last && r.deviation_percent().abs() > SHOWN).count();
-    format!(
-        "Printed rounds (printed / computed):\n{}  {} of {} quantities of round {last} differ by more than {SHOWN} %; all rounds are in sizing_comparison.csv\n",
-        super::table::aligned(&["", "", "unit", "round 1", &format!("round {last}"), "last/%"], &lines, |c| c < 3),
-        off,
-        lines.len()
-    )
+    let header = ["", "", "unit", "round 1", &format!("round {last}"), "last/%"];
+    let mut text = format!("Printed rounds (printed / computed):\n{}", aligned(&header, &lines, |c| c < 3));
+    // symbols with the same reason together
+    let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+    for symbol in rows.iter().filter(|r| r.round == last && r.deviation_percent().abs() > EXPLAINED).map(|r| r.quantity.symbol) {
+        match reasons.iter_mut().find(|r| r.0 == reason(symbol)) {
+            Some(known) => known.1.push(symbol),
+            None => reasons.push((reason(symbol), vec![symbol])),
+        }
+    }
+    for (reason, symbols) in reasons {
+        _ = writeln!(text, "  {}: {reason}.", symbols.join(", "));
+    }
+    text
 }
 
 fn by_response(results: &SizingResults) -> String {

@@ -99,13 +99,15 @@ pub(super) fn bending(throws: &[ThrowLoads], throw: usize, at: f64, (bearings, b
     let influence = influence(throws.len(), throw, at, bearings, bending);
     let own = &throws[throw];
     let mut found = [vec![0.0; own.radial.len()], vec![0.0; own.radial.len()]];
+    let [radial, tangential] = &mut found;
     for (other, arm) in throws.iter().zip(&influence).filter(|o| *o.1 != 0.0) {
-        for j in 0..own.radial.len() {
+        let sums = radial.iter_mut().zip(tangential.iter_mut());
+        let forces = other.radial.iter().zip(&other.tangential).zip(other.angle.iter().zip(&own.angle));
+        for ((in_plane, across), ((r, t), (angle, own))) in sums.zip(forces) {
             // turned from the axes of the other throw to its own
-            let (sine, cosine) = (other.angle[j] - own.angle[j]).sin_cos();
-            let (r, t) = (other.radial[j], other.tangential[j]);
-            found[0][j] += arm * (r * cosine - t * sine);
-            found[1][j] += arm * (r * sine + t * cosine);
+            let (sine, cosine) = (angle - own).sin_cos();
+            *in_plane += arm * (r * cosine - t * sine);
+            *across += arm * (r * sine + t * cosine);
         }
     }
     found

@@ -8,6 +8,7 @@ mod choice;
 mod commands;
 mod comparison;
 mod conditions;
+mod crank_sizing;
 mod curves;
 mod derived;
 mod enclosing;

@@ -94,7 +94,7 @@ fn tendencies(count: usize) {
         let spec = random(&mut seed);
         let sized = match size(&spec) {
             Ok(sized) => sized,
-            Err(SizingError::NoRoom { .. } | SizingError::Web { .. } | SizingError::Eye { .. }) => {
+            Err(SizingError::NoRoom { .. } | SizingError::Web { .. } | SizingError::Eye { .. } | SizingError::DoesNotFit(_)) => {
                 named += 1;
                 continue;
             }
@@ -230,6 +230,8 @@ fn stroke_displacement_and_power() {
 fn a_crank_and_its_absorber() {
     let mut study = read_sizing(Path::new("studies/fialho_four.toml")).expect("a sizing file");
     study.front = vec![2e-4, 2e-3];
+    study.speeds_rpm = study.speeds_rpm.into_iter().step_by(5).collect();
+    study.speed_step_rpm *= 5.0;
     study.by_response = true;
     let results = hartog::analysis::sizing::run(&study, &hartog::analysis::Silent).expect("sizes");
     for m in &results.sized.last().margins {
@@ -249,4 +251,44 @@ fn a_crank_and_its_absorber() {
     let best = again.optima.iter().find(|o| o.main).expect("an optimum");
     assert_close(best.design.torque.expect("shafts").value, by_response.torque, 1e-4, 0.0, "the same torque again");
     assert_close(best.design.twist.expect("shafts").value, by_response.twist, 1e-4, 0.0, "the same twist again");
+}
+
+/// Theory: far below every resonance a chain responds like a rigid crank: its sizes are those of the crank rigid in torsion, every order of the torque counted once (10 rpm, a flywheel that does not yield).
+#[test]
+fn a_slow_chain_is_a_rigid_crank() {
+    let mut study = read_sizing(Path::new("studies/fialho_four.toml")).expect("a sizing file");
+    (study.front, study.absorber) = (Vec::new(), None);
+    (study.chain.pulley_inertia, study.chain.flywheel_inertia) = (1e-6, 1e3);
+    study.speeds_rpm = vec![10.0];
+    study.specification.speeds_rpm = vec![10.0];
+    let by_response = hartog::analysis::sizing::run(&study, &hartog::analysis::Silent).expect("sizes").sized.last().sizes;
+    let rigid = size(&study.specification).expect("sizes").last().sizes;
+    for ((name, a), (_, b)) in by_response.named().iter().zip(rigid.named()) {
+        assert_close(*a, b, 1e-4, 0.0, name);
+    }
+}
+
+/// What one part needs and another does not leave room for is named, and what is written is what `hartog run` takes, or nothing is.
+#[test]
+fn parts_that_do_not_go_together() {
+    let folder = tempfile::tempdir().expect("folder");
+    let text = std::fs::read_to_string("tests/bad_input/sizing.toml").expect("a file");
+    for (given, words) in [
+        ("small_eye_ratio = 4", "for the small eye, expected less than the bore"),
+        ("pin_diameter_mm = 80", "found 80.00 mm for the piston pin, expected less than the bore, 58.75 mm"),
+        ("shank_thickness_mm = 6\ncrankpin_length_mm = 10", "the width of the rod"),
+        ("web_breadth_mm = 20", "the breadth of the web"),
+    ] {
+        let file = folder.path().join("parts.toml");
+        std::fs::write(&file, text.replace("[chain]", &format!("[given]\n{given}\n\n[chain]"))).expect("written");
+        let output = hartog().arg("size").arg(&file).arg("--out").arg(folder.path().join("out")).output().expect("run");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{given}: {said}");
+        assert!(said.contains(words), "{given}: {said}");
+    }
+    let file = folder.path().join("formula.toml");
+    std::fs::write(&file, text.replace("ker_wilson", "bracket")).expect("written");
+    let output = hartog().arg("size").arg(&file).arg("--out").arg(folder.path().join("out")).output().expect("run");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(2) && said.contains("makes no study for `hartog run`: found `bracket`"), "{said}");
 }

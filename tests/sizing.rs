@@ -69,14 +69,14 @@ fn a_crank_of_bhandari() {
     let torque = vec![b["tangential_force"] * r];
     let supported = (&bearings, Bending::OwnBearings);
     let loads = |tangential: f64| crank::ThrowLoads {
-        angle: vec![0.0],
+        firing_deg: 0.0,
         radial: vec![-b["radial_force"]],
         tangential: vec![tangential],
         torque_before: vec![0.0],
         torque_after: torque.clone(),
     };
     let strength = Strength { fatigue_limit: 1.0, tensile: 1.0, shear_yield: b["allowable_shear"] * MPA };
-    let pin = crank::crankpin(&[loads(b["tangential_force"])], 0, supported, r);
+    let pin = crank::crankpin(&[loads(b["tangential_force"])], 0, supported, r)[0];
     let [radial, tangential] = pin.bending.map(|s| s.mean);
     assert_close(tangential / radial, -b["tangential_force"] / b["radial_force"], 1e-12, 0.0, "both bend the pin");
     let without = Moments { largest: radial.hypot(pin.torsion.mean), ..pin };
@@ -86,7 +86,7 @@ fn a_crank_of_bhandari() {
     let sizes = Sizes { crankpin_length: b["crankpin_length"] * MM, web_thickness: 0.7 * d, ..Sizes::default() };
     assert_close(0.7 * d / MM, b["web_thickness"], 0.01, 0.0, "web thickness");
     assert_close(1.14 * d / MM, b["web_width"], 0.01, 0.0, "web breadth");
-    let journal = crank::journal(&[loads(b["tangential_force"])], 0, supported, &sizes).static_diameter(&strength, 1.0);
+    let journal = crank::journals(&[loads(b["tangential_force"])], 0, supported, &sizes)[1].static_diameter(&strength, 1.0);
     assert_close(journal / MM, 54.85, 1e-3, 0.0, "journal, from the data");
     let seat = crank::seat(&torque, &bearings);
     assert_close(seat.static_diameter(&strength, 1.0) / MM, b["flywheel_shaft_diameter"], 0.01, 0.0, "flywheel seat");
@@ -248,8 +248,8 @@ fn the_printed_two_stroke() {
     let printed_sizes = Sizes { crankpin_length: first("Bb"), web_thickness: 0.7 * first("dcp"), ..Sizes::default() };
     let in_full = |s: Swing| Swing { mean: s.mean.abs() + s.amplitude, amplitude: s.mean.abs() + s.amplitude };
     for (symbol, moments) in [
-        ("dcp", crank::crankpin(loads, 0, supported, spec.crank_radius())),
-        ("dmp", crank::journal(loads, 0, supported, &printed_sizes)),
+        ("dcp", crank::crankpin(loads, 0, supported, spec.crank_radius())[0]),
+        ("dmp", crank::journals(loads, 0, supported, &printed_sizes)[1]),
         ("dfw", crank::seat(&loads[0].torque_after, &spec.bearings)),
     ] {
         let so = Moments { bending: [in_full(moments.bending[0]), Swing::default()], torsion: in_full(moments.torsion), ..moments };
@@ -308,32 +308,4 @@ fn given_dimensions_stay() {
     assert_eq!(s.shank_thickness.to_bits() == free.shank_thickness.to_bits(), s.big_eye_bore == free.big_eye_bore);
     let margin = |name: &str| sized.last().margins.iter().find(|m| m.section == name).map(|m| m.fatigue).expect(name);
     assert!(margin("crankpin") > 1.1 && margin("piston_pin") > 1.1);
-}
-
-/// Theory: a crank of one throw is bent alike on its own and on all bearings. Where the first of many throws is loaded in the middle of its span, Clapeyron's equation gives the moment
-/// F L (1/4 - 3/16/(2 + sqrt 3)) at the load, met within 1 % with four spans. A crank on all its bearings has thinner crankpins than one whose throws are taken by themselves.
-#[test]
-fn bending_on_all_bearings() {
-    let mut one = two_stroke().specification;
-    let own = size(&one).expect("sizes").last().sizes;
-    one.bending = Bending::AllBearings;
-    assert_eq!(size(&one).expect("sizes").last().sizes, own);
-    let bearings = Bearings { before: 0.05, after: 0.05, ..one.bearings };
-    let loads = |force: f64| crank::ThrowLoads {
-        angle: vec![0.0],
-        radial: vec![force],
-        tangential: vec![0.0],
-        torque_before: vec![0.0],
-        torque_after: vec![0.0],
-    };
-    let four = [loads(1.0), loads(0.0), loads(0.0), loads(0.0)];
-    let at = |bending: Bending| crank::crankpin(&four, 0, (&bearings, bending), 0.03).bending[0].mean;
-    assert_close(at(Bending::OwnBearings), 0.1 / 4.0, 1e-12, 0.0, "F L/4");
-    // Clapeyron: 4 M1 + M2 = -3/8 F L, M(i-1) + 4 M(i) + M(i+1) = 0; half of M1 acts in the middle of the first span
-    let limit = 0.1 * (0.25 - 3.0 / 16.0 / (2.0 + 3.0f64.sqrt()));
-    assert_close(at(Bending::AllBearings), limit, 1e-2, 0.0, "a beam on five bearings");
-    let mut many = read_sizing(Path::new("studies/fialho_four.toml")).expect("a sizing file").specification;
-    let apart = size(&many).expect("sizes").last().sizes;
-    many.bending = Bending::AllBearings;
-    assert!(size(&many).expect("sizes").last().sizes.crankpin_diameter < apart.crankpin_diameter);
 }

@@ -2,21 +2,24 @@
 //!
 //! A throw on a bearing at each side \[Bhandari 2010\] section 25.18: with the reactions R1 = F b2/(b1 + b2) before and R2 = F b1/(b1 + b2) after it, radial and
 //! tangential, and T0 the torque that comes from the throws before, the middle of the crankpin has the bending R1 b1 in both planes and the torsion T0 + R1t r; the
-//! journal at its web R1 (b1 + s) - F s with s = l_c/2 + t/2, and T0 + F_t r. Bhandari leaves out the bending of the crankpin by the tangential force; here it counts.
+//! journals at their webs R1 (b1 - s) and T0, and R2 (b2 - s) and T0 + F_t r, with s = l_c/2 + t/2. Bhandari leaves out the bending of the crankpin by the tangential force; here it counts.
 //!
 //! Or the whole crank as a beam of one section on all its bearings, where every throw bends the others.
 
 use super::cycle::{Cycle, delayed};
 use super::section::{Moments, Swing};
-use super::specification::{Bearings, Bending, Sizes};
+use super::specification::{Bearings, Bending, Sizes, TorqueCase};
 use crate::crankshaft::beam::{Beam, Support};
 use crate::crankshaft::elements::reactions;
+use crate::numerics::C64;
+use crate::numerics::harmonics::Analyser;
+use std::f64::consts::TAU;
 
 /// Loads of a throw over the cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThrowLoads {
-    /// Angle of its crankpin from the axis of the cylinders, rad.
-    pub angle: Vec<f64>,
+    /// When its cylinder fires, degrees: its crankpin is so far behind that of a cylinder which fires at 0°.
+    pub firing_deg: f64,
     /// On the crankpin away from the axis, N.
     pub radial: Vec<f64>,
     /// On the crankpin in the direction of rotation, N.
@@ -31,7 +34,7 @@ impl ThrowLoads {
     /// Of a cylinder that fires at an angle, without torque.
     fn of(cycle: &Cycle, firing_deg: f64, cycle_deg: f64) -> Self {
         Self {
-            angle: cycle.crank_deg.iter().map(|deg| (deg - firing_deg).to_radians()).collect(),
+            firing_deg,
             radial: delayed(&cycle.radial, firing_deg, cycle_deg),
             tangential: delayed(&cycle.tangential, firing_deg, cycle_deg),
             torque_before: Vec::new(),
@@ -52,22 +55,47 @@ pub(super) fn rigid_throws(cycle: &Cycle, firing_deg: &[f64], crank_radius: f64,
     firing_deg.iter().map(throw).collect()
 }
 
-/// Loads of all throws with vibratory torques before, between and after them from elsewhere, N m; the mean adds up from throw to throw.
-pub(super) fn throws_with_torque(
-    cycle: &Cycle,
-    firing_deg: &[f64],
-    vibratory: &[Vec<f64>],
-    crank_radius: f64,
-    cycle_deg: f64,
+/// Orders of a history, and their turns at every sample.
+pub(super) struct Orders<'a> {
+    analyser: Analyser<'a>,
+    turns: Vec<Vec<C64>>,
+}
+
+impl<'a> Orders<'a> {
+    /// Of histories of `n` samples.
+    pub(super) fn new(harmonics: &'a [u32], n: usize) -> Self {
+        let turn = |harmonic: u32, j: usize| C64::cis(TAU * f64::from(harmonic) * j as f64 / n as f64);
+        Self { analyser: Analyser::new(n, harmonics), turns: harmonics.iter().map(|h| (0..n).map(|j| turn(*h, j)).collect()).collect() }
+    }
+
+    /// A history without these orders: its mean and the others.
+    fn without(&self, history: &[f64]) -> Vec<f64> {
+        let mut rest = history.to_vec();
+        for (c, turns) in self.analyser.analyse(history).iter().zip(&self.turns) {
+            rest.iter_mut().zip(turns).for_each(|(t, turn)| *t -= (c * turn).re);
+        }
+        rest
+    }
+}
+
+/// The same with vibratory torques before, between and after the throws from elsewhere in place of their own of these orders; the mean and all other orders stay.
+pub(super) fn with_response(
+    mut throws: Vec<ThrowLoads>,
+    (cycle, firing_deg): (&Cycle, &[f64]),
+    (case, orders): (&TorqueCase, &Orders),
+    (crank_radius, cycle_deg): (f64, f64),
 ) -> Vec<ThrowLoads> {
-    let mean = cycle.torque(crank_radius).iter().sum::<f64>() / cycle.tangential.len() as f64;
-    let with_mean = |i: usize| vibratory[i].iter().map(|t| t + mean * i as f64).collect();
-    let throw = |(i, deg): (usize, &f64)| ThrowLoads {
-        torque_before: with_mean(i),
-        torque_after: with_mean(i + 1),
-        ..ThrowLoads::of(cycle, *deg, cycle_deg)
+    let rest = orders.without(&cycle.torque(crank_radius));
+    let mut sum = vec![0.0; rest.len()];
+    let mixed = |rigid: &mut [f64], rest: &[f64], response: &[f64]| {
+        rigid.iter_mut().zip(rest).zip(response).for_each(|((t, rest), v)| *t += case.share * (rest + v - *t));
     };
-    firing_deg.iter().enumerate().map(throw).collect()
+    for (i, (throw, deg)) in throws.iter_mut().zip(firing_deg).enumerate() {
+        mixed(&mut throw.torque_before, &sum, &case.vibratory[i]);
+        sum.iter_mut().zip(delayed(&rest, *deg, cycle_deg)).for_each(|(s, t)| *s += t);
+        mixed(&mut throw.torque_after, &sum, &case.vibratory[i + 1]);
+    }
+    throws
 }
 
 /// Shares of the force on a crankpin that the bearings before and after it bear, where they bear nothing else.
@@ -100,12 +128,16 @@ pub(super) fn bending(throws: &[ThrowLoads], throw: usize, at: f64, (bearings, b
     let own = &throws[throw];
     let mut found = [vec![0.0; own.radial.len()], vec![0.0; own.radial.len()]];
     let [radial, tangential] = &mut found;
-    for (other, arm) in throws.iter().zip(&influence).filter(|o| *o.1 != 0.0) {
+    for (i, (other, arm)) in throws.iter().zip(&influence).enumerate().filter(|o| *o.1.1 != 0.0) {
+        if i == throw {
+            radial.iter_mut().zip(&own.radial).for_each(|(sum, r)| *sum += arm * r);
+            tangential.iter_mut().zip(&own.tangential).for_each(|(sum, t)| *sum += arm * t);
+            continue;
+        }
+        // turned from the axes of the other throw to its own, by what lies between their crankpins
+        let (sine, cosine) = (own.firing_deg - other.firing_deg).to_radians().sin_cos();
         let sums = radial.iter_mut().zip(tangential.iter_mut());
-        let forces = other.radial.iter().zip(&other.tangential).zip(other.angle.iter().zip(&own.angle));
-        for ((in_plane, across), ((r, t), (angle, own))) in sums.zip(forces) {
-            // turned from the axes of the other throw to its own
-            let (sine, cosine) = (angle - own).sin_cos();
+        for ((in_plane, across), (r, t)) in sums.zip(other.radial.iter().zip(&other.tangential)) {
             *in_plane += arm * (r * cosine - t * sine);
             *across += arm * (r * sine + t * cosine);
         }
@@ -120,17 +152,73 @@ fn moments(bending: [Vec<f64>; 2], torsion: Vec<f64>) -> Moments {
     Moments { bending: bending.map(Swing::of), rotating: 0.0, torsion: Swing::of(torsion), largest }
 }
 
-/// In the middle of a crankpin.
-pub fn crankpin(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), crank_radius: f64) -> Moments {
-    let (loads, share) = (&throws[throw], shares(supported.0).0);
-    let torsion = loads.torque_before.iter().zip(&loads.tangential).map(|(t, f)| t + share * f * crank_radius).collect();
-    moments(bending(throws, throw, supported.0.before, supported), torsion)
+/// A side of a throw, seen from the free end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Towards the free end.
+    Before,
+    /// Towards the flywheel.
+    After,
 }
 
-/// At the web of the journal after a throw.
-pub fn journal(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), sizes: &Sizes) -> Moments {
+impl Side {
+    /// Both of them.
+    pub(super) const BOTH: [Self; 2] = [Self::Before, Self::After];
+
+    /// Distance along the crank from the bearing before a throw, for one from the middle of its crankpin to this side, m.
+    fn place(self, bearings: &Bearings, from_pin: f64) -> f64 {
+        match self {
+            Self::Before => bearings.before - from_pin,
+            Self::After => bearings.before + from_pin,
+        }
+    }
+
+    /// Torque in the crank at this side, N m.
+    pub(super) fn torque(self, loads: &ThrowLoads) -> &[f64] {
+        match self {
+            Self::Before => &loads.torque_before,
+            Self::After => &loads.torque_after,
+        }
+    }
+}
+
+/// What a side of a throw bears at a place between web and bearing.
+pub(super) struct AtSide {
+    /// Bending there in the plane of the throw and across it, N m.
+    pub bending: [Vec<f64>; 2],
+    /// Force on the part of the crank beyond, in the same directions: the reaction of the bearing, and of what follows it, N.
+    pub reaction: [Vec<f64>; 2],
+}
+
+/// At `from_pin` from the middle of a crankpin.
+pub(super) fn at_side(throws: &[ThrowLoads], throw: usize, side: Side, from_pin: f64, supported: (&Bearings, Bending)) -> AtSide {
+    let there = bending(throws, throw, side.place(supported.0, from_pin), supported);
+    let pin = bending(throws, throw, supported.0.before, supported);
+    // between crankpin and bearing the moment falls by the reaction times the distance
+    let slope = |pin: &[f64], there: &[f64]| pin.iter().zip(there).map(|(p, m)| (p - m) / from_pin).collect();
+    AtSide { reaction: [slope(&pin[0], &there[0]), slope(&pin[1], &there[1])], bending: there }
+}
+
+/// Torsion of the bar from the axis to the crankpin at a radius, about the direction of the crank: T0 + R1t rho before the pin, T_after - R2t rho after it, N m.
+pub(super) fn torsion_at_radius(loads: &ThrowLoads, side: Side, reaction_across: &[f64], radius: f64) -> Vec<f64> {
+    let sign = if side == Side::Before { 1.0 } else { -1.0 };
+    side.torque(loads).iter().zip(reaction_across).map(|(t, r)| t + sign * r * radius).collect()
+}
+
+/// In the middle of a crankpin: the larger torsion of both sides counts, which are one where the crank is rigid.
+pub fn crankpin(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), crank_radius: f64) -> [Moments; 2] {
+    let in_middle = bending(throws, throw, supported.0.before, supported);
+    Side::BOTH.map(|side| {
+        let reach = if side == Side::Before { supported.0.before } else { supported.0.after };
+        let [_, across] = at_side(throws, throw, side, reach, supported).reaction;
+        moments(in_middle.clone(), torsion_at_radius(&throws[throw], side, &across, crank_radius))
+    })
+}
+
+/// At the webs of the journals before and after a throw.
+pub fn journals(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bending), sizes: &Sizes) -> [Moments; 2] {
     let s = 0.5 * (sizes.crankpin_length + sizes.web_thickness);
-    moments(bending(throws, throw, supported.0.before + s, supported), throws[throw].torque_after.clone())
+    Side::BOTH.map(|side| moments(bending(throws, throw, side.place(supported.0, s), supported), side.torque(&throws[throw]).to_vec()))
 }
 
 /// At the flywheel's seat: its weight and the belt bend the shaft while it turns.

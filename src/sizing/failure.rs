@@ -12,24 +12,29 @@ pub(super) const WIDEST_WEB: f64 = 20.0;
 /// Sizing ends without an answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SizingError {
-    /// Crankpin and webs fill the span between the bearings.
-    #[error("a crankpin of {:.1} mm with webs of {:.1} mm needs more room than there is between the bearings, {:.1} mm: move them apart, or take a stronger steel or a smaller design factor", 1e3 * crankpin_length, 1e3 * web_thickness, 1e3 * span)]
+    /// Half a crankpin and a web fill a side of the span between the bearings.
+    #[error("half of a crankpin of {:.1} mm and a web of {:.1} mm need more room than there is to the bearing {side} the throw, {:.1} mm: move it away, or take a stronger steel, a finer surface or a smaller design factor", 1e3 * crankpin_length, 1e3 * web_thickness, 1e3 * room)]
     NoRoom {
         /// m.
         crankpin_length: f64,
         /// m.
         web_thickness: f64,
+        /// Before or after.
+        side: &'static str,
         /// m.
-        span: f64,
+        room: f64,
     },
+    /// Dimensions that hold their loads, but not each other.
+    #[error("{0}")]
+    DoesNotFit(String),
     /// No breadth of the web holds.
-    #[error("no web up to {WIDEST_WEB} crankpin diameters wide holds at a thickness of {:.1} mm: take a stronger steel, a smaller design factor, or give a thicker web", 1e3 * thickness)]
+    #[error("no web up to {WIDEST_WEB} crankpin diameters wide holds at a thickness of {:.1} mm: take a stronger steel, a finer surface, a smaller design factor, or give a thicker web", 1e3 * thickness)]
     Web {
         /// m.
         thickness: f64,
     },
     /// No eye holds.
-    #[error("no {which} eye up to {} times as wide as its bore of {:.1} mm holds the pull of the pin: take a stronger steel or a smaller design factor", eye::RATIOS.1, 1e3 * bore)]
+    #[error("no {which} eye up to {} times as wide as its bore of {:.1} mm holds the pull of the pin: take a stronger steel, a finer surface or a smaller design factor", eye::RATIOS.1, 1e3 * bore)]
     Eye {
         /// Small or big.
         which: &'static str,

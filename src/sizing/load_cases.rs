@@ -1,15 +1,16 @@
 //! Load cases of a slider-crank: cycles and the loads of all throws.
 
 use super::bodies::Body;
-use super::crank::{self, ThrowLoads};
-use super::cycle::{Cycle, Gas};
+use super::crank::{self, Orders, ThrowLoads};
+use super::cycle::{Cycle, Gas, samples_of_cycle};
 use super::specification::{Specification, TorqueCase};
 
 /// Cycles, and the loads of all throws in each of them.
 pub(super) type Loads = (Vec<Cycle>, Vec<Vec<ThrowLoads>>);
 
 /// Loads of the engine firing at each speed, and at the highest one driven with nothing in its cylinders. Loads are sums of a part that goes with the pressure and one that
-/// goes with the square of the speed, and what a section needs is convex in both: what holds at these corners holds between them, at any load and speed.
+/// goes with the square of the speed, and what a section needs is convex in both: where the pressure does not depend on the speed, what holds at these corners holds between them, at any
+/// load and speed; where it does, every speed of the study is a load case. The driven crank is rigid in torsion.
 pub(super) fn loads(spec: &Specification, rod: &Body, torque: Option<&[TorqueCase]>) -> Loads {
     let geometry = spec.geometry(rod.mass, rod.centre, rod.inertia());
     let (cycle_deg, radius) = (180.0 * f64::from(spec.strokes), spec.crank_radius());
@@ -26,9 +27,10 @@ pub(super) fn loads(spec: &Specification, rod: &Body, torque: Option<&[TorqueCas
             spec.speeds_rpm.iter().map(of).collect()
         }
         Some(cases) => {
+            let orders = Orders::new(cases.first().map_or(&[][..], |c| &c.harmonics), samples_of_cycle(spec.strokes));
             let of = |case: &TorqueCase| {
                 let c = cycle(case.speed_rpm, Gas::Fired);
-                let throws = crank::throws_with_torque(&c, &spec.firing_deg, &case.vibratory, radius, cycle_deg);
+                let throws = crank::with_response(rigid(&c), (&c, &spec.firing_deg), (case, &orders), (radius, cycle_deg));
                 (c, throws)
             };
             cases.iter().map(of).collect()

@@ -8,6 +8,7 @@ pub mod crank;
 pub mod cycle;
 pub mod eye;
 mod failure;
+pub(crate) mod fit;
 mod load_cases;
 pub mod piston_pin;
 pub mod rod;

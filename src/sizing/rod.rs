@@ -4,7 +4,10 @@ use super::cycle::Cycle;
 use super::section::Swing;
 use super::specification::Material;
 use crate::fatigue::endurance::Loading;
+use std::f64::consts::PI;
 
+/// Height over t.
+pub(super) const HEIGHT: f64 = 5.0;
 /// Area over t².
 const AREA: f64 = 11.0;
 /// Square of the radius of gyration over t² for buckling in the plane of motion: (4·5³ - 3·3³)/(12·11).
@@ -39,13 +42,17 @@ impl ShankLoads {
     }
 }
 
-/// t at which a load buckles the shank, m: P = S_y A/(1 + a (L/k)²) \[Fialho & Almeida 2019\] eq. (50), in the plane of motion with ends that turn on their pins, across
-/// it with ends held by them, L/2. Both are quadratic equations in t².
+/// Of steel, Pa.
+const YOUNG_MODULUS: f64 = 206e9;
+
+/// t at which a load buckles the shank, m: P = S_y A/(1 + a (L/k)²) after Rankine \[Fialho & Almeida 2019\] eq. (50), which is quadratic in t², and no more than Euler's pi² E I/L², which
+/// Rankine's constant overestimates for strong steels; in the plane of motion with ends that turn on their pins, across it with ends held by them, L/2.
 pub fn buckling_thickness(load: f64, yield_strength: f64, length: f64) -> f64 {
     let needed = |length: f64, gyration2: f64| {
         let slender = RANKINE * length * length / gyration2;
         let crushing = AREA * yield_strength;
-        ((load + (load * load + 4.0 * crushing * load * slender).sqrt()) / (2.0 * crushing)).sqrt()
+        let rankine = ((load + (load * load + 4.0 * crushing * load * slender).sqrt()) / (2.0 * crushing)).sqrt();
+        rankine.max((load * length * length / (PI * PI * YOUNG_MODULUS * AREA * gyration2)).powf(0.25))
     };
     needed(length, GYRATION2_IN_PLANE).max(needed(0.5 * length, GYRATION2_ACROSS))
 }
@@ -60,6 +67,9 @@ pub(super) fn axial_thickness(loads: &ShankLoads, material: &Material, factor: f
 /// Force that buckles a shank, N.
 pub fn buckling_load(thickness: f64, yield_strength: f64, length: f64) -> f64 {
     let crushing = AREA * thickness * thickness * yield_strength;
-    let load = |length: f64, gyration2: f64| crushing / (1.0 + RANKINE * length * length / (gyration2 * thickness * thickness));
+    let load = |length: f64, gyration2: f64| {
+        let slender = length * length / (gyration2 * thickness * thickness);
+        (crushing / (1.0 + RANKINE * slender)).min(PI * PI * YOUNG_MODULUS * AREA * thickness * thickness / slender)
+    };
     load(length, GYRATION2_IN_PLANE).min(load(0.5 * length, GYRATION2_ACROSS))
 }

@@ -1,13 +1,14 @@
 //! One round: every section of pin, rod and crank under the loads of the masses of the last round.
 
 use super::bodies::{self, Body};
-use super::crank::{self, ThrowLoads};
+use super::crank;
 use super::cycle::Cycle;
 use super::failure::{SizingError, WIDEST_WEB};
 use super::load_cases::Loads;
 use super::rod::{self, ShankLoads};
 use super::section::{Moments, Notch, Strength, Swing, least};
 use super::specification::{Material, Sizes, Specification};
+use super::web::WebLoads;
 use super::{eye, piston_pin, stepped_shaft, web};
 use crate::fatigue::endurance::{Loading, fatigue_factor, notch_sensitivity};
 
@@ -123,7 +124,7 @@ pub(super) fn round(
     let shank = cycles.iter().map(ShankLoads::of).collect::<Vec<_>>();
     let shank_thickness = given.shank_thickness.unwrap_or_else(|| shank_thickness(spec, &shank));
     let all = || throws.iter().flat_map(|case| (0..case.len()).map(move |throw| (case, throw)));
-    let crankpin_moments = all().map(|(case, throw)| crank::crankpin(case, throw, spec.supported(), radius)).collect();
+    let crankpin_moments = all().flat_map(|(case, throw)| crank::crankpin(case, throw, spec.supported(), radius)).collect();
     let crankpin = section("crankpin", crankpin_moments, &spec.crank, crankpin_notch, false);
     let crankpin_diameter = crankpin.diameter(factor, given.crankpin_diameter);
     let mut sizes = Sizes {
@@ -140,26 +141,29 @@ pub(super) fn round(
         journal_diameter: 0.0,
         seat_diameter: 0.0,
     };
-    if bodies::journal_lengths(&sizes, &spec.bearings).iter().any(|l| *l <= 0.0) {
-        let span = spec.bearings.before + spec.bearings.after;
-        return Err(SizingError::NoRoom { crankpin_length: sizes.crankpin_length, web_thickness: sizes.web_thickness, span });
+    let rooms = [("before", spec.bearings.before), ("after", spec.bearings.after)];
+    if let Some((side, room)) = rooms.into_iter().find(|r| r.1 <= 0.5 * sizes.crankpin_length + sizes.web_thickness) {
+        return Err(SizingError::NoRoom { crankpin_length: sizes.crankpin_length, web_thickness: sizes.web_thickness, side, room });
     }
-    let journal_moments = all().map(|(case, throw)| crank::journal(case, throw, spec.supported(), &sizes)).collect();
+    let journal_moments = all().flat_map(|(case, throw)| crank::journals(case, throw, spec.supported(), &sizes)).collect();
     let journal = section("journal", journal_moments, &spec.crank, journal_notch, false);
     sizes.journal_diameter = journal.diameter(factor, given.journal_diameter);
     let last = throws.iter().filter_map(|t| t.last());
     let seat_moments = last.map(|t| crank::seat(&t.torque_after, &spec.bearings)).collect();
     let seat = section("flywheel_seat", seat_moments, &spec.crank, Notch::NONE, false);
     sizes.seat_diameter = seat.diameter(factor, given.seat_diameter);
+    let webs: Vec<WebLoads> = all().flat_map(|(case, throw)| web::loads(case, throw, spec.supported(), radius, &sizes)).collect();
     if given.web_breadth.is_none() {
-        sizes.web_breadth = web_breadth(spec, throws, &sizes)?;
+        // no shoulder is lower than what stands on it
+        sizes.web_breadth = sizes.web_breadth.max(sizes.journal_diameter);
+        sizes.web_breadth = web_breadth(spec, &webs, &sizes)?;
     }
-    let small = eye(spec, cycles, "small", sizes.small_eye_bore, ROD_WIDTH * shank_thickness)?;
-    let big = eye(spec, cycles, "big", sizes.big_eye_bore, ROD_WIDTH * shank_thickness)?;
+    let small = eye(spec, cycles, "small", sizes.small_eye_bore, shank_thickness)?;
+    let big = eye(spec, cycles, "big", sizes.big_eye_bore, shank_thickness)?;
     (sizes.small_eye_diameter, sizes.big_eye_diameter) = (small.0, big.0);
     let mut margins = vec![pin.margin(sizes.pin_diameter), shank_margin(spec, &shank, shank_thickness), small.1, big.1];
     margins.extend([crankpin.margin(crankpin_diameter), journal.margin(sizes.journal_diameter), seat.margin(sizes.seat_diameter)]);
-    margins.push(web_margin(spec, throws, &sizes));
+    margins.push(web_margin(spec, webs.iter(), &sizes));
     let compression = shank.iter().map(|s| s.compression).fold(0.0, f64::max);
     Ok(Round {
         rod: bodies::rod(&sizes, spec.rod_length, spec.density),
@@ -198,42 +202,53 @@ fn notch(spec: &Specification, diameter: f64, sizes: &Sizes) -> Notch {
     }
 }
 
-fn web_margin(spec: &Specification, throws: &[Vec<ThrowLoads>], sizes: &Sizes) -> Margin {
-    let all = throws.iter().flat_map(|case| (0..case.len()).map(move |throw| (case, throw)));
-    let all = all.map(|(case, throw)| web::margins(case, throw, spec.supported(), spec.crank_radius(), sizes, &spec.crank));
+fn web_margin<'a>(spec: &Specification, webs: impl Iterator<Item = &'a WebLoads>, sizes: &Sizes) -> Margin {
+    let all = webs.map(|loads| web::margins(loads, (sizes.web_breadth, sizes.web_thickness), &spec.crank));
     let [yielding, fatigue] = all.fold([f64::INFINITY; 2], |a, b| [a[0].min(b[0]), a[1].min(b[1])]);
     Margin { section: "web", yielding, fatigue }
 }
 
+/// Webs whose margin is within this of the smallest are looked at while the breadth is sought; the others are looked at again in the end.
+const NEAR: f64 = 1.25;
+
 /// The narrowest web from 1.14 crankpin diameters on that holds.
-fn web_breadth(spec: &Specification, throws: &[Vec<ThrowLoads>], sizes: &Sizes) -> Result<f64, SizingError> {
-    let holds = |breadth: f64| {
-        let m = web_margin(spec, throws, &Sizes { web_breadth: breadth, ..*sizes });
-        m.yielding.min(m.fatigue) >= spec.design_factor
+fn web_breadth(spec: &Specification, webs: &[WebLoads], sizes: &Sizes) -> Result<f64, SizingError> {
+    let smaller = |webs: &[&WebLoads], breadth: f64| {
+        let m = web_margin(spec, webs.iter().copied(), &Sizes { web_breadth: breadth, ..*sizes });
+        m.yielding.min(m.fatigue)
     };
-    let (mut low, mut high) = (sizes.web_breadth, WIDEST_WEB * sizes.crankpin_diameter);
-    if holds(low) {
-        return Ok(low);
-    }
-    if !holds(high) {
-        return Err(SizingError::Web { thickness: sizes.web_thickness });
-    }
-    while high - low > 1e-13 * high {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
+    let all: Vec<&WebLoads> = webs.iter().collect();
+    let mut low = sizes.web_breadth;
+    loop {
+        let each: Vec<f64> = all.iter().map(|w| smaller(&[*w], low)).collect();
+        let worst = each.iter().copied().fold(f64::INFINITY, f64::min);
+        if worst >= spec.design_factor * (1.0 - 1e-12) {
+            return Ok(low);
         }
-        if holds(middle) { high = middle } else { low = middle }
+        let near: Vec<&WebLoads> = all.iter().zip(&each).filter(|(_, m)| **m <= NEAR * worst).map(|(w, _)| *w).collect();
+        let mut high = WIDEST_WEB * sizes.crankpin_diameter;
+        if smaller(&near, high) < spec.design_factor {
+            return Err(SizingError::Web { thickness: sizes.web_thickness });
+        }
+        while high - low > 1e-13 * high {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if smaller(&near, middle) >= spec.design_factor { high = middle } else { low = middle }
+        }
+        low = high;
     }
-    Ok(high)
 }
 
-/// Outer diameter of an eye, and its margins. The ring bears what pulls; what presses goes straight into the shank.
-fn eye(spec: &Specification, cycles: &[Cycle], which: &'static str, bore: f64, width: f64) -> Result<(f64, Margin), SizingError> {
+/// Outer diameter of an eye, and its margins. The ring bears what pulls; what presses goes straight into the shank, than which the eye is no lower.
+fn eye(spec: &Specification, cycles: &[Cycle], which: &'static str, bore: f64, shank_thickness: f64) -> Result<(f64, Margin), SizingError> {
     let (given, name) = match which {
         "small" => (spec.given.small_eye_ratio, "small_eye"),
         _ => (spec.given.big_eye_ratio, "big_eye"),
     };
+    let width = ROD_WIDTH * shank_thickness;
+    let height = rod::HEIGHT * shank_thickness * if which == "small" { rod::TAPER.0 } else { rod::TAPER.1 };
     let history = |c: &Cycle| -> Vec<f64> {
         let tension = if which == "small" { &c.rod_tension_small } else { &c.rod_tension_big };
         tension.iter().map(|f| f.max(0.0)).collect()
@@ -249,7 +264,7 @@ fn eye(spec: &Specification, cycles: &[Cycle], which: &'static str, bore: f64, w
     let needed = spec.design_factor * fatigue.max(yielding);
     let ratio = match given {
         Some(ratio) => ratio,
-        None => eye::least_ratio(needed, bore, width, spec.least_eye_ratio).ok_or(SizingError::Eye { which, bore })?,
+        None => eye::least_ratio(needed, bore, width, spec.least_eye_ratio.max(height / bore)).ok_or(SizingError::Eye { which, bore })?,
     };
     let per_area = eye::stress_concentration(ratio) / ((ratio - 1.0) * bore * width);
     let margin = |area: f64| if area > 0.0 { 1.0 / (per_area * area) } else { f64::INFINITY };

@@ -4,6 +4,7 @@ use super::bodies::Body;
 use super::crank::ThrowLoads;
 use super::cycle::Cycle;
 use super::failure::{MOST_ROUNDS, SizingError, TOLERANCE};
+use super::fit;
 use super::load_cases::loads;
 use super::round::{Round, round};
 use super::section::Notch;
@@ -60,6 +61,7 @@ pub fn size(spec: &Specification) -> Result<Sized, SizingError> {
     let mut sized = Sized { rounds: Vec::new(), cycles: Vec::new(), throws: Vec::new() };
     for _ in 1..=MOST_ROUNDS {
         if sized.next(spec, None)? < TOLERANCE {
+            fit::check(spec, &sized.last().sizes)?;
             return Ok(sized);
         }
     }

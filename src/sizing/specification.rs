@@ -171,6 +171,10 @@ impl Specification {
 pub struct TorqueCase {
     /// rpm.
     pub speed_rpm: f64,
+    /// How much of it counts, 0 (a rigid crank) to 1.
+    pub share: f64,
+    /// Orders it holds, as periods in a working cycle; what gas and masses have of others is added as on a rigid crank.
+    pub harmonics: Vec<u32>,
     /// Without its mean, before the first throw, between throws, after the last one: over the cycle as [`super::cycle::Cycle`] is sampled, N m.
     pub vibratory: Vec<Vec<f64>>,
 }

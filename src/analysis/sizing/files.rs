@@ -1,12 +1,13 @@
 //! Engine file and study of a sized slider-crank, as texts.
 
-use super::results::StudyFiles;
+use super::results::{SizeError, StudyFiles};
 use crate::engine::Pressure;
 use crate::engine::pressure::Measured;
-use crate::input::{SizedAbsorber, SizingStudy};
+use crate::input::{SizedAbsorber, SizingStudy, Study, from_texts};
 use crate::sizing::{Round, Sized, Sizes, bodies};
 use crate::units::{M_PER_MM, PA_PER_BAR};
 use std::fmt::Write;
+use std::path::Path;
 
 /// All files, the pressure in a table beside them.
 pub(super) fn files(study: &SizingStudy, sized: &Sized) -> StudyFiles {
@@ -15,6 +16,25 @@ pub(super) fn files(study: &SizingStudy, sized: &Sized) -> StudyFiles {
         _ => None,
     };
     StudyFiles { engine: engine(study, sized.last(), "pressure.csv"), study: self::study(study, study.absorber), pressure }
+}
+
+/// The study that follows from a crank, as `hartog run` would read it.
+///
+/// # Errors
+/// [`SizeError::Chain`] where it would not take it.
+pub(super) fn study_of(of: &SizingStudy, round: &Round, absorber: Option<SizedAbsorber>) -> Result<Study, SizeError> {
+    // tables that the file names are looked for beside it
+    let path = of.pressure_file.as_deref().unwrap_or(Path::new("study.toml"));
+    let table = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    from_texts(path, &study(of, absorber), &engine(of, round, &table)).map_err(|e| {
+        // its places are lines of files that are not written
+        SizeError::Chain(e.mistakes.first().map_or_else(String::new, |m| m.message.clone()))
+    })
+}
+
+/// A text in a line of its own.
+fn comment(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// A text in quotes.
@@ -33,7 +53,7 @@ pub(super) fn engine(study: &SizingStudy, round: &Round, pressure_file: &str) ->
     let mm = |x: f64| x / M_PER_MM;
     let mut text = format!(
         "# Sized by `hartog size` from {}.toml.\nname = {}\nstrokes = {}\n\n[geometry]\n",
-        study.name,
+        comment(&study.name),
         quoted(&study.title),
         spec.strokes
     );
@@ -99,7 +119,8 @@ fn traces(measured: &Measured) -> String {
     }
     for part in &measured.part_load {
         for (speed, trace) in measured.speeds_rpm.iter().zip(&part.pressure) {
-            _ = write!(text, ",{speed}_rpm_{}_percent_bar", 100.0 * part.load);
+            // shares were read as per cent
+            _ = write!(text, ",{speed}_rpm_{}_percent_bar", (1e8 * part.load).round() / 1e6);
             columns.push(trace);
         }
     }
@@ -166,7 +187,7 @@ pub(super) fn study(study: &SizingStudy, absorber: Option<SizedAbsorber>) -> Str
     let speeds = &study.speeds_rpm;
     let mut text = format!(
         "# Written by `hartog size` from {}.toml.\nengine = \"engine.toml\"\nspeed_rpm = {{ from = {}, to = {}, step = {} }}\n\n[[design]]\nname = \"none\"\n",
-        study.name,
+        comment(&study.name),
         speeds[0],
         speeds[speeds.len() - 1],
         study.speed_step_rpm

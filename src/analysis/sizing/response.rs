@@ -6,14 +6,13 @@ use crate::absorber::Mounted;
 use crate::analysis::run::run;
 use crate::analysis::{DesignResult, Progress, RunError, Silent};
 use crate::drivetrain::System;
-use crate::input::{SizedAbsorber, SizingStudy, from_texts};
+use crate::input::{SizedAbsorber, SizingStudy};
 use crate::numerics::C64;
 use crate::response::{Direct, Grid, Quantity, Work};
 use crate::sizing::cycle::samples_of_cycle;
-use crate::sizing::{Round, Sized, TorqueCase};
+use crate::sizing::{Round, Sized, SizingError, TorqueCase, fit};
 use crate::units::HZ_PER_RPM;
 use std::f64::consts::PI;
-use std::path::Path;
 
 /// Most rounds of sizing and response.
 const MOST_ROUNDS: usize = 100;
@@ -52,6 +51,8 @@ fn torque_cases(study: &SizingStudy, system: &System, speeds: &[f64], design: &[
     };
     let case = |(i, speed): (usize, &f64)| TorqueCase {
         speed_rpm: *speed,
+        share: 1.0,
+        harmonics: system.excitation.harmonics.clone(),
         vibratory: phasors.iter().map(|p| history(&p[i * orders.len()..(i + 1) * orders.len()])).collect(),
     };
     Ok(speeds.iter().enumerate().map(case).collect())
@@ -59,16 +60,27 @@ fn torque_cases(study: &SizingStudy, system: &System, speeds: &[f64], design: &[
 
 /// The engine with its best absorber of a type and ring, or without one.
 fn best(study: &SizingStudy, crank: &Round, absorber: Option<SizedAbsorber>) -> Result<(DesignResult, System), SizeError> {
-    // tables that the file names are looked for beside it
-    let path = study.pressure_file.as_deref().unwrap_or(Path::new(&study.name));
-    let table = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let mut of_chain = from_texts(path, &files::study(study, absorber), &files::engine(study, crank, &table))?;
+    let mut of_chain = files::study_of(study, crank, absorber)?;
     if absorber.is_some() {
         of_chain.designs.clear();
     }
     let results = run(&of_chain, &Silent)?;
     let optimum = results.optima.iter().find(|o| o.main).map(|o| o.design.clone());
     Ok((optimum.unwrap_or_else(|| results.designs[0].clone()), results.system))
+}
+
+/// The least share of the vibratory torque that is tried where a crank cannot bear all of it.
+const LEAST_SHARE: f64 = 1.0 / 64.0;
+
+/// A round under as much of the torque as a crank can bear: the response of a first crank may be a resonance that the last one does not have.
+fn next(study: &SizingStudy, sized: &mut Sized, mut cases: Vec<TorqueCase>, part: &mut f64) -> Result<f64, SizingError> {
+    loop {
+        cases.iter_mut().for_each(|c| c.share = *part);
+        match sized.next(&study.specification, Some(&cases)) {
+            Err(_) if *part > LEAST_SHARE => *part *= 0.5,
+            other => return other,
+        }
+    }
 }
 
 /// Sizes, chain, absorber and torque in turns from a first crank.
@@ -82,14 +94,15 @@ pub(super) fn agree(
     progress: &dyn Progress,
 ) -> Result<(Sized, ByResponse), SizeError> {
     progress.stage("crank and its response", MOST_ROUNDS);
-    let (mut sized, mut change) = (first, f64::INFINITY);
+    let (mut sized, mut part, mut last) = (first, 1.0f64, (f64::INFINITY, 0.0));
     let mut of_chain = sized.last().clone();
     for rounds in 1..=MOST_ROUNDS {
         let (design, system) = best(study, &of_chain, absorber)?;
         let cases = torque_cases(study, &system, &speeds(study, &system, &design), &design.absorbers)?;
-        change = sized.next(&study.specification, Some(&cases))?.max(of_chain.change_to(sized.last()));
+        let change = next(study, &mut sized, cases, &mut part)?.max(of_chain.change_to(sized.last()));
         progress.step();
-        if change < TOLERANCE {
+        if change < TOLERANCE && part >= 1.0 {
+            fit::check(&study.specification, &sized.last().sizes)?;
             let by_response = ByResponse {
                 rounds,
                 twist: design.twist.map_or(0.0, |p| p.value),
@@ -99,8 +112,10 @@ pub(super) fn agree(
             };
             return Ok((sized, by_response));
         }
+        last = (change, design.torque.map_or(0.0, |p| p.speed_rpm));
+        part = (2.0 * part).min(1.0);
         let share = SHARES.iter().rev().find(|s| rounds >= s.0).map_or(1.0, |s| s.1);
         of_chain = of_chain.towards(sized.last(), share, &study.specification);
     }
-    Err(SizeError::NotConverged { change, rounds: MOST_ROUNDS })
+    Err(SizeError::NotConverged { change: last.0, rounds: MOST_ROUNDS, speed_rpm: last.1 })
 }

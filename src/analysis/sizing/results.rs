@@ -3,7 +3,7 @@
 use crate::absorber::Mounted;
 use crate::analysis::curves::Figure;
 use crate::analysis::progress::RunError;
-use crate::input::{InputError, SizingStudy};
+use crate::input::SizingStudy;
 use crate::sizing::{Sized, SizingError};
 use std::f64::consts::PI;
 
@@ -79,16 +79,21 @@ pub enum SizeError {
     /// No response of the chain.
     #[error(transparent)]
     Response(#[from] RunError),
-    /// The chain that follows from the sizes is not accepted.
-    #[error("the sized crank makes no chain:\n{0}")]
-    Chain(#[from] InputError),
+    /// The study that follows from the sizes is one that `hartog run` would refuse.
+    #[error("the sized crank makes no study for `hartog run`: {0}")]
+    Chain(String),
     /// Crank and response do not settle.
-    #[error("crank and response of its chain still change by {change:.1e} in round {rounds}, expected {:.0e}", TOLERANCE)]
+    #[error(
+        "crank and response of its chain still change by {change:.1e} in round {rounds}, expected {TOLERANCE:.0e}: a resonance, last at {speed_rpm:.0} rpm, comes and goes as the \
+         crank gets thicker and thinner; take an absorber, more damping, another end of the speed range, or give the crankpin's diameter"
+    )]
     NotConverged {
-        /// Largest relative change in the last round.
+        /// Largest relative change of a dimension.
         change: f64,
         /// Rounds of sizing and response.
         rounds: usize,
+        /// Where the torque was largest.
+        speed_rpm: f64,
     },
 }
 

@@ -20,6 +20,8 @@ pub fn run(study: &SizingStudy, progress: &dyn Progress) -> Result<SizingResults
         Some((sized, by_response)) => (sized, Some(by_response)),
         None => (rigid, None),
     };
+    // what is written is what `hartog run` takes
+    files::study_of(study, sized.last(), study.absorber)?;
     let files = files::files(study, &sized);
     let figures = figures::figures(study, &sized);
     Ok(SizingResults { sized, by_response, front, files, figures })

@@ -78,7 +78,7 @@ pub struct SizedAbsorber {
 /// Ratios of crank radius to rod length, and of bore to stroke, of most engines \[Fialho & Almeida 2019\] section 2.2.1.
 const USUAL_CRANK_TO_ROD: (f64, f64) = (1.0 / 5.0, 1.0 / 3.0);
 const USUAL_BORE_TO_STROKE: (f64, f64) = (0.75, 1.5);
-/// Most speeds at which a crank is sized by its response: each is a load case of every round.
+/// Most speeds: each may be a load case of every round.
 const MOST_SPEEDS: usize = 500;
 /// Most points of a front: each is a crank of its own.
 const MOST_FRONT: i64 = 100;
@@ -126,11 +126,10 @@ fn study(check: &mut Check, path: &Path, raw: &RawSizing) -> Option<SizingStudy>
     let by_response = *raw.torsion.get_ref() == RawTorsion::Response;
     let absorber = raw.absorber.as_ref().and_then(|a| {
         let kind = kind(check, &a.get_ref().kind)?;
-        Some(SizedAbsorber { kind, ring_inertia: check.positive(&a.get_ref().ring_inertia_kg_m2) })
+        Some(SizedAbsorber { kind, ring_inertia: inertia(check, &a.get_ref().ring_inertia_kg_m2) })
     });
-    if (by_response || raw.front.is_some()) && speeds_rpm.len() > MOST_SPEEDS {
-        let words =
-            format!("found {} speeds, expected at most {MOST_SPEEDS} where the response of the chain sizes the crank", speeds_rpm.len());
+    if speeds_rpm.len() > MOST_SPEEDS {
+        let words = format!("found {} speeds, expected at most {MOST_SPEEDS}: each may be a load case", speeds_rpm.len());
         check.wrong(&raw.speed_rpm, words);
     }
     Some(SizingStudy {
@@ -172,7 +171,7 @@ fn front(check: &mut Check, at: &At<RawSizingFront>, raw: &RawSizing) -> Vec<f64
         check.wrong(&front.ring_inertia_kg_m2, format!("found {found} values, expected two: the smallest and the largest ring inertia"));
         return Vec::new();
     };
-    let (a, b) = (check.positive(low), check.positive(high));
+    let (a, b) = (inertia(check, low), inertia(check, high));
     if b <= a {
         check.wrong(&front.ring_inertia_kg_m2, format!("found {a} and {b}, expected the smaller inertia first"));
     }
@@ -185,11 +184,21 @@ fn front(check: &mut Check, at: &At<RawSizingFront>, raw: &RawSizing) -> Vec<f64
     (0..points).map(|i| a * step.powi(i as i32)).collect()
 }
 
+/// A length of an engine, m.
+fn length(check: &mut Check, raw: &At<f64>) -> f64 {
+    check.within(raw, 1e-2..=1e5, "a length from 0.01 mm to 100 m") * M_PER_MM
+}
+
+/// An inertia of an engine, kg m².
+fn inertia(check: &mut Check, raw: &At<f64>) -> f64 {
+    check.within(raw, 1e-9..=1e9, "an inertia from 1e-9 to 1e9 kg m²")
+}
+
 fn chain(check: &mut Check, raw: &RawSizedChain) -> SizedChain {
     SizedChain {
-        pulley_inertia: check.positive(&raw.pulley_inertia_kg_m2),
-        pulley_distance: check.positive(&raw.pulley_distance_mm) * M_PER_MM,
-        flywheel_inertia: check.positive(&raw.flywheel_inertia_kg_m2),
+        pulley_inertia: inertia(check, &raw.pulley_inertia_kg_m2),
+        pulley_distance: length(check, &raw.pulley_distance_mm),
+        flywheel_inertia: inertia(check, &raw.flywheel_inertia_kg_m2),
         formula: raw.stiffness_formula.get_ref().0,
         fraction_of_critical: check.within(
             &raw.fraction_of_critical,
@@ -225,7 +234,7 @@ fn stroke(check: &mut Check, raw: &RawMechanism, (strokes, cylinders, speed_rpm)
     // V = pi/4 (ratio S)² S
     let of_volume = |volume: f64| (4.0 * volume / (PI * ratio * ratio)).cbrt();
     match raw.basis.get_ref() {
-        RawBasis::StrokeMm(stroke) => check.positive(stroke) * M_PER_MM,
+        RawBasis::StrokeMm(stroke) => length(check, stroke),
         RawBasis::DisplacementCm3(volume) => of_volume(check.positive(volume) * 1e-6 / cylinders as f64),
         RawBasis::Power(p) => {
             let (power, pressure) = (check.positive(&p.power_kw) * W_PER_KW, check.positive(&p.mean_effective_pressure_bar) * PA_PER_BAR);
@@ -245,7 +254,7 @@ fn specification(
 ) -> Option<Specification> {
     let m = &raw.mechanism;
     let firing_deg = layout.map_or_else(|| vec![0.0], |l| l.firing_deg.clone());
-    let (low, high) = (speeds[0], speeds[speeds.len() - 1]);
+    let high = speeds[speeds.len() - 1];
     let bore_to_stroke = check.within(&m.bore_to_stroke, 0.1..=10.0, "a ratio of bore to stroke from 0.1 to 10");
     let crank_to_rod = check.within(
         &m.crank_to_rod,
@@ -274,7 +283,7 @@ fn specification(
     let parts = &raw.material;
     let [pin, rod, crank] = [&parts.piston_pin, &parts.rod, &parts.crank].map(|p| material(check, p, reliability_percent));
     let b = &raw.bearings;
-    let mut mm = |value: &At<f64>| check.positive(value) * M_PER_MM;
+    let mut mm = |value: &At<f64>| length(check, value);
     let [before, after, before_flywheel, after_flywheel] =
         [&b.before_throw_mm, &b.after_throw_mm, &b.before_flywheel_mm, &b.after_flywheel_mm].map(&mut mm);
     let bearings = Bearings {
@@ -289,7 +298,7 @@ fn specification(
     let ratios = eye::RATIOS.0..=eye::RATIOS.1;
     Some(Specification {
         strokes,
-        speeds_rpm: if high > low { vec![low, high] } else { vec![low] },
+        speeds_rpm: load_speeds(speeds, pressure.as_ref()),
         design_factor: factor(check, &raw.design_factor),
         buckling_factor: factor(check, &raw.buckling_factor),
         bore: bore_to_stroke * stroke,
@@ -303,7 +312,7 @@ fn specification(
         pin,
         rod,
         crank,
-        fillet_radius: check.positive(&m.fillet_radius_mm) * M_PER_MM,
+        fillet_radius: length(check, &m.fillet_radius_mm),
         clearance: check.not_negative(&m.eye_clearance_mm) * M_PER_MM,
         least_eye_ratio: check.within(&m.least_eye_ratio, ratios.clone(), "a ratio of outer to inner diameter from 1.02 to 4"),
         density: check.positive(&m.density_kg_m3),
@@ -316,8 +325,21 @@ fn specification(
     })
 }
 
+/// Speeds at which loads are computed: the ends of the range, and every speed of it where the pressure depends on the speed.
+fn load_speeds(speeds: &[f64], pressure: Option<&Pressure>) -> Vec<f64> {
+    let (low, high) = (speeds[0], speeds[speeds.len() - 1]);
+    let tabulated = pressure.map_or(&[][..], Pressure::speeds_rpm);
+    if tabulated.len() < 2 {
+        return if high > low { vec![low, high] } else { vec![low] };
+    }
+    let mut all: Vec<f64> = speeds.iter().copied().chain(tabulated.iter().copied().filter(|s| (low..=high).contains(s))).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
 fn given(check: &mut Check, raw: &RawGiven) -> Given {
-    let mut mm = |value: &Option<At<f64>>| value.as_ref().map(|v| check.positive(v) * M_PER_MM);
+    let mut mm = |value: &Option<At<f64>>| value.as_ref().map(|v| length(check, v));
     let mut given = Given {
         pin_diameter: mm(&raw.pin_diameter_mm),
         shank_thickness: mm(&raw.shank_thickness_mm),

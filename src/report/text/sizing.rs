@@ -139,10 +139,14 @@ fn front(results: &SizingResults) -> String {
         .collect();
     let lighter = 100.0 * (1.0 - largest.crank_mass / none.crank_mass);
     format!(
-        "Crank mass against ring inertia, every crank with the same design factor:\n{}  The largest ring makes the crank {lighter:.1} % lighter than that without absorber.\n",
+        "Crank mass against ring inertia, every crank with the same design factor:\n{}  The largest ring makes the crank {lighter:.1} % lighter than that without absorber. Each absorber is the one of least twist for its crank; f1 is with it.\n",
         table(&["ring/kg m²", "crank/kg", "crankpin/mm", "journal/mm", "f1/Hz", "twist/°", "torque/N m"], &rows)
     )
 }
+
+/// Fillet over diameter in the charts of stepped shafts.
+const SHARPEST: f64 = 0.01;
+const ROUNDEST: f64 = 0.3;
 
 /// Dimensions, margins, masses, what is printed elsewhere, and the front.
 pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow]) -> String {
@@ -160,7 +164,18 @@ pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[
     for warning in &study.warnings {
         _ = writeln!(text, "  warning: {warning}");
     }
-    _ = writeln!(text, "  {} rounds until dimensions, masses and forces agree", results.sized.rounds.len());
+    let round = results.sized.last();
+    for (name, diameter) in [("crankpin", round.sizes.crankpin_diameter), ("journal", round.sizes.journal_diameter)] {
+        let ratio = spec.fillet_radius / diameter;
+        if !(SHARPEST..=ROUNDEST).contains(&ratio) {
+            _ = writeln!(
+                text,
+                "  warning: the fillet is {ratio:.4} of the {name}'s diameter, outside {SHARPEST} to {ROUNDEST}, where its stress concentration is known"
+            );
+        }
+    }
+    let rigid = results.sized.rounds.len() - results.by_response.as_ref().map_or(0, |r| r.rounds);
+    _ = writeln!(text, "  {rigid} rounds until dimensions, masses and forces agree, the crank rigid in torsion");
     let parts = [dimensions(results), margins(study, results), bodies(study, results), by_response(results), front(results)];
     for part in parts.iter().filter(|p| !p.is_empty()) {
         text += "\n";

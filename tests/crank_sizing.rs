@@ -45,7 +45,7 @@ fn every_speed_of_a_torque_curve_counts() {
     );
     let sizes = |range: &str| {
         let file = folder.path().join("curve.toml");
-        let from = "speed_rpm = { from = 1000, to = 6000, step = 50 }";
+        let from = "speed_rpm = { from = 1000, to = 6000, step = 500 }";
         assert!(text.contains(from) && text.contains("[6, 16, 6]"));
         std::fs::write(&file, text.replace(from, &format!("speed_rpm = {range}"))).expect("written");
         size(&read_sizing(&file).expect("a sizing file").specification).expect("sizes").last().sizes

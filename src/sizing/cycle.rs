@@ -6,10 +6,10 @@ use crate::engine::{Geometry, Pressure};
 use crate::numerics::nearest;
 use crate::units::{DEG_PER_RAD, RAD_PER_S_PER_RPM};
 
-/// Every so many samples of the pressure: half a degree.
-const STRIDE: usize = 5;
+/// Every so many samples of the pressure: one degree.
+const STRIDE: usize = 10;
 
-/// Forces over a working cycle at one speed, N, a value each half degree from firing dead centre.
+/// Forces over a working cycle at one speed, N, a value each degree from firing dead centre.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cycle {
     /// rpm.

@@ -4,6 +4,7 @@ use super::bodies::Body;
 use super::crank::{self, Orders, ThrowLoads};
 use super::cycle::{Cycle, Gas, samples_of_cycle};
 use super::specification::{Specification, TorqueCase};
+use rayon::prelude::*;
 
 /// Cycles, and the loads of all throws in each of them.
 pub(super) type Loads = (Vec<Cycle>, Vec<Vec<ThrowLoads>>);
@@ -24,7 +25,7 @@ pub(super) fn loads(spec: &Specification, rod: &Body, torque: Option<&[TorqueCas
                 let throws = rigid(&c);
                 (c, throws)
             };
-            spec.speeds_rpm.iter().map(of).collect()
+            spec.speeds_rpm.par_iter().map(of).collect()
         }
         Some(cases) => {
             let orders = Orders::new(cases.first().map_or(&[][..], |c| &c.harmonics), samples_of_cycle(spec.strokes));
@@ -33,7 +34,7 @@ pub(super) fn loads(spec: &Specification, rod: &Body, torque: Option<&[TorqueCas
                 let throws = crank::with_response(rigid(&c), (&c, &spec.firing_deg), (case, &orders), (radius, cycle_deg));
                 (c, throws)
             };
-            cases.iter().map(of).collect()
+            cases.par_iter().map(of).collect()
         }
     };
     let driven = cycle(highest, Gas::None);

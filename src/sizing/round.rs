@@ -11,6 +11,7 @@ use super::specification::{Material, Sizes, Specification};
 use super::web::WebLoads;
 use super::{eye, piston_pin, stepped_shaft, web};
 use crate::fatigue::endurance::{Loading, fatigue_factor, notch_sensitivity};
+use rayon::prelude::*;
 
 /// Web thickness and least breadth over the diameter of the crankpin \[Fialho & Almeida 2019\] eqs. (52) and (53).
 const WEB: (f64, f64) = (0.7, 1.14);
@@ -152,7 +153,9 @@ pub(super) fn round(
     let seat_moments = last.map(|t| crank::seat(&t.torque_after, &spec.bearings)).collect();
     let seat = section("flywheel_seat", seat_moments, &spec.crank, Notch::NONE, false);
     sizes.seat_diameter = seat.diameter(factor, given.seat_diameter);
-    let webs: Vec<WebLoads> = all().flat_map(|(case, throw)| web::loads(case, throw, spec.supported(), radius, &sizes)).collect();
+    let places: Vec<_> = all().collect();
+    let webs: Vec<WebLoads> =
+        places.par_iter().flat_map_iter(|(case, throw)| web::loads(case, *throw, spec.supported(), radius, &sizes)).collect();
     if given.web_breadth.is_none() {
         // no shoulder is lower than what stands on it
         sizes.web_breadth = sizes.web_breadth.max(sizes.journal_diameter);
@@ -220,7 +223,7 @@ fn web_breadth(spec: &Specification, webs: &[WebLoads], sizes: &Sizes) -> Result
     let all: Vec<&WebLoads> = webs.iter().collect();
     let mut low = sizes.web_breadth;
     loop {
-        let each: Vec<f64> = all.iter().map(|w| smaller(&[*w], low)).collect();
+        let each: Vec<f64> = all.par_iter().map(|w| smaller(&[*w], low)).collect();
         let worst = each.iter().copied().fold(f64::INFINITY, f64::min);
         if worst >= spec.design_factor * (1.0 - 1e-12) {
             return Ok(low);

@@ -271,3 +271,27 @@ fn chart_writes_speed_and_accuracy() {
         assert!(read(folder.path(), &format!("{plot}.svg")).starts_with("<svg") && folder.path().join(format!("{plot}.png")).is_file());
     }
 }
+
+/// What an optimum asks of its builder is said: the loss factor that spring and damper imply, c/sqrt(k J) (0.371 for Den Hartog's ratio of 0.1: 2 zeta of Brock's 0.168 over 1/1.1, and the
+/// difference of the exact optimum), and a bound that it lies on; without bounds there is none to lie on.
+#[test]
+fn loss_factors_and_bounds_of_an_optimum() {
+    let folder = tempfile::tempdir().expect("folder");
+    let run = |changes: &[(&str, &str)]| {
+        let out = folder.path().join("o");
+        let study = variant(folder.path(), "den_hartog", changes);
+        let output = hartog().arg("run").arg(&study).arg("--out").arg(&out).output().expect("run");
+        (String::from_utf8_lossy(&output.stdout).into_owned(), read(&out, "absorbers.csv"))
+    };
+    let few = ("points = 25", "points = 2");
+    let (said, table) = run(&[few]);
+    assert!(said.contains("implied loss factor 0.371 (c omega/k at the ring's own 14.47 Hz)") && !said.contains("bound"), "{said}");
+    let columns: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
+    let row: Vec<&str> = table.lines().find(|l| l.starts_with("optimum_tuned,")).expect("a row").split(',').collect();
+    let value = |name: &str| row[columns.iter().position(|c| *c == name).expect(name)].parse::<f64>().expect(name);
+    let root = (value("stiffness_n_m_per_rad") * value("ring_inertia_kg_m2")).sqrt();
+    assert!((value("implied_loss_factor") / (value("damping_n_m_s_per_rad") / root) - 1.0).abs() < 1e-12);
+    let bounded = ("size.inertia_ratio.fixed = 0.1", "size.inertia_ratio.fixed = 0.1\nstiffness_n_m_per_rad.between = [0, 500]");
+    let (said, _) = run(&[few, bounded]);
+    assert!(said.contains("`stiffness_n_m_per_rad` lies on its upper bound, 500.0: beyond it there may be a better one"), "{said}");
+}

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Arguments of `size`.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  hartog size studies/fialho_two_stroke.toml --out sized\n  hartog run sized/study.toml\n\n\
+#[command(after_help = "Example:\n  hartog size studies/fialho_four.toml --out sized\n  hartog run sized/study.toml\n\n\
 Sizes every section for static strength and for infinite life until dimensions, masses and forces agree. Writes sizing.csv, forces and moments over the cycle,\n\
 a drawing, and engine.toml and study.toml for `hartog run`.\n\nExit code: 0 done, 1 a dimension that was given falls short of the design factor, 2 bad input or no dimensions that hold.")]
 pub struct Arguments {

@@ -35,7 +35,7 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let parameters = parameters(designs());
     let mut header = vec!["design", "absorber", "on_station", "on_ring_of", "type", "hub_inertia_kg_m2"];
     header.extend(parameters.iter().map(|p| p.key));
-    header.extend(["dissipated_power_w", "ring_twist_deg"]);
+    header.extend(["dissipated_power_w", "ring_twist_deg", "implied_loss_factor"]);
     let mut table = Table::new(&header);
     for d in designs() {
         for (i, (m, load)) in d.absorbers.iter().zip(&d.loads).enumerate() {
@@ -44,6 +44,7 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
                 vec![d.name.clone(), (i + 1).to_string(), station, ring, m.absorber.type_name().to_owned(), number(m.hub_inertia)];
             row.extend(parameters.iter().map(|p| optional(m.absorber.value(p.key))));
             row.extend([number(load.power), number(load.ring_twist * DEG_PER_RAD)]);
+            row.push(optional(m.absorber.implied_loss_factor().map(|l| l.0)));
             table.row(row);
         }
     }

@@ -8,6 +8,7 @@ mod curves;
 pub mod fatigue;
 pub mod margin;
 mod model;
+mod parameters;
 mod run;
 mod sizing;
 mod table;

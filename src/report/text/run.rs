@@ -1,6 +1,7 @@
 //! What a run prints: designs, optima, conditions, summary.
 
 use super::margin::factor;
+use super::parameters::parameters;
 use super::table::{dash, significant, table};
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
@@ -193,6 +194,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
             _ => {}
         }
     }
+    parameters(study, o).into_iter().for_each(&mut put);
     let starts = &o.optimum.starts;
     let agreeing = o.optimum.agreeing();
     let worst = starts.iter().map(|s| s.finished / o.optimum.cost() - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);

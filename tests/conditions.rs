@@ -69,6 +69,7 @@ fn unequal_cylinders_between_firing_and_misfire() {
     let design = |conditions: &[Condition], scatter: Option<Vec<f64>>| {
         let mut s = study("villalva_i6_thesis");
         (s.optimise, s.front, s.conditions, s.scatter) = (None, None, conditions.to_vec(), scatter);
+        (s.fatigue, s.calibrate) = (None, None);
         s.designs.truncate(2);
         analysis::run(&s, &Silent).expect("damped").designs.swap_remove(1)
     };
@@ -89,6 +90,9 @@ fn misfire_brings_the_half_orders() {
     for (name, spacing, cancelled) in [("villalva_i6_thesis", 3.0, None), ("villalva_v10_thesis", 2.5, Some(10.0))] {
         let mut s = study(name);
         (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::Misfire]);
+        // crank and further designs tell nothing of the orders
+        s.fatigue = None;
+        s.designs.truncate(1);
         let appearing: Vec<f64> = analysis::run(&s, &Silent).expect("damped").appearing.iter().map(|o| o.value()).collect();
         let silent = |o: &f64| o % spacing != 0.0 || Some(*o) == cancelled;
         let theory: Vec<f64> = (1..=24).map(|i| 0.5 * f64::from(i)).filter(silent).collect();

@@ -71,7 +71,7 @@ fn run_writes_the_contract() {
 fn threads_change_nothing() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse =
-        [("step = 10", "step = 20"), ("each = [0.076, 0.038, 0.0152, 0.0076]", "each = [0.076, 0.0076]"), ("points = 100", "points = 15")];
+        [("step = 10", "step = 40"), ("each = [0.076, 0.038, 0.0152, 0.0076]", "each = [0.076, 0.0076]"), ("points = 100", "points = 15")];
     let study = variant(folder.path(), "villalva_i6_thesis", &coarse);
     let out = |n: &str| folder.path().join(n);
     for n in ["1", "2", "8"] {
@@ -94,6 +94,7 @@ fn failing_limit_is_exit_code_one() {
     let limit = "[[constraint]]\nvibratory_torque = { max_n_m = 500 }\n\n[optimise]";
     let changes = [
         ("[optimise]", limit),
+        ("step = 10", "step = 50"),
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"),
         ("[pareto]\npoints = 100\nagainst.ring_inertia_kg_m2 = [0.0038, 0.152]", ""),
     ];

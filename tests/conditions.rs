@@ -213,6 +213,7 @@ fn an_optimum_that_holds_in_a_misfire() {
         let mut s = study("villalva_v10_thesis");
         (s.front, s.conditions) = (None, vec![Condition::Misfire]);
         s.more_objectives.clear();
+        s.fatigue = None;
         let o = s.optimise.as_mut().expect("optimises");
         (o.absorbers[0].types, o.absorbers[0].size, o.conditions) = (vec![&TUNED], Size::Each(vec![0.01]), conditions.to_vec());
         s.designs.clear();

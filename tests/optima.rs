@@ -20,6 +20,9 @@ fn only(name: &str, declaration: &'static Declaration, size: Size) -> Study {
     (o.absorbers[0].types, o.absorbers[0].size) = (vec![declaration], size);
     s.front = None;
     s.more_objectives.clear();
+    // none of these optima looks at the crank or at an engine with a fault
+    s.fatigue = None;
+    s.conditions.clear();
     s
 }
 

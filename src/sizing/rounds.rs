@@ -3,7 +3,7 @@
 use super::bodies::Body;
 use super::crank::ThrowLoads;
 use super::cycle::Cycle;
-use super::failure::{MOST_ROUNDS, SizingError, TOLERANCE};
+use super::failure::{LOOSE, MOST_ROUNDS, SizingError, TOLERANCE};
 use super::fit;
 use super::load_cases::loads;
 use super::round::{Round, round};
@@ -59,8 +59,9 @@ impl Sized {
 /// [`SizingError`] where no dimensions hold or rounds do not settle.
 pub fn size(spec: &Specification) -> Result<Sized, SizingError> {
     let mut sized = Sized { rounds: Vec::new(), cycles: Vec::new(), throws: Vec::new() };
-    for _ in 1..=MOST_ROUNDS {
-        if sized.next(spec, None)? < TOLERANCE {
+    for round in 1..=MOST_ROUNDS {
+        let tolerance = if round < MOST_ROUNDS { TOLERANCE } else { LOOSE };
+        if sized.next(spec, None)? < tolerance {
             fit::check(spec, &sized.last().sizes)?;
             return Ok(sized);
         }

@@ -36,10 +36,10 @@ pub enum SizingError {
         thickness: f64,
     },
     /// No eye holds.
-    #[error("no {which} eye up to {} times as wide as its bore of {:.1} mm holds the pull of the pin: take a stronger steel, a finer surface or a smaller design factor", eye::RATIOS.1, 1e3 * bore)]
+    #[error("no {} up to {} times as wide as its bore of {:.1} mm holds the pull of the pin: take a stronger steel, a finer surface or a smaller design factor", eye.replace('_', " "), eye::RATIOS.1, 1e3 * bore)]
     Eye {
-        /// Small or big.
-        which: &'static str,
+        /// Its name.
+        eye: &'static str,
         /// m.
         bore: f64,
     },

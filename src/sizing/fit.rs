@@ -1,6 +1,5 @@
 //! Whether parts that hold their loads go together.
 
-use super::bodies::web_height;
 use super::failure::SizingError;
 use super::rod::{HEIGHT, TAPER};
 use super::specification::{Sizes, Specification};
@@ -17,7 +16,6 @@ const SAME: f64 = 1.0 + 1e-9;
 /// [`SizingError::DoesNotFit`] with both dimensions.
 pub(crate) fn check(spec: &Specification, s: &Sizes) -> Result<(), SizingError> {
     let smallest_pin = s.crankpin_diameter.min(s.journal_diameter);
-    let heights = (web_height(s, spec.crank_radius()), s.crankpin_diameter);
     // (what is, what it must be below, both in words)
     let rules = [
         (s.pin_diameter, spec.bore, "the piston pin", "the bore"),
@@ -30,7 +28,6 @@ pub(crate) fn check(spec: &Specification, s: &Sizes) -> Result<(), SizingError> 
         (spec.clearance, s.pin_diameter.min(s.crankpin_diameter), "the clearance of the eyes", "the pin in it"),
         (s.crankpin_diameter, s.web_breadth * SAME, "the crankpin", "the breadth of the web"),
         (s.journal_diameter, s.web_breadth * SAME, "the journal", "the breadth of the web"),
-        (0.5 * s.web_breadth, heights.0, "half of the web's breadth", "its height"),
     ];
     match rules.into_iter().find(|r| r.0 > r.1) {
         None => Ok(()),

@@ -28,16 +28,15 @@ pub struct ShankLoads {
     pub compression: f64,
     /// Largest of tension and compression, N.
     pub largest: f64,
-    /// Along the rod, N; tension is positive.
-    pub force: Swing,
+    /// Along the rod at its small and at its big end, N; tension is positive.
+    pub force: [Swing; 2],
 }
 
 impl ShankLoads {
-    /// Of a cycle: the larger of both ends.
+    /// Of a cycle.
     pub fn of(cycle: &Cycle) -> Self {
         let both = || cycle.rod_tension_small.iter().chain(&cycle.rod_tension_big).copied();
-        let ends = [&cycle.rod_tension_small, &cycle.rod_tension_big].map(|end| Swing::of(end.iter().copied()));
-        let force = if ends[1].amplitude > ends[0].amplitude { ends[1] } else { ends[0] };
+        let force = [&cycle.rod_tension_small, &cycle.rod_tension_big].map(|end| Swing::of(end.iter().copied()));
         Self { compression: both().fold(0.0, |m, f| m.max(-f)), largest: both().fold(0.0, |m, f| m.max(f.abs())), force }
     }
 }
@@ -61,7 +60,8 @@ pub fn buckling_thickness(load: f64, yield_strength: f64, length: f64) -> f64 {
 pub(super) fn axial_thickness(loads: &ShankLoads, material: &Material, factor: f64) -> [f64; 2] {
     let limit = material.fatigue_limit(Loading::Axial, 0.0);
     let of = |area: f64| (factor * area / AREA_AT_SMALL_EYE).sqrt();
-    [of(loads.largest / material.yield_strength), of(loads.force.amplitude / limit + loads.force.mean.max(0.0) / material.tensile)]
+    let goodman = |force: Swing| force.amplitude / limit + force.mean.max(0.0) / material.tensile;
+    [of(loads.largest / material.yield_strength), of(loads.force.map(goodman).into_iter().fold(0.0, f64::max))]
 }
 
 /// Force that buckles a shank, N.

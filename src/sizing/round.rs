@@ -94,14 +94,14 @@ impl RoundSection<'_> {
         if self.in_bending { Strength { shear_yield: 0.5 * self.material.yield_strength, ..strength } } else { strength }
     }
 
-    /// The diameter that holds, or the given one.
-    fn diameter(&self, factor: f64, given: Option<f64>) -> f64 {
+    /// The least diameter from a first one on that holds, or the given one.
+    fn diameter(&self, factor: f64, given: Option<f64>, first: f64) -> f64 {
         let needed = |d: f64| {
             let strength = self.strength(d);
             let of = |m: &Moments| m.static_diameter(&strength, factor).max(m.fatigue_diameter(&strength, self.notch, factor));
             self.moments.iter().map(of).fold(0.0, f64::max)
         };
-        given.unwrap_or_else(|| least(needed))
+        given.unwrap_or_else(|| least(needed, first))
     }
 
     fn margin(&self, diameter: f64) -> Margin {
@@ -112,22 +112,42 @@ impl RoundSection<'_> {
     }
 }
 
+/// What a round takes of the one before.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Before {
+    /// Of crankpin and journal.
+    pub notches: [Notch; 2],
+    /// Diameters of crankpin and journal from which theirs are sought, m.
+    pub first: [f64; 2],
+}
+
+/// An end of the rod.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Small,
+    Big,
+}
+
+/// Sizes every section under these loads, with the notch factors of the round before.
+///
+/// # Errors
+/// [`SizingError`] where a section has no dimension that holds.
 pub(super) fn round(
     spec: &Specification,
     (cycles, throws): &Loads,
-    [crankpin_notch, journal_notch]: [Notch; 2],
+    Before { notches: [crankpin_notch, journal_notch], first }: Before,
 ) -> Result<Round, SizingError> {
     let (given, factor, radius) = (&spec.given, spec.design_factor, spec.crank_radius());
     let section = |name, moments, material, notch, in_bending| RoundSection { name, moments, material, notch, in_bending };
     let pin_moments = cycles.iter().map(|c| piston_pin::moments(c, spec.bore)).collect();
     let pin = section("piston_pin", pin_moments, &spec.pin, Notch::NONE, true);
-    let pin_diameter = pin.diameter(factor, given.pin_diameter);
+    let pin_diameter = pin.diameter(factor, given.pin_diameter, 0.0);
     let shank = cycles.iter().map(ShankLoads::of).collect::<Vec<_>>();
     let shank_thickness = given.shank_thickness.unwrap_or_else(|| shank_thickness(spec, &shank));
     let all = || throws.iter().flat_map(|case| (0..case.len()).map(move |throw| (case, throw)));
     let crankpin_moments = all().flat_map(|(case, throw)| crank::crankpin(case, throw, spec.supported(), radius)).collect();
     let crankpin = section("crankpin", crankpin_moments, &spec.crank, crankpin_notch, false);
-    let crankpin_diameter = crankpin.diameter(factor, given.crankpin_diameter);
+    let crankpin_diameter = crankpin.diameter(factor, given.crankpin_diameter, first[0]);
     let mut sizes = Sizes {
         pin_diameter,
         shank_thickness,
@@ -148,11 +168,11 @@ pub(super) fn round(
     }
     let journal_moments = all().flat_map(|(case, throw)| crank::journals(case, throw, spec.supported(), &sizes)).collect();
     let journal = section("journal", journal_moments, &spec.crank, journal_notch, false);
-    sizes.journal_diameter = journal.diameter(factor, given.journal_diameter);
+    sizes.journal_diameter = journal.diameter(factor, given.journal_diameter, first[1]);
     let last = throws.iter().filter_map(|t| t.last());
     let seat_moments = last.map(|t| crank::seat(&t.torque_after, &spec.bearings)).collect();
     let seat = section("flywheel_seat", seat_moments, &spec.crank, Notch::NONE, false);
-    sizes.seat_diameter = seat.diameter(factor, given.seat_diameter);
+    sizes.seat_diameter = seat.diameter(factor, given.seat_diameter, 0.0);
     let places: Vec<_> = all().collect();
     let webs: Vec<WebLoads> =
         places.par_iter().flat_map_iter(|(case, throw)| web::loads(case, *throw, spec.supported(), radius, &sizes)).collect();
@@ -161,8 +181,8 @@ pub(super) fn round(
         sizes.web_breadth = sizes.web_breadth.max(sizes.journal_diameter);
         sizes.web_breadth = web_breadth(spec, &webs, &sizes)?;
     }
-    let small = eye(spec, cycles, "small", sizes.small_eye_bore, shank_thickness)?;
-    let big = eye(spec, cycles, "big", sizes.big_eye_bore, shank_thickness)?;
+    let small = eye(spec, cycles, End::Small, sizes.small_eye_bore, shank_thickness)?;
+    let big = eye(spec, cycles, End::Big, sizes.big_eye_bore, shank_thickness)?;
     (sizes.small_eye_diameter, sizes.big_eye_diameter) = (small.0, big.0);
     let mut margins = vec![pin.margin(sizes.pin_diameter), shank_margin(spec, &shank, shank_thickness), small.1, big.1];
     margins.extend([crankpin.margin(crankpin_diameter), journal.margin(sizes.journal_diameter), seat.margin(sizes.seat_diameter)]);
@@ -245,15 +265,17 @@ fn web_breadth(spec: &Specification, webs: &[WebLoads], sizes: &Sizes) -> Result
 }
 
 /// Outer diameter of an eye, and its margins. The ring bears what pulls; what presses goes straight into the shank, than which the eye is no lower.
-fn eye(spec: &Specification, cycles: &[Cycle], which: &'static str, bore: f64, shank_thickness: f64) -> Result<(f64, Margin), SizingError> {
-    let (given, name) = match which {
-        "small" => (spec.given.small_eye_ratio, "small_eye"),
-        _ => (spec.given.big_eye_ratio, "big_eye"),
+fn eye(spec: &Specification, cycles: &[Cycle], end: End, bore: f64, shank_thickness: f64) -> Result<(f64, Margin), SizingError> {
+    let (given, name, taper) = match end {
+        End::Small => (spec.given.small_eye_ratio, "small_eye", rod::TAPER.0),
+        End::Big => (spec.given.big_eye_ratio, "big_eye", rod::TAPER.1),
     };
-    let width = ROD_WIDTH * shank_thickness;
-    let height = rod::HEIGHT * shank_thickness * if which == "small" { rod::TAPER.0 } else { rod::TAPER.1 };
+    let (width, height) = (ROD_WIDTH * shank_thickness, rod::HEIGHT * shank_thickness * taper);
     let history = |c: &Cycle| -> Vec<f64> {
-        let tension = if which == "small" { &c.rod_tension_small } else { &c.rod_tension_big };
+        let tension = match end {
+            End::Small => &c.rod_tension_small,
+            End::Big => &c.rod_tension_big,
+        };
         tension.iter().map(|f| f.max(0.0)).collect()
     };
     let limit = spec.rod.fatigue_limit(Loading::Axial, 0.0);
@@ -267,7 +289,9 @@ fn eye(spec: &Specification, cycles: &[Cycle], which: &'static str, bore: f64, s
     let needed = spec.design_factor * fatigue.max(yielding);
     let ratio = match given {
         Some(ratio) => ratio,
-        None => eye::least_ratio(needed, bore, width, spec.least_eye_ratio.max(height / bore)).ok_or(SizingError::Eye { which, bore })?,
+        None => {
+            eye::least_ratio(needed, bore, width, spec.least_eye_ratio.max(height / bore)).ok_or(SizingError::Eye { eye: name, bore })?
+        }
     };
     let per_area = eye::stress_concentration(ratio) / ((ratio - 1.0) * bore * width);
     let margin = |area: f64| if area > 0.0 { 1.0 / (per_area * area) } else { f64::INFINITY };

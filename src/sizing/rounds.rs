@@ -6,10 +6,12 @@ use super::cycle::Cycle;
 use super::failure::{LOOSE, MOST_ROUNDS, SizingError, TOLERANCE};
 use super::fit;
 use super::load_cases::loads;
-use super::round::{Round, round};
+use super::round::{Before, Round, round};
 use super::section::Notch;
 use super::specification::{Specification, TorqueCase};
 
+/// From this round on a diameter stays on its side of a jump of the size factor: a smaller one may hold with the notch factor of the larger, but not with its own.
+const STAYING: usize = 20;
 /// Largest dimension, in bores: what grows beyond it grows without limit.
 const LARGEST: f64 = 1e3;
 
@@ -33,8 +35,10 @@ impl Sized {
     pub fn next(&mut self, spec: &Specification, torque: Option<&[TorqueCase]>) -> Result<f64, SizingError> {
         let before = self.rounds.last();
         let (rod_body, notches) = before.map_or((Body::default(), [Notch::NONE; 2]), |r| (r.rod, [r.crankpin_notch, r.journal_notch]));
+        let staying = before.filter(|_| self.rounds.len() >= STAYING);
+        let first = staying.map_or([0.0; 2], |r| [r.sizes.crankpin_diameter, r.sizes.journal_diameter]);
         let loads = loads(spec, &rod_body, torque);
-        let round = round(spec, &loads, notches)?;
+        let round = round(spec, &loads, Before { notches, first })?;
         if let Some((dimension, value)) = round.sizes.named().into_iter().find(|(_, v)| v.is_nan() || *v > LARGEST * spec.bore) {
             return Err(SizingError::Diverges { dimension, value, round: self.rounds.len() + 1 });
         }

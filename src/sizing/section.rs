@@ -85,11 +85,11 @@ impl Moments {
 }
 
 /// The least diameter that is at least what `needed` asks of it. `needed` does not fall with the diameter (a larger section endures less), so steps from
-/// below end at the least of them, wherever its size factor jumps.
-pub fn least(needed: impl Fn(f64) -> f64) -> f64 {
+/// a `first` below end at the least of them, wherever its size factor jumps; steps from above end at the largest below it.
+pub fn least(needed: impl Fn(f64) -> f64, first: f64) -> f64 {
     const STEPS: usize = 200;
     const CLOSE: f64 = 1e-14;
-    let mut d = needed(0.0);
+    let mut d = needed(first);
     for _ in 0..STEPS {
         let next = needed(d);
         if next.is_nan() || (next - d).abs() <= CLOSE * d {

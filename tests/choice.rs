@@ -99,7 +99,7 @@ fn tables_know_what_they_cannot_answer() {
             "a narrow ring"
         );
         assert!(finder.is_smooth());
-        let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
+        let measure = Measure::new(vec![s.twist], Over::Synthesis);
         let exact = finder.peak(&[on(0, Tuned, 0.076, 158e3, 1.0)], &measure, &mut Work::default()).expect("damped").expect("excited");
         assert!(exact.value > 0.0);
     });

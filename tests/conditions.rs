@@ -172,10 +172,14 @@ fn gradients_in_every_condition() {
     let mut spec = s.optimise.clone().expect("optimises");
     spec.absorbers[0].size = Size::Between(0.01, 0.1);
     let space = hartog::analysis::families::family(&spec, &Choice { types: vec![&TUNED], rings: vec![None] }, &[Vec::new()]);
-    let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
+    let objective = Measure::new(vec![s.twist], Over::Synthesis).in_si();
     // a locked ring is far worse than a working one: together only its rows would count
-    let problem =
-        |range: std::ops::Range<usize>| Problem { load_cases: &load_cases[range], space: space.clone(), objective: &measure, limits: &[] };
+    let problem = |range: std::ops::Range<usize>| Problem {
+        load_cases: &load_cases[range],
+        space: space.clone(),
+        objectives: std::slice::from_ref(&objective),
+        limits: &[],
+    };
     let mut seen = [0; 4];
     let design = on(0, Kind::Tuned, 0.076, 5.5e4, 28.0);
     for (first, problem) in [(0, problem(0..2)), (2, problem(2..4))] {

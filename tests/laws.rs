@@ -206,12 +206,12 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
     let grid = Grid::new(&s.speeds_rpm.iter().copied().step_by(4).collect::<Vec<_>>(), &sys.excitation.tabulated_rpm);
     let method = Method::Direct(Direct::new(sys, &grid));
     let finder = PeakFinder::new(sys, &grid, &method, true);
-    let measure = Measure { quantities: vec![s.twist], over: Over::Synthesis };
+    let measure = Measure::new(vec![s.twist], Over::Synthesis);
     let values = values_of(s, places);
     let design = design_of(places, &values);
     let peak = finder.peak(&design, &measure, &mut Work::default()).expect("damped").expect("excited");
     for (i, (declaration, _)) in places.iter().enumerate() {
-        let gradient = finder.gradient(&design, i, &peak, &mut Work::default()).expect("damped");
+        let gradient = finder.gradient(&design, i, &measure, &peak, &mut Work::default()).expect("damped");
         assert_eq!(gradient.len(), declaration.parameters.len());
         for (p, parameter) in declaration.parameters.iter().enumerate() {
             let with = |factor: f64| {

@@ -6,7 +6,7 @@ use hartog::absorber::closed_forms::EngineMode;
 use hartog::analysis::audit::highest_frequency_hz;
 use hartog::analysis::{self, OptimumResult, Silent, families};
 use hartog::input::{OptimiseSpec, Study};
-use hartog::objective::{Condition, PeakFinder};
+use hartog::objective::{Condition, Limit, PeakFinder};
 use hartog::optimise::{LoadCase, Problem, minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
 use rayon::prelude::*;
@@ -26,14 +26,15 @@ fn family(study: &Study) -> &OptimiseSpec {
 
 /// The problem of one type and ring.
 fn problem<'a>(
-    study: &'a Study,
+    study: &Study,
     load_cases: &'a [LoadCase<'a>],
+    objective: &'a Limit,
     modes: &[Vec<EngineMode>],
     declaration: &'static Declaration,
     ring: f64,
 ) -> Problem<'a> {
     let space = families::family(family(study), &families::Choice { types: vec![declaration], rings: vec![Some(ring)] }, modes);
-    Problem { load_cases, space, objective: &study.objective.measure, limits: &[] }
+    Problem { load_cases, space, objectives: std::slice::from_ref(objective), limits: &[] }
 }
 
 /// Runs both engines and hands over every optimum with its problem.
@@ -45,7 +46,12 @@ fn for_every_optimum(check: impl Fn(&str, &OptimumResult, &Problem, &[Vec<Engine
         with_scenes(&s, |load_cases, modes| {
             for o in &results.optima {
                 let a = &o.optimum.design[0].absorber;
-                check(name, o, &problem(&s, load_cases, modes, a.declaration().expect("a ring"), a.ring_inertia()), modes);
+                check(
+                    name,
+                    o,
+                    &problem(&s, load_cases, &s.objective.measure.in_si(), modes, a.declaration().expect("a ring"), a.ring_inertia()),
+                    modes,
+                );
             }
         });
     }
@@ -97,7 +103,8 @@ fn fronts_are_optimal() {
                 let mut worst = 0.0f64;
                 for p in front.front.points.iter().step_by(3) {
                     let ring = p.design[0].absorber.ring_inertia();
-                    let problem = problem(&s, load_cases, modes, front.declaration, ring);
+                    let objective = s.objective.measure.in_si();
+                    let problem = problem(&s, load_cases, &objective, modes, front.declaration, ring);
                     let list = starts::starts(&problem.space, modes, 40, 7);
                     let best = search::optimise(&problem, &list, &|| {}).expect("damped").value();
                     worst = worst.max(p.value / best - 1.0);

@@ -21,6 +21,7 @@ mod layering;
 mod load;
 mod long;
 mod margin;
+mod measures;
 mod methods;
 mod multiaxial;
 mod multiaxial_margin;

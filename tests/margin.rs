@@ -130,7 +130,7 @@ fn gradients_of_margins() {
                 case.with(|finder| {
                     let peak = |m: Mounted| finder.peak(&[m], measure, &mut Work::default()).expect("finite").expect("a peak");
                     let at = peak(design.clone());
-                    let gradient = finder.gradient(std::slice::from_ref(&design), 0, &at, &mut Work::default()).expect("finite");
+                    let gradient = finder.gradient(std::slice::from_ref(&design), 0, measure, &at, &mut Work::default()).expect("finite");
                     for p in 0..3 {
                         let moved = |share: f64| {
                             let mut v = three_values(&design);
@@ -321,7 +321,8 @@ fn optimum_by_margin() {
         let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder }];
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(60.0)];
         let best = |objective: &Measure, limits: &[Limit]| {
-            let problem = Problem { load_cases: &load_cases, space: space.clone(), objective, limits };
+            let objectives = [objective.in_si()];
+            let problem = Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, limits };
             let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 200, &mut Work::default());
             hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite")
         };

@@ -4,8 +4,8 @@ use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::{Declaration, Host, RUBBER, TUNED, UNDAMPED, VISCOUS};
 use hartog::analysis::{self, Results, Silent};
 use hartog::drivetrain::{Chain, Modes, Station};
-use hartog::input::{DesignSpec, FrontSpec, Size, Study};
-use hartog::objective::{Limit, Measure, Over};
+use hartog::input::{DesignSpec, FrontSpec, LimitSpec, MeasureSpec, Size, Study, UnitOf};
+use hartog::objective::{Measure, Over};
 use hartog::optimise::Variable;
 use hartog::response::Quantity;
 
@@ -174,16 +174,18 @@ fn no_peak_hides_between_grid_speeds() {
 fn limits_bind() {
     let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.076]));
     let free = run(&s);
-    let torque = Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis };
+    let torque = Measure::new((0..7).map(Quantity::ShaftTorque).collect(), Over::Synthesis);
     let unlimited = free.optima[0].design.torque.expect("shafts").value;
-    s.limits = vec![("torque".into(), Limit { measure: torque.clone(), limit: 0.97 * unlimited })];
+    let of = MeasureSpec { measure: torque, unit: UnitOf::Torque, ..s.objective.clone() };
+    let limit = |limit| LimitSpec { of: of.clone(), words: "torque".into(), limit };
+    s.limits = vec![limit(0.97 * unlimited)];
     let limited = run(&s);
     assert!(limited.limits_hold());
     let design = &limited.optima[0].design;
     assert_close(design.limits[0], 1.0, 1e-6, 0.0, "the limit is active");
     assert!(limited.optima[0].optimum.value() > free.optima[0].optimum.value());
     assert!(limited.optima[0].optimum.outcome.kkt_residual < 1e-4);
-    s.limits = vec![("torque".into(), Limit { measure: torque, limit: 100.0 })];
+    s.limits = vec![limit(100.0)];
     assert!(!run(&s).limits_hold());
 }
 
@@ -191,8 +193,8 @@ fn limits_bind() {
 #[test]
 fn other_objectives_have_stationary_optima() {
     let measures = [
-        Measure { quantities: vec![Quantity::Twist { from: 0, to: Some(7) }], over: Over::Orders },
-        Measure { quantities: (0..7).map(Quantity::ShaftTorque).collect(), over: Over::Synthesis },
+        Measure::new(vec![Quantity::Twist { from: 0, to: Some(7) }], Over::Orders),
+        Measure::new((0..7).map(Quantity::ShaftTorque).collect(), Over::Synthesis),
     ];
     for measure in measures {
         let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.03]));

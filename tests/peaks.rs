@@ -12,7 +12,7 @@ use hartog::objective::{Measure, Over, PeakFinder, Place};
 use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
 
 fn measure(quantity: Quantity, over: Over) -> Measure {
-    Measure { quantities: vec![quantity], over }
+    Measure::new(vec![quantity], over)
 }
 
 /// Runs `f` with a finder of a study.
@@ -108,7 +108,7 @@ fn numbers(sys: &System, design: &[Mounted], (low, high, step): (f64, f64, f64))
     let each = quantities.iter().flat_map(|q| [measure(*q, Over::Synthesis), measure(*q, Over::Orders)]);
     let mut list: Vec<f64> = each.map(|m| finder.peak(design, &m, &mut Work::default()).expect("damped").expect("excited").value).collect();
     let measure = measure(twist, Over::Synthesis);
-    let wanted = Wanted { twist, hub: 0, objective: &measure, limits: Vec::new(), margins: &[], conditions: &[], held: &[] };
+    let wanted = Wanted { twist, hub: 0, objective: &measure, limits: &[], margins: &[], conditions: &[], held: &[] };
     let whole = evaluate(std::slice::from_ref(&finder), "d", design, &wanted, &mut Work::default()).expect("damped");
     list.extend([whole.power, whole.torque.map(|p| p.value), whole.ring_twist].into_iter().flatten());
     list
@@ -236,7 +236,7 @@ fn gradients_equal_differences() {
             ] {
                 let m = measure(quantity, over);
                 let peak = finder.peak(std::slice::from_ref(&a), &m, &mut Work::default()).expect("damped").expect("excited");
-                let gradient = finder.gradient(std::slice::from_ref(&a), 0, &peak, &mut Work::default()).expect("damped");
+                let gradient = finder.gradient(std::slice::from_ref(&a), 0, &m, &peak, &mut Work::default()).expect("damped");
                 let values = three_values(&a);
                 for p in 0..3 {
                     let at = |factor: f64| {

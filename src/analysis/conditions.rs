@@ -41,7 +41,7 @@ pub(crate) fn in_conditions(
     let one = |condition: Condition, finder: &PeakFinder| -> Result<(ConditionResult, Work), ResponseError> {
         let cylinder = finder.system.excitation.units.misfiring();
         let (design, mut work) = (condition.absorbers(design), Work::default());
-        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure { quantities, over: Over::Synthesis }, &mut work);
+        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure::new(quantities, Over::Synthesis), &mut work);
         let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
         let torque = if shafts.is_empty() { None } else { peak(shafts)? };
         let (objective, limits) = asked(finder, &design, wanted, &mut work)?;

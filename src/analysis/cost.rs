@@ -20,7 +20,7 @@ pub(crate) fn per_design(
     quantity: Quantity,
     margins: &[Measure],
 ) -> Result<Vec<Timing>, ResponseError> {
-    let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
+    let measure = Measure::new(vec![quantity], Over::Synthesis);
     let (mut squares, mut phasors) = (Vec::new(), Vec::new());
     finder.method.sweep(design, quantity, &mut phasors, &mut Work::default())?;
     let direct = Direct::new(finder.system, finder.grid);

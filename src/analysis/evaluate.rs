@@ -6,7 +6,6 @@ use super::{ConditionResult, RunError, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
-use crate::numerics::maximise::maximise;
 use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
 use crate::response::{Quantity, ResponseError, Work, quasi_static};
 use std::ops::Range;
@@ -87,7 +86,7 @@ impl Classifier {
         let kind = match peak.place {
             Place::End => PeakKind::EndOfRange,
             Place::Interior if amplification >= RESONANT && adds(order) >= SHARE * peak.value => PeakKind::Resonant,
-            Place::Interior => PeakKind::Forced,
+            Place::Interior | Place::Nowhere => PeakKind::Forced,
         };
         Ok(Some(Nature { kind, over_static: peak.value / reference, order, amplification }))
     }
@@ -99,8 +98,13 @@ impl Classifier {
             work.extend(self.phasors(finder.system, speed));
         }
         match over {
-            Over::Synthesis | Over::Margin(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
             Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
+            Over::Order(order) => {
+                let index = finder.system.excitation.orders.iter().position(|o| *o == order);
+                let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
+                index.map_or(0.0, own)
+            }
+            Over::Synthesis | Over::Margin(_) | Over::Power | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
         }
     }
 }
@@ -181,7 +185,7 @@ fn firing(
     wanted: &Wanted,
     work: &mut Work,
 ) -> Result<(DesignResult, Vec<f64>), ResponseError> {
-    let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure { quantities, over }, work);
+    let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure::new(quantities, over), work);
     let hub = Quantity::Twist { from: wanted.hub, to: None };
     let shafts = shafts(finder);
     let twist = peak(vec![wanted.twist], Over::Synthesis)?;
@@ -219,43 +223,17 @@ fn loads(finder: &PeakFinder, design: &[Mounted], all: Option<(f64, f64)>, work:
     }
     let one = |i: usize| {
         let power = largest_power(finder, design, i..i + 1, work)?.unwrap_or(0.0);
-        let measure = Measure { quantities: vec![Quantity::RingTwist(i)], over: Over::Synthesis };
+        let measure = Measure::new(vec![Quantity::RingTwist(i)], Over::Synthesis);
         Ok(AbsorberLoad { power, ring_twist: finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value) })
     };
     (0..design.len()).map(one).collect()
 }
 
-/// A power this share of the largest known one is refined between speeds.
-const POWER_SHARE: f64 = 0.3;
-
-/// Largest power of some of its absorbers together over the speeds a design is evaluated at, refined between them where the study refines.
+/// Largest power of some of its absorbers together over the speed range.
 fn largest_power(finder: &PeakFinder, design: &[Mounted], of: Range<usize>, work: &mut Work) -> Result<Option<f64>, ResponseError> {
     if design.is_empty() {
         return Ok(None);
     }
-    let speeds = finder.speeds(design).rpm;
-    let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
-    let twists = finder.direct.at_each(design, &rings, &speeds, work)?;
-    let orders = finder.system.orders();
-    let at = |i: usize| -> f64 {
-        let ring = |(r, y): (usize, &Vec<C64>)| finder.direct.power_of_twist(design, r, speeds[i], &y[i * orders..(i + 1) * orders]);
-        twists.iter().enumerate().filter(|(r, _)| of.contains(r)).map(ring).sum()
-    };
-    let values: Vec<f64> = (0..speeds.len()).map(at).collect();
-    let known = values.iter().copied().fold(0.0, f64::max);
-    let mut largest = known;
-    if finder.refine {
-        let last = values.len() - 1;
-        for i in 0..=last {
-            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
-            if values[i] >= POWER_SHARE * known && values[i] >= values[before] && values[i] >= values[after] {
-                // each side apart, whatever the distances of the neighbours
-                for (a, b) in [(before, i), (i, after)].into_iter().filter(|(a, b)| a < b) {
-                    let total = |speed: f64| of.clone().map(|r| finder.direct.dissipated_power(design, r, speed, work)).sum();
-                    largest = largest.max(maximise(speeds[a], speeds[b], total)?.1);
-                }
-            }
-        }
-    }
-    Ok(Some(largest))
+    let measure = Measure::new(of.map(Quantity::RingTwist).collect(), Over::Power);
+    Ok(Some(finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value)))
 }

@@ -61,7 +61,7 @@ pub fn model(study: &Study, harmonics: &[u32], grid: &Grid) -> Option<Margin> {
 pub fn measures(study: &Study) -> Vec<Measure> {
     let (Some(fatigue), Some(crank)) = (&study.fatigue, &study.crank) else { return Vec::new() };
     let quantities: Vec<Quantity> = crankshaft::shafts(&study.chain, crank.throws()).into_iter().map(Quantity::ShaftTorque).collect();
-    (0..fatigue.criteria.len()).map(|c| Measure { quantities: quantities.clone(), over: Over::Margin(c) }).collect()
+    (0..fatigue.criteria.len()).map(|c| Measure::new(quantities.clone(), Over::Margin(c))).collect()
 }
 
 /// The smallest margin of a design by each criterion.

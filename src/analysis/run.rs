@@ -20,7 +20,7 @@ use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
-use crate::objective::{Condition, Limit, PeakFinder};
+use crate::objective::{Condition, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
@@ -94,22 +94,20 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     if choice.is_some() {
         clock.lap("choice", Work::default());
     }
-    let limits: Vec<Limit> = study.limits.iter().map(|l| l.1.clone()).collect();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     let measures = margins::measures(study);
     let wanted = Wanted {
         twist: study.twist,
         hub: study.hub,
         objective: &study.objective.measure,
-        limits: limits.iter().collect(),
+        limits: &study.limits,
         margins: &measures,
         conditions: &study.conditions,
         held,
     };
     let designs = designs(study, &finders, &wanted, progress, &mut clock)?;
     let load_cases: Vec<LoadCase> = held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
-    let searches =
-        Searches { study, finders: &finders, load_cases: &load_cases, limits: &limits, modes: &modes, wanted: &wanted, progress };
+    let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
@@ -237,7 +235,7 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
     }
     let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
     quantities.extend(study.more_objectives.iter().flat_map(|o| o.measure.quantities.iter().copied()));
-    quantities.extend(study.limits.iter().flat_map(|l| l.1.measure.quantities.iter().copied()));
+    quantities.extend(study.limits.iter().flat_map(|l| l.of.measure.quantities.iter().copied()));
     quantities.extend([study.twist, Quantity::Twist { from: study.hub, to: None }]);
     let mut unique: Vec<Quantity> = Vec::new();
     for q in quantities {

@@ -8,7 +8,7 @@ use super::wanted::Wanted;
 use super::{Progress, RunError};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
-use crate::input::{OptimiseSpec, Study};
+use crate::input::{LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
 use crate::optimise::{LoadCase, Problem, Row, Space, front, search, starts};
 use crate::response::{ResponseError, Work};
@@ -19,18 +19,33 @@ const SCREENED: usize = 4096;
 
 /// What all searches of a study share.
 pub(crate) struct Searches<'a> {
-    pub study: &'a Study,
-    pub finders: &'a [PeakFinder<'a>],
-    pub load_cases: &'a [LoadCase<'a>],
-    pub limits: &'a [Limit],
-    pub modes: &'a [Vec<EngineMode>],
-    pub wanted: &'a Wanted<'a>,
-    pub progress: &'a dyn Progress,
+    study: &'a Study,
+    finders: &'a [PeakFinder<'a>],
+    load_cases: &'a [LoadCase<'a>],
+    /// Each by itself, in SI units.
+    objectives: Vec<Limit>,
+    limits: Vec<Limit>,
+    modes: &'a [Vec<EngineMode>],
+    wanted: &'a Wanted<'a>,
+    progress: &'a dyn Progress,
 }
 
-impl Searches<'_> {
+impl<'a> Searches<'a> {
+    /// Of a study.
+    pub fn new(
+        study: &'a Study,
+        (finders, load_cases): (&'a [PeakFinder<'a>], &'a [LoadCase<'a>]),
+        modes: &'a [Vec<EngineMode>],
+        wanted: &'a Wanted<'a>,
+        progress: &'a dyn Progress,
+    ) -> Self {
+        let objectives = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| o.measure.in_si()).collect();
+        let limits = study.limits.iter().map(LimitSpec::to_limit).collect();
+        Self { study, finders, load_cases, objectives, limits, modes, wanted, progress }
+    }
+
     fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
-        Problem { load_cases: self.load_cases, space, objective: &self.study.objective_of(objective).measure, limits: self.limits }
+        Problem { load_cases: self.load_cases, space, objectives: std::slice::from_ref(&self.objectives[objective]), limits: &self.limits }
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.

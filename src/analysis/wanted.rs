@@ -1,7 +1,8 @@
 //! What a study asks of every design.
 
 use crate::absorber::Mounted;
-use crate::objective::{Condition, Limit, Measure, PeakFinder};
+use crate::input::LimitSpec;
+use crate::objective::{Condition, Measure, PeakFinder};
 use crate::response::{Quantity, ResponseError, Work};
 
 /// What to evaluate.
@@ -14,7 +15,7 @@ pub struct Wanted<'a> {
     /// Objective.
     pub objective: &'a Measure,
     /// Limits.
-    pub limits: Vec<&'a Limit>,
+    pub limits: &'a [LimitSpec],
     /// Margins of the crank.
     pub margins: &'a [Measure],
     /// Conditions besides firing.
@@ -31,6 +32,6 @@ pub fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
 /// Objective, and each limited measure over its limit.
 pub fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
     let mut largest = |m: &Measure| Ok(finder.peak(design, m, work)?.map_or(0.0, |p| p.value));
-    let limits = wanted.limits.iter().map(|l| Ok(largest(&l.measure)? / l.limit)).collect::<Result<_, _>>()?;
+    let limits = wanted.limits.iter().map(|l| Ok(largest(&l.of.measure)? / l.limit)).collect::<Result<_, _>>()?;
     Ok((largest(wanted.objective)?, limits))
 }

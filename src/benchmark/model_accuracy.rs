@@ -104,7 +104,7 @@ impl Probe<'_> {
         let grid = Grid::new(&self.study.speeds_rpm, &system.excitation.tabulated_rpm);
         let method = Method::Direct(Direct::new(&system, &grid));
         let finder = PeakFinder::new(&system, &grid, &method, true);
-        let measure = Measure { quantities: vec![self.study.twist], over: Over::Synthesis };
+        let measure = Measure::new(vec![self.study.twist], Over::Synthesis);
         let peak = |d: &Vec<Mounted>| Ok(finder.peak(d, &measure, &mut Work::default())?.map_or(0.0, |p| p.value));
         self.designs.iter().map(peak).collect()
     }
@@ -143,7 +143,7 @@ pub(crate) fn coarse_grid() -> ModelError {
         let system = System::new(Chain { stations: vec![station] }, Excitation::new(&engine, 1.0));
         let grid = Grid::new(&(0..=100).map(|i| 1500.0 + 10.0 * f64::from(i)).collect::<Vec<_>>(), &[]);
         let method = Method::Direct(Direct::new(&system, &grid));
-        let measure = Measure { quantities: vec![Quantity::Twist { from: 0, to: None }], over: Over::Synthesis };
+        let measure = Measure::new(vec![Quantity::Twist { from: 0, to: None }], Over::Synthesis);
         let peak = |refine: bool| {
             let found = PeakFinder::new(&system, &grid, &method, refine).peak(&[], &measure, &mut Work::default());
             found.ok().flatten().map_or(f64::NAN, |p| p.value)

@@ -135,7 +135,7 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
 
 /// The same peaks with and without skipping.
 fn skipping(finder: &PeakFinder, designs: &[Mounted], quantity: Quantity) -> Result<(Cost, Cost, bool), ResponseError> {
-    let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
+    let measure = Measure::new(vec![quantity], Over::Synthesis);
     let run = |keep: f64| -> Result<(Cost, Vec<f64>), ResponseError> {
         let (start, mut work, mut values) = (Instant::now(), Work::default(), Vec::new());
         for m in designs {
@@ -173,7 +173,7 @@ pub fn coverage(
     tolerance: f64,
 ) -> Result<(Cost, Coverage), ResponseError> {
     let taken: Vec<&Mounted> = designs.iter().filter(|m| surrogate.takes(m)).collect();
-    let measure = Measure { quantities: vec![quantity], over: Over::Synthesis };
+    let measure = Measure::new(vec![quantity], Over::Synthesis);
     let exact = |m: &&Mounted| finder.peak(std::slice::from_ref(*m), &measure, &mut Work::default()).map(|p| p.map_or(0.0, |p| p.value));
     let exact: Vec<f64> = taken.par_iter().map(exact).collect::<Result<_, _>>()?;
     let (mut scratch, mut work, start) = (Scratch::default(), Work::default(), Instant::now());

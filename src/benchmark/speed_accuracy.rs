@@ -158,7 +158,7 @@ pub fn measure(study: &Study, progress: &dyn Progress) -> Result<SpeedAccuracy, 
     let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
     let direct = Method::Direct(Direct::new(&system, &grid));
     let finder = PeakFinder::new(&system, &grid, &direct, true);
-    let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
+    let measure = Measure::new(vec![study.twist], Over::Synthesis);
     let mut exact = Vec::new();
     for (name, design) in &probes {
         let found = finder.peak(design, &measure, &mut Work::default());
@@ -191,7 +191,7 @@ fn ways(
     let station = station_of(&first.1, 0);
     let method = Method::Receptance(Receptance::new(system, grid, station, &[study.twist]));
     let finder = PeakFinder::new(system, grid, &method, true);
-    let measure = Measure { quantities: vec![study.twist], over: Over::Synthesis };
+    let measure = Measure::new(vec![study.twist], Over::Synthesis);
     let seconds = median_seconds(REPEATS, || finder.peak(&first.1, &measure, &mut Work::default()).map(|_| ()))?;
     // the reference sweeps by direct solutions, this way by receptances
     let mut error = 0.0;

@@ -1,16 +1,18 @@
 //! The only place that reads files: a study in TOML, the engine file and tables it names.
 
 pub mod error;
+pub mod measure;
 pub mod published;
 mod schema;
 pub mod tables;
 mod validation;
 
 pub use error::InputError;
+pub use measure::{LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, ObjectiveSpec, OptimiseSpec, Reciprocating,
-    ResponseMethod, Size, SizedAbsorber, SizedChain, SizingStudy, Study, UnitOf,
+    AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating, ResponseMethod, Size,
+    SizedAbsorber, SizedChain, SizingStudy, Study,
 };
 
 use error::Source;

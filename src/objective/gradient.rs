@@ -1,5 +1,6 @@
 //! Derivatives of peaks with respect to the parameters of an absorber.
 
+use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::PeakFinder;
 use super::point_metric::{DIFFERENCE, PointMetric};
@@ -20,13 +21,38 @@ impl PeakFinder<'_> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
-    pub fn gradient(&self, design: &[Mounted], index: usize, peak: &Peak, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
-        let Some(extremes) = &peak.extremes else {
-            let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
-            let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
-            return Ok(change[0].iter().map(|d| (y.conj() * d).re / y.norm()).collect());
-        };
-        let metric = PointMetric::of(peak.over, peak.quantity, self.margin);
+    pub fn gradient(
+        &self,
+        design: &[Mounted],
+        index: usize,
+        measure: &Measure,
+        peak: &Peak,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        match peak.over {
+            Over::Synthesis | Over::Margin(_) => self.synthesis_gradient((design, index), measure, peak, work),
+            Over::Orders | Over::Order(_) => {
+                let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
+                let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
+                Ok(change[0].iter().map(|d| peak.weight * (y.conj() * d).re / y.norm()).collect())
+            }
+            Over::Power => {
+                let gradient = self.power_gradient((design, index), measure, peak.speed_rpm, work)?;
+                Ok(gradient.into_iter().map(|g| peak.weight * g).collect())
+            }
+            Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),
+        }
+    }
+
+    fn synthesis_gradient(
+        &self,
+        (design, index): (&[Mounted], usize),
+        measure: &Measure,
+        peak: &Peak,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let Some(extremes) = &peak.extremes else { return Ok(Vec::new()) };
+        let metric = PointMetric::of(peak.over, peak.quantity, &measure.within, self.margin);
         if metric.has_ridges() {
             return self.gradient_on_ridge((design, index), peak, metric, work);
         }

@@ -1,42 +1,120 @@
-//! Objectives: a peak over the speed range.
+//! Measures of a design: what objectives, limits and fronts are made of.
 
+use crate::engine::Order;
 use crate::response::Quantity;
 
-/// How orders combine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+/// How a measure comes from its quantities.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum Over {
     /// Half peak-to-peak of all orders together, with phase.
     Synthesis,
     /// The largest single order.
     Orders,
+    /// One order; nothing where the torque has none of it.
+    Order(Order),
     /// Share of the crank's strength that is used, all orders together: the inverse of its margin by a criterion of the study (an index).
     Margin(usize),
+    /// Mean power dissipated in the absorbers whose ring twists are the quantities, together, W.
+    Power,
+    /// What the design has at no speed.
+    Property(Property),
 }
 
-/// The largest value over the speed range of some quantities.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Measure {
-    /// The largest of these counts (several for the torque of all shafts); all of one unit.
-    pub quantities: Vec<Quantity>,
-    /// How orders combine.
-    pub over: Over,
+/// A property of the absorbers whose ring twists are the quantities of a measure.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub enum Property {
+    /// Largest loss factor c omega/k that spring and damper imply at the ring's own frequency.
+    LossFactor,
+    /// Inertia of their rings together, kg m².
+    RingInertia,
+    /// The same with their hubs.
+    TotalInertia,
+    /// How far a natural frequency of chain and absorbers lies inside a band, as the ratio to the nearer end of it: above one inside, Hz.
+    Band {
+        /// Hz.
+        low: f64,
+        /// Hz.
+        high: f64,
+    },
 }
 
-impl Measure {
-    /// The quantity, where the measure is the synthesis of one: what surrogate peaks answer for.
-    pub(crate) fn synthesised(&self) -> Option<Quantity> {
-        match (self.over, self.quantities.as_slice()) {
-            (Over::Synthesis, [quantity]) => Some(*quantity),
-            _ => None,
+/// Where a measure counts, and how much.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Within {
+    /// Speeds in ascending ranges, rpm; everywhere where there are none.
+    pub ranges: Vec<(f64, f64)>,
+    /// At a speed (rpm, ascending) the value counts divided by this factor: linear between, constant beyond; one where there are none.
+    pub factors: Vec<(f64, f64)>,
+}
+
+impl Within {
+    /// What a value counts at a speed.
+    pub fn weight(&self, speed_rpm: f64) -> f64 {
+        let (Some(first), Some(last)) = (self.factors.first(), self.factors.last()) else { return 1.0 };
+        if speed_rpm <= first.0 || self.factors.len() == 1 {
+            return 1.0 / first.1;
         }
+        if speed_rpm >= last.0 {
+            return 1.0 / last.1;
+        }
+        let i = self.factors.partition_point(|f| f.0 <= speed_rpm);
+        let (a, b) = (self.factors[i - 1], self.factors[i]);
+        1.0 / (a.1 + (b.1 - a.1) * (speed_rpm - a.0) / (b.0 - a.0))
+    }
+
+    /// Whether it counts at a speed.
+    pub(crate) fn holds(&self, speed_rpm: f64) -> bool {
+        self.ranges.is_empty() || self.ranges.iter().any(|r| (r.0..=r.1).contains(&speed_rpm))
+    }
+
+    /// Speeds at which it is not smooth, rpm.
+    pub(crate) fn kinks(&self) -> impl Iterator<Item = f64> + '_ {
+        self.ranges.iter().flat_map(|r| [r.0, r.1]).chain(self.factors.iter().map(|f| f.0))
     }
 }
 
-/// An upper limit of a measure.
+/// The largest value of some quantities over the speed range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measure {
+    /// The largest of these counts (several for the torque of all shafts), of powers their sum; all of one unit.
+    pub quantities: Vec<Quantity>,
+    /// How it comes from them.
+    pub over: Over,
+    /// Where it counts.
+    pub within: Within,
+}
+
+impl Measure {
+    /// Over the whole range.
+    pub fn new(quantities: Vec<Quantity>, over: Over) -> Self {
+        Self { quantities, over, within: Within::default() }
+    }
+
+    /// The quantity, where the measure is the synthesis of one over the whole range: what surrogate peaks answer for.
+    pub(crate) fn synthesised(&self) -> Option<Quantity> {
+        match (self.over, self.quantities.as_slice()) {
+            (Over::Synthesis, [quantity]) if self.within == Within::default() => Some(*quantity),
+            _ => None,
+        }
+    }
+
+    /// In units of one: W, rad, N m.
+    #[must_use]
+    pub fn in_si(&self) -> Limit {
+        Limit { measure: self.clone(), limit: 1.0 }
+    }
+
+    /// Absorbers whose ring twists it is made of.
+    pub(crate) fn absorbers(&self) -> impl Iterator<Item = usize> + '_ {
+        self.quantities.iter().filter_map(|q| if let Quantity::RingTwist(i) = q { Some(*i) } else { None })
+    }
+}
+
+/// A measure in units of a value of it: an upper limit, or a target.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
     /// What is limited.
     pub measure: Measure,
-    /// rad or N m; positive.
+    /// In the unit of the measure; positive.
     pub limit: f64,
 }

@@ -8,11 +8,13 @@ pub mod peak;
 pub mod peak_search;
 pub mod point_metric;
 mod poles;
+mod power_peaks;
+mod properties;
 mod search_value;
 pub mod speeds;
 pub mod surrogate;
 
 pub use condition::Condition;
-pub use measure::{Limit, Measure, Over};
+pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};
 pub use peak_search::PeakFinder;

@@ -11,18 +11,22 @@ pub enum Place {
     Interior,
     /// At the lowest or highest speed.
     End,
+    /// At no speed: a property of the design.
+    Nowhere,
 }
 
-/// A local maximum over speed.
+/// A local maximum over speed, or a property of a design.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Peak {
-    /// rad or N m; of a margin its inverse.
+    /// In the unit of the measure (rad, N m, W; of a margin its inverse), times the weight.
     pub value: f64,
+    /// What a value counts at this speed.
+    pub weight: f64,
     /// How orders combine in it.
     pub over: Over,
-    /// rpm.
+    /// rpm; zero at no speed.
     pub speed_rpm: f64,
-    /// Index of the order (over orders) or of the largest one in the sum (synthesis).
+    /// Index of the order (over orders) or of the largest one in the sum (synthesis, power).
     pub order: usize,
     /// Share of that order: its magnitude.
     pub order_value: f64,

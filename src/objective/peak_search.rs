@@ -16,6 +16,7 @@ use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound, dominating};
 use crate::numerics::{C64, ZERO};
 use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, Work};
+use std::ops::Range;
 
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
@@ -46,16 +47,16 @@ pub struct PeakFinder<'a> {
 }
 
 /// Peaks found so far.
-struct Found {
+pub(super) struct Found {
     /// Share of the largest that is asked for.
-    keep: f64,
+    pub keep: f64,
     /// The largest.
-    best: f64,
-    peaks: Vec<Peak>,
+    pub best: f64,
+    pub peaks: Vec<Peak>,
 }
 
 impl Found {
-    fn put(&mut self, peak: Peak) {
+    pub fn put(&mut self, peak: Peak) {
         self.best = self.best.max(peak.value);
         self.peaks.push(peak);
     }
@@ -95,34 +96,67 @@ impl<'a> PeakFinder<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
+        if measure.absorbers().any(|i| i >= design.len()) {
+            // a design may have fewer absorbers than others of its study
+            let own = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
+            let quantities: Vec<Quantity> = measure.quantities.iter().copied().filter(own).collect();
+            let fewer = Measure { quantities, ..measure.clone() };
+            return if fewer.quantities.is_empty() { Ok(Vec::new()) } else { self.peaks(design, &fewer, keep, work) };
+        }
         work.evaluations += 1;
         work.eigenproblems += u64::from(self.resonances.is_some());
         let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
-        let speeds = self.speeds(design);
-        for pole in &speeds.poles {
+        if let Over::Property(property) = measure.over {
+            found.peaks.extend(self.property(design, measure, property));
+            return Ok(found.peaks);
+        }
+        let speeds = self.speeds(design).with_kinks(measure.within.kinks());
+        for pole in speeds.poles.iter().filter(|p| measure.within.holds(p.speed_rpm)) {
             self.check_pole(design, measure, pole, work)?;
         }
+        let parts: Vec<(Range<usize>, Speeds)> =
+            speeds.parts(&measure.within.ranges).into_iter().map(|part| (part.clone(), speeds.part(part))).collect();
+        let orders = self.system.orders();
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
                 let mut sweeps: Vec<_> = measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?).collect();
                 if let Over::Margin(_) = measure.over {
                     // the shafts that may be used most first: the others need fewer sums then
                     let most = |(quantity, sweep): &(&Quantity, Vec<C64>)| {
-                        let metric = PointMetric::of(measure.over, **quantity, self.margin);
-                        let sums = sweep.chunks(self.system.orders()).map(bound).zip(&speeds.rpm);
+                        let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin);
+                        let sums = sweep.chunks(orders).map(bound).zip(&speeds.rpm);
                         sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
                     };
                     sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
                 }
                 for (quantity, sweep) in sweeps {
-                    self.synthesised(design, (*quantity, measure.over), (&speeds, &sweep), &mut found, work)?;
+                    let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin);
+                    for (part, speeds) in &parts {
+                        let sweep = &sweep[part.start * orders..part.end * orders];
+                        self.synthesised(design, (*quantity, measure.over, metric), (speeds, sweep), &mut found, work)?;
+                    }
                 }
             }
-            Over::Orders => {
+            Over::Orders | Over::Order(_) => {
+                let only = match measure.over {
+                    Over::Order(order) => self.system.excitation.orders.iter().position(|o| *o == order).map_or(0..0, |n| n..n + 1),
+                    _ => 0..orders,
+                };
                 for quantity in &measure.quantities {
-                    self.single_orders(design, *quantity, &speeds, &mut found, work)?;
+                    let sweep = self.magnitudes(design, *quantity, &speeds, work)?;
+                    for (part, speeds) in &parts {
+                        let sweep = &sweep[part.start * orders..part.end * orders];
+                        self.single_orders(design, (*quantity, measure, only.clone()), (speeds, sweep), &mut found, work)?;
+                    }
                 }
             }
+            Over::Power => {
+                let twists = self.sweeps(design, &measure.quantities, &speeds, work)?;
+                for (part, speeds) in &parts {
+                    self.powers(design, measure, (speeds, part.start), &twists, &mut found, work)?;
+                }
+            }
+            Over::Property(_) => {}
         }
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));
@@ -184,14 +218,7 @@ impl<'a> PeakFinder<'a> {
         let mut know = |i: usize, values: &mut Vec<f64>, wanted: f64, rise: f64| {
             work.syntheses += 1;
             let y = &sweep[i * orders..(i + 1) * orders];
-            let speed = speeds.rpm[i];
-            values[i] = match metric {
-                PointMetric::HalfRange => self.synthesiser.half_peak_to_peak_above(y, wanted / rise),
-                PointMetric::Used { .. } => self
-                    .synthesiser
-                    .extremes_if(y, |half, middle| metric.at_most(speed, half * rise, middle * rise) >= wanted)
-                    .map_or(f64::NEG_INFINITY, |e| metric.value_above(speed, &e, y, (rise, wanted))),
-            };
+            values[i] = metric.value_above(&self.synthesiser, speeds.rpm[i], y, (rise, wanted));
         };
         let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
         for i in std::iter::once(first).chain(0..bounds.len()) {
@@ -217,13 +244,12 @@ impl<'a> PeakFinder<'a> {
     fn synthesised(
         &self,
         design: &[Mounted],
-        (quantity, over): (Quantity, Over),
+        (quantity, over, metric): (Quantity, Over, PointMetric),
         (speeds, sweep): (&Speeds, &[C64]),
         found: &mut Found,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
-        let metric = PointMetric::of(over, quantity, self.margin);
         let (values, top) = self.values(metric, speeds, sweep, (found.keep, found.best), work);
         let mut y = vec![ZERO; orders];
         let at = |speed_rpm: f64, y: &mut [C64], work: &mut Work| -> Result<Extremes, ResponseError> {
@@ -249,8 +275,8 @@ impl<'a> PeakFinder<'a> {
             }
             let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
                 let (order, order_value) = dominating(y);
-                let value = metric.value(speed_rpm, &extremes, y);
-                Peak { value, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
+                let (value, weight) = (metric.value(speed_rpm, &extremes, y), metric.weight(speed_rpm));
+                Peak { value, weight, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
             };
             found.put(peak(extremes, speed_rpm, place, &y));
             if !followed {
@@ -306,39 +332,47 @@ impl<'a> PeakFinder<'a> {
         if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 
-    fn single_orders(
-        &self,
-        design: &[Mounted],
-        quantity: Quantity,
-        speeds: &Speeds,
-        found: &mut Found,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
+    /// Magnitudes of a quantity at all speeds and orders (speed by speed).
+    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, speeds: &Speeds, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
         let mut grid = Vec::new();
         self.method.squares(design, quantity, &mut grid, work)?;
         grid.iter_mut().for_each(|v| *v = v.sqrt());
-        let orders = self.system.orders();
         let added = self.direct.at_each(design, &[quantity], &speeds.added_rpm(), work)?.swap_remove(0);
         let added: Vec<f64> = added.iter().map(|y| y.norm()).collect();
-        let sweep = speeds.merge(grid, &added, orders);
-        let top = sweep.iter().copied().fold(found.best, f64::max);
-        for order in 0..orders {
-            let values: Vec<f64> = sweep.iter().skip(order).step_by(orders).copied().collect();
+        Ok(speeds.merge(grid, &added, self.system.orders()))
+    }
+
+    fn single_orders(
+        &self,
+        design: &[Mounted],
+        (quantity, measure, only): (Quantity, &Measure, Range<usize>),
+        (speeds, sweep): (&Speeds, &[f64]),
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let orders = self.system.orders();
+        let weights: Vec<f64> = speeds.rpm.iter().map(|s| measure.within.weight(*s)).collect();
+        let of = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
+        let top = only.clone().flat_map(of).fold(found.best, f64::max);
+        for order in only {
+            let values: Vec<f64> = of(order).collect();
+            let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
             for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-                let value_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
+                let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
                 let wanted = found.keep * found.best.max(top);
                 let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
                     continue;
                 };
-                let value = self.direct.order_at(design, quantity, order, speed_rpm, work)?.norm();
-                found.put(Peak { value, over: Over::Orders, speed_rpm, order, order_value: value, quantity, extremes: None, place });
+                let (order_value, weight) = (order_at(speed_rpm, work)?, measure.within.weight(speed_rpm));
+                let value = order_value * weight;
+                found.put(Peak { value, weight, over: measure.over, speed_rpm, order, order_value, quantity, extremes: None, place });
             }
         }
         Ok(())
     }
 
     /// Speed and place of the local maximum near a candidate, or nothing where it cannot reach `wanted`.
-    fn refined(
+    pub(super) fn refined(
         &self,
         (design, quantity): (&[Mounted], Quantity),
         candidate: Candidate,

@@ -1,14 +1,21 @@
-//! The objective at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
+//! A measure at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
 
-use super::measure::Over;
+use super::measure::{Over, Within};
 use crate::crankshaft::{Margin, Torque};
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Synthesiser};
 use crate::response::Quantity;
 
-/// The value of a synthesis.
+/// The value of a synthesis, with what it counts at each speed.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum PointMetric<'a> {
+pub(crate) struct PointMetric<'a> {
+    kind: Kind<'a>,
+    within: &'a Within,
+}
+
+/// What is made of a sum of orders.
+#[derive(Debug, Clone, Copy)]
+enum Kind<'a> {
     /// Half peak-to-peak.
     HalfRange,
     /// Share of the strength that is used at the worst location of a shaft.
@@ -24,49 +31,62 @@ pub(crate) enum PointMetric<'a> {
 
 impl<'a> PointMetric<'a> {
     /// Of a quantity in a measure.
-    pub fn of(over: Over, quantity: Quantity, margin: Option<&'a Margin>) -> Self {
-        match (over, quantity, margin) {
-            (Over::Margin(criterion), Quantity::ShaftTorque(shaft), Some(margin)) => Self::Used { margin, criterion, shaft },
-            _ => Self::HalfRange,
-        }
+    pub fn of(over: Over, quantity: Quantity, within: &'a Within, margin: Option<&'a Margin>) -> Self {
+        let kind = match (over, quantity, margin) {
+            (Over::Margin(criterion), Quantity::ShaftTorque(shaft), Some(margin)) => Kind::Used { margin, criterion, shaft },
+            _ => Kind::HalfRange,
+        };
+        Self { kind, within }
+    }
+
+    /// What a value counts at a speed.
+    pub fn weight(&self, speed_rpm: f64) -> f64 {
+        self.within.weight(speed_rpm)
     }
 
     /// The value of a sum with these extremes.
     pub fn value(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64]) -> f64 {
         let torque = Torque { extremes: *extremes, phasors };
-        match self {
-            Self::HalfRange => extremes.half_peak_to_peak,
-            Self::Used { margin, criterion, shaft } => margin.most_used(*criterion, *shaft, speed_rpm, &torque).map_or(0.0, |u| u.value),
-        }
+        let value = match self.kind {
+            Kind::HalfRange => extremes.half_peak_to_peak,
+            Kind::Used { margin, criterion, shaft } => margin.most_used(criterion, shaft, speed_rpm, &torque).map_or(0.0, |u| u.value),
+        };
+        value * self.weight(speed_rpm)
     }
 
-    /// The value where it may reach `wanted` if the sum is up to `rise` times as large, else one not above it.
-    pub(crate) fn value_above(&self, speed_rpm: f64, extremes: &Extremes, phasors: &[C64], asked: (f64, f64)) -> f64 {
-        match self {
-            Self::Used { margin, criterion, shaft } => {
-                let torque = Torque { extremes: *extremes, phasors };
-                margin.most_used_above(*criterion, *shaft, speed_rpm, &torque, asked).map_or(f64::NEG_INFINITY, |u| u.value)
+    /// The value of a sum where it may reach `wanted` if it is up to `rise` times as large, else one not above it.
+    pub(crate) fn value_above(&self, synthesiser: &Synthesiser, speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> f64 {
+        let weight = self.weight(speed_rpm);
+        weight
+            * match self.kind {
+                Kind::HalfRange => synthesiser.half_peak_to_peak_above(y, wanted / (rise * weight)),
+                Kind::Used { margin, criterion, shaft } => synthesiser
+                    .extremes_if(y, |half, middle| self.at_most(speed_rpm, half * rise, middle * rise) >= wanted)
+                    .and_then(|extremes| {
+                        let torque = Torque { extremes, phasors: y };
+                        margin.most_used_above(criterion, shaft, speed_rpm, &torque, (rise, wanted / weight))
+                    })
+                    .map_or(f64::NEG_INFINITY, |u| u.value),
             }
-            Self::HalfRange => extremes.half_peak_to_peak,
-        }
     }
 
     /// Whether the value asks for the whole sum, not only for its extremes.
     pub(crate) fn asks_for_all(&self) -> bool {
-        matches!(self, Self::Used { margin, criterion, .. } if margin.is_multiaxial(*criterion))
+        matches!(self.kind, Kind::Used { margin, criterion, .. } if margin.is_multiaxial(criterion))
     }
 
     /// Whether its peaks over speed may sit on ridges.
     pub(crate) fn has_ridges(&self) -> bool {
-        matches!(self, Self::Used { margin, criterion, .. } if margin.has_ridges(*criterion))
+        matches!(self.kind, Kind::Used { margin, criterion, .. } if margin.has_ridges(criterion))
     }
 
     /// No value is above this where half peak-to-peak and size of the middle are not above these.
     pub fn at_most(&self, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
-        match self {
-            Self::HalfRange => half_peak_to_peak,
-            Self::Used { margin, criterion, shaft } => margin.at_most(*criterion, *shaft, speed_rpm, half_peak_to_peak, middle),
-        }
+        let most = match self.kind {
+            Kind::HalfRange => half_peak_to_peak,
+            Kind::Used { margin, criterion, shaft } => margin.at_most(criterion, shaft, speed_rpm, half_peak_to_peak, middle),
+        };
+        most * self.weight(speed_rpm)
     }
 
     /// No value is above this where the magnitudes of the orders add up to `sum`.
@@ -87,14 +107,14 @@ impl<'a> PointMetric<'a> {
             slopes.0 * range + slopes.1 * middle
         };
         let torque = Torque { extremes: *extremes, phasors };
-        let most = match self {
-            Self::HalfRange => None,
-            Self::Used { margin, criterion, shaft } => margin.most_used(*criterion, *shaft, speed_rpm, &torque),
+        let most = match self.kind {
+            Kind::HalfRange => None,
+            Kind::Used { margin, criterion, shaft } => margin.most_used(criterion, shaft, speed_rpm, &torque),
         };
-        match (self, most) {
-            (Self::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),
-            (Self::Used { .. }, None) => vec![0.0; changes.len()],
-            (Self::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes
+        let mut by_change: Vec<f64> = match (self.kind, most) {
+            (Kind::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),
+            (Kind::Used { .. }, None) => vec![0.0; changes.len()],
+            (Kind::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes
                 .iter()
                 .map(|change| {
                     let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
@@ -104,13 +124,16 @@ impl<'a> PointMetric<'a> {
                     }
                     let moved = |step: f64| {
                         let moved: Vec<C64> = phasors.iter().zip(change).map(|(y, d)| y + d * step).collect();
-                        margin.used(*criterion, used.location, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
+                        margin.used(criterion, used.location, speed_rpm, &Torque { extremes: *extremes, phasors: &moved }).value
                     };
                     (moved(step) - moved(-step)) / (2.0 * step)
                 })
                 .collect(),
-            (Self::Used { .. }, Some(used)) => changes.iter().map(|change| along(used.slopes, change)).collect(),
-        }
+            (Kind::Used { .. }, Some(used)) => changes.iter().map(|change| along(used.slopes, change)).collect(),
+        };
+        let weight = self.weight(speed_rpm);
+        by_change.iter_mut().for_each(|d| *d *= weight);
+        by_change
     }
 }
 

@@ -146,10 +146,48 @@ impl Speeds {
         Self { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new(), poles: Vec::new() }
     }
 
-    /// Whether a speed or one of its neighbours was added: there, peaks are narrow.
+    /// Whether a speed or one of its neighbours was added for a resonance: there, peaks are narrow.
     pub(crate) fn is_narrow(&self, i: usize) -> bool {
         let at = self.added.partition_point(|a| *a + 1 < i);
-        self.added.get(at).is_some_and(|a| *a <= i + 1)
+        self.added[at..].iter().take_while(|a| **a <= i + 1).any(|a| !self.kink[*a])
+    }
+
+    /// With more speeds at which a measure has a kink, where they are in the range.
+    #[must_use]
+    pub(crate) fn with_kinks(self, kinks: impl Iterator<Item = f64>) -> Self {
+        let (Some(low), Some(high)) = (self.rpm.first().copied(), self.rpm.last().copied()) else { return self };
+        let more: Vec<f64> = kinks.filter(|s| (low..=high).contains(s)).collect();
+        if more.is_empty() {
+            return self;
+        }
+        let known = (0..self.rpm.len()).map(|i| (self.rpm[i], self.kink[i], self.added.binary_search(&i).is_ok()));
+        let mut all: Vec<(f64, bool, bool)> = known.chain(more.into_iter().map(|s| (s, true, true))).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        all.dedup_by(|b, a| {
+            a.1 |= a.0 == b.0 && b.1;
+            b.0 == a.0
+        });
+        let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
+        Self { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles: self.poles }
+    }
+
+    /// Those of a part of the range.
+    pub(crate) fn part(&self, part: std::ops::Range<usize>) -> Self {
+        Self {
+            rpm: self.rpm[part.clone()].to_vec(),
+            kink: self.kink[part.clone()].to_vec(),
+            added: self.added.iter().filter(|i| part.contains(i)).map(|i| i - part.start).collect(),
+            poles: Vec::new(),
+        }
+    }
+
+    /// The parts that lie in some ranges of speed; the whole where there are none.
+    pub(crate) fn parts(&self, ranges: &[(f64, f64)]) -> Vec<std::ops::Range<usize>> {
+        if ranges.is_empty() {
+            return vec![0..self.rpm.len()];
+        }
+        let of = |r: &(f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
+        ranges.iter().map(of).filter(|p| !p.is_empty()).collect()
     }
 
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.

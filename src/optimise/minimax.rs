@@ -72,8 +72,8 @@ const HEAVIEST: f64 = 1e6;
 /// Rows in units of the largest objective.
 fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
     let line = |r: &Row| {
-        let scale = if r.limit.is_some() { 1.0 } else { 1.0 / unit };
-        Line { limit: r.limit.is_some(), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }
+        let scale = if r.role.is_limit() { 1.0 } else { 1.0 / unit };
+        Line { limit: r.role.is_limit(), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }
     };
     rows.rows.iter().map(line).collect()
 }
@@ -109,14 +109,15 @@ fn distance(a: &Peak, b: &Peak) -> f64 {
         (Some(a), Some(b)) => apart(a.angle_max, b.angle_max) + apart(a.angle_min, b.angle_min),
         _ => 0.0,
     };
-    (a.speed_rpm / b.speed_rpm - 1.0).abs() + 0.1 * angles
+    let speeds = if a.speed_rpm == b.speed_rpm { 0.0 } else { (a.speed_rpm / b.speed_rpm - 1.0).abs() };
+    speeds + 0.1 * angles
 }
 
 /// The row at a new point that belongs to the same peak: the nearest, within a tenth.
 fn same_peak<'r>(row: &Row, rows: &'r Rows) -> Option<&'r Row> {
     rows.rows
         .iter()
-        .filter(|r| r.load_case == row.load_case && r.limit == row.limit && r.peak.quantity == row.peak.quantity)
+        .filter(|r| r.load_case == row.load_case && r.role == row.role && r.peak.quantity == row.peak.quantity)
         .filter(|r| r.peak.extremes.is_some() || r.peak.order == row.peak.order)
         .map(|r| (distance(&r.peak, &row.peak), r))
         .filter(|(d, _)| *d < 0.1)
@@ -129,7 +130,7 @@ fn lagrangian(old: &Rows, step: &Step, rows: &Rows, unit: f64) -> Option<DVector
     let mut sum = DVector::zeros(step.change.len());
     for (row, multiplier) in old.rows.iter().zip(&step.multipliers) {
         if *multiplier > 1e-6 {
-            let scale = if row.limit.is_some() { 1.0 } else { 1.0 / unit };
+            let scale = if row.role.is_limit() { 1.0 } else { 1.0 / unit };
             sum += DVector::from_column_slice(&same_peak(row, rows)?.gradient) * (multiplier * scale);
         }
     }
@@ -265,7 +266,7 @@ fn corrected(rows: &Rows, trial: &Rows, model: &[Line], step: &Step, unit: f64) 
         .zip(&step.multipliers)
         .map(|((row, line), multiplier)| {
             let Some(measured) = same_peak(row, trial) else { return if *multiplier > 1e-6 { None } else { Some(line.clone()) } };
-            let scale = if row.limit.is_some() { 1.0 } else { 1.0 / unit };
+            let scale = if row.role.is_limit() { 1.0 } else { 1.0 / unit };
             let along: f64 = line.gradient.iter().zip(&step.change).map(|(g, d)| g * d).sum();
             Some(Line { value: measured.value * scale - along, ..line.clone() })
         })

@@ -11,6 +11,6 @@ pub mod variables;
 
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
-pub use problem::{LoadCase, Problem, Row, Rows};
+pub use problem::{LoadCase, Problem, Role, Row, Rows};
 pub use search::{Optimum, Stages, Start};
 pub use variables::{Slot, Space, Variable};

@@ -2,7 +2,7 @@
 
 use super::variables::Space;
 use crate::objective::condition::Condition;
-use crate::objective::measure::{Limit, Measure};
+use crate::objective::measure::Limit;
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
@@ -37,14 +37,30 @@ impl LoadCase<'_> {
     }
 }
 
+/// What a row is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub enum Role {
+    /// An objective, by its index.
+    Objective(usize),
+    /// A limit, by its index.
+    Limit(usize),
+}
+
+impl Role {
+    /// Whether it is a limit.
+    pub(crate) fn is_limit(self) -> bool {
+        matches!(self, Self::Limit(_))
+    }
+}
+
 /// One peak at a point.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct Row {
     /// Index of the load case.
     pub load_case: usize,
-    /// `None`: the objective; else the index of a limit.
-    pub limit: Option<usize>,
-    /// Objective: its value. Limit: logarithm of value over limit.
+    /// What it is a peak of.
+    pub role: Role,
+    /// Objective: its value in its unit. Limit: logarithm of value over limit.
     pub value: f64,
     /// With respect to the coordinates.
     pub gradient: Vec<f64>,
@@ -62,24 +78,24 @@ pub struct Rows {
 impl Rows {
     /// Largest row of the objective.
     pub fn objective(&self) -> f64 {
-        self.rows.iter().find(|r| r.limit.is_none()).map_or(0.0, |r| r.value)
+        self.rows.iter().find(|r| !r.role.is_limit()).map_or(0.0, |r| r.value)
     }
 
     /// Largest excess over a limit (a logarithm); zero where all hold.
     pub fn excess(&self) -> f64 {
-        self.rows.iter().filter(|r| r.limit.is_some()).map(|r| r.value).fold(0.0, f64::max)
+        self.rows.iter().filter(|r| r.role.is_limit()).map(|r| r.value).fold(0.0, f64::max)
     }
 }
 
-/// Minimise the largest peak of a measure over a family of absorbers and all load cases, within limits.
+/// Minimise the largest of some measures, each in units of a value of it, over a family of absorbers and all load cases, within limits.
 #[derive(Debug)]
 pub struct Problem<'a> {
     /// At least one in which the family can change something.
     pub load_cases: &'a [LoadCase<'a>],
     /// The family.
     pub space: Space,
-    /// Minimised.
-    pub objective: &'a Measure,
+    /// Minimised: the largest of them.
+    pub objectives: &'a [Limit],
     /// To hold.
     pub limits: &'a [Limit],
 }
@@ -94,7 +110,9 @@ impl Problem<'_> {
         let (mut value, mut excess) = (0.0_f64, 0.0_f64);
         for (_, load_case) in self.steering() {
             let design = load_case.condition.absorbers(&own);
-            value = value.max(load_case.finder.value(&design, self.objective, work)?);
+            for objective in self.objectives {
+                value = value.max(load_case.finder.value(&design, &objective.measure, work)? / objective.limit);
+            }
             for limit in self.limits {
                 excess = excess.max((load_case.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
             }
@@ -114,9 +132,9 @@ impl Problem<'_> {
     pub fn rows(&self, w: &[f64], work: &mut Work) -> Result<Rows, ResponseError> {
         let own = self.space.design(w);
         let mut rows = Vec::new();
-        let measures =
-            std::iter::once((None, self.objective, 1.0)).chain(self.limits.iter().enumerate().map(|(i, l)| (Some(i), &l.measure, l.limit)));
-        for (limit, measure, unit) in measures {
+        let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
+        let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
+        for (role, Limit { measure, limit: unit }) in objectives.chain(limits) {
             let mut found: Vec<(usize, Peak)> = Vec::new();
             for (load_case, s) in self.steering() {
                 let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, ROW_SHARE, work)?;
@@ -130,15 +148,23 @@ impl Problem<'_> {
                 let s = &self.load_cases[load_case];
                 let design = s.condition.absorbers(&own);
                 let of_absorber = |i: usize, work: &mut Work| {
-                    if self.space.varies(i) { s.finder.gradient(&design, i, &peak, work) } else { Ok(Vec::new()) }
+                    if self.space.varies(i) { s.finder.gradient(&design, i, measure, &peak, work) } else { Ok(Vec::new()) }
                 };
                 let gradient: Vec<Vec<f64>> = (0..design.len()).map(|i| of_absorber(i, work)).collect::<Result<_, _>>()?;
                 // the logarithm keeps limits that are missed by far of a size with the objective
-                let (value, unit) = if limit.is_some() { ((peak.value / unit).ln(), peak.value) } else { (peak.value, 1.0) };
+                let (value, unit) = if role.is_limit() { ((peak.value / unit).ln(), peak.value) } else { (peak.value / unit, *unit) };
                 let gradient = self.space.chain_rule(w, &gradient).iter().map(|g| g / unit).collect();
-                rows.push(Row { load_case, limit, value, gradient, peak });
+                rows.push(Row { load_case, role, value, gradient, peak });
             }
         }
+        // objectives first, the largest of all of them before the others
+        rows.sort_by(|a, b| {
+            a.role.is_limit().cmp(&b.role.is_limit()).then(if a.role.is_limit() {
+                std::cmp::Ordering::Equal
+            } else {
+                b.value.total_cmp(&a.value)
+            })
+        });
         Ok(Rows { rows })
     }
 

@@ -198,12 +198,11 @@ impl<'a> Direct<'a> {
         Factored::new(self.system).phasor(design, quantity, (order, speed_rpm), work)
     }
 
-    /// Derivatives of the phasors of `quantity` (of stations and shafts) at one speed with respect to the parameters of absorber `index` of the design
+    /// Derivatives of the phasors of `quantity` at one speed with respect to the parameters of absorber `index` of the design
     /// (ring inertia first), for each of the given orders: dy/dp = -(dy/dT) theta dz/dp with angle and torque at what carries the absorber.
     ///
     /// # Errors
-    /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for the twist of a ring, which depends on the
-    /// parameters by itself, too.
+    /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for the twist of a locked ring.
     pub(crate) fn sensitivity(
         &self,
         design: &[Mounted],
@@ -213,8 +212,8 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        if matches!(quantity, Quantity::RingTwist(_)) {
-            return Err(ResponseError::NotApplicable { method: "direct", why: "the twist of a ring has no derivatives here" });
+        if let Quantity::RingTwist(of) = quantity {
+            return self.sensitivity_of_ring(design, (index, of), orders, speed_rpm, work);
         }
         let mut solver = Factored::new(self.system);
         let mut unit = vec![ZERO; self.system.chain.len()];

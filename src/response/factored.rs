@@ -114,9 +114,14 @@ impl<'a> Factored<'a> {
         Ok(found)
     }
 
+    /// Angle of a station from a solution.
+    pub fn angle(&self, station: usize, x: &[C64]) -> C64 {
+        self.scale[station] * x[station]
+    }
+
     /// The quantity from a solution.
     pub fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
-        let theta = |i: usize| self.scale[i] * x[i];
+        let theta = |i: usize| self.angle(i, x);
         match quantity {
             Quantity::Twist { .. } => quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),

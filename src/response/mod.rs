@@ -23,6 +23,7 @@ pub mod quantity;
 pub mod quasi_static;
 pub mod receptance;
 pub mod reduced;
+mod ring_sensitivity;
 pub mod selected;
 pub mod work;
 

@@ -136,7 +136,7 @@ fn vibratory_torque(system: &System, design: &DesignSpec, speed_rpm: f64) -> Res
     let method = Method::Direct(Direct::new(system, &grid));
     let finder = PeakFinder::new(system, &grid, &method, false);
     let quantities = (0..system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
-    let peak = finder.peak(&design.absorbers, &Measure { quantities, over: Over::Synthesis }, &mut Work::default());
+    let peak = finder.peak(&design.absorbers, &Measure::new(quantities, Over::Synthesis), &mut Work::default());
     let peak = peak.map_err(|error| RunError { what: format!("design `{}`", design.name), error })?;
     Ok(peak.and_then(|p| match p.quantity {
         Quantity::ShaftTorque(s) => Some((s, p.value)),

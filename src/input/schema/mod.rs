@@ -5,6 +5,7 @@ pub mod crank;
 pub mod engine;
 pub mod fatigue;
 pub mod material;
+pub mod measure;
 pub mod sizing;
 pub mod study;
 mod word;

@@ -1,7 +1,8 @@
 //! The study file.
 
 use super::absorber::{RawAbsorber, RawOptimised, RawRange};
-use super::fatigue::{RawCriterion, RawFatigue};
+use super::fatigue::RawFatigue;
+use super::measure::RawMeasure;
 use crate::input::error::At;
 use serde::Deserialize;
 
@@ -22,9 +23,9 @@ pub(crate) struct RawStudy {
     #[serde(default)]
     pub design: Vec<RawDesign>,
     #[serde(default)]
-    pub objective: Vec<At<RawObjective>>,
+    pub objective: Vec<At<RawMeasure>>,
     #[serde(default)]
-    pub constraint: Vec<RawConstraint>,
+    pub constraint: Vec<At<RawMeasure>>,
     pub optimise: Option<RawOptimise>,
     pub pareto: Option<At<RawPareto>>,
     pub published: Option<At<RawPublished>>,
@@ -95,96 +96,6 @@ pub(crate) struct RawDesign {
     pub name: At<String>,
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
-}
-
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawOver {
-    #[default]
-    Synthesis,
-    Orders,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawObjective {
-    PeakTwist(RawTwist),
-    HubAmplitude(RawAmplitude),
-    VibratoryTorque(RawTorque),
-    Margin(RawMargin),
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawTwist {
-    pub from: At<String>,
-    pub to: At<String>,
-    #[serde(default)]
-    pub over: RawOver,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawAmplitude {
-    pub station: At<String>,
-    #[serde(default)]
-    pub over: RawOver,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawTorque {
-    #[serde(default)]
-    pub over: RawOver,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawConstraint {
-    PeakTwist(RawTwistLimit),
-    HubAmplitude(RawAmplitudeLimit),
-    VibratoryTorque(RawTorqueLimit),
-    Margin(RawMarginLimit),
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawTwistLimit {
-    pub from: At<String>,
-    pub to: At<String>,
-    #[serde(default)]
-    pub over: RawOver,
-    pub max_deg: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawAmplitudeLimit {
-    pub station: At<String>,
-    #[serde(default)]
-    pub over: RawOver,
-    pub max_deg: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawTorqueLimit {
-    #[serde(default)]
-    pub over: RawOver,
-    pub max_n_m: At<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawMargin {
-    pub criterion: Option<At<RawCriterion>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawMarginLimit {
-    pub min: At<f64>,
-    pub criterion: Option<At<RawCriterion>>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -4,14 +4,14 @@ use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
 use super::inputs::Input;
 use super::load::DutyPoint;
-use super::objectives::ObjectiveSpec;
 use super::optimise::{FrontSpec, OptimiseSpec};
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::Engine;
+use crate::input::measure::{LimitSpec, MeasureSpec};
 use crate::input::published::Published;
 use crate::input::schema::study::RawMethod;
-use crate::objective::{Condition, Limit};
+use crate::objective::Condition;
 use crate::response::Quantity;
 
 /// How responses are computed.
@@ -74,11 +74,11 @@ pub struct Study {
     /// Twist that is reported.
     pub twist: Quantity,
     /// The (first) objective, which is minimised.
-    pub objective: ObjectiveSpec,
+    pub objective: MeasureSpec,
     /// Further objectives, each with optima of the main size of its own.
-    pub more_objectives: Vec<ObjectiveSpec>,
-    /// To hold, with their words in the file.
-    pub limits: Vec<(String, Limit)>,
+    pub more_objectives: Vec<MeasureSpec>,
+    /// To hold.
+    pub limits: Vec<LimitSpec>,
     /// What to optimise.
     pub optimise: Option<OptimiseSpec>,
     /// Front to follow.
@@ -103,7 +103,7 @@ pub struct Study {
 
 impl Study {
     /// An objective: the first, or one of those after it.
-    pub(crate) fn objective_of(&self, index: usize) -> &ObjectiveSpec {
+    pub(crate) fn objective_of(&self, index: usize) -> &MeasureSpec {
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
     }
 

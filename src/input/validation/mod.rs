@@ -12,8 +12,8 @@ mod fatigue;
 mod inputs;
 mod load;
 pub(super) mod material;
+mod measures;
 mod named;
-mod objectives;
 mod optimise;
 mod published;
 mod ranges;
@@ -25,8 +25,7 @@ pub use calibrate::{CalibrateSpec, FreeInput};
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use inputs::Input;
 pub use load::DutyPoint;
-use objectives::Judged;
-pub use objectives::{ObjectiveSpec, UnitOf};
+use measures::{Context, Judged};
 use ranges::MOST_POINTS;
 pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 
@@ -169,12 +168,21 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         (Some(_), None) => Judged::Wrongly,
         (Some(_), Some(spec)) => Judged::By(spec),
     };
-    let mut more_objectives = objectives::objectives(check, study, &base.chain, hub, judged);
+    let of = Context {
+        chain: &base.chain,
+        fatigue: judged,
+        hub,
+        speeds: (base.speeds_rpm[0], base.speeds_rpm[base.speeds_rpm.len() - 1]),
+        order_limit: base.order_limit,
+        strokes: base.engine.strokes,
+        absorbers: Context::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise.as_ref()),
+    };
+    let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);
     if let (Some(second), None) = (study.objective.get(1), &optimise) {
         check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
     }
-    let limits = objectives::limits(check, study, &base.chain, judged);
+    let limits = measures::limits(check, study, of);
     let tolerance = study.response.tolerance.as_ref();
     let tolerance =
         tolerance.map_or(DEFAULT_TOLERANCE, |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)"));
@@ -189,7 +197,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let twist = match objective.measure.quantities.as_slice() {
         [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
         [twist @ Quantity::Twist { to: None, .. }] if base.chain.len() == 1 || objective.is_twist => *twist,
-        _ => objectives::default_twist(&base.chain, hub),
+        _ => measures::default_twist(&base.chain, hub),
     };
     Some(Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),

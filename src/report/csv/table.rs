@@ -1,8 +1,7 @@
 //! A table on its way to a file, and how numbers are written.
 
-use crate::input::{ObjectiveSpec, Study, UnitOf};
+use crate::input::{MeasureSpec, Study};
 use crate::report::files::{Folder, WriteError};
-use crate::units::DEG_PER_RAD;
 
 /// A table in memory.
 pub struct Table {
@@ -43,10 +42,6 @@ pub(crate) fn in_unit(study: &Study, value: f64) -> f64 {
 }
 
 /// A value of an objective in the unit of its column; a margin is the inverse of what is minimised.
-pub(crate) fn in_unit_of(objective: &ObjectiveSpec, value: f64) -> f64 {
-    match objective.unit {
-        UnitOf::Angle => value * DEG_PER_RAD,
-        UnitOf::Torque => value,
-        UnitOf::Margin => 1.0 / value,
-    }
+pub(crate) fn in_unit_of(objective: &MeasureSpec, value: f64) -> f64 {
+    objective.unit.shown(value)
 }

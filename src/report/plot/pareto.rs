@@ -40,10 +40,9 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         UnitOf::Margin => ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3)),
         _ => (0.0, canvas::round_up(largest)),
     };
-    let unit = match study.objective.unit {
-        UnitOf::Angle => " / °",
-        UnitOf::Torque => " / N m",
-        UnitOf::Margin => "",
+    let unit = match study.objective.unit.suffix().trim() {
+        "" => String::new(),
+        suffix => format!(" / {suffix}"),
     };
     canvas::save(folder, "pareto", (900, 560), |area| {
         let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(170));

@@ -329,8 +329,8 @@ fn goals(study: &Study) -> String {
             f.limits.map_or_else(String::new, |l| format!(", in torsion {} MPa", significant(l.torsion / PA_PER_MPA, 4)))
         );
     }
-    for (words, _) in &study.limits {
-        let _ = writeln!(text, "  limit: {words}");
+    for limit in &study.limits {
+        let _ = writeln!(text, "  limit: {}", limit.words);
     }
     if let Some(o) = &study.optimise {
         for a in &o.absorbers {

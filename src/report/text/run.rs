@@ -7,8 +7,9 @@ use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
-use crate::input::{ObjectiveSpec, Study, UnitOf};
-use crate::objective::{Condition, Over};
+use crate::input::{MeasureSpec, Study, UnitOf};
+use crate::objective::{Condition, Peak, Place};
+use crate::optimise::Role;
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
 use crate::units::DEG_PER_RAD;
@@ -134,12 +135,17 @@ fn value(study: &Study, v: f64) -> String {
     value_of(&study.objective, v)
 }
 
-fn value_of(objective: &ObjectiveSpec, v: f64) -> String {
+fn value_of(objective: &MeasureSpec, v: f64) -> String {
     match objective.unit {
         UnitOf::Angle => format!("{:.6}°", v * DEG_PER_RAD),
         UnitOf::Torque => format!("{v:.4} N m"),
         UnitOf::Margin => factor(1.0 / v),
+        unit => format!("{}{}", significant(unit.shown(v), 6), unit.suffix()),
     }
+}
+
+fn at_speed(p: &Peak) -> String {
+    if p.place == Place::Nowhere { String::new() } else { format!(" at {:.1} rpm", p.speed_rpm) }
 }
 
 fn peak_words(results: &Results, nature: Option<&Nature>) -> String {
@@ -180,17 +186,17 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
             RowCase { condition, cylinder: None } => format!(", {}", condition.name().replace('_', " ")),
             RowCase { condition, cylinder: Some(cylinder) } => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
         };
-        match row.limit {
-            None if p.value >= best * (1.0 - 1e-5) => {
+        match row.role {
+            Role::Objective(_) if p.value >= best * (1.0 - 1e-5) => {
                 put(format!(
-                    "  active peak at {:.1} rpm{during}, {}{}",
-                    p.speed_rpm,
+                    "  active peak{}{during}, {}{}",
+                    at_speed(p),
                     value_of(objective, p.value),
                     peak_words(results, nature.as_ref())
                 ));
             }
             // what is broken by more is said below, once
-            Some(i) if row.value.abs() < 1e-5 => put(format!("  active limit at {:.1} rpm{during}: {}", p.speed_rpm, study.limits[i].0)),
+            Role::Limit(i) if row.value.abs() < 1e-5 => put(format!("  active limit{}{during}: {}", at_speed(p), study.limits[i].words)),
             _ => {}
         }
     }
@@ -213,16 +219,16 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() },
         outcome.stop.reason()
     ));
-    for ((words, limit), ratio) in study.limits.iter().zip(&o.design.limits) {
+    for (limit, ratio) in study.limits.iter().zip(&o.design.limits) {
         let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
         let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
         let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
         // of a margin the inverse is limited
-        let size = match limit.measure.over {
-            Over::Margin(_) => format!("it is {}", factor(1.0 / (ratio * limit.limit))),
+        let size = match limit.of.unit {
+            UnitOf::Margin => format!("it is {}", factor(1.0 / (ratio * limit.limit))),
             _ => format!("{:.1} % of it", 100.0 * ratio),
         };
-        put(format!("  limit: {words}: {verdict} ({size}{worst})"));
+        put(format!("  limit: {}: {verdict} ({size}{worst})", limit.words));
     }
     text
 }
@@ -231,15 +237,15 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 pub(crate) fn summary(study: &Study, results: &Results) -> String {
     let mut text = String::new();
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
-    for (i, (words, limit)) in study.limits.iter().enumerate() {
+    for (i, limit) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;
-        let size = |d: &DesignResult| match limit.measure.over {
-            Over::Margin(_) => factor(1.0 / (d.limits[i] * limit.limit)),
+        let size = |d: &DesignResult| match limit.of.unit {
+            UnitOf::Margin => factor(1.0 / (d.limits[i] * limit.limit)),
             _ => format!("{:.0} %", 100.0 * d.limits[i]),
         };
         let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("{} ({})", d.name, size(d))).collect();
         if !list.is_empty() {
-            let _ = writeln!(text, "Limit {words}: broken by the given {}.", list.join(", "));
+            let _ = writeln!(text, "Limit {}: broken by the given {}.", limit.words, list.join(", "));
         }
     }
     // the floor is that of the firing engine

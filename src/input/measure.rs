@@ -1,0 +1,129 @@
+//! A measure as a study names it: with its unit, and its names in tables and titles.
+
+use crate::objective::{Limit, Measure};
+use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
+
+/// Unit a measure is reported in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum UnitOf {
+    /// Degrees (rad inside).
+    Angle,
+    /// N m.
+    Torque,
+    /// Nominal shear stress of a section, MPa (N m inside).
+    Stress {
+        /// Polar section modulus, m³.
+        section_modulus: f64,
+    },
+    /// Shear strain of the element of a ring, per cent (rad inside).
+    Strain {
+        /// Strain per twist of the ring, 1/rad: mean radius over thickness.
+        per_twist: f64,
+    },
+    /// W.
+    Power,
+    /// W/m² (W inside).
+    PowerPerArea {
+        /// m².
+        area: f64,
+    },
+    /// kg m².
+    Inertia,
+    /// None.
+    Ratio,
+    /// None: a safety factor, of which the inverse is minimised.
+    Margin,
+}
+
+impl UnitOf {
+    /// A value inside as it is reported.
+    pub fn shown(self, value: f64) -> f64 {
+        match self {
+            Self::Angle => value * DEG_PER_RAD,
+            Self::Stress { section_modulus } => value / section_modulus / PA_PER_MPA,
+            Self::Strain { per_twist } => 100.0 * value * per_twist,
+            Self::PowerPerArea { area } => value / area,
+            Self::Torque | Self::Power | Self::Inertia | Self::Ratio => value,
+            Self::Margin => 1.0 / value,
+        }
+    }
+
+    /// A value as it is reported as it is inside.
+    pub fn inside(self, shown: f64) -> f64 {
+        match self {
+            Self::Angle => shown * RAD_PER_DEG,
+            Self::Stress { section_modulus } => shown * PA_PER_MPA * section_modulus,
+            Self::Strain { per_twist } => 0.01 * shown / per_twist,
+            Self::PowerPerArea { area } => shown * area,
+            Self::Torque | Self::Power | Self::Inertia | Self::Ratio => shown,
+            Self::Margin => 1.0 / shown,
+        }
+    }
+
+    /// Behind a number: with a space where it takes one.
+    pub(crate) fn suffix(self) -> &'static str {
+        match self {
+            Self::Angle => "°",
+            Self::Torque => " N m",
+            Self::Stress { .. } => " MPa",
+            Self::Strain { .. } => " %",
+            Self::Power => " W",
+            Self::PowerPerArea { .. } => " W/m²",
+            Self::Inertia => " kg m²",
+            Self::Ratio | Self::Margin => "",
+        }
+    }
+
+    /// In a column of its own.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Angle => "deg",
+            Self::Torque => "N m",
+            Self::Stress { .. } => "MPa",
+            Self::Strain { .. } => "%",
+            Self::Power => "W",
+            Self::PowerPerArea { .. } => "W/m2",
+            Self::Inertia => "kg m2",
+            Self::Ratio | Self::Margin => "1",
+        }
+    }
+}
+
+/// A measure of a study: an objective, what is limited, or an axis of a front.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasureSpec {
+    /// The measure.
+    pub measure: Measure,
+    /// Its key in the study.
+    pub key: &'static str,
+    /// What of the system it is of, in words; nothing where it is of all.
+    pub place: String,
+    /// Its column in tables, unit included.
+    pub column: String,
+    /// In words, for titles.
+    pub label: String,
+    /// Its unit.
+    pub unit: UnitOf,
+    /// Whether it is a twist.
+    pub is_twist: bool,
+    /// A word for names of optima.
+    pub word: String,
+}
+
+/// A limit of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LimitSpec {
+    /// What is limited.
+    pub of: MeasureSpec,
+    /// In words.
+    pub words: String,
+    /// Of the measure, inside.
+    pub limit: f64,
+}
+
+impl LimitSpec {
+    /// As optimisers take it.
+    pub(crate) fn to_limit(&self) -> Limit {
+        Limit { measure: self.of.measure.clone(), limit: self.limit }
+    }
+}

@@ -1,0 +1,155 @@
+//! What measures are resolved against.
+
+use crate::crankshaft::FatigueSpec;
+use crate::drivetrain::Chain;
+use crate::engine::Order;
+use crate::input::error::{At, Check};
+use crate::input::schema::measure::{RawOver, RawPairs, RawWithin};
+use crate::input::validation::named::station;
+use crate::input::validation::optimise::OptimiseSpec;
+use crate::objective::{Over, Within};
+use crate::response::Quantity;
+
+/// The twist reported where a study names none: from the hub to the last station, or over the whole chain where the hub is the last; to
+/// the ground where there is one station only.
+pub(crate) fn default_twist(chain: &Chain, hub: usize) -> Quantity {
+    let last = chain.len() - 1;
+    Quantity::Twist { from: if hub == last { 0 } else { hub }, to: (last > 0).then_some(last) }
+}
+
+/// What a study says of fatigue.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Judged<'a> {
+    /// Nothing.
+    Not,
+    /// With mistakes.
+    Wrongly,
+    /// This.
+    By(&'a FatigueSpec),
+}
+
+/// What measures are resolved against.
+#[derive(Clone, Copy)]
+pub(crate) struct Context<'a> {
+    pub chain: &'a Chain,
+    pub fatigue: Judged<'a>,
+    /// Station of the first absorber.
+    pub hub: usize,
+    /// Lowest and highest speed, rpm.
+    pub speeds: (f64, f64),
+    /// Highest order.
+    pub order_limit: f64,
+    /// 2 or 4.
+    pub strokes: u32,
+    /// Most absorbers of a design.
+    pub absorbers: usize,
+}
+
+impl<'a> Context<'a> {
+    /// Most absorbers of a design: of those given and of what is optimised.
+    pub fn absorbers(designs: impl Iterator<Item = usize>, optimise: Option<&OptimiseSpec>) -> usize {
+        designs.chain(optimise.map(|o| o.absorbers.len())).max().unwrap_or(0)
+    }
+
+    pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {
+        let found = station(check, self.chain, name)?;
+        if self.chain.next(found) >= self.chain.len() {
+            check.wrong(name, format!("found the last station `{}`, expected one from which a shaft leads on", name.get_ref()));
+            return None;
+        }
+        Some(found)
+    }
+
+    /// Rings of one absorber (from 1 in the file), or of all.
+    pub(super) fn rings(&self, check: &mut Check, named: Option<&At<i64>>) -> Option<Vec<Quantity>> {
+        let Some(named) = named else { return Some((0..self.absorbers.max(1)).map(Quantity::RingTwist).collect()) };
+        let index = usize::try_from(*named.get_ref()).ok().filter(|i| (1..=self.absorbers).contains(i));
+        if index.is_none() {
+            check.wrong(named, format!("found absorber {}, expected one from 1 to {}", named.get_ref(), self.absorbers));
+        }
+        index.map(|i| vec![Quantity::RingTwist(i - 1)])
+    }
+
+    pub(super) fn over(&self, check: &mut Check, over: Option<RawOver>, order: Option<&At<f64>>) -> Over {
+        let Some(order) = order else {
+            return match over.unwrap_or_default() {
+                RawOver::Synthesis => Over::Synthesis,
+                RawOver::Orders => Over::Orders,
+            };
+        };
+        if over.is_some() {
+            check.wrong(order, "found `order` beside `over`, expected one of them");
+        }
+        let (twice, step) = (2.0 * order.get_ref(), f64::from(4 / self.strokes));
+        let exists = twice > 0.0 && (twice / step).fract() == 0.0 && *order.get_ref() <= self.order_limit;
+        if !exists {
+            let expected = format!("expected a multiple of {} up to the study's limit of {}", 0.5 * step, self.order_limit);
+            check.wrong(order, format!("found order {}, {expected}", order.get_ref()));
+            return Over::Orders;
+        }
+        Over::Order(Order::from_twice(twice as u32))
+    }
+
+    /// Pairs of numbers whose first ones ascend.
+    fn pairs(check: &mut Check, raw: &RawPairs, expected: &str) -> Vec<(f64, f64)> {
+        let mut list = Vec::new();
+        for pair in raw.get_ref() {
+            match pair.get_ref().as_slice() {
+                [a, b] => {
+                    let (a, b) = (check.positive(a), check.positive(b));
+                    if list.last().is_some_and(|l: &(f64, f64)| a <= l.0) {
+                        check.wrong(pair, format!("found {a} after {}, expected ascending speeds", list[list.len() - 1].0));
+                    }
+                    list.push((a, b));
+                }
+                other => check.wrong(pair, format!("found {} numbers, expected {expected}", other.len())),
+            }
+        }
+        list
+    }
+
+    pub(super) fn within(&self, check: &mut Check, raw: RawWithin) -> Within {
+        let mut ranges = Vec::new();
+        if let Some(pair) = raw.speed_rpm {
+            match pair.get_ref().as_slice() {
+                [a, b] => {
+                    let (low, high) = (check.positive(a), check.positive(b));
+                    if !(self.speeds.0 <= low && low < high && high <= self.speeds.1) {
+                        let (from, to) = self.speeds;
+                        check.wrong(pair, format!("found {low} to {high} rpm, expected a part of the study's {from} to {to} rpm"));
+                    }
+                    ranges = vec![(low, high)];
+                }
+                other => check.wrong(pair, format!("found {} numbers, expected the lowest and the highest speed", other.len())),
+            }
+        }
+        if let Some(raw) = raw.except_rpm {
+            let barred = Self::pairs(check, raw, "the ends of a barred range");
+            if let Some((a, b)) = barred.iter().find(|b| b.0 >= b.1) {
+                check.wrong(raw, format!("found a barred range from {a} to {b} rpm, expected its lower end first"));
+            }
+            let whole = ranges.first().copied().unwrap_or(self.speeds);
+            let (mut left, mut from) = (Vec::new(), whole.0);
+            for (low, high) in barred {
+                if low > from {
+                    left.push((from, low.min(whole.1)));
+                }
+                from = from.max(high);
+            }
+            if from < whole.1 {
+                left.push((from, whole.1));
+            }
+            if left.is_empty() {
+                check.wrong(raw, "found barred ranges that leave no speed, expected some");
+            }
+            ranges = left;
+        }
+        let factors = raw.factor_by_speed.map_or_else(Vec::new, |raw| Self::pairs(check, raw, "a speed and a factor"));
+        Within { ranges, factors }
+    }
+
+    /// The rings that a measure is of, in words.
+    pub(super) fn ring_words(named: Option<&At<i64>>) -> String {
+        named.map_or_else(|| "all absorbers".into(), |i| format!("absorber {}", i.get_ref()))
+    }
+}

@@ -1,0 +1,89 @@
+//! Measures of a study: objectives and limits.
+
+mod context;
+mod names;
+mod of_absorbers;
+mod of_chain;
+
+pub(crate) use context::{Context, Judged, default_twist};
+
+use crate::input::error::{At, Check};
+use crate::input::measure::{LimitSpec, MeasureSpec, UnitOf};
+use crate::input::schema::measure::RawMeasure;
+use crate::input::schema::study::RawStudy;
+use crate::objective::{Over, Within};
+use crate::response::Quantity;
+use names::{Bound, Names, Resolved, spec};
+
+/// A measure as typed; nothing where a mistake leaves none.
+fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+    match raw.get_ref() {
+        RawMeasure::PeakTwist(m) => of_chain::peak_twist(check, m, of),
+        RawMeasure::HubAmplitude(m) => of_chain::hub_amplitude(check, m, of),
+        RawMeasure::VibratoryTorque(m) => of_chain::vibratory_torque(check, m, raw, of),
+        RawMeasure::ShaftStress(m) => of_chain::shaft_stress(check, m, of),
+        RawMeasure::RingTwist(m) => of_absorbers::ring_twist(check, m, of),
+        RawMeasure::ElementStrain(m) => of_absorbers::element_strain(check, m, of),
+        RawMeasure::DissipatedPower(m) => of_absorbers::dissipated_power(check, m, of),
+        RawMeasure::PowerPerArea(m) => of_absorbers::power_per_area(check, m, of),
+        RawMeasure::LossFactor(m) => of_absorbers::loss_factor(check, m, of),
+        RawMeasure::RingInertia(m) => of_absorbers::ring_inertia(check, m, of),
+        RawMeasure::TotalInertia(m) => of_absorbers::total_inertia(check, m, of),
+        RawMeasure::NaturalFrequency(m) => of_chain::natural_frequency(check, m, of),
+        RawMeasure::Margin(m) => of_chain::margin(check, m, raw, of),
+    }
+}
+
+/// Objectives, the first one first; by default the synthesised twist from the hub to the last station.
+pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Vec<MeasureSpec> {
+    let mut list: Vec<MeasureSpec> = Vec::new();
+    for raw in &study.objective {
+        let Some(Resolved { spec, bound }) = measure(check, raw, of) else { continue };
+        match bound {
+            Bound::Most(Some(at)) | Bound::Least(Some(at)) => {
+                check.wrong(at, "found a limit in an objective, expected it in a [[constraint]]")
+            }
+            Bound::Band => check.wrong(raw, "found a band of natural frequencies as an objective, expected it in a [[constraint]]"),
+            Bound::Most(None) | Bound::Least(None) => {}
+        }
+        if list.iter().any(|o| o.word == spec.word) {
+            check.wrong(raw, format!("found a second objective of the kind `{}`, expected different kinds", spec.word));
+        }
+        list.push(spec);
+    }
+    if list.is_empty() {
+        let quantity = default_twist(of.chain, of.hub);
+        let Quantity::Twist { from, to } = quantity else { unreachable!("the default is a twist") };
+        let name = |i: usize| of.chain.stations[i].name.as_str();
+        let place = format!("{} to {}", name(from), to.map_or("ground", name));
+        let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
+        list.push(spec(names, (vec![quantity], Over::Synthesis, Within::default()), UnitOf::Angle));
+    }
+    list
+}
+
+/// Limits.
+pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<LimitSpec> {
+    let mut limits = Vec::new();
+    for raw in &study.constraint {
+        let Some(Resolved { spec, bound }) = measure(check, raw, of) else { continue };
+        let (limit, words) = match bound {
+            Bound::Most(None) => {
+                check.wrong(raw, format!("found a [[constraint]] of `{}` without a limit, expected its `max` key", spec.key));
+                continue;
+            }
+            Bound::Least(None) => {
+                check.wrong(raw, "found a [[constraint]] of a margin without a limit, expected `min`");
+                continue;
+            }
+            Bound::Most(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at most {}{}", at.get_ref(), spec.unit.suffix())),
+            Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}", at.get_ref())),
+            Bound::Band => (1.0, String::new()),
+        };
+        let label = spec.label.trim_start_matches("peak ").trim_start_matches("smallest ");
+        let factor = if spec.measure.within.factors.is_empty() { "" } else { ", times the factor of its speed" };
+        let words = format!("{label} {words}{factor}").trim_end().to_owned();
+        limits.push(LimitSpec { of: spec, words, limit });
+    }
+    limits
+}

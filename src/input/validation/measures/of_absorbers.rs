@@ -1,0 +1,64 @@
+//! Measures of the absorbers.
+
+use super::context::Context;
+use super::names::{Bound, Names, Resolved, spec};
+use crate::input::error::Check;
+use crate::input::measure::UnitOf;
+use crate::input::schema::measure::{RawInertia, RawLossFactor, RawPower, RawPowerPerArea, RawRingTwist, RawStrain};
+use crate::objective::{Over, Property, Within};
+
+pub(super) fn ring_twist<'r>(check: &mut Check, r: &'r RawRingTwist, of: Context) -> Option<Resolved<'r>> {
+    let over = of.over(check, r.over, r.order.as_ref());
+    let place = format!("of {}", Context::ring_words(r.absorber.as_ref()));
+    let names = Names { key: "ring_twist", column: "ring_twist_deg", word: "ring_twist", what: "ring twist", place };
+    let parts = (of.rings(check, r.absorber.as_ref())?, over, of.within(check, r.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Angle), bound: Bound::Most(r.max_deg.as_ref()) })
+}
+
+pub(super) fn element_strain<'r>(check: &mut Check, s: &'r RawStrain, of: Context) -> Option<Resolved<'r>> {
+    let (radius, thickness) = (check.positive(&s.mean_radius_mm), check.positive(&s.thickness_mm));
+    let over = of.over(check, s.over, s.order.as_ref());
+    let place = format!("of {}", Context::ring_words(Some(&s.absorber)));
+    let names = Names { key: "element_strain", column: "strain_percent", word: "strain", what: "shear strain", place };
+    let parts = (of.rings(check, Some(&s.absorber))?, over, of.within(check, s.within()));
+    Some(Resolved {
+        spec: spec(names, parts, UnitOf::Strain { per_twist: radius / thickness }),
+        bound: Bound::Most(s.max_percent.as_ref()),
+    })
+}
+
+pub(super) fn dissipated_power<'r>(check: &mut Check, p: &'r RawPower, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(p.absorber.as_ref()));
+    let names = Names { key: "dissipated_power", column: "power_w", word: "power", what: "dissipated power", place };
+    let parts = (of.rings(check, p.absorber.as_ref())?, Over::Power, of.within(check, p.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Power), bound: Bound::Most(p.max_w.as_ref()) })
+}
+
+pub(super) fn power_per_area<'r>(check: &mut Check, p: &'r RawPowerPerArea, of: Context) -> Option<Resolved<'r>> {
+    let area = check.positive(&p.area_m2);
+    let place = format!("of {}", Context::ring_words(Some(&p.absorber)));
+    let names = Names { key: "power_per_area", column: "power_w_per_m2", word: "power_per_area", what: "dissipated power per area", place };
+    let parts = (of.rings(check, Some(&p.absorber))?, Over::Power, of.within(check, p.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::PowerPerArea { area }), bound: Bound::Most(p.max_w_per_m2.as_ref()) })
+}
+
+pub(super) fn loss_factor<'r>(check: &mut Check, l: &'r RawLossFactor, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(l.absorber.as_ref()));
+    let names = Names { key: "loss_factor", column: "loss_factor", word: "loss_factor", what: "implied loss factor", place };
+    let parts = (of.rings(check, l.absorber.as_ref())?, Over::Property(Property::LossFactor), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Ratio), bound: Bound::Most(l.max.as_ref()) })
+}
+
+pub(super) fn ring_inertia<'r>(check: &mut Check, i: &'r RawInertia, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(i.absorber.as_ref()));
+    let names = Names { key: "ring_inertia", column: "inertia_of_rings_kg_m2", word: "ring_inertia", what: "ring inertia", place };
+    let parts = (of.rings(check, i.absorber.as_ref())?, Over::Property(Property::RingInertia), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Inertia), bound: Bound::Most(i.max_kg_m2.as_ref()) })
+}
+
+pub(super) fn total_inertia<'r>(check: &mut Check, i: &'r RawInertia, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(i.absorber.as_ref()));
+    let names = Names { key: "total_inertia", column: "total_inertia_kg_m2", word: "inertia", what: "total inertia", place };
+    let parts = (of.rings(check, i.absorber.as_ref())?, Over::Property(Property::TotalInertia), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Inertia), bound: Bound::Most(i.max_kg_m2.as_ref()) })
+}

@@ -1,0 +1,160 @@
+//! Measures of the chain and of the crank.
+
+use super::context::{Context, Judged, default_twist};
+use super::names::{Bound, Names, Resolved, spec};
+use crate::crankshaft::FatigueSpec;
+use crate::drivetrain::Chain;
+use crate::input::error::{At, Check};
+use crate::input::measure::{MeasureSpec, UnitOf};
+use crate::input::schema::fatigue::RawCriterion;
+use crate::input::schema::measure::{RawAmplitude, RawBand, RawMargin, RawMeasure, RawStress, RawTorque, RawTwist};
+use crate::input::validation::named::station;
+use crate::objective::{Over, Property, Within};
+use crate::response::Quantity;
+use crate::units::M_PER_MM;
+use std::f64::consts::PI;
+
+fn twist(check: &mut Check, chain: &Chain, from: &At<String>, to: &At<String>) -> Option<Quantity> {
+    let a = station(check, chain, from);
+    let b = if to.get_ref() == "ground" { Some(None) } else { station(check, chain, to).map(Some) };
+    let (a, b) = (a?, b?);
+    if b == Some(a) {
+        check.wrong(to, format!("found a twist from `{0}` to `{0}`, expected two different stations", to.get_ref()));
+    }
+    Some(Quantity::Twist { from: a, to: b })
+}
+
+fn torques(chain: &Chain) -> Vec<Quantity> {
+    (0..chain.len() - 1).map(Quantity::ShaftTorque).collect()
+}
+
+/// The criterion of a margin: the one named, or the first of the study.
+fn criterion<'f, T>(
+    check: &mut Check,
+    named: Option<&At<RawCriterion>>,
+    at: &At<T>,
+    fatigue: Judged<'f>,
+) -> Option<(usize, &'f FatigueSpec)> {
+    let fatigue = match fatigue {
+        Judged::By(fatigue) => fatigue,
+        // its own mistakes have been reported
+        Judged::Wrongly => return None,
+        Judged::Not => {
+            check.wrong(at, "found a margin in a study without [fatigue], expected material and criteria there");
+            return None;
+        }
+    };
+    let Some(named) = named else { return Some((0, fatigue)) };
+    let wanted = named.get_ref().0;
+    let found = fatigue.criteria.iter().position(|c| *c == wanted);
+    if found.is_none() {
+        check.wrong(named, format!("found criterion `{}`, expected one of those in [fatigue]", wanted.name()));
+    }
+    found.map(|index| (index, fatigue))
+}
+
+/// Shafts whose torque the crank carries.
+fn crank_torques(chain: &Chain) -> Vec<Quantity> {
+    let throws = chain.stations.iter().map(|s| s.throws.len()).sum();
+    crate::crankshaft::shafts(chain, throws).into_iter().map(Quantity::ShaftTorque).collect()
+}
+
+pub(super) fn peak_twist<'r>(check: &mut Check, t: &'r RawTwist, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    let name = |i: usize| chain.stations[i].name.as_str();
+    let quantity = twist(check, chain, &t.from, &t.to)?;
+    let Quantity::Twist { from, to } = quantity else { return None };
+    let place = format!("{} to {}", name(from), to.map_or("ground", name));
+    let over = of.over(check, t.over, t.order.as_ref());
+    let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
+    Some(Resolved {
+        spec: spec(names, (vec![quantity], over, of.within(check, t.within())), UnitOf::Angle),
+        bound: Bound::Most(t.max_deg.as_ref()),
+    })
+}
+
+pub(super) fn hub_amplitude<'r>(check: &mut Check, a: &'r RawAmplitude, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    let name = |i: usize| chain.stations[i].name.as_str();
+    let from = station(check, chain, &a.station)?;
+    let over = of.over(check, a.over, a.order.as_ref());
+    let place = format!("of {}", name(from));
+    let names = Names { key: "hub_amplitude", column: "hub_deg", word: "hub", what: "amplitude", place };
+    let quantities = vec![Quantity::Twist { from, to: None }];
+    Some(Resolved {
+        spec: spec(names, (quantities, over, of.within(check, a.within())), UnitOf::Angle),
+        bound: Bound::Most(a.max_deg.as_ref()),
+    })
+}
+
+pub(super) fn vibratory_torque<'r>(check: &mut Check, t: &'r RawTorque, at: &At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    if chain.len() == 1 {
+        check.wrong(at, "found the vibratory torque of a chain without shafts, expected two stations or another measure");
+        return None;
+    }
+    let (quantities, place) = match &t.shaft {
+        None => (torques(chain), "of the shafts".to_owned()),
+        Some(shaft) => {
+            let shaft = of.shaft(check, shaft)?;
+            (vec![Quantity::ShaftTorque(shaft)], format!("of shaft {}", chain.shaft_name(shaft)))
+        }
+    };
+    let over = of.over(check, t.over, t.order.as_ref());
+    let names = Names { key: "vibratory_torque", column: "torque_n_m", word: "torque", what: "vibratory torque", place };
+    Some(Resolved {
+        spec: spec(names, (quantities, over, of.within(check, t.within())), UnitOf::Torque),
+        bound: Bound::Most(t.max_n_m.as_ref()),
+    })
+}
+
+pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    let shaft = of.shaft(check, &s.shaft)?;
+    let outer = M_PER_MM * check.positive(&s.outer_diameter_mm);
+    let inner = M_PER_MM * s.inner_diameter_mm.as_ref().map_or(0.0, |d| check.not_negative(d));
+    if let Some(at) = s.inner_diameter_mm.as_ref().filter(|_| inner >= outer) {
+        check.wrong(at, format!("found {} mm, expected less than the outer diameter", at.get_ref()));
+        return None;
+    }
+    let section_modulus = PI * (outer.powi(4) - inner.powi(4)) / (16.0 * outer);
+    let over = of.over(check, s.over, s.order.as_ref());
+    let place = format!("of shaft {}", chain.shaft_name(shaft));
+    let names = Names { key: "shaft_stress", column: "shaft_stress_mpa", word: "stress", what: "nominal stress", place };
+    let parts = (vec![Quantity::ShaftTorque(shaft)], over, of.within(check, s.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Stress { section_modulus }), bound: Bound::Most(s.max_mpa.as_ref()) })
+}
+
+pub(super) fn natural_frequency<'r>(check: &mut Check, band: &'r RawBand, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    let ends: Vec<f64> = band.outside_hz.get_ref().iter().map(|x| check.positive(x)).collect();
+    let [low, high] = ends[..] else {
+        check.wrong(&band.outside_hz, format!("found {} numbers, expected the ends of a band, Hz", ends.len()));
+        return None;
+    };
+    if low >= high {
+        check.wrong(&band.outside_hz, format!("found a band from {low} to {high} Hz, expected its lower end first"));
+        return None;
+    }
+    let names = Names {
+        key: "natural_frequency",
+        column: "frequency_in_band",
+        word: "frequency",
+        what: "natural frequency",
+        place: format!("outside {low} to {high} Hz"),
+    };
+    let parts = (vec![default_twist(chain, of.hub)], Over::Property(Property::Band { low, high }), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Ratio), bound: Bound::Band })
+}
+
+pub(super) fn margin<'r>(check: &mut Check, m: &'r RawMargin, at: &At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+    let chain = of.chain;
+    let (index, fatigue) = criterion(check, m.criterion.as_ref(), at, of.fatigue)?;
+    let within = of.within(check, m.within());
+    let parts = (crank_torques(chain), Over::Margin(index), within);
+    let by = fatigue.criteria[index];
+    let names = Names { key: "margin", column: "", word: "", what: "margin", place: format!("by {}", by.name()) };
+    let spec = spec(names, parts, UnitOf::Margin);
+    let label = spec.label.replacen("peak", "smallest", 1);
+    Some(Resolved { spec: MeasureSpec { column: by.column(), word: by.column(), label, ..spec }, bound: Bound::Least(m.min.as_ref()) })
+}

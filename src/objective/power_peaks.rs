@@ -1,0 +1,106 @@
+//! Peaks of the mean power that absorbers dissipate, over speed.
+
+use super::local_maxima;
+use super::measure::{Measure, Over};
+use super::peak::Peak;
+use super::peak_search::{Found, PeakFinder};
+use super::speeds::Speeds;
+use crate::absorber::{Mounted, Operating};
+use crate::numerics::{C64, ZERO};
+use crate::response::{Quantity, ResponseError, Work};
+use crate::units::RAD_PER_S_PER_RPM;
+
+/// Below this share of the largest known power a maximum is not refined: power grows as the square of a twist.
+const LEAST_SHARE: f64 = 0.3;
+
+impl PeakFinder<'_> {
+    /// Power of the absorbers of a measure at a speed, W: sum over rings and orders of omega Im S |twist|²/2.
+    fn power_at(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<f64, ResponseError> {
+        measure.absorbers().try_fold(0.0, |sum, i| Ok(sum + self.direct.dissipated_power(design, i, speed_rpm, work)?))
+    }
+
+    /// Local maxima on a part of the range that begins at index `start` of the sweeps of the ring twists.
+    pub(super) fn powers(
+        &self,
+        design: &[Mounted],
+        measure: &Measure,
+        (speeds, start): (&Speeds, usize),
+        twists: &[Vec<C64>],
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let orders = self.system.orders();
+        let Some(&quantity) = measure.quantities.first() else { return Ok(()) };
+        let at = |i: usize| -> f64 {
+            let own = |(r, y): (usize, &Vec<C64>)| {
+                let y = &y[(start + i) * orders..(start + i + 1) * orders];
+                self.direct.power_of_twist(design, r, speeds.rpm[i], y)
+            };
+            measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
+        };
+        let values: Vec<f64> = (0..speeds.rpm.len()).map(at).collect();
+        let top = values.iter().copied().fold(found.best, f64::max);
+        for candidate in local_maxima::maxima(&speeds.rpm, &values) {
+            if candidate.value < LEAST_SHARE * found.keep * top {
+                break;
+            }
+            let value_at = |speed: f64, work: &mut Work| Ok(self.power_at(design, measure, speed, work)? * measure.within.weight(speed));
+            let wanted = found.keep * found.best.max(top);
+            let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else { continue };
+            let (order, order_value) = self.hottest_order(design, measure, speed_rpm, work)?;
+            let weight = measure.within.weight(speed_rpm);
+            let value = self.power_at(design, measure, speed_rpm, work)? * weight;
+            found.put(Peak { value, weight, over: Over::Power, speed_rpm, order, order_value, quantity, extremes: None, place });
+        }
+        Ok(())
+    }
+
+    /// The order that dissipates most at a speed, and its power, W.
+    fn hottest_order(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<(usize, f64), ResponseError> {
+        let mut by_order = vec![0.0; self.system.orders()];
+        let mut y = vec![ZERO; by_order.len()];
+        for i in measure.absorbers() {
+            let Some(law) = design[i].absorber.law() else { continue };
+            self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
+            for (n, (sum, y)) in by_order.iter_mut().zip(&y).enumerate() {
+                let at = self.operating(n, speed_rpm);
+                *sum += law.dissipated_power(at, y.norm());
+            }
+        }
+        Ok(by_order.iter().enumerate().fold((0, 0.0), |m, (n, p)| if *p > m.1 { (n, *p) } else { m }))
+    }
+
+    /// Frequency of an order at a speed.
+    fn operating(&self, order: usize, speed_rpm: f64) -> Operating {
+        Operating { omega: self.system.excitation.orders[order].omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }
+    }
+
+    /// Derivatives of a power by the parameters of absorber `index`: of its own law, and of all twists.
+    pub(super) fn power_gradient(
+        &self,
+        (design, index): (&[Mounted], usize),
+        measure: &Measure,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let orders = self.system.orders();
+        let mut y = vec![ZERO; orders];
+        let mut gradient: Vec<f64> = Vec::new();
+        for i in measure.absorbers() {
+            let Some(law) = design[i].absorber.law() else { continue };
+            self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
+            let changes = self.direct.sensitivity(design, index, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;
+            for (n, (y, changes)) in y.iter().zip(&changes).enumerate() {
+                let at = self.operating(n, speed_rpm);
+                gradient.resize(changes.len(), 0.0);
+                let damping = at.omega * law.dynamic_stiffness(at).im;
+                gradient.iter_mut().zip(changes).for_each(|(g, d)| *g += damping * (y.conj() * d).re);
+                if i == index {
+                    let own = law.derivatives(at);
+                    gradient.iter_mut().zip(own).for_each(|(g, d)| *g += 0.5 * at.omega * d.im * y.norm_sqr());
+                }
+            }
+        }
+        Ok(gradient)
+    }
+}

@@ -1,0 +1,142 @@
+//! Measures: every one against an independent sum, its gradient against differences, and limits that bind.
+
+use crate::support::{assert_close, study, system};
+use hartog::absorber::{Absorber, Host, Mounted, RUBBER, TUNED};
+use hartog::input::Study;
+use hartog::numerics::C64;
+use hartog::objective::{Measure, Over, PeakFinder, Property, Within};
+use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
+
+const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
+
+fn with_finder<T>(study: &Study, f: impl FnOnce(&PeakFinder) -> T) -> T {
+    let sys = system(study);
+    let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
+    let method = Method::Direct(Direct::new(&sys, &grid));
+    f(&PeakFinder::new(&sys, &grid, &method, true))
+}
+
+fn ring(declaration: &'static hartog::absorber::Declaration, on: Host, values: &[f64]) -> Mounted {
+    Mounted { on, hub_inertia: 0.002, absorber: Absorber::Ring((declaration.build)(values)) }
+}
+
+/// One ring; two on different stations; a ring on a ring, of laws that depend on frequency.
+fn designs() -> Vec<Vec<Mounted>> {
+    let station = Host::Station;
+    vec![
+        vec![ring(&TUNED, station(0), &[0.05, 3.4e4, 30.0])],
+        vec![ring(&TUNED, station(0), &[0.03, 4e4, 15.0]), ring(&TUNED, station(2), &[0.02, 5e4, 20.0])],
+        vec![ring(&TUNED, station(0), &[0.04, 4e4, 12.0]), ring(&TUNED, Host::Ring(0), &[0.01, 2e4, 6.0])],
+        vec![ring(&TUNED, station(0), &[0.05, 3.4e4, 30.0]), ring(&RUBBER, station(0), &[0.02, 3e4, 0.3])],
+    ]
+}
+
+/// Measures with all that may be asked of them.
+fn measures(study: &Study, rings: usize) -> Vec<Measure> {
+    let all = || (0..rings).map(Quantity::RingTwist).collect::<Vec<_>>();
+    let order = hartog::engine::Order::from_twice(6);
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let middle = 0.5 * (low + high);
+    let factors = vec![(low, 1.0), (middle + 3.0, 0.6), (high, 1.4)];
+    let within = Within { ranges: vec![(low + 12.0, middle), (middle + 77.0, high)], factors };
+    let mut list = vec![
+        Measure::new(all(), Over::Synthesis),
+        Measure::new(all(), Over::Orders),
+        Measure::new(vec![Quantity::RingTwist(rings - 1)], Over::Order(order)),
+        Measure::new(all(), Over::Power),
+        Measure::new(vec![Quantity::RingTwist(rings - 1)], Over::Power),
+        Measure::new(vec![study.twist], Over::Order(order)),
+        Measure::new(all(), Over::Property(Property::RingInertia)),
+        Measure::new(all(), Over::Property(Property::TotalInertia)),
+        Measure::new(vec![study.twist], Over::Property(Property::Band { low: 60.0, high: 4000.0 })),
+    ];
+    for quantities in [vec![study.twist], vec![Quantity::ShaftTorque(2)], all()] {
+        list.push(Measure { quantities: quantities.clone(), over: Over::Synthesis, within: within.clone() });
+        list.push(Measure { quantities, over: Over::Orders, within: within.clone() });
+    }
+    list.push(Measure { quantities: all(), over: Over::Power, within });
+    list
+}
+
+/// Law: the change of a value with each parameter of each absorber is that of central differences, to the 4e-6 of a peak that differences of refined ones leave: those are right to 1e-10, and steps are 1e-4.
+#[test]
+fn gradients_of_measures_equal_differences() {
+    for name in ENGINES {
+        let mut s = study(name);
+        s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(2).collect();
+        with_finder(&s, |finder| {
+            for design in designs() {
+                for measure in measures(&s, design.len()) {
+                    let value = |d: &[Mounted]| finder.peak(d, &measure, &mut Work::default()).expect("damped").expect("a peak");
+                    let peak = value(&design);
+                    for i in 0..design.len() {
+                        let gradient = finder.gradient(&design, i, &measure, &peak, &mut Work::default()).expect("damped");
+                        let law = design[i].absorber.law().expect("a ring").clone();
+                        let values = law.values();
+                        for (p, x) in values.iter().enumerate() {
+                            let moved = |share: f64| {
+                                let mut moved = values.clone();
+                                moved[p] *= 1.0 + share;
+                                let mut d = design.clone();
+                                d[i].absorber = Absorber::Ring((law.declaration().build)(&moved));
+                                value(&d).value
+                            };
+                            let step = 1e-4;
+                            let difference = (moved(step) - moved(-step)) / (2.0 * step * x);
+                            let found = gradient.get(p).copied().unwrap_or(0.0);
+                            assert_close(found * x, difference * x, 1e-5, 4e-6 * peak.value, &format!("{name}, {measure:?}, {i}, {p}"));
+                        }
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// Independent: a sweep every quarter of a revolution, sums of half peak-to-peak by sampling the cycle, powers by the law of each ring.
+#[test]
+fn values_of_measures_equal_a_fine_sweep() {
+    for name in ENGINES {
+        let s = study(name);
+        with_finder(&s, |finder| {
+            let (low, high) = (s.speeds_rpm[0], s.speeds_rpm[s.speeds_rpm.len() - 1]);
+            let fine: Vec<f64> = (0..=((high - low) * 2.0) as usize).map(|i| low + i as f64 * 0.5).collect();
+            let grid = Grid::new(&fine, &[]);
+            let direct = Direct::new(finder.system, &grid);
+            let orders = finder.system.orders();
+            let design = &designs()[1];
+            for measure in measures(&s, design.len()) {
+                if matches!(measure.over, Over::Property(_)) {
+                    continue;
+                }
+                let holds =
+                    |speed: f64| measure.within.ranges.is_empty() || measure.within.ranges.iter().any(|r| r.0 <= speed && speed <= r.1);
+                let mut sum = vec![0.0; fine.len()];
+                for quantity in &measure.quantities {
+                    let mut sweep: Vec<C64> = Vec::new();
+                    direct.sweep(design, *quantity, &mut sweep, &mut Work::default()).expect("damped");
+                    for (i, y) in sweep.chunks(orders).enumerate() {
+                        let order = |n: usize| finder.system.excitation.orders[n];
+                        let value = match measure.over {
+                            Over::Synthesis => finder.synthesis(y)[0],
+                            Over::Orders => y.iter().map(|y| y.norm()).fold(0.0, f64::max),
+                            Over::Order(o) => (0..orders).filter(|n| order(*n) == o).map(|n| y[n].norm()).sum(),
+                            _ => {
+                                let Quantity::RingTwist(r) = quantity else { panic!("a ring") };
+                                let own = design[*r].absorber.damping().expect("a damper");
+                                (0..orders).map(|n| 0.5 * own * (order(n).omega(fine[i]) * y[n].norm()).powi(2)).sum()
+                            }
+                        };
+                        let value = if holds(fine[i]) { value * measure.within.weight(fine[i]) } else { 0.0 };
+                        sum[i] = if measure.over == Over::Power { sum[i] + value } else { f64::max(sum[i], value) };
+                    }
+                }
+                let expected = sum.into_iter().fold(0.0, f64::max);
+                let peak = finder.peak(design, &measure, &mut Work::default()).expect("damped").expect("a peak");
+                assert!(peak.value >= expected * (1.0 - 1e-12), "{name}, {measure:?}: {} is below {expected}", peak.value);
+                assert_close(peak.value, expected, 3e-5, 0.0, &format!("{name}, {measure:?}"));
+                assert!(holds(peak.speed_rpm));
+            }
+        });
+    }
+}

@@ -18,6 +18,7 @@ mod fatigue;
 mod forces;
 mod laws;
 mod layering;
+mod limits;
 mod load;
 mod long;
 mod margin;

@@ -2,6 +2,7 @@
 
 use super::calibrate::Calibration;
 use super::choice::Choice;
+use super::conflict::Conflict;
 use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
@@ -33,6 +34,27 @@ pub struct OptimumResult {
     pub family: String,
     /// Index of the objective that it minimises, the first being 0.
     pub objective: usize,
+    /// What each limit costs: per cent of the objective that one per cent more of it would bring.
+    pub prices: Vec<f64>,
+    /// Bounds it lies on.
+    pub on_bounds: Vec<OnBound>,
+    /// The limits that no design of its family holds together.
+    pub conflict: Option<Conflict>,
+}
+
+/// A parameter that lies on a bound.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct OnBound {
+    /// Index of the absorber.
+    pub absorber: usize,
+    /// Index of the parameter in its declaration.
+    pub parameter: usize,
+    /// The bound.
+    pub bound: f64,
+    /// Whether it is the upper one.
+    pub upper: bool,
+    /// Per cent of the objective that one per cent further would bring; nothing for a bound of zero.
+    pub price: Option<f64>,
 }
 
 /// Load case of a row of an optimum.

@@ -1,8 +1,9 @@
 //! The searches of a study: optima and fronts.
 
+use super::conflict::{self, Conflict, Verdict};
 use super::evaluate::{self, Classifier};
 use super::families::{self, Family};
-use super::results::{FrontResult, OptimumResult, RowCase};
+use super::results::{FrontResult, OnBound, OptimumResult, RowCase};
 use super::timing::Clock;
 use super::wanted::Wanted;
 use super::{Progress, RunError};
@@ -10,10 +11,16 @@ use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::input::{LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
-use crate::optimise::{LoadCase, Problem, Row, Space, front, search, starts};
+use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Space, front, search, starts};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
+/// A limit whose ratio has a larger logarithm is broken.
+const BROKEN: f64 = 1e-6;
+/// A parameter is on a bound where it is nearer than this share of the upper one.
+const ON_BOUND: f64 = 1e-9;
+/// Multipliers below this are what an interior-point method leaves of zero.
+const ROUNDING: f64 = 1e-9;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
 
@@ -80,7 +87,8 @@ impl<'a> Searches<'a> {
                 let failed = |error: ResponseError| RunError { what: name.clone(), error };
                 let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
-                let optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let mut optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let conflict = conflict_of(&problem, &mut optimum, &starts).map_err(failed)?;
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);
@@ -94,7 +102,8 @@ impl<'a> Searches<'a> {
                     RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
                 };
                 let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
-                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, family, objective })
+                let (prices, on_bounds) = (prices(&optimum.outcome, self.limits.len()), on_bounds(&problem.space, &optimum.outcome));
+                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, family, objective, prices, on_bounds, conflict })
             })
             .collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();
@@ -143,4 +152,52 @@ impl<'a> Searches<'a> {
         }
         Ok(results)
     }
+}
+
+/// Where limits are broken: an optimum from a design that holds them, or the conflict.
+fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<f64>)]) -> Result<Option<Conflict>, ResponseError> {
+    if optimum.outcome.rows.excess() <= BROKEN {
+        return Ok(None);
+    }
+    match conflict::judge(problem, optimum, starts)? {
+        Verdict::Conflict(nearest, conflict) => {
+            *optimum = *nearest;
+            Ok(Some(conflict))
+        }
+        Verdict::Found(outcome) => {
+            if outcome.rows.excess() <= BROKEN {
+                optimum.design = problem.space.design(&outcome.point);
+                optimum.outcome = *outcome;
+            }
+            Ok(None)
+        }
+    }
+}
+
+/// Per cent of the objective that one per cent more of each limit would bring.
+fn prices(outcome: &Outcome, limits: usize) -> Vec<f64> {
+    let mut prices = vec![0.0; limits];
+    for (row, multiplier) in outcome.rows.rows.iter().zip(&outcome.multipliers) {
+        if let Role::Limit(limit) = row.role {
+            prices[limit] += multiplier;
+        }
+    }
+    prices.iter_mut().filter(|p| **p < ROUNDING).for_each(|p| *p = 0.0);
+    prices
+}
+
+/// Bounds on which parameters lie, and what one per cent further would bring.
+fn on_bounds(space: &Space, outcome: &Outcome) -> Vec<OnBound> {
+    let mut list = Vec::new();
+    for ((v, w), [low, high]) in space.variables.iter().zip(&outcome.point).zip(&outcome.bounds) {
+        let x = v.value(*w);
+        for (bound, multiplier, upper) in [(v.lower, low, false), (v.upper, high, true)] {
+            if (x - bound).abs() <= ON_BOUND * v.upper {
+                // a coordinate is nearly the logarithm of its value
+                let price = (bound > 0.0).then(|| multiplier * bound / v.slope(bound));
+                list.push(OnBound { absorber: v.absorber, parameter: v.parameter, bound, upper, price });
+            }
+        }
+    }
+    list
 }

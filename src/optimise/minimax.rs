@@ -46,6 +46,10 @@ pub struct Outcome {
     pub point: Vec<f64>,
     /// The rows there.
     pub rows: Rows,
+    /// Of each row, as shares of the objective per share of the row: those of the objective sum to one; one per cent more of a limit brings as many per cent.
+    pub multipliers: Vec<f64>,
+    /// Of the lower and upper bound of each coordinate: share of the objective per unit of the coordinate.
+    pub bounds: Vec<[f64; 2]>,
     /// Length of the steepest-descent step of the linear model with unit curvature, in coordinates and units of the objective: zero
     /// exactly where the first-order conditions of Karush, Kuhn and Tucker hold.
     pub kkt_residual: f64,
@@ -150,11 +154,25 @@ fn update(hessian: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>
     *hessian += &r * r.transpose() / step.dot(&r) - &bs * bs.transpose() / sbs;
 }
 
-/// First-order residual: the step of the model with unit curvature and no trust region.
-fn kkt_residual(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) -> f64 {
+/// First-order conditions at a point: the step of the model with unit curvature and no trust region, and its multipliers.
+struct FirstOrder {
+    residual: f64,
+    multipliers: Vec<f64>,
+    bounds: Vec<[f64; 2]>,
+}
+
+fn first_order(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) -> FirstOrder {
     let n = point.len();
+    let unknown = || FirstOrder { residual: f64::INFINITY, multipliers: vec![0.0; rows.rows.len()], bounds: vec![[0.0; 2]; n] };
+    if n == 0 {
+        return FirstOrder { residual: 0.0, ..unknown() };
+    }
     let step = solve(&lines(rows, rows.objective()), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), penalty);
-    step.map_or(f64::INFINITY, |s| DVector::from_column_slice(&s.change).norm())
+    step.map_or_else(unknown, |s| FirstOrder {
+        residual: DVector::from_column_slice(&s.change).norm(),
+        multipliers: s.multipliers,
+        bounds: s.bounds,
+    })
 }
 
 /// Minimises from `start`.
@@ -231,8 +249,8 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
             rows = there;
         }
     };
-    let kkt_residual = if n == 0 { 0.0 } else { kkt_residual(&rows, &point, &bounds, penalty) };
-    let found = Outcome { point, rows, kkt_residual, iterations, stop };
+    let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
+    let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop };
     Ok(if problem.space.slots.len() > 1 { polished(problem, found, &hessian, penalty, work) } else { found })
 }
 
@@ -248,12 +266,12 @@ fn polished(problem: &Problem, mut best: Outcome, hessian: &DMatrix<f64>, penalt
         let moved = best.point.iter().zip(&step.change).zip(&bounds);
         let point: Vec<f64> = moved.map(|((w, d), b)| snapped(w + d, *b)).collect();
         let Ok(rows) = problem.rows(&point, work) else { break };
-        let residual = kkt_residual(&rows, &point, &bounds, penalty);
+        let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
         let rise = merit(&rows, unit, penalty) - merit(&best.rows, unit, penalty);
         if residual >= best.kkt_residual || rise > DECREASE {
             break;
         }
-        best = Outcome { point, rows, kkt_residual: residual, iterations: best.iterations + 1, stop: best.stop };
+        best = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations: best.iterations + 1, stop: best.stop };
     }
     best
 }

@@ -58,11 +58,6 @@ impl Optimum {
         self.outcome.rows.objective()
     }
 
-    /// Objective with the penalty of limits that fail: what starts are compared by.
-    pub fn cost(&self) -> f64 {
-        cost(&self.outcome)
-    }
-
     /// How many starts ended at the best value.
     pub fn agreeing(&self) -> usize {
         let best = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);

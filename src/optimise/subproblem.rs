@@ -24,6 +24,8 @@ pub struct Step {
     pub model: f64,
     /// One multiplier a line; those of the objective sum to one.
     pub multipliers: Vec<f64>,
+    /// Multipliers of the lower and upper reach of each coordinate.
+    pub bounds: Vec<[f64; 2]>,
 }
 
 /// Minimises t + penalty s + d'Bd/2 over (d, t, s) with value + gradient d <= t (objective) or <= s (limits), s >= 0 and d within `reach`.
@@ -93,5 +95,7 @@ pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penal
     let excess = lines.iter().filter(|l| l.limit).map(at).fold(0.0, f64::max);
     let d = nalgebra::DVector::from_column_slice(&change);
     let model = top + penalty * excess + 0.5 * (hessian * &d).dot(&d);
-    Some(Step { change, model, multipliers: solver.solution.z[..lines.len()].to_vec() })
+    let z = &solver.solution.z;
+    let bounds = (0..n).map(|i| [z[lines.len() + 2 * i + 1], z[lines.len() + 2 * i]]).collect();
+    Some(Step { change, model, multipliers: z[..lines.len()].to_vec(), bounds })
 }

@@ -30,6 +30,11 @@ pub(crate) fn write_run(
     csv::designs(study, results, folder)?;
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
+    if study.limits.is_empty() {
+        folder.remove(&["limits.csv"])?
+    } else {
+        csv::limits(study, results, folder)?
+    }
     csv::response(study, results, folder)?;
     csv::margin::margin(study, results, folder)?;
     if results.fronts.is_empty() {

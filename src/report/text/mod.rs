@@ -6,6 +6,7 @@ pub mod comparison;
 pub mod crank;
 mod curves;
 pub mod fatigue;
+mod limits;
 pub mod margin;
 mod model;
 mod parameters;

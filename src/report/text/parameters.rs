@@ -2,16 +2,15 @@
 
 use super::table::significant;
 use crate::analysis::OptimumResult;
-use crate::input::Study;
 use crate::units::HZ_PER_RAD_PER_S;
 
 /// Loss factors of rubber in torsional absorbers.
 const RUBBER: &str = "0.1 to 0.3";
-/// A parameter is on a bound where it is nearer than this share of the upper one.
-const ON_BOUND: f64 = 1e-9;
+/// A smaller gain, per cent of the objective, is rounding.
+const WORTH_SAYING: f64 = 1e-6;
 
 /// A line for each.
-pub(super) fn parameters(study: &Study, o: &OptimumResult) -> Vec<String> {
+pub(super) fn parameters(o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     for (i, mounted) in o.design.absorbers.iter().enumerate() {
         let which = if o.design.absorbers.len() > 1 { format!("absorber {}: ", i + 1) } else { String::new() };
@@ -22,18 +21,17 @@ pub(super) fn parameters(study: &Study, o: &OptimumResult) -> Vec<String> {
                 significant(own * HZ_PER_RAD_PER_S, 4)
             ));
         }
-        let spec = study.optimise.as_ref().and_then(|s| s.absorbers.get(i));
-        for (key, (low, high)) in spec.into_iter().flat_map(|s| &s.bounds).filter(|b| b.1.1 > b.1.0) {
-            let Some(x) = mounted.absorber.value(key) else { continue };
-            for (bound, end) in [(low, "lower"), (high, "upper")] {
-                if (x - bound).abs() <= ON_BOUND * high.abs() {
-                    lines.push(format!(
-                        "  {which}`{key}` lies on its {end} bound, {}: beyond it there may be a better one",
-                        significant(*bound, 4)
-                    ));
-                }
-            }
-        }
+    }
+    for hit in &o.on_bounds {
+        let Some(declaration) = o.design.absorbers[hit.absorber].absorber.declaration() else { continue };
+        let which = if o.design.absorbers.len() > 1 { format!("absorber {}: ", hit.absorber + 1) } else { String::new() };
+        let (key, end) = (declaration.parameters[hit.parameter].key, if hit.upper { "upper" } else { "lower" });
+        let price = match hit.price {
+            Some(price) if price > WORTH_SAYING => format!(": one per cent further would bring {} %", significant(price, 2)),
+            Some(_) => ": further would bring nothing".to_owned(),
+            None => String::new(),
+        };
+        lines.push(format!("  {which}`{key}` lies on its {end} bound, {}{price}", significant(hit.bound, 4)));
     }
     lines
 }

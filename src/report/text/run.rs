@@ -1,5 +1,6 @@
 //! What a run prints: designs, optima, conditions, summary.
 
+use super::limits::limits;
 use super::margin::factor;
 use super::parameters::parameters;
 use super::table::{dash, significant, table};
@@ -200,10 +201,11 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
             _ => {}
         }
     }
-    parameters(study, o).into_iter().for_each(&mut put);
+    parameters(o).into_iter().for_each(&mut put);
     let starts = &o.optimum.starts;
     let agreeing = o.optimum.agreeing();
-    let worst = starts.iter().map(|s| s.finished / o.optimum.cost() - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
+    let lowest = starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+    let worst = starts.iter().map(|s| s.finished / lowest - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
     let rest = match worst {
         _ if agreeing == starts.len() => String::new(),
         above if above < 10.0 => format!("; the worst of the others ended {:.2} % above", 100.0 * above),
@@ -219,17 +221,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() },
         outcome.stop.reason()
     ));
-    for (limit, ratio) in study.limits.iter().zip(&o.design.limits) {
-        let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
-        let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
-        let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
-        // of a margin the inverse is limited
-        let size = match limit.of.unit {
-            UnitOf::Margin => format!("it is {}", factor(1.0 / (ratio * limit.limit))),
-            _ => format!("{:.1} % of it", 100.0 * ratio),
-        };
-        put(format!("  limit: {}: {verdict} ({size}{worst})", limit.words));
-    }
+    limits(study, o).into_iter().for_each(&mut put);
     text
 }
 

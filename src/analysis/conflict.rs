@@ -1,0 +1,80 @@
+//! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
+
+use crate::objective::Limit;
+use crate::optimise::{Optimum, Problem, Role, minimax, search};
+use crate::response::{ResponseError, Work};
+
+/// A limit that takes part in a conflict.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Party {
+    /// Index of the limit.
+    pub limit: usize,
+    /// Its share in what keeps the violation from falling: all of them sum to one.
+    pub share: f64,
+    /// The least factor on this limit alone with which all others hold; nothing where the others conflict by themselves.
+    pub loosened: Option<f64>,
+}
+
+/// Limits that no design of a family holds together.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct Conflict {
+    /// The least largest ratio of a measure to its limit.
+    pub ratio: f64,
+    /// Those that keep it from falling, the largest share first.
+    pub parties: Vec<Party>,
+}
+
+/// A limit holds up to this logarithm of its ratio.
+const HELD: f64 = 1e-6;
+/// Shares below this are rounding.
+const LEAST_SHARE: f64 = 1e-4;
+
+/// What an optimum with a broken limit comes to: another optimum from a design that holds all limits, where there is one, or the conflict.
+pub(super) enum Verdict {
+    /// From a point at which all limits hold.
+    Found(Box<minimax::Outcome>),
+    /// There is none: the design that comes nearest to all limits, and what keeps it from them.
+    Conflict(Box<Optimum>, Conflict),
+}
+
+/// Looks for a design that holds all limits, from the starts of a search and from its end.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where no start has a finite response.
+pub(super) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
+    let feasibility = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives: problem.limits, limits: &[] };
+    let mut all = starts.to_vec();
+    all.push(("optimum".into(), optimum.outcome.point.clone()));
+    let mut nearest = search::optimise(&feasibility, &all, &|| {})?;
+    let ratio = nearest.outcome.rows.objective();
+    if ratio <= 1.0 + HELD {
+        let outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;
+        return Ok(Verdict::Found(Box::new(outcome)));
+    }
+    let mut shares = vec![0.0; problem.limits.len()];
+    for (row, multiplier) in nearest.outcome.rows.rows.iter().zip(&nearest.outcome.multipliers) {
+        if let Role::Objective(limit) = row.role {
+            shares[limit] += multiplier;
+        }
+    }
+    let mut parties: Vec<Party> = shares
+        .iter()
+        .enumerate()
+        .filter(|s| *s.1 > LEAST_SHARE)
+        .map(|(limit, share)| Ok(Party { limit, share: *share, loosened: loosened(problem, limit, &nearest.outcome.point)? }))
+        .collect::<Result<_, ResponseError>>()?;
+    parties.sort_by(|a, b| b.share.total_cmp(&a.share));
+    // what its rows are in the problem itself
+    nearest.outcome.rows = problem.rows(&nearest.outcome.point, &mut Work::default())?;
+    nearest.outcome.multipliers = vec![0.0; nearest.outcome.rows.rows.len()];
+    Ok(Verdict::Conflict(Box::new(nearest), Conflict { ratio, parties }))
+}
+
+/// The least ratio of one limit within all others.
+fn loosened(problem: &Problem, limit: usize, point: &[f64]) -> Result<Option<f64>, ResponseError> {
+    let others: Vec<Limit> = problem.limits.iter().enumerate().filter(|l| l.0 != limit).map(|l| l.1.clone()).collect();
+    let objectives = std::slice::from_ref(&problem.limits[limit]);
+    let alone = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives, limits: &others };
+    let outcome = minimax::minimise(&alone, point, &mut Work::default())?;
+    Ok((outcome.rows.excess() <= HELD).then(|| outcome.rows.objective()))
+}

@@ -1,0 +1,36 @@
+//! `limits.csv`: a row a limit of every design.
+
+use super::table::{Table, number, optional};
+use crate::analysis::{DesignResult, Results};
+use crate::input::Study;
+use crate::report::files::{Folder, WriteError};
+
+/// A limit holds up to this ratio of its measure to it.
+const HELD: f64 = 1.0 + 1e-6;
+
+/// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, of a limit with factors over speed as if the factor were one; multiplier: per cent
+/// of the objective that one per cent more of the limit would bring, of optima.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let mut table = Table::new(&["design", "measure", "where", "value", "limit", "unit", "held", "multiplier"]);
+    let mut put = |d: &DesignResult, prices: Option<&[f64]>| {
+        for (i, (limit, ratio)) in study.limits.iter().zip(&d.limits).enumerate() {
+            let unit = limit.of.unit;
+            table.row([
+                d.name.clone(),
+                limit.of.key.to_owned(),
+                limit.of.place.clone(),
+                optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite())),
+                number(unit.shown(limit.limit)),
+                unit.symbol().to_owned(),
+                (*ratio <= HELD).to_string(),
+                optional(prices.map(|p| p[i])),
+            ]);
+        }
+    };
+    results.designs.iter().for_each(|d| put(d, None));
+    results.optima.iter().for_each(|o| put(&o.design, Some(&o.prices)));
+    table.save(folder, "limits.csv")
+}

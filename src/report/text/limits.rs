@@ -1,0 +1,67 @@
+//! What the limits of a study come to for an optimum.
+
+use super::margin::factor;
+use super::table::significant;
+use crate::analysis::{Conflict, OptimumResult};
+use crate::input::{LimitSpec, Study, UnitOf};
+
+/// A smaller gain, per cent of the objective, is rounding.
+const WORTH_SAYING: f64 = 1e-6;
+
+/// A value of a limited measure in its unit.
+fn value(limit: &LimitSpec, inside: f64) -> String {
+    match limit.of.unit {
+        UnitOf::Margin => factor(1.0 / inside),
+        unit => format!("{}{}", significant(unit.shown(inside), 4), unit.suffix()),
+    }
+}
+
+/// A line for each limit, then those that cannot hold together.
+pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
+    let mut lines = Vec::new();
+    let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
+    let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
+    for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
+        let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
+        let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
+            format!("; one per cent more of it would bring {} %", significant(*price, 2))
+        } else {
+            String::new()
+        };
+        let found = match limit.of.measure.within.factors.as_slice() {
+            [] => format!("it is {}", value(limit, ratio * limit.limit)),
+            _ => format!("{:.1} % of it", 100.0 * ratio),
+        };
+        lines.push(format!("  limit: {}: {verdict} ({found}{worst}{costs})", limit.words));
+    }
+    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c)));
+    lines
+}
+
+/// Which limits conflict, how near a design comes, and what loosening one would take.
+fn conflict(study: &Study, c: &Conflict) -> Vec<String> {
+    let words = |i: usize| format!("`{}`", study.limits[i].words);
+    let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
+    let of = study.limits.iter().map(|l| &l.words).count();
+    let mut lines = vec![match names.as_slice() {
+        [one] => format!(
+            "  No design of this family holds {one}, whatever the other limits: the nearest is {:.2} % beyond it.",
+            100.0 * (c.ratio - 1.0)
+        ),
+        _ => format!(
+            "  No design of this family holds all of its {of} limits. In conflict: {}. The nearest design is {:.2} % beyond each of them.",
+            names.join(", "),
+            100.0 * (c.ratio - 1.0)
+        ),
+    }];
+    for party in &c.parties {
+        let limit = &study.limits[party.limit];
+        lines.push(match party.loosened {
+            Some(factor) => {
+                format!("    {} would have to be {} for all others to hold", words(party.limit), value(limit, factor * limit.limit))
+            }
+            None => format!("    {}: however far it is loosened, others do not hold together", words(party.limit)),
+        });
+    }
+    lines
+}

@@ -1,0 +1,218 @@
+//! Limits on Den Hartog's problem, damped and undamped, against a brute-force search over stiffness and damping by formulas of two masses.
+
+use crate::support::{assert_close, h_infinity_peak, study};
+use hartog::absorber::TUNED;
+use hartog::analysis::{self, OptimumResult, Silent};
+use hartog::drivetrain::Modes;
+use hartog::input::{LimitSpec, Size, Study};
+use hartog::numerics::C64;
+use hartog::objective::{Measure, Over, Property};
+use hartog::response::Quantity;
+
+/// Static twist of the study, rad.
+const STATIC: f64 = 1e-4;
+const OMEGA: f64 = 100.0;
+
+/// Two masses: an inertia of 1 kg m² on 1e4 N m/rad with a damping ratio, and a ring on it, under 1 N m.
+#[derive(Clone, Copy)]
+struct TwoMasses {
+    damping_ratio: f64,
+    ring: f64,
+}
+
+/// What is looked at of them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum What {
+    Twist,
+    RingTwist,
+    Power,
+    LossFactor,
+}
+
+fn golden(mut a: f64, mut b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let g = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut x, mut y) = (b - g * (b - a), a + g * (b - a));
+    let (mut fx, mut fy) = (f(x), f(y));
+    while b - a > 1e-12 * (1.0 + a.abs()) {
+        if fx < fy {
+            (b, y, fy) = (y, x, fx);
+            x = b - g * (b - a);
+            fx = f(x);
+        } else {
+            (a, x, fx) = (x, y, fy);
+            y = a + g * (b - a);
+            fy = f(y);
+        }
+    }
+    if fx < fy { (x, fx) } else { (y, fy) }
+}
+
+/// The same where there may be several valleys: the lowest of some points first.
+fn scanned(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    const POINTS: usize = 24;
+    let at = |i: usize| a + (b - a) * i as f64 / POINTS as f64;
+    let best = (0..=POINTS).map(|i| (i, f(at(i)))).fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m }).0;
+    golden(at(best.saturating_sub(1)), at((best + 1).min(POINTS)), f)
+}
+
+impl TwoMasses {
+    fn at(self, k: f64, c: f64, what: What, omega: f64) -> f64 {
+        let j = C64::new(0.0, 1.0);
+        let s = C64::from(k) + j * omega * c;
+        let ring = C64::from(-self.ring * omega * omega);
+        let own = C64::from(1e4 - omega * omega) + j * omega * (2.0 * self.damping_ratio * OMEGA);
+        let theta = C64::from(1.0) / (own + s * ring / (s + ring));
+        let twist = -ring / (s + ring) * theta;
+        match what {
+            What::Twist => theta.norm(),
+            What::RingTwist => twist.norm(),
+            What::Power => 0.5 * c * (omega * twist.norm()).powi(2),
+            What::LossFactor => c / (k * self.ring).sqrt(),
+        }
+    }
+
+    /// The largest value over the speeds of the study.
+    fn peak(self, (k, c): (f64, f64), what: What) -> f64 {
+        if what == What::LossFactor {
+            return self.at(k, c, what, 1.0);
+        }
+        let n = 150;
+        let (low, high) = (100.0f64 * 2.0 * std::f64::consts::PI / 60.0, 2000.0 * 2.0 * std::f64::consts::PI / 60.0);
+        let at = |i: usize| low * (high / low).powf(i as f64 / n as f64);
+        let values: Vec<f64> = (0..=n).map(|i| self.at(k, c, what, at(i))).collect();
+        let mut largest = values[0].max(values[n]);
+        for i in 1..n {
+            if values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.5 * largest {
+                largest = largest.max(-golden(at(i - 1), at(i + 1), &|w| -self.at(k, c, what, w)).1);
+            }
+        }
+        largest
+    }
+
+    /// Minimises a function of stiffness and damping by golden sections within golden sections, round a first guess.
+    fn minimise(self, f: &dyn Fn((f64, f64)) -> f64) -> ((f64, f64), f64) {
+        let mu = self.ring;
+        let k0 = (mu * 1e4 / (1.0 + mu).powi(2)).ln();
+        let c0 = (2.0 * mu * OMEGA * (3.0 * mu / (8.0 * (1.0 + mu).powi(3))).sqrt()).ln();
+        let best_c = |k: f64| scanned(c0 - 2.5, c0 + 1.5, &|c| f((k.exp(), c.exp())));
+        let (k, value) = scanned(k0 - 1.0, k0 + 1.0, &|k| best_c(k).1);
+        ((k.exp(), best_c(k).0.exp()), value)
+    }
+
+    /// The least peak of something within limits, by an exact penalty.
+    fn within(self, what: What, limits: &[(What, f64)]) -> f64 {
+        let cost = |p: (f64, f64)| {
+            let excess = limits.iter().map(|(l, most)| (self.peak(p, *l) / most).ln()).fold(0.0, f64::max);
+            self.peak(p, what) * (1.0 + 30.0 * excess)
+        };
+        self.minimise(&cost).1
+    }
+}
+
+fn measure(what: What) -> Measure {
+    let ring = vec![Quantity::RingTwist(0)];
+    match what {
+        What::Twist => Measure::new(vec![Quantity::Twist { from: 0, to: None }], Over::Synthesis),
+        What::RingTwist => Measure::new(ring, Over::Synthesis),
+        What::Power => Measure::new(ring, Over::Power),
+        What::LossFactor => Measure::new(ring, Over::Property(Property::LossFactor)),
+    }
+}
+
+/// Den Hartog's study with one ring, a damped primary, and limits.
+fn limited(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> OptimumResult {
+    let mut s: Study = study("den_hartog");
+    s.chain.stations[0].damping_to_ground = 2.0 * masses.damping_ratio * OMEGA;
+    s.modes = Modes::new(&s.chain);
+    let o = s.optimise.as_mut().expect("optimises");
+    (o.absorbers[0].types, o.absorbers[0].size) = (vec![&TUNED], Size::Each(vec![masses.ring]));
+    s.front = None;
+    s.designs.clear();
+    s.objective.measure = measure(objective);
+    let of = |what| hartog::input::MeasureSpec { measure: measure(what), ..s.objective.clone() };
+    s.limits = limits.iter().map(|(what, limit)| LimitSpec { of: of(*what), words: format!("{what:?}"), limit: *limit }).collect();
+    analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}")).optima.remove(0)
+}
+
+/// Source: [Nishihara & Asami 2002] for the undamped primary, by which the brute-force search is judged, too; the search for damped ones. Mass ratios 0.01 to 1, damping
+/// ratios 0 to 0.1, to 1e-8.
+#[test]
+fn damped_and_undamped_primaries_are_solved_exactly() {
+    for ring in [0.01, 0.1, 1.0] {
+        for damping_ratio in [0.0, 0.02, 0.1] {
+            let masses = TwoMasses { damping_ratio, ring };
+            let found = limited(masses, What::Twist, &[]).optimum.value();
+            let expected = masses.within(What::Twist, &[]);
+            if damping_ratio == 0.0 {
+                assert_close(expected, STATIC * h_infinity_peak(ring), 1e-8, 0.0, "the search");
+                assert_close(found, STATIC * h_infinity_peak(ring), 1e-8, 0.0, "the optimum");
+            }
+            assert_close(found, expected, 1e-8, 0.0, &format!("ring {ring}, damping ratio {damping_ratio}"));
+        }
+    }
+}
+
+/// Each limit alone, active: the least twist within it is that of the search to 1e-6, and its price is what a limit looser by 1e-5 brings.
+#[test]
+fn each_limit_alone() {
+    for damping_ratio in [0.0, 0.05] {
+        let masses = TwoMasses { damping_ratio, ring: 0.1 };
+        let free = limited(masses, What::Twist, &[]);
+        let (mounted, best) = (&free.optimum.design[0], free.optimum.value());
+        let point = (mounted.absorber.stiffness().expect("k"), mounted.absorber.damping().expect("c"));
+        for what in [What::LossFactor, What::RingTwist, What::Power] {
+            // half way from what the free optimum has to the least there is; a loss factor may be as small as one likes
+            let least = if what == What::LossFactor { 0.0 } else { masses.within(what, &[]) };
+            let limit = 0.5 * (least + masses.peak(point, what));
+            let found = limited(masses, What::Twist, &[(what, limit)]);
+            assert!(
+                found.conflict.is_none() && found.optimum.outcome.rows.excess() < 1e-8,
+                "{what:?}: {:e}",
+                found.optimum.outcome.rows.excess()
+            );
+            assert_close(found.design.limits[0], 1.0, 1e-8, 0.0, "active");
+            let value = found.optimum.value();
+            assert!(value > best);
+            assert_close(value, masses.within(What::Twist, &[(what, limit)]), 1e-6, 0.0, &format!("{what:?}"));
+            let looser = limited(masses, What::Twist, &[(what, 1.00001 * limit)]).optimum.value();
+            assert_close(found.prices[0], 1e5 * (1.0 - looser / value), 0.02, 1e-4, &format!("price of {what:?}"));
+            // loose limits change nothing and cost nothing
+            let loose = limited(masses, What::Twist, &[(what, 2.0 * masses.peak(point, what))]);
+            assert_close(loose.optimum.value(), best, 1e-9, 0.0, "loose");
+            assert_eq!(loose.prices[0], 0.0);
+        }
+    }
+}
+
+/// Two limits that cannot hold together: both are named, the least violation is that of the search, and loosening one as far as is said is what the search finds, too. One limit
+/// that cannot hold by itself is named alone, with the exact optimum as the nearest.
+#[test]
+fn limits_in_conflict() {
+    let masses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
+    let least = masses.within(What::Twist, &[]);
+    let alone = limited(masses, What::Twist, &[(What::Twist, 0.9 * least), (What::RingTwist, 1.0)]);
+    let conflict = alone.conflict.expect("a conflict");
+    assert_close(conflict.ratio, 1.0 / 0.9, 1e-7, 0.0, "nearest");
+    assert_eq!(conflict.parties.iter().map(|p| p.limit).collect::<Vec<_>>(), [0]);
+    assert_close(conflict.parties[0].loosened.expect("the other holds"), 1.0 / 0.9, 1e-7, 0.0, "loosened");
+
+    // a twist that can be held, and a twist of the ring that can be held, but not both
+    let twist = 1.02 * least;
+    let (needed, possible) = (masses.within(What::RingTwist, &[(What::Twist, twist)]), masses.within(What::RingTwist, &[]));
+    let ring_twist = 0.5 * (needed + possible);
+    let limits = [(What::Twist, twist), (What::RingTwist, ring_twist), (What::LossFactor, 5.0)];
+    let found = limited(masses, What::Twist, &limits);
+    let conflict = found.conflict.expect("a conflict");
+    let ratio = |p: (f64, f64)| (masses.peak(p, What::Twist) / twist).max(masses.peak(p, What::RingTwist) / ring_twist);
+    assert_close(conflict.ratio, masses.minimise(&ratio).1, 1e-6, 0.0, "least violation");
+    let mut parties: Vec<usize> = conflict.parties.iter().map(|p| p.limit).collect();
+    parties.sort_unstable();
+    assert_eq!(parties, [0, 1]);
+    assert_close(conflict.parties.iter().map(|p| p.share).sum(), 1.0, 1e-6, 0.0, "shares");
+    let of = |limit: usize| conflict.parties.iter().find(|p| p.limit == limit).and_then(|p| p.loosened).expect("holds then");
+    assert_close(of(1), needed / ring_twist, 1e-6, 0.0, "ring twist loosened");
+    assert_close(of(0), masses.within(What::Twist, &[(What::RingTwist, ring_twist)]) / twist, 1e-6, 0.0, "twist loosened");
+    for ratio in &found.design.limits[..2] {
+        assert_close(*ratio, conflict.ratio, 1e-6, 0.0, "the nearest design is shown");
+    }
+}

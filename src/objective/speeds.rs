@@ -183,11 +183,9 @@ impl Speeds {
 
     /// The parts that lie in some ranges of speed; the whole where there are none.
     pub(crate) fn parts(&self, ranges: &[(f64, f64)]) -> Vec<std::ops::Range<usize>> {
-        if ranges.is_empty() {
-            return vec![0..self.rpm.len()];
-        }
+        let whole = [(f64::NEG_INFINITY, f64::INFINITY)];
         let of = |r: &(f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
-        ranges.iter().map(of).filter(|p| !p.is_empty()).collect()
+        if ranges.is_empty() { &whole } else { ranges }.iter().map(of).filter(|p| !p.is_empty()).collect()
     }
 
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.

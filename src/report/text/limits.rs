@@ -42,7 +42,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
 fn conflict(study: &Study, c: &Conflict) -> Vec<String> {
     let words = |i: usize| format!("`{}`", study.limits[i].words);
     let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
-    let of = study.limits.iter().map(|l| &l.words).count();
+    let of = study.limits.len();
     let mut lines = vec![match names.as_slice() {
         [one] => format!(
             "  No design of this family holds {one}, whatever the other limits: the nearest is {:.2} % beyond it.",

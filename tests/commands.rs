@@ -294,5 +294,5 @@ fn loss_factors_and_bounds_of_an_optimum() {
     assert!((value("implied_loss_factor") / (value("damping_n_m_s_per_rad") / root) - 1.0).abs() < 1e-12);
     let bounded = ("size.inertia_ratio.fixed = 0.1", "size.inertia_ratio.fixed = 0.1\nstiffness_n_m_per_rad.between = [0, 500]");
     let (said, _) = run(&[few, bounded]);
-    assert!(said.contains("`stiffness_n_m_per_rad` lies on its upper bound, 500.0: beyond it there may be a better one"), "{said}");
+    assert!(said.contains("`stiffness_n_m_per_rad` lies on its upper bound, 500.0: one per cent further would bring "), "{said}");
 }

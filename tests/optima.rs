@@ -100,7 +100,7 @@ fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
     let (a, b) = (0.02, 0.152);
     let free = run(&only("villalva_i6_thesis", &TUNED, Size::Between(a, b)));
     let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![a]));
-    s.front = Some(FrontSpec { inertias: (0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect() });
+    s.front = Some(FrontSpec::OverInertia((0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect()));
     let front = run(&s);
     let lowest = front.fronts[0].front.points.iter().map(|p| p.value).fold(f64::INFINITY, f64::min);
     let best = free.optima[0].optimum.value();

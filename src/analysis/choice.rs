@@ -6,7 +6,7 @@
 use super::families;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Host, Mounted, Surroundings};
-use crate::input::{Size, Study};
+use crate::input::{FrontSpec, Size, Study};
 use crate::objective::PeakFinder;
 use crate::objective::surrogate::{Scratch, Surrogate};
 use crate::response::{Quantity, Receptance, Response, Work};
@@ -88,9 +88,9 @@ pub fn random_absorbers(study: &Study, modes: &[Vec<EngineMode>], count: usize, 
     let Some(engine) = own_modes.first() else { return Vec::new() };
     let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
     let (low, high) = match (&study.front, &absorber.size) {
-        (Some(front), _) => (front.inertias[0], front.inertias[front.inertias.len() - 1]),
-        (None, Size::Each(list)) => (0.125 * list[0], list[0]),
-        (None, Size::Between(a, b)) => (a.max(0.125 * b), *b),
+        (Some(FrontSpec::OverInertia(inertias)), _) => (inertias[0], inertias[inertias.len() - 1]),
+        (_, Size::Each(list)) => (0.125 * list[0], list[0]),
+        (_, Size::Between(a, b)) => (a.max(0.125 * b), *b),
     };
     if high <= 0.0 {
         return Vec::new();

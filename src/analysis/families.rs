@@ -88,6 +88,14 @@ pub struct Family {
     pub is_main: bool,
 }
 
+/// The first size of an absorber; nothing where it is free.
+pub(crate) fn main_ring(spec: &AbsorberSpec) -> Option<f64> {
+    match &spec.size {
+        Size::Between(..) => None,
+        Size::Each(list) => list.first().copied(),
+    }
+}
+
 /// The types of a study's absorbers in all combinations, those of the first absorber changing slowest.
 pub fn types(spec: &OptimiseSpec) -> Vec<Vec<&'static Declaration>> {
     combinations(spec.absorbers.iter().map(|a| a.types.clone()).collect())

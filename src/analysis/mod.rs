@@ -24,6 +24,7 @@ pub mod stress_histories;
 pub mod sweeps;
 pub mod systems;
 pub mod timing;
+mod tradeoffs;
 pub mod wanted;
 
 pub use calibrate::{Calibration, calibrate};
@@ -33,7 +34,7 @@ pub use duty::{DutyOfDesign, DutyResult};
 pub use evaluate::{AbsorberLoad, DesignResult, Nature, PeakKind};
 pub use margins::{MarginSweep, SmallestMargin};
 pub use progress::{Progress, RunError, Silent};
-pub use results::{FrontResult, OnBound, OptimumResult, Results, RowCase};
+pub use results::{Beside, FrontResult, OnBound, OptimumResult, Results, RowCase, TradeoffResult};
 pub use run::run;
 pub use sweeps::Sweeps;
 pub use timing::Timing;

@@ -15,7 +15,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::optimise::{Front, Optimum};
+use crate::optimise::{Front, Optimum, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -78,6 +78,28 @@ pub struct FrontResult {
     pub others: Vec<Vec<f64>>,
 }
 
+/// A design beside a front.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct Beside {
+    /// Its name.
+    pub design: String,
+    /// Its measures, SI.
+    pub values: [f64; 2],
+}
+
+/// The fronts of one pair of measures.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct TradeoffResult {
+    /// Indices of the measures of the study's front.
+    pub of: [usize; 2],
+    /// Types of the absorbers, and the front of each.
+    pub families: Vec<(String, Tradeoff)>,
+    /// The third measure at each point of each family, where there is one, SI.
+    pub third: Vec<Vec<f64>>,
+    /// The given designs.
+    pub given: Vec<Beside>,
+}
+
 fn name_only<S: serde::Serializer>(declaration: &&'static Declaration, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(declaration.name)
 }
@@ -101,8 +123,10 @@ pub struct Results {
     pub designs: Vec<DesignResult>,
     /// Optima.
     pub optima: Vec<OptimumResult>,
-    /// Fronts.
+    /// Fronts over ring inertia.
     pub fronts: Vec<FrontResult>,
+    /// Fronts of pairs of measures.
+    pub tradeoffs: Vec<TradeoffResult>,
     /// Largest value of the objective without absorber if nothing resonated; `None` where it is not a twist.
     pub forced_floor: Option<f64>,
     /// Given designs and main optima, over the study's speeds.

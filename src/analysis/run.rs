@@ -18,7 +18,7 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::{DesignSpec, ResponseMethod, Study};
+use crate::input::{DesignSpec, FrontSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, PeakFinder};
 use crate::optimise::LoadCase;
@@ -110,6 +110,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
+    let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let OverSpeed { sweeps, margins, diagram, duty } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
@@ -138,6 +139,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         designs,
         optima,
         fronts,
+        tradeoffs,
         forced_floor,
         sweeps,
         margin,
@@ -236,6 +238,9 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
     let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
     quantities.extend(study.more_objectives.iter().flat_map(|o| o.measure.quantities.iter().copied()));
     quantities.extend(study.limits.iter().flat_map(|l| l.of.measure.quantities.iter().copied()));
+    if let Some(FrontSpec::Of { measures, .. }) = &study.front {
+        quantities.extend(measures.iter().flat_map(|m| m.measure.quantities.iter().copied()));
+    }
     quantities.extend([study.twist, Quantity::Twist { from: study.hub, to: None }]);
     let mut unique: Vec<Quantity> = Vec::new();
     for q in quantities {

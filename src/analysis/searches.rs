@@ -9,7 +9,7 @@ use super::wanted::Wanted;
 use super::{Progress, RunError};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
-use crate::input::{LimitSpec, OptimiseSpec, Study};
+use crate::input::{FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
 use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Space, front, search, starts};
 use crate::response::{ResponseError, Work};
@@ -26,15 +26,15 @@ const SCREENED: usize = 4096;
 
 /// What all searches of a study share.
 pub(crate) struct Searches<'a> {
-    study: &'a Study,
+    pub(super) study: &'a Study,
     finders: &'a [PeakFinder<'a>],
-    load_cases: &'a [LoadCase<'a>],
+    pub(super) load_cases: &'a [LoadCase<'a>],
     /// Each by itself, in SI units.
     objectives: Vec<Limit>,
-    limits: Vec<Limit>,
-    modes: &'a [Vec<EngineMode>],
+    pub(super) limits: Vec<Limit>,
+    pub(super) modes: &'a [Vec<EngineMode>],
     wanted: &'a Wanted<'a>,
-    progress: &'a dyn Progress,
+    pub(super) progress: &'a dyn Progress,
 }
 
 impl<'a> Searches<'a> {
@@ -56,7 +56,7 @@ impl<'a> Searches<'a> {
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
-    fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
+    pub(super) fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
         let mut list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
         if spec.random_starts > 0 {
             let points = starts::random_points(space, &list[0].1, SCREENED, spec.seed);
@@ -132,16 +132,16 @@ impl<'a> Searches<'a> {
     /// # Errors
     /// [`RunError`] where none of the starts at an inertia has a finite response.
     pub fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
-        let Some(wanted) = &self.study.front else { return Ok(Vec::new()) };
+        let Some(FrontSpec::OverInertia(inertias)) = &self.study.front else { return Ok(Vec::new()) };
         let mut results = Vec::new();
         for types in families::types(spec) {
             // a front is of one absorber: validation sees to it
             let declaration = types[0];
-            self.progress.stage(&format!("front, {}", declaration.name), 2 * wanted.inertias.len());
-            let space = families::family(spec, &families::Choice { types, rings: vec![Some(wanted.inertias[0])] }, self.modes);
+            self.progress.stage(&format!("front, {}", declaration.name), 2 * inertias.len());
+            let space = families::family(spec, &families::Choice { types, rings: vec![Some(inertias[0])] }, self.modes);
             let problem = self.problem(space, 0);
             let step = || self.progress.step();
-            let front = front::follow(&problem, &wanted.inertias, |s| self.starts(spec, s), &step)
+            let front = front::follow(&problem, inertias, |s| self.starts(spec, s), &step)
                 .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
             clock.lap(&format!("front_{}", declaration.name), front.work);
             let others = front.points.par_iter().map(|p| self.others(&p.design));

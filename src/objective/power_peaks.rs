@@ -59,7 +59,7 @@ impl PeakFinder<'_> {
     fn hottest_order(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<(usize, f64), ResponseError> {
         let mut by_order = vec![0.0; self.system.orders()];
         let mut y = vec![ZERO; by_order.len()];
-        for i in measure.absorbers() {
+        for i in measure.absorbers().filter(|i| *i < design.len()) {
             let Some(law) = design[i].absorber.law() else { continue };
             self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
             for (n, (sum, y)) in by_order.iter_mut().zip(&y).enumerate() {
@@ -86,7 +86,7 @@ impl PeakFinder<'_> {
         let orders = self.system.orders();
         let mut y = vec![ZERO; orders];
         let mut gradient: Vec<f64> = Vec::new();
-        for i in measure.absorbers() {
+        for i in measure.absorbers().filter(|i| *i < design.len()) {
             let Some(law) = design[i].absorber.law() else { continue };
             self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
             let changes = self.direct.sensitivity(design, index, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;

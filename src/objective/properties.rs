@@ -3,12 +3,26 @@
 use super::measure::{Measure, Over, Property};
 use super::peak::{Peak, Place};
 use super::peak_search::PeakFinder;
-use crate::absorber::{Absorber, Mounted};
+use crate::absorber::{Absorber, Mounted, Operating};
 use crate::drivetrain::natural;
 use crate::response::Quantity;
 
 /// Relative step of differences.
 const STEP: f64 = 1e-5;
+
+/// Where the search of a ring's own frequency begins, rad/s.
+const FIRST_GUESS: f64 = 1000.0;
+
+/// Loss factor at the ring's own frequency on its held hub: of spring and damper together, or of any other law; nothing where there is no such frequency.
+fn loss_factor(absorber: &Absorber) -> Option<f64> {
+    if let Some((loss, _)) = absorber.implied_loss_factor() {
+        return Some(loss);
+    }
+    let law = absorber.law().filter(|law| law.spring_and_damper().is_none())?;
+    let omega = natural::own_frequency(law.as_ref(), FIRST_GUESS, 1.0)?;
+    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+    Some(s.im / s.re)
+}
 
 impl PeakFinder<'_> {
     /// A property as the only peak of its measure; nothing where no absorber has it.
@@ -35,7 +49,7 @@ impl PeakFinder<'_> {
             Property::RingInertia => sum(&|m| m.absorber.ring_inertia()),
             Property::TotalInertia => sum(&|m| m.absorber.ring_inertia() + m.hub_inertia),
             Property::LossFactor => {
-                let of = |i: usize| Some((design.get(i)?.absorber.implied_loss_factor()?.0, Quantity::RingTwist(i)));
+                let of = |i: usize| Some((loss_factor(&design.get(i)?.absorber)?, Quantity::RingTwist(i)));
                 measure.absorbers().filter_map(of).reduce(|a, b| if b.0 > a.0 { b } else { a })
             }
             Property::Band { low, high } => {

@@ -7,10 +7,12 @@ pub mod problem;
 pub mod search;
 pub mod starts;
 mod subproblem;
+pub mod tradeoff;
 pub mod variables;
 
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
 pub use problem::{LoadCase, Problem, Role, Row, Rows};
 pub use search::{Optimum, Stages, Start};
+pub use tradeoff::{Tradeoff, TradeoffPoint};
 pub use variables::{Slot, Space, Variable};

@@ -42,9 +42,15 @@ pub(crate) fn write_run(
     } else {
         csv::pareto(study, results, folder)?;
     }
+    if results.tradeoffs.is_empty() {
+        folder.remove(&["front.csv"])?
+    } else {
+        csv::front(study, results, folder)?
+    }
     written();
     plot::run(study, results, folder, written)?;
-    folder.remove_other_plots("response_")
+    folder.remove_other_plots("response_")?;
+    folder.remove_other_plots("front_")
 }
 
 /// Writes a calibration, or removes that of an earlier run.

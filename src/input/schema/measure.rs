@@ -25,7 +25,8 @@ pub(crate) struct RawWithin<'a> {
 
 /// A measure over speed: its own keys, and those that all of them have.
 macro_rules! over_speed {
-    ($name:ident { $($field:ident: $kind:ty,)* }) => {
+    ($(#[$meta:meta])* $name:ident { $($field:ident: $kind:ty,)* }) => {
+        $(#[$meta])*
         #[derive(Debug, Deserialize)]
         #[serde(deny_unknown_fields)]
         pub(crate) struct $name {
@@ -55,7 +56,7 @@ over_speed!(RawTwist {
     max_deg: Option<At<f64>>,
 });
 over_speed!(RawAmplitude { station: At<String>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
-over_speed!(RawTorque { shaft: Option<At<String>>, over: Option<RawOver>, order: Option<At<f64>>, max_n_m: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawTorque { shaft: Option<At<String>>, over: Option<RawOver>, order: Option<At<f64>>, max_n_m: Option<At<f64>>, });
 over_speed!(RawStress {
     shaft: At<String>,
     outer_diameter_mm: At<f64>,
@@ -64,7 +65,7 @@ over_speed!(RawStress {
     order: Option<At<f64>>,
     max_mpa: Option<At<f64>>,
 });
-over_speed!(RawRingTwist { absorber: Option<At<i64>>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawRingTwist { absorber: Option<At<i64>>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
 over_speed!(RawStrain {
     absorber: At<i64>,
     mean_radius_mm: At<f64>,
@@ -73,18 +74,18 @@ over_speed!(RawStrain {
     order: Option<At<f64>>,
     max_percent: Option<At<f64>>,
 });
-over_speed!(RawPower { absorber: Option<At<i64>>, max_w: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawPower { absorber: Option<At<i64>>, max_w: Option<At<f64>>, });
 over_speed!(RawPowerPerArea { absorber: At<i64>, area_m2: At<f64>, max_w_per_m2: Option<At<f64>>, });
-over_speed!(RawMargin { criterion: Option<At<RawCriterion>>, min: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawMargin { criterion: Option<At<RawCriterion>>, min: Option<At<f64>>, });
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLossFactor {
     pub absorber: Option<At<i64>>,
     pub max: Option<At<f64>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawInertia {
     pub absorber: Option<At<i64>>,

@@ -111,7 +111,8 @@ pub(crate) struct RawOptimise {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawPareto {
     pub points: At<i64>,
-    pub against: RawAgainst,
+    pub against: Option<RawAgainst>,
+    pub of: Option<At<Vec<At<String>>>>,
 }
 
 #[derive(Debug, Deserialize)]

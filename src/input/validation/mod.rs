@@ -33,7 +33,8 @@ use named::folder_of;
 pub(super) use named::table;
 pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
 
-use super::error::{Check, InputError, Source};
+use super::error::{At, Check, InputError, Source};
+use super::measure::MeasureSpec;
 use super::published::Published;
 use super::schema::engine::RawEngine;
 use super::schema::fatigue::RawCrankPressure;
@@ -186,7 +187,9 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let tolerance = study.response.tolerance.as_ref();
     let tolerance =
         tolerance.map_or(DEFAULT_TOLERANCE, |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)"));
-    let front = optimise::front(check, study, optimise.as_ref(), &base.chain, &modes);
+    let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
+    let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
+    let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, &base.engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
     let scatter = optimise::scatter(check, study, &base.engine, &conditions);

@@ -5,6 +5,7 @@ use crate::absorber::{Declaration, Host, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
+use crate::input::measure::MeasureSpec;
 use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawRange, RawSize};
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::objective::Condition;
@@ -68,12 +69,22 @@ impl OptimiseSpec {
     }
 }
 
-/// Front over ring inertia.
+/// A front.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FrontSpec {
-    /// Ascending, kg m².
-    pub inertias: Vec<f64>,
+pub enum FrontSpec {
+    /// Of the objective against these ring inertias, ascending, kg m².
+    OverInertia(Vec<f64>),
+    /// Of each pair of two or three measures.
+    Of {
+        /// About how many points of each pair and family.
+        points: usize,
+        /// The measures.
+        measures: Vec<MeasureSpec>,
+    },
 }
+
+/// What words of `of` mean.
+pub(super) type ByWord<'a> = &'a dyn Fn(&mut Check, &At<Vec<At<String>>>) -> Option<Vec<MeasureSpec>>;
 
 /// Lower and upper bound; the lower one may be zero only where `from_zero`.
 fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
@@ -246,25 +257,39 @@ fn first_value(range: &RawRange) -> Option<&At<f64>> {
     }
 }
 
-pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec>, chain: &Chain, modes: &Modes) -> Option<FrontSpec> {
+pub(super) fn front(
+    check: &mut Check,
+    study: &RawStudy,
+    optimise: Option<&OptimiseSpec>,
+    (chain, modes): (&Chain, &Modes),
+    by_word: ByWord,
+) -> Option<FrontSpec> {
     let raw = study.pareto.as_ref()?;
     if study.optimise.is_none() {
         check.wrong(raw, "found [pareto] without [optimise], expected what is to be optimised");
     }
-    if optimise.is_some_and(|o| o.absorbers.len() > 1) {
-        check.wrong(
-            raw,
-            "found [pareto] with several absorbers, expected one: a front over the inertia of one ring among others is not defined",
-        );
-    }
-    let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = &raw.get_ref().against;
-    let (a, b) = ordered(check, pair, false);
     let points = *raw.get_ref().points.get_ref();
     if !(2..=10_000).contains(&points) {
         check.wrong(&raw.get_ref().points, format!("found {points}, expected a number of points from 2 to 10000"));
         return None;
     }
-    let unit = match &raw.get_ref().against {
+    let against = match (&raw.get_ref().against, &raw.get_ref().of) {
+        (Some(against), None) => against,
+        (None, Some(words)) => return Some(FrontSpec::Of { points: points as usize, measures: by_word(check, words)? }),
+        _ => {
+            check.wrong(raw, "found both or neither of `against` and `of`, expected a range of rings or the measures of a front");
+            return None;
+        }
+    };
+    if optimise.is_some_and(|o| o.absorbers.len() > 1) {
+        check.wrong(
+            raw,
+            "found [pareto] with several absorbers, expected one: a front over the inertia of one ring among others is not defined; `of` takes any number",
+        );
+    }
+    let (RawAgainst::RingInertia(pair) | RawAgainst::InertiaRatio(pair)) = against;
+    let (a, b) = ordered(check, pair, false);
+    let unit = match against {
         RawAgainst::RingInertia(_) => 1.0,
         RawAgainst::InertiaRatio(_) => {
             let (spec, family) = (optimise?, &optimise?.absorbers[0]);
@@ -277,5 +302,5 @@ pub fn front(check: &mut Check, study: &RawStudy, optimise: Option<&OptimiseSpec
     };
     // equal ratios: the light rings, where the front is steep, get as many points as the heavy ones
     let inertias = (0..points).map(|i| a * unit * (b / a).powf(i as f64 / (points - 1) as f64)).collect();
-    Some(FrontSpec { inertias })
+    Some(FrontSpec::OverInertia(inertias))
 }

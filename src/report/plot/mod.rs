@@ -8,6 +8,7 @@ pub(crate) mod curves;
 pub(crate) mod drawing;
 mod excitation;
 pub mod fatigue;
+mod front;
 mod margin;
 pub mod models;
 mod pareto;
@@ -36,6 +37,8 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()
         pareto::draw(study, results, folder)?;
         written();
     }
+    front::draw(study, results, folder)?;
+    results.tradeoffs.iter().for_each(|_| written());
     margin::margins(study, results, folder)?;
     margin::diagram(study, results, folder)?;
     if results.margin.is_some() {
@@ -46,5 +49,5 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()
 
 /// How many files [`run`] draws.
 pub fn count(results: &Results) -> usize {
-    results.sweeps.len() + 3 + usize::from(!results.fronts.is_empty()) + usize::from(results.margin.is_some())
+    results.sweeps.len() + results.tradeoffs.len() + 3 + usize::from(!results.fronts.is_empty()) + usize::from(results.margin.is_some())
 }

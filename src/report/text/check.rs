@@ -7,7 +7,7 @@ use crate::analysis::{audit, reciprocating};
 use crate::drivetrain::System;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
-use crate::input::{ResponseMethod, Size, Study};
+use crate::input::{FrontSpec, ResponseMethod, Size, Study};
 use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::fmt::Write;
 
@@ -342,14 +342,16 @@ fn goals(study: &Study) -> String {
             let _ = writeln!(text, "  optimise: {} on {}, {size}", types.join(" and "), host(study, a.on));
         }
     }
-    if let Some(f) = &study.front {
-        let _ = writeln!(
-            text,
-            "  front: {} rings from {} to {} kg m²",
-            f.inertias.len(),
-            significant(f.inertias[0], 5),
-            significant(f.inertias[f.inertias.len() - 1], 5)
-        );
+    match &study.front {
+        None => {}
+        Some(FrontSpec::OverInertia(inertias)) => {
+            let (first, last) = (significant(inertias[0], 5), significant(inertias[inertias.len() - 1], 5));
+            let _ = writeln!(text, "  front: {} rings from {first} to {last} kg m²", inertias.len());
+        }
+        Some(FrontSpec::Of { points, measures }) => {
+            let labels: Vec<&str> = measures.iter().map(|m| m.label.as_str()).collect();
+            let _ = writeln!(text, "  front: {points} points of {}", labels.join(" against "));
+        }
     }
     text
 }

@@ -9,9 +9,9 @@ pub(crate) use context::{Context, Judged, default_twist};
 
 use crate::input::error::{At, Check};
 use crate::input::measure::{LimitSpec, MeasureSpec, UnitOf};
-use crate::input::schema::measure::RawMeasure;
+use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
 use crate::input::schema::study::RawStudy;
-use crate::objective::{Over, Within};
+use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
 use names::{Bound, Names, Resolved, spec};
 
@@ -34,6 +34,70 @@ fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
     }
 }
 
+/// The twist that is reported where a study names none.
+fn reported_twist(of: Context) -> MeasureSpec {
+    let quantity = default_twist(of.chain, of.hub);
+    let name = |i: usize| of.chain.stations[i].name.as_str();
+    let place = match quantity {
+        Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
+        Quantity::ShaftTorque(_) | Quantity::RingTwist(_) => String::new(),
+    };
+    let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
+    spec(names, (vec![quantity], Over::Synthesis, Within::default()), UnitOf::Angle)
+}
+
+/// Words that need no more keys, for `of`.
+const BY_WORD: [&str; 8] =
+    ["peak_twist", "vibratory_torque", "ring_twist", "dissipated_power", "loss_factor", "ring_inertia", "total_inertia", "margin"];
+
+/// A measure by its word: that of the study's objectives or limits, or of all shafts, rings or locations.
+fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Context) -> Option<MeasureSpec> {
+    if let Some(known) = known.iter().find(|k| k.key == word.get_ref()) {
+        return Some((*known).clone());
+    }
+    match word.get_ref().as_str() {
+        "peak_twist" => Some(reported_twist(of)),
+        "vibratory_torque" => of_chain::vibratory_torque(check, &RawTorque::default(), word, of).map(|r| r.spec),
+        "ring_twist" => of_absorbers::ring_twist(check, &RawRingTwist::default(), of).map(|r| r.spec),
+        "dissipated_power" => of_absorbers::dissipated_power(check, &RawPower::default(), of).map(|r| r.spec),
+        "loss_factor" => of_absorbers::loss_factor(check, &RawLossFactor::default(), of).map(|r| r.spec),
+        "ring_inertia" => of_absorbers::ring_inertia(check, &RawInertia::default(), of).map(|r| r.spec),
+        "total_inertia" => of_absorbers::total_inertia(check, &RawInertia::default(), of).map(|r| r.spec),
+        "margin" => of_chain::margin(check, &RawMargin::default(), word, of).map(|r| r.spec),
+        other => {
+            let expected = format!("expected one of {}, or the word of an objective or limit of the study", BY_WORD.join(", "));
+            check.wrong(word, format!("found `{other}`, {expected}"));
+            None
+        }
+    }
+}
+
+/// The measures of a front: two, or three for a front of each pair.
+pub(super) fn of_front(
+    check: &mut Check,
+    words: &At<Vec<At<String>>>,
+    (objectives, limits): (&[MeasureSpec], &[LimitSpec]),
+    of: Context,
+) -> Option<Vec<MeasureSpec>> {
+    let known: Vec<&MeasureSpec> = objectives.iter().chain(limits.iter().map(|l| &l.of)).collect();
+    let mut list: Vec<MeasureSpec> = Vec::new();
+    for word in words.get_ref() {
+        let spec = by_word(check, word, &known, of)?;
+        if matches!(spec.measure.over, Over::Property(Property::Band { .. })) {
+            check.wrong(word, "found a band of natural frequencies, expected a measure that grows or falls");
+        }
+        if list.iter().any(|s| s.column == spec.column) {
+            check.wrong(word, format!("found `{}` twice, expected different measures", word.get_ref()));
+        }
+        list.push(spec);
+    }
+    if !(2..=3).contains(&list.len()) {
+        check.wrong(words, format!("found {} measures, expected two, or three for a front of each pair", list.len()));
+        return None;
+    }
+    Some(list)
+}
+
 /// Objectives, the first one first; by default the synthesised twist from the hub to the last station.
 pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Vec<MeasureSpec> {
     let mut list: Vec<MeasureSpec> = Vec::new();
@@ -52,12 +116,7 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
         list.push(spec);
     }
     if list.is_empty() {
-        let quantity = default_twist(of.chain, of.hub);
-        let Quantity::Twist { from, to } = quantity else { unreachable!("the default is a twist") };
-        let name = |i: usize| of.chain.stations[i].name.as_str();
-        let place = format!("{} to {}", name(from), to.map_or("ground", name));
-        let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
-        list.push(spec(names, (vec![quantity], Over::Synthesis, Within::default()), UnitOf::Angle));
+        list.push(reported_twist(of));
     }
     list
 }

@@ -7,7 +7,7 @@ use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::measure::{MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
-use crate::input::schema::measure::{RawAmplitude, RawBand, RawMargin, RawMeasure, RawStress, RawTorque, RawTwist};
+use crate::input::schema::measure::{RawAmplitude, RawBand, RawMargin, RawStress, RawTorque, RawTwist};
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
@@ -87,7 +87,7 @@ pub(super) fn hub_amplitude<'r>(check: &mut Check, a: &'r RawAmplitude, of: Cont
     })
 }
 
-pub(super) fn vibratory_torque<'r>(check: &mut Check, t: &'r RawTorque, at: &At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+pub(super) fn vibratory_torque<'r, T>(check: &mut Check, t: &'r RawTorque, at: &At<T>, of: Context) -> Option<Resolved<'r>> {
     let chain = of.chain;
     if chain.len() == 1 {
         check.wrong(at, "found the vibratory torque of a chain without shafts, expected two stations or another measure");
@@ -147,7 +147,7 @@ pub(super) fn natural_frequency<'r>(check: &mut Check, band: &'r RawBand, of: Co
     Some(Resolved { spec: spec(names, parts, UnitOf::Ratio), bound: Bound::Band })
 }
 
-pub(super) fn margin<'r>(check: &mut Check, m: &'r RawMargin, at: &At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+pub(super) fn margin<'r, T>(check: &mut Check, m: &'r RawMargin, at: &At<T>, of: Context) -> Option<Resolved<'r>> {
     let chain = of.chain;
     let (index, fatigue) = criterion(check, m.criterion.as_ref(), at, of.fatigue)?;
     let within = of.within(check, m.within());

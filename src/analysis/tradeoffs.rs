@@ -1,0 +1,80 @@
+//! Fronts of two measures of a study: of every number and combination of its absorbers.
+
+use super::RunError;
+use super::families::{self, joined};
+use super::results::{Beside, TradeoffResult};
+use super::searches::Searches;
+use super::timing::Clock;
+use crate::absorber::Mounted;
+use crate::input::{FrontSpec, MeasureSpec, OptimiseSpec};
+use crate::optimise::tradeoff::{Follower, mark};
+use crate::optimise::{LoadCase, Problem, Space, Tradeoff};
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// The largest of a measure in all load cases; nothing of it (the loss factor of a viscous damper) is zero.
+fn largest(load_cases: &[LoadCase], design: &[Mounted], measure: &MeasureSpec) -> Result<f64, ResponseError> {
+    load_cases.iter().try_fold(0.0, |worst, case| {
+        let peak = case.finder.peak(&case.condition.absorbers(design), &measure.measure, &mut Work::default())?;
+        Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
+    })
+}
+
+impl Searches<'_> {
+    /// The families of a front: the first absorber of a study, the first two, and so on, of all types.
+    fn families_of_front(&self, spec: &OptimiseSpec) -> Vec<(String, Space, OptimiseSpec)> {
+        let mut list = Vec::new();
+        for count in 1..=spec.absorbers.len() {
+            let fewer = OptimiseSpec { absorbers: spec.absorbers[..count].to_vec(), ..spec.clone() };
+            for types in families::types(&fewer) {
+                let rings = fewer.absorbers.iter().map(families::main_ring).collect();
+                let name = joined(&types);
+                let space = families::family(&fewer, &families::Choice { types, rings }, self.modes);
+                list.push((name, space, fewer.clone()));
+            }
+        }
+        list
+    }
+
+    /// Fronts of every pair of the study's measures.
+    ///
+    /// # Errors
+    /// [`RunError`] where no start of a search has a finite response.
+    pub(super) fn tradeoffs(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<TradeoffResult>, RunError> {
+        let Some(FrontSpec::Of { points, measures }) = &self.study.front else { return Ok(Vec::new()) };
+        let pairs: Vec<[usize; 2]> = (0..measures.len()).flat_map(|i| (i + 1..measures.len()).map(move |j| [i, j])).collect();
+        let families = self.families_of_front(spec);
+        self.progress.stage("fronts", pairs.len() * families.len() * points);
+        let step = || self.progress.step();
+        let mut results = Vec::new();
+        for of in pairs {
+            let (first, second) = (measures[of[0]].measure.in_si(), measures[of[1]].measure.in_si());
+            let mut fronts: Vec<Tradeoff> = Vec::new();
+            for (name, space, spec) in &families {
+                let failed = |error: ResponseError| RunError { what: format!("front of {name}"), error };
+                let objectives = std::slice::from_ref(&first);
+                let problem = Problem { load_cases: self.load_cases, space: space.clone(), objectives, limits: &self.limits };
+                let starts = |space: &Space| self.starts(spec, space);
+                let front = Follower::new(&problem, &second, &starts).follow(*points, &step).map_err(failed)?;
+                let mut work = front.minimax;
+                work += front.searches;
+                clock.lap(&format!("front_{name}"), work);
+                fronts.push(front);
+            }
+            mark(&mut fronts);
+            let failed = |error: ResponseError| RunError { what: "front".into(), error };
+            let value = |m: usize, design: &[Mounted]| largest(self.load_cases, design, &measures[m]);
+            let third = (0..measures.len()).find(|m| !of.contains(m));
+            let of_front = |f: &Tradeoff| -> Result<Vec<f64>, ResponseError> {
+                third.map_or_else(|| Ok(Vec::new()), |m| f.points.par_iter().map(|p| value(m, &p.design)).collect())
+            };
+            let third = fronts.iter().map(of_front).collect::<Result<_, _>>().map_err(failed)?;
+            let beside = |d: &crate::input::DesignSpec| {
+                Ok(Beside { design: d.name.clone(), values: [value(of[0], &d.absorbers)?, value(of[1], &d.absorbers)?] })
+            };
+            let given = self.study.designs.par_iter().map(beside).collect::<Result<_, _>>().map_err(failed)?;
+            results.push(TradeoffResult { of, families: families.iter().map(|f| f.0.clone()).zip(fronts).collect(), third, given });
+        }
+        Ok(results)
+    }
+}

@@ -1,0 +1,319 @@
+//! The front of two measures of a family: what the least of the first is at every value of the second.
+//!
+//! The second is held below a level (the epsilon constraint \[Haimes, Lasdon & Wismer 1971\]), and the optimum followed from level to level by the minimax method, from both neighbours. Both
+//! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
+
+use super::minimax::{self, Outcome};
+use super::search::{self, Recorder};
+use super::starts::NamedPoint;
+use super::{Problem, Space};
+use crate::absorber::Mounted;
+use crate::objective::Limit;
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// A point of a front.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct TradeoffPoint {
+    /// The optimum.
+    pub design: Vec<Mounted>,
+    /// The first measure and the second, in SI units.
+    pub values: [f64; 2],
+    /// First-order residual.
+    pub kkt_residual: f64,
+    /// Whether another point of any family is no worse in both.
+    pub dominated: bool,
+    /// Whether it is the knee: the furthest from the line between the ends, both measures over their ranges.
+    pub knee: bool,
+}
+
+/// A front and the work it took.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct Tradeoff {
+    /// By ascending second measure.
+    pub points: Vec<TradeoffPoint>,
+    /// Evaluations of its minimax stage, and designs that it ended in.
+    pub minimax: Work,
+    /// Evaluations of global searches.
+    pub searches: Work,
+}
+
+/// What follows one level of the second measure.
+#[derive(Debug, Clone)]
+struct Level {
+    /// What the second measure may be.
+    most: f64,
+    outcome: Outcome,
+    values: [f64; 2],
+}
+
+/// Levels that are looked at from all starts, ends included.
+const KNOTS: usize = 5;
+/// An optimum that is lower than another by more than this share is a better one.
+const BETTER: f64 = 1e-9;
+/// A limit whose ratio has a larger logarithm is broken.
+const BROKEN: f64 = 1e-6;
+/// Points nearer in the second measure than this share of its range are one.
+const SAME: f64 = 1e-6;
+/// A jump of the front is followed up to this share of the range of the second measure.
+const RESOLVED: f64 = 1e-3;
+/// Where a front begins, as shares of the range of the second measure above its least: at the first at which there is a design.
+const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
+/// Rounds in which points take over what a neighbour found.
+const MOST_ROUNDS: usize = 20;
+
+/// Starts of a search in a family.
+pub type Starts<'a> = &'a (dyn Fn(&Space) -> Vec<NamedPoint> + Sync);
+
+/// A front between the least of each of two measures.
+pub struct Follower<'a> {
+    problem: &'a Problem<'a>,
+    second: &'a Limit,
+    starts: Starts<'a>,
+}
+
+impl<'a> Follower<'a> {
+    /// Of the (only) objective of a problem against a second measure.
+    pub fn new(problem: &'a Problem<'a>, second: &'a Limit, starts: Starts<'a>) -> Self {
+        Self { problem, second, starts }
+    }
+
+    /// Limits of the problem, the second measure at most at a level being the last.
+    fn limits(&self, most: f64) -> Vec<Limit> {
+        self.problem.limits.iter().cloned().chain([Limit { measure: self.second.measure.clone(), limit: most }]).collect()
+    }
+
+    fn within<'p>(&self, limits: &'p [Limit], objectives: &'p [Limit]) -> Problem<'p>
+    where
+        'a: 'p,
+    {
+        Problem { load_cases: self.problem.load_cases, space: self.problem.space.clone(), objectives, limits }
+    }
+
+    /// Both measures at a point.
+    fn values(&self, w: &[f64], work: &mut Work) -> Result<[f64; 2], ResponseError> {
+        let design = self.problem.space.design(w);
+        let mut largest = |limit: &Limit| {
+            self.problem.load_cases.iter().try_fold(0.0, |worst, case| {
+                let peak = case.finder.peak(&case.condition.absorbers(&design), &limit.measure, work)?;
+                Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
+            })
+        };
+        Ok([largest(&self.problem.objectives[0])?, largest(self.second)?])
+    }
+
+    /// The best outcome of the minimax method from some points.
+    fn best_of_points(&self, most: f64, points: &[&[f64]], work: &mut Work) -> Result<Option<Level>, ResponseError> {
+        let limits = self.limits(most);
+        let problem = self.within(&limits, self.problem.objectives);
+        let mut best: Option<Outcome> = None;
+        for point in points {
+            let Ok(outcome) = minimax::minimise(&problem, point, work) else { continue };
+            if self.values(&outcome.point, work).is_err() {
+                continue;
+            }
+            best = Some(match best {
+                Some(b) if merit(&b) <= merit(&outcome) => b,
+                _ => outcome,
+            });
+        }
+        best.filter(|b| b.rows.excess() <= BROKEN)
+            .map(|outcome| Ok(Level { most, values: self.values(&outcome.point, &mut Work::default())?, outcome }))
+            .transpose()
+    }
+
+    /// The same from some points and from all starts of a search.
+    fn best_of_starts(&self, most: f64, points: &[&[f64]], work: &mut Work) -> Result<Option<Level>, ResponseError> {
+        let starts = (self.starts)(&self.problem.space);
+        let all: Vec<&[f64]> = points.iter().copied().chain(starts.iter().map(|s| s.1.as_slice())).collect();
+        self.best_of_points(most, &all, work)
+    }
+
+    /// The same by a global search.
+    fn searched(&self, most: f64, work: &mut Work) -> Result<Option<Level>, ResponseError> {
+        let limits = self.limits(most);
+        let problem = self.within(&limits, self.problem.objectives);
+        let optimum = search::optimise(&problem, &(self.starts)(&problem.space), &|| {})?;
+        *work += optimum.stages.seeds;
+        *work += optimum.stages.search;
+        *work += optimum.stages.minimax;
+        if optimum.outcome.rows.excess() > BROKEN {
+            return Ok(None);
+        }
+        Ok(Some(Level { most, values: self.values(&optimum.outcome.point, &mut Work::default())?, outcome: optimum.outcome }))
+    }
+
+    /// The least of each measure, first that of the second.
+    fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
+        let seconds = [self.second.measure.in_si()];
+        let least_second = self.within(self.problem.limits, &seconds);
+        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), &|| {})?;
+        *work += found.stages.seeds;
+        *work += found.stages.search;
+        *work += found.stages.minimax;
+        let Some(last) = self.searched(f64::MAX, work)? else { return Ok(None) };
+        let least = found.outcome.rows.objective();
+        if found.outcome.rows.excess() > BROKEN {
+            return Ok(None);
+        }
+        // designs that are level in the second measure differ in the first; the least of the second may be one without a finite first, as a ring without damping is
+        for above in ABOVE_LEAST {
+            let most = (least * (1.0 + BROKEN)).max(least + above * (last.values[1] - least));
+            if let Some(first) = self.best_of_starts(most, &[&found.outcome.point, &last.outcome.point], work)? {
+                return Ok(Some([first, last]));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Follows the front with about as many points as asked for.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where no start has a finite response.
+    pub fn follow(&self, count: usize, recorder: Recorder) -> Result<Tradeoff, ResponseError> {
+        let (mut work, mut searches) = (Work::default(), Work::default());
+        let Some([first, last]) = self.ends(&mut searches)? else {
+            return Ok(Tradeoff { points: Vec::new(), minimax: work, searches });
+        };
+        recorder();
+        let (low, high) = (first.values[1], last.values[1]);
+        let knots: Vec<f64> = (1..KNOTS - 1).map(|i| low + (high - low) * i as f64 / (KNOTS - 1) as f64).collect();
+        let found: Vec<(Option<Level>, Work)> = knots
+            .into_par_iter()
+            .map(|most| {
+                let mut work = Work::default();
+                Ok((self.best_of_starts(most, &[&first.outcome.point, &last.outcome.point], &mut work)?, work))
+            })
+            .collect::<Result<_, ResponseError>>()?;
+        let mut levels = vec![first];
+        for (level, spent) in found {
+            searches += spent;
+            levels.extend(level);
+        }
+        levels.push(last);
+        recorder();
+        while levels.len() < count {
+            let gaps = gaps(&levels, count);
+            if gaps.is_empty() {
+                break;
+            }
+            let between: Vec<(usize, Option<Level>, Work)> = gaps
+                .into_par_iter()
+                .map(|i| {
+                    let (left, right) = (&levels[i], &levels[i + 1]);
+                    let mut work = Work::default();
+                    let points: [&[f64]; 2] = [&left.outcome.point, &right.outcome.point];
+                    let level = self.best_of_points(middle(left, right), &points, &mut work)?;
+                    recorder();
+                    Ok((i, level, work))
+                })
+                .collect::<Result<_, ResponseError>>()?;
+            let range = levels[levels.len() - 1].values[1] - levels[0].values[1];
+            for (i, level, spent) in between.into_iter().rev() {
+                work += spent;
+                let most = middle(&levels[i], &levels[i + 1]);
+                match level {
+                    // a new point, unless the optimum stays where a stricter level had it
+                    Some(level) if level.values[1] > levels[i].values[1] + SAME * range => levels.insert(i + 1, level),
+                    _ => levels[i].most = most,
+                }
+            }
+        }
+        self.repair(&mut levels, &mut work)?;
+        let points = levels.iter().map(|l| TradeoffPoint {
+            design: self.problem.space.design(&l.outcome.point),
+            values: l.values,
+            kkt_residual: l.outcome.kkt_residual,
+            dominated: false,
+            knee: false,
+        });
+        Ok(Tradeoff { points: points.collect(), minimax: work, searches })
+    }
+
+    /// Where a level's optimum is beaten by a stricter one's, or may be by that of a neighbour, it is followed anew from there.
+    fn repair(&self, levels: &mut [Level], work: &mut Work) -> Result<(), ResponseError> {
+        let mut changed: Vec<bool> = vec![true; levels.len()];
+        for _ in 0..MOST_ROUNDS {
+            // a stricter level with a lower optimum, or a neighbour whose optimum has changed
+            let beaten = |i: usize| (0..i).rev().find(|j| levels[*j].values[0] < levels[i].values[0] * (1.0 - BETTER));
+            let wanted: Vec<(usize, usize)> =
+                (1..levels.len()).filter_map(|i| beaten(i).map(|j| (i, j))).filter(|(i, j)| changed[*i] || changed[*j]).collect();
+            if wanted.is_empty() {
+                return Ok(());
+            }
+            let found: Vec<(usize, Option<Level>, Work)> = wanted
+                .into_par_iter()
+                .map(|(i, j)| {
+                    let mut work = Work::default();
+                    let level = self.best_of_points(levels[i].most, &[&levels[j].outcome.point], &mut work)?;
+                    Ok((i, level, work))
+                })
+                .collect::<Result<_, ResponseError>>()?;
+            changed.fill(false);
+            for (i, level, spent) in found {
+                *work += spent;
+                if let Some(level) = level.filter(|l| l.values[0] < levels[i].values[0] * (1.0 - BETTER)) {
+                    levels[i] = level;
+                    changed[i] = true;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A limit that fails counts before the objective.
+fn merit(o: &Outcome) -> (f64, f64) {
+    (if o.rows.excess() > BROKEN { o.rows.excess() } else { 0.0 }, o.rows.objective())
+}
+
+/// Up to where the optimum of a level is known to be the same.
+fn reach(level: &Level) -> f64 {
+    level.most.max(level.values[1])
+}
+
+/// The level half way between two.
+fn middle(left: &Level, right: &Level) -> f64 {
+    0.5 * (reach(left) + right.values[1])
+}
+
+/// Intervals that are longer than the front divided by its points, the longest first, no more than are left; ascending.
+fn gaps(levels: &[Level], count: usize) -> Vec<usize> {
+    let range = |k: usize| {
+        let all = || levels.iter().map(|l| l.values[k]);
+        let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+        if high > low { high - low } else { 1.0 }
+    };
+    let ranges = [range(0), range(1)];
+    let length = |i: usize| {
+        let along = |k: usize| (levels[i + 1].values[k] - levels[i].values[k]) / ranges[k];
+        along(0).hypot(along(1))
+    };
+    let total: f64 = (0..levels.len() - 1).map(length).sum();
+    let wanted = total / (count - 1) as f64;
+    let apart = |i: &usize| levels[i + 1].values[1] - reach(&levels[*i]) > RESOLVED * ranges[1];
+    let mut list: Vec<usize> = (0..levels.len() - 1).filter(apart).filter(|i| length(*i) > wanted).collect();
+    list.sort_by(|a, b| length(*b).total_cmp(&length(*a)).then(a.cmp(b)));
+    list.truncate(count - levels.len());
+    list.sort_unstable();
+    list
+}
+
+/// Marks what another point of any front is no worse than in both measures, and the knee of what is left.
+pub(crate) fn mark(fronts: &mut [Tradeoff]) {
+    let all: Vec<[f64; 2]> = fronts.iter().flat_map(|f| &f.points).map(|p| p.values).collect();
+    let beats = |a: &[f64; 2], b: &[f64; 2]| a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] * (1.0 - BETTER) || a[1] < b[1] * (1.0 - BETTER));
+    for point in fronts.iter_mut().flat_map(|f| &mut f.points) {
+        point.dominated = all.iter().any(|other| beats(other, &point.values));
+    }
+    let mut left: Vec<&mut TradeoffPoint> = fronts.iter_mut().flat_map(|f| &mut f.points).filter(|p| !p.dominated).collect();
+    left.sort_by(|a, b| a.values[1].total_cmp(&b.values[1]));
+    let (Some(a), Some(b)) = (left.first().map(|p| p.values), left.last().map(|p| p.values)) else { return };
+    let over = |k: usize, x: f64| if a[k] == b[k] { 0.0 } else { (x - a[k]) / (b[k] - a[k]) };
+    // with both measures over their ranges the line between the ends is that of equal shares
+    let depth = |v: [f64; 2]| over(0, v[0]) - over(1, v[1]);
+    let deepest = left.iter_mut().max_by(|a, b| depth(a.values).total_cmp(&depth(b.values)));
+    if let Some(knee) = deepest.filter(|p| depth(p.values) > 0.0) {
+        knee.knee = true;
+    }
+}

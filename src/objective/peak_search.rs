@@ -20,6 +20,8 @@ use std::ops::Range;
 
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
+/// The same round a narrow resonance: phases turn by half a cycle within its width, and other extremes take over.
+const NARROW_BRANCHES: f64 = 0.1;
 /// A maximum closer to a neighbouring speed than this share of the distance is none.
 const EDGE: f64 = 1e-3;
 /// Peaks that differ by less than this share are level.
@@ -283,7 +285,8 @@ impl<'a> PeakFinder<'a> {
                 continue;
             }
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
-            for start in self.synthesiser.alternatives(&y, (1.0 - found.keep).clamp(0.002, BRANCHES)) {
+            let share = if speeds.is_narrow(candidate.index) { NARROW_BRANCHES } else { (1.0 - found.keep).clamp(0.002, BRANCHES) };
+            for start in self.synthesiser.alternatives(&y, share) {
                 let top = self.top_of_branch((design, quantity, metric), &start, reach, work)?;
                 // a branch may be held by the same end of the range
                 let held = place == Place::End && {

@@ -1,13 +1,15 @@
 //! Optimisation: the exact optimum of Den Hartog's problem, first-order conditions, limits, bounds, the front.
 
-use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::{Declaration, Host, RUBBER, TUNED, UNDAMPED, VISCOUS};
+use crate::support::{Kind, assert_close, h_infinity_peak, on, study, system};
+use hartog::absorber::{Declaration, Host, Mounted, RUBBER, TUNED, UNDAMPED, VISCOUS};
 use hartog::analysis::{self, Results, Silent};
 use hartog::drivetrain::{Chain, Modes, Station};
 use hartog::input::{DesignSpec, FrontSpec, LimitSpec, MeasureSpec, Size, Study, UnitOf};
-use hartog::objective::{Measure, Over};
+use hartog::objective::{Measure, Over, PeakFinder};
 use hartog::optimise::Variable;
-use hartog::response::Quantity;
+use hartog::response::{Grid, Method, Quantity, Receptance, Work};
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 fn run(study: &Study) -> Results {
     analysis::run(study, &Silent).unwrap_or_else(|e| panic!("{e}"))
@@ -212,4 +214,72 @@ fn undamped_optimum_is_worse_than_tuned() {
     let tuned = run(&only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.0152])));
     assert!(tuned.optima[0].optimum.value() < undamped.optima[0].optimum.value());
     assert!(undamped.optima[0].optimum.outcome.kkt_residual < 1e-4);
+}
+
+/// A chain of many stations with inertias and stiffnesses over six decades, and throws somewhere.
+fn long_chain(random: &mut Xoshiro256PlusPlus, count: usize) -> Study {
+    let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.05]));
+    s.designs.clear();
+    let mut decades = |middle: f64| middle * 10f64.powf(random.random_range(-3.0..3.0));
+    let mut stations: Vec<Station> = (0..count)
+        .map(|i| Station {
+            name: format!("s{i}"),
+            inertia: decades(0.05),
+            stiffness_to_next: if i + 1 < count { decades(1e6) } else { 0.0 },
+            damping_to_ground: 0.1 * decades(0.1),
+            ..Station::default()
+        })
+        .collect();
+    let first = random.random_range(1..count - 7);
+    (0..6).for_each(|t| stations[first + t].throws = vec![t]);
+    s.chain = Chain { stations };
+    s.modes = Modes::new(&s.chain);
+    s.twist = Quantity::Twist { from: 0, to: Some(count - 1) };
+    s.objective.measure = Measure::new(vec![s.twist], Over::Synthesis);
+    s.hub = 0;
+    s
+}
+
+/// Measured on long chains with inertias and stiffnesses over six decades: closed forms of the first modes and random points may all miss the tuned ring that is best (in the 17th of these chains the
+/// starts ended 19 % above, at a locked ring). Designs elsewhere find it, and no design of a scan of 350 is lower. What is left if nothing resonates is no more than what the chain does without
+/// absorber: soft links do not follow the torque as if static.
+fn long_chains(which: impl Fn(usize) -> bool) {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(46);
+    let mut better = 0;
+    for i in 0..24 {
+        let mut s = long_chain(&mut random, 46);
+        s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(4).collect();
+        if !which(i) {
+            continue;
+        }
+        let results = run(&s);
+        let best = results.optima[0].optimum.value();
+        better += usize::from(results.optima[0].scan.better);
+        let sys = system(&s);
+        let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);
+        let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[s.twist]));
+        let finder = PeakFinder::new(&sys, &grid, &method, true);
+        let value = |design: &[Mounted]| finder.peak(design, &s.objective.measure, &mut Work::default());
+        for (a, b) in (0..35).flat_map(|a| (0..10).map(move |b| (a, b))) {
+            let omega = 10.0 * 2000f64.powf(f64::from(a) / 34.0);
+            let damping = 2.0 * 0.05 * omega * 10f64.powf(-2.5 + f64::from(b) / 3.0);
+            let peak = value(&[on(0, Kind::Tuned, 0.05, 0.05 * omega * omega, damping)]);
+            // a ring that does nothing is no worse than another one
+            assert!(peak.map_or(f64::INFINITY, |p| p.map_or(0.0, |p| p.value)) >= best * (1.0 - 1e-6), "chain {i} at {omega} rad/s");
+        }
+        let none = value(&[]).expect("damped").expect("excited").value;
+        assert!(results.forced_floor.expect("a twist") < 1.2 * none, "chain {i}: {:?} against {none}", results.forced_floor);
+    }
+    assert!(better > 0);
+}
+
+#[test]
+fn a_long_chain() {
+    long_chains(|i| i == 16);
+}
+
+#[test]
+#[ignore = "about four minutes"]
+fn long_chains_of_all_kinds() {
+    long_chains(|_| true);
 }

@@ -7,7 +7,7 @@ use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
 use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
-use crate::response::{Quantity, ResponseError, Work, quasi_static};
+use crate::response::{Quantity, ResponseError, Unamplified, Work, quasi_static};
 use std::ops::Range;
 
 /// What makes a peak.
@@ -90,22 +90,28 @@ impl Classifier {
         };
         Ok(Some(Nature { kind, over_static: peak.value / reference, order, amplification }))
     }
+}
 
-    /// Largest quasi-static value over the grid: the twist that would be left if nothing resonated.
-    pub(crate) fn floor(&self, finder: &PeakFinder, over: Over) -> f64 {
-        let mut work = vec![];
-        for &speed in &finder.grid.speed_rpm {
-            work.extend(self.phasors(finder.system, speed));
+/// Largest value over the grid if no mode were amplified: what would be left if nothing resonated.
+pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 {
+    let system = finder.system;
+    let unamplified = Unamplified::new(system, quantity);
+    let mut torque = vec![C64::default(); system.chain.len()];
+    let mut work = vec![];
+    for &speed in &finder.grid.speed_rpm {
+        for n in 0..system.orders() {
+            system.torque(n, speed, &mut torque);
+            work.push(unamplified.phasor(&torque, system.excitation.orders[n].omega(speed)));
         }
-        match over {
-            Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
-            Over::Order(order) => {
-                let index = finder.system.excitation.orders.iter().position(|o| *o == order);
-                let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
-                index.map_or(0.0, own)
-            }
-            Over::Synthesis | Over::Margin(_) | Over::Power | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
+    }
+    match over {
+        Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
+        Over::Order(order) => {
+            let index = finder.system.excitation.orders.iter().position(|o| *o == order);
+            let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
+            index.map_or(0.0, own)
         }
+        Over::Synthesis | Over::Margin(_) | Over::Power | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
     }
 }
 

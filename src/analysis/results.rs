@@ -15,7 +15,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::optimise::{Front, Optimum, Tradeoff};
+use crate::optimise::{Front, Optimum, Scan, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -36,6 +36,8 @@ pub struct OptimumResult {
     pub objective: usize,
     /// What each limit costs: per cent of the objective that one per cent more of it would bring.
     pub prices: Vec<f64>,
+    /// What designs elsewhere say of it.
+    pub scan: Scan,
     /// Bounds it lies on.
     pub on_bounds: Vec<OnBound>,
     /// The limits that no design of its family holds together.

@@ -4,7 +4,7 @@ use super::audit::highest_frequency_hz;
 use super::choice::{self, Choice, Strategy};
 use super::diagram::{self, Diagram};
 use super::duty::{self, DutyOfDesign};
-use super::evaluate::{self, Classifier, DesignResult};
+use super::evaluate::{self, DesignResult};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
@@ -120,7 +120,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         clock.timing.extend(probe.map_err(|error| of_design(d, error))?);
     }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist => Some(Classifier::new(&systems[0], *q).floor(&finders[0], study.objective.measure.over)),
+        [q] if study.objective.is_twist => Some(evaluate::floor(&finders[0], *q, study.objective.measure.over)),
         _ => None,
     };
     let appearing = appearing(&systems);

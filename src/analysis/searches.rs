@@ -21,6 +21,8 @@ const BROKEN: f64 = 1e-6;
 const ON_BOUND: f64 = 1e-9;
 /// Multipliers below this are what an interior-point method leaves of zero.
 const ROUNDING: f64 = 1e-9;
+/// Frequencies to which designs elsewhere are tuned.
+const SCANNED: usize = 24;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
 
@@ -67,6 +69,15 @@ impl<'a> Searches<'a> {
         list
     }
 
+    /// Frequencies over the range that the torque excites, equal ratios apart, rad/s.
+    fn frequencies(&self) -> Vec<f64> {
+        let orders = &self.finders[0].system.excitation.orders;
+        let speeds = &self.study.speeds_rpm;
+        let (Some(first), Some(last)) = (orders.first(), orders.last()) else { return Vec::new() };
+        let (low, high) = (first.omega(speeds[0]), last.omega(speeds[speeds.len() - 1]));
+        (0..SCANNED).map(|i| low * (high / low).powf(i as f64 / (SCANNED - 1) as f64)).collect()
+    }
+
     /// All optima that the study asks for.
     ///
     /// # Errors
@@ -88,6 +99,8 @@ impl<'a> Searches<'a> {
                 let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
                 let mut optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
+                let scan = search::scan(&problem, &mut optimum, &lines);
                 let conflict = conflict_of(&problem, &mut optimum, &starts).map_err(failed)?;
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
@@ -103,7 +116,19 @@ impl<'a> Searches<'a> {
                 };
                 let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
                 let (prices, on_bounds) = (prices(&optimum.outcome, self.limits.len()), on_bounds(&problem.space, &optimum.outcome));
-                Ok(OptimumResult { design: design?, optimum, natures, load_cases, main, family, objective, prices, on_bounds, conflict })
+                Ok(OptimumResult {
+                    design: design?,
+                    optimum,
+                    natures,
+                    load_cases,
+                    main,
+                    family,
+                    objective,
+                    prices,
+                    scan,
+                    on_bounds,
+                    conflict,
+                })
             })
             .collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();

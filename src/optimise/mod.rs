@@ -13,6 +13,6 @@ pub mod variables;
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
 pub use problem::{LoadCase, Problem, Role, Row, Rows};
-pub use search::{Optimum, Stages, Start};
+pub use search::{Optimum, Scan, Stages, Start};
 pub use tradeoff::{Tradeoff, TradeoffPoint};
 pub use variables::{Slot, Space, Variable};

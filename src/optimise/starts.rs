@@ -98,6 +98,29 @@ fn several(space: &Space, modes: &[Vec<EngineMode>]) -> Vec<NamedPoint> {
     list
 }
 
+/// Mass ratios of designs elsewhere: from lightly to heavily damped ones.
+const RATIOS: [f64; 3] = [0.02, 0.2, 1.0];
+
+/// Designs that no mode asks for, in lines along which only the frequency grows: each absorber with a closed form tuned to each of these frequencies (rad/s), as on an engine of some inertia ratios; the
+/// others as at a point.
+pub(crate) fn elsewhere(space: &Space, at: &[f64], frequencies: &[f64]) -> Vec<Vec<Vec<f64>>> {
+    let own = space.values(at);
+    let mut lines = Vec::new();
+    for (i, slot) in space.slots.iter().enumerate() {
+        let Some(form) = slot.declaration.closed_forms.iter().rfind(|f| f.every_mode) else { continue };
+        let ring = own[i][0];
+        for ratio in RATIOS {
+            let point = |omega: &f64| {
+                let mut values = own.clone();
+                values[i] = (form.values)(ring, EngineMode { inertia: ring / ratio, omega: *omega });
+                space.point(&values)
+            };
+            lines.push(frequencies.iter().map(point).collect());
+        }
+    }
+    lines
+}
+
 /// Values of an absorber moved away from those of others on the same station and mode.
 fn apart(space: &Space, index: usize, mut values: Vec<f64>, same_mode: &dyn Fn(usize) -> bool, turned: bool) -> Vec<f64> {
     let own = &space.slots[index];

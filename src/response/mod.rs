@@ -39,7 +39,7 @@ pub use method::Response;
 pub use modal::Modal;
 pub use newmark::Newmark;
 pub use quantity::Quantity;
-pub(crate) use quasi_static::quasi_static;
+pub(crate) use quasi_static::{Unamplified, quasi_static};
 pub use receptance::Receptance;
 pub(crate) use reduced::Reduced;
 pub use selected::Method;

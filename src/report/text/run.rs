@@ -212,6 +212,12 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         _ => "; others ended far above".into(),
     };
     put(format!("  {agreeing} of {} starts agree to 1e-6{rest}", starts.len()));
+    put(match &o.scan {
+        scan if scan.better => {
+            format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs)
+        }
+        scan => format!("  none of {} designs elsewhere, nor what the best {} of them lead to, is lower", scan.designs, scan.followed),
+    });
     let s = &o.optimum.stages;
     put(format!(
         "  evaluations: {} of starts, {} of search, {} of minimax; KKT residual {}; {}",

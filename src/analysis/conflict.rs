@@ -3,6 +3,7 @@
 use crate::objective::Limit;
 use crate::optimise::{Optimum, Problem, Role, minimax, search};
 use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
 
 /// A limit that takes part in a conflict.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -11,14 +12,14 @@ pub struct Party {
     pub limit: usize,
     /// Its share in what keeps the violation from falling: all of them sum to one.
     pub share: f64,
-    /// The least factor on this limit alone with which all others hold; nothing where the others conflict by themselves.
+    /// The least factor on this limit alone with which all others were found to hold; nothing where no such design was found.
     pub loosened: Option<f64>,
 }
 
-/// Limits that no design of a family holds together.
+/// Limits that no design of a family was found to hold together.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct Conflict {
-    /// The least largest ratio of a measure to its limit.
+    /// The least largest ratio of a measure to its limit that was found.
     pub ratio: f64,
     /// Those that keep it from falling, the largest share first.
     pub parties: Vec<Party>,
@@ -48,7 +49,13 @@ pub(super) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec
     let mut nearest = search::optimise(&feasibility, &all, &|| {})?;
     let ratio = nearest.outcome.rows.objective();
     if ratio <= 1.0 + HELD {
-        let outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;
+        let mut outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;
+        if outcome.rows.excess() > HELD {
+            // what holds all limits is kept as it is
+            outcome = nearest.outcome;
+            outcome.rows = problem.rows(&outcome.point, &mut Work::default())?;
+            outcome.multipliers = vec![0.0; outcome.rows.rows.len()];
+        }
         return Ok(Verdict::Found(Box::new(outcome)));
     }
     let mut shares = vec![0.0; problem.limits.len()];
@@ -57,11 +64,12 @@ pub(super) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec
             shares[limit] += multiplier;
         }
     }
+    all.push(("nearest".into(), nearest.outcome.point.clone()));
     let mut parties: Vec<Party> = shares
         .iter()
         .enumerate()
         .filter(|s| *s.1 > LEAST_SHARE)
-        .map(|(limit, share)| Ok(Party { limit, share: *share, loosened: loosened(problem, limit, &nearest.outcome.point)? }))
+        .map(|(limit, share)| Ok(Party { limit, share: *share, loosened: loosened(problem, limit, &all) }))
         .collect::<Result<_, ResponseError>>()?;
     parties.sort_by(|a, b| b.share.total_cmp(&a.share));
     // what its rows are in the problem itself
@@ -70,11 +78,12 @@ pub(super) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec
     Ok(Verdict::Conflict(Box::new(nearest), Conflict { ratio, parties }))
 }
 
-/// The least ratio of one limit within all others.
-fn loosened(problem: &Problem, limit: usize, point: &[f64]) -> Result<Option<f64>, ResponseError> {
+/// The least ratio of one limit within all others that is found from some points.
+fn loosened(problem: &Problem, limit: usize, points: &[(String, Vec<f64>)]) -> Option<f64> {
     let others: Vec<Limit> = problem.limits.iter().enumerate().filter(|l| l.0 != limit).map(|l| l.1.clone()).collect();
     let objectives = std::slice::from_ref(&problem.limits[limit]);
     let alone = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives, limits: &others };
-    let outcome = minimax::minimise(&alone, point, &mut Work::default())?;
-    Ok((outcome.rows.excess() <= HELD).then(|| outcome.rows.objective()))
+    let ends = points.par_iter().filter_map(|p| minimax::minimise(&alone, &p.1, &mut Work::default()).ok());
+    let held = ends.filter(|o| o.rows.excess() <= HELD).map(|o| o.rows.objective());
+    held.collect::<Vec<_>>().into_iter().reduce(f64::min)
 }

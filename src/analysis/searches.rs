@@ -9,9 +9,9 @@ use super::wanted::Wanted;
 use super::{Progress, RunError};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
-use crate::input::{FrontSpec, LimitSpec, OptimiseSpec, Study};
+use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
-use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Space, front, search, starts};
+use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Slot, Space, front, search, starts};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -69,6 +69,17 @@ impl<'a> Searches<'a> {
         list
     }
 
+    /// The given designs that are of a family, moved into its bounds.
+    fn given(&self, space: &Space) -> Vec<(String, Vec<f64>)> {
+        let of = |d: &DesignSpec| -> Option<(String, Vec<f64>)> {
+            let alike = |(m, slot): (&Mounted, &Slot)| m.on == slot.on && m.absorber.declaration() == Some(slot.declaration);
+            let fits = d.absorbers.len() == space.slots.len() && d.absorbers.iter().zip(&space.slots).all(alike);
+            let values = || d.absorbers.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>();
+            fits.then(|| (d.name.clone(), space.point(&values())))
+        };
+        self.study.designs.iter().filter_map(of).collect()
+    }
+
     /// Frequencies over the range that the torque excites, equal ratios apart, rad/s.
     fn frequencies(&self) -> Vec<f64> {
         let orders = &self.finders[0].system.excitation.orders;
@@ -101,7 +112,8 @@ impl<'a> Searches<'a> {
                 let mut optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
                 let scan = search::scan(&problem, &mut optimum, &lines);
-                let conflict = conflict_of(&problem, &mut optimum, &starts).map_err(failed)?;
+                let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
+                let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);

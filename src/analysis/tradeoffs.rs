@@ -5,7 +5,7 @@ use super::families::{self, joined};
 use super::results::{Beside, TradeoffResult};
 use super::searches::Searches;
 use super::timing::Clock;
-use crate::absorber::Mounted;
+use crate::absorber::{Host, Mounted};
 use crate::input::{FrontSpec, MeasureSpec, OptimiseSpec};
 use crate::optimise::tradeoff::{Follower, mark};
 use crate::optimise::{LoadCase, Problem, Space, Tradeoff};
@@ -26,6 +26,10 @@ impl Searches<'_> {
         let mut list = Vec::new();
         for count in 1..=spec.absorbers.len() {
             let fewer = OptimiseSpec { absorbers: spec.absorbers[..count].to_vec(), ..spec.clone() };
+            // a ring that carries one of them may come later in the list
+            if fewer.absorbers.iter().any(|a| matches!(a.on, Host::Ring(inner) if inner >= count)) {
+                continue;
+            }
             for types in families::types(&fewer) {
                 let rings = fewer.absorbers.iter().map(families::main_ring).collect();
                 let name = joined(&types);

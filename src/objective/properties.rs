@@ -3,6 +3,7 @@
 use super::measure::{Measure, Over, Property};
 use super::peak::{Peak, Place};
 use super::peak_search::PeakFinder;
+use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{Absorber, Mounted, Operating};
 use crate::drivetrain::natural;
 use crate::response::Quantity;
@@ -13,10 +14,16 @@ const STEP: f64 = 1e-5;
 /// Where the search of a ring's own frequency begins, rad/s.
 const FIRST_GUESS: f64 = 1000.0;
 
+/// Loss factor of a damper whose spring has come to nothing: infinite, as a number.
+const NO_SPRING: f64 = 1e9;
+
 /// Loss factor at the ring's own frequency on its held hub: of spring and damper together, or of any other law; nothing where there is no such frequency.
 fn loss_factor(absorber: &Absorber) -> Option<f64> {
     if let Some((loss, _)) = absorber.implied_loss_factor() {
-        return Some(loss);
+        return Some(loss.min(NO_SPRING));
+    }
+    if absorber.value(STIFFNESS.key) == Some(0.0) && absorber.damping().is_some_and(|c| c > 0.0) {
+        return Some(NO_SPRING);
     }
     let law = absorber.law().filter(|law| law.spring_and_damper().is_none())?;
     let omega = natural::own_frequency(law.as_ref(), FIRST_GUESS, 1.0)?;

@@ -59,6 +59,8 @@ const SAME: f64 = 1e-6;
 const RESOLVED: f64 = 1e-3;
 /// Where a front begins, as shares of the range of the second measure above its least: at the first at which there is a design.
 const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
+/// A design that is level in the first measure ends a front where it is lower in the second by more than this share: less is what rounding of the first leaves.
+const WORTH: f64 = 1e-4;
 /// Rounds in which points take over what a neighbour found.
 const MOST_ROUNDS: usize = 20;
 
@@ -143,6 +145,26 @@ impl<'a> Follower<'a> {
         Ok(Some(Level { most, values: self.values(&optimum.outcome.point, &mut Work::default())?, outcome: optimum.outcome }))
     }
 
+    /// Of designs that are level with this one in the first measure the one with the least of the second.
+    fn least_of_second(&self, last: Level, work: &mut Work) -> Result<Level, ResponseError> {
+        let most = last.values[0] * (1.0 + BROKEN);
+        let first = Limit { measure: self.problem.objectives[0].measure.clone(), limit: most };
+        let limits: Vec<Limit> = self.problem.limits.iter().cloned().chain([first]).collect();
+        let seconds = [self.second.measure.in_si()];
+        let problem = self.within(&limits, &seconds);
+        let starts = (self.starts)(&self.problem.space);
+        let mut best = last;
+        for point in std::iter::once(best.outcome.point.clone()).chain(starts.into_iter().map(|s| s.1)) {
+            let Ok(outcome) = minimax::minimise(&problem, &point, work) else { continue };
+            if outcome.rows.excess() > BROKEN || outcome.rows.objective() >= best.values[1] * (1.0 - WORTH) {
+                continue;
+            }
+            let Ok(values) = self.values(&outcome.point, work) else { continue };
+            best = Level { most: values[1], values, outcome };
+        }
+        Ok(best)
+    }
+
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
         let seconds = [self.second.measure.in_si()];
@@ -152,6 +174,7 @@ impl<'a> Follower<'a> {
         *work += found.stages.search;
         *work += found.stages.minimax;
         let Some(last) = self.searched(f64::MAX, work)? else { return Ok(None) };
+        let last = self.least_of_second(last, work)?;
         let least = found.outcome.rows.objective();
         if found.outcome.rows.excess() > BROKEN {
             return Ok(None);
@@ -220,6 +243,7 @@ impl<'a> Follower<'a> {
             }
         }
         self.repair(&mut levels, &mut work)?;
+        distinct(&mut levels);
         let points = levels.iter().map(|l| TradeoffPoint {
             design: self.problem.space.design(&l.outcome.point),
             values: l.values,
@@ -260,6 +284,12 @@ impl<'a> Follower<'a> {
         }
         Ok(())
     }
+}
+
+/// Leaves out levels whose optimum is that of the one before.
+fn distinct(levels: &mut Vec<Level>) {
+    let same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
+    levels.dedup_by(|b, a| same(a.values[0], b.values[0]) && same(a.values[1], b.values[1]));
 }
 
 /// A limit that fails counts before the objective.

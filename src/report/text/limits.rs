@@ -4,6 +4,7 @@ use super::margin::factor;
 use super::table::significant;
 use crate::analysis::{Conflict, OptimumResult};
 use crate::input::{LimitSpec, Study, UnitOf};
+use crate::objective::{Over, Property};
 
 /// A smaller gain, per cent of the objective, is rounding.
 const WORTH_SAYING: f64 = 1e-6;
@@ -24,11 +25,15 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
         let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
-            format!("; one per cent more of it would bring {} %", significant(*price, 2))
+            let way = if limit.of.unit == UnitOf::Margin { "less" } else { "more" };
+            format!("; one per cent {way} of it would bring {} %", significant(*price, 2))
         } else {
             String::new()
         };
         let found = match limit.of.measure.within.factors.as_slice() {
+            [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
+                format!("the one that is nearest or deepest inside is {} times the nearer end", significant(*ratio, 4))
+            }
             [] => format!("it is {}", value(limit, ratio * limit.limit)),
             _ => format!("{:.1} % of it", 100.0 * ratio),
         };
@@ -38,29 +43,33 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     lines
 }
 
-/// Which limits conflict, how near a design comes, and what loosening one would take.
+/// Which limits were not held together, how near a design comes, and what loosening one would take.
 fn conflict(study: &Study, c: &Conflict) -> Vec<String> {
     let words = |i: usize| format!("`{}`", study.limits[i].words);
     let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
     let of = study.limits.len();
+    let beyond = 100.0 * (c.ratio - 1.0);
     let mut lines = vec![match names.as_slice() {
-        [one] => format!(
-            "  No design of this family holds {one}, whatever the other limits: the nearest is {:.2} % beyond it.",
-            100.0 * (c.ratio - 1.0)
-        ),
+        _ if of == 1 => {
+            format!("  No design of this family was found that holds this limit: the nearest is {} % beyond it.", significant(beyond, 4))
+        }
+        [one] => format!("  No design of this family was found that holds {one}: the nearest is {} % beyond it.", significant(beyond, 4)),
         _ => format!(
-            "  No design of this family holds all of its {of} limits. In conflict: {}. The nearest design is {:.2} % beyond each of them.",
+            "  No design of this family was found that holds all of its {of} limits. In conflict: {}. The nearest design is {} % beyond each of them.",
             names.join(", "),
-            100.0 * (c.ratio - 1.0)
+            significant(beyond, 4)
         ),
     }];
+    if of == 1 {
+        return lines;
+    }
     for party in &c.parties {
         let limit = &study.limits[party.limit];
         lines.push(match party.loosened {
             Some(factor) => {
                 format!("    {} would have to be {} for all others to hold", words(party.limit), value(limit, factor * limit.limit))
             }
-            None => format!("    {}: however far it is loosened, others do not hold together", words(party.limit)),
+            None => format!("    {}: however far it is loosened, no design was found that holds the others", words(party.limit)),
         });
     }
     lines

@@ -252,7 +252,15 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         let beside = none.map_or_else(String::new, |d| format!("; without absorber it is {}", value(study, objective(d))));
         let _ = writeln!(text, "Forced floor: {} would be left if nothing resonated{beside}.", value(study, floor));
     }
-    let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
+    let holds = |d: &&DesignResult| d.limits.iter().all(|l| *l <= 1.0 + 1e-6);
+    let with = || results.designs.iter().filter(|d| !d.absorbers.is_empty());
+    let any_holds = with().any(|d| holds(&d));
+    let given = with().filter(|d| !any_holds || holds(d));
+    let whose = match (study.limits.is_empty(), any_holds) {
+        (true, _) => "",
+        (false, true) => " within the limits",
+        (false, false) => " (none is within the limits)",
+    };
     if let (Some(best), Some(own)) =
         (given.min_by(|a, b| better(a, b)), results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design)))
     {
@@ -271,7 +279,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         };
         let _ = writeln!(
             text,
-            "Best given design: {} with {}. {}: {}, {compare}.",
+            "Best given design{whose}: {} with {}. {}: {}, {compare}.",
             best.name,
             value(study, objective(best)),
             own.design.name,

@@ -53,7 +53,10 @@ const BY_WORD: [&str; 8] =
 /// A measure by its word: that of the study's objectives or limits, or of all shafts, rings or locations.
 fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Context) -> Option<MeasureSpec> {
     if let Some(known) = known.iter().find(|k| k.key == word.get_ref()) {
-        return Some((*known).clone());
+        // a factor belongs to the limit, not to the measure
+        let mut spec = (*known).clone();
+        spec.measure.within.factors.clear();
+        return Some(spec);
     }
     match word.get_ref().as_str() {
         "peak_twist" => Some(reported_twist(of)),
@@ -107,8 +110,12 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
             Bound::Most(Some(at)) | Bound::Least(Some(at)) => {
                 check.wrong(at, "found a limit in an objective, expected it in a [[constraint]]")
             }
+            Bound::Rule(..) => check.wrong(raw, "found a rule in an objective, expected it in a [[constraint]]"),
             Bound::Band => check.wrong(raw, "found a band of natural frequencies as an objective, expected it in a [[constraint]]"),
             Bound::Most(None) | Bound::Least(None) => {}
+        }
+        if !spec.measure.within.factors.is_empty() {
+            check.wrong(raw, "found `factor_by_speed` in an objective, expected it in a [[constraint]]");
         }
         if list.iter().any(|o| o.word == spec.word) {
             check.wrong(raw, format!("found a second objective of the kind `{}`, expected different kinds", spec.word));
@@ -119,6 +126,11 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
         list.push(reported_twist(of));
     }
     list
+}
+
+/// A measure in the words of its limit.
+fn shown(spec: &MeasureSpec) -> String {
+    spec.label.trim_start_matches("peak ").trim_start_matches("smallest ").to_owned()
 }
 
 /// Limits.
@@ -138,8 +150,13 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
             Bound::Most(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at most {}{}", at.get_ref(), spec.unit.suffix())),
             Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}", at.get_ref())),
             Bound::Band => (1.0, String::new()),
+            Bound::Rule(words, limit) => {
+                let words = format!("{words}, {:.4}{} at the rated speed", limit, spec.unit.suffix());
+                limits.push(LimitSpec { words: format!("{} {words}", shown(&spec)), limit: spec.unit.inside(limit), of: spec });
+                continue;
+            }
         };
-        let label = spec.label.trim_start_matches("peak ").trim_start_matches("smallest ");
+        let label = shown(&spec);
         let factor = if spec.measure.within.factors.is_empty() { "" } else { ", times the factor of its speed" };
         let words = format!("{label} {words}{factor}").trim_end().to_owned();
         limits.push(LimitSpec { of: spec, words, limit });

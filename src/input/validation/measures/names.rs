@@ -16,6 +16,8 @@ pub(super) enum Bound<'r> {
     Most(Option<&'r At<f64>>),
     Least(Option<&'r At<f64>>),
     Band,
+    /// Of a rule, in words, as it is reported.
+    Rule(&'static str, f64),
 }
 
 /// What a measure is called.

@@ -4,14 +4,15 @@ use super::context::{Context, Judged, default_twist};
 use super::names::{Bound, Names, Resolved, spec};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
+use crate::fatigue::shaft_rules;
 use crate::input::error::{At, Check};
 use crate::input::measure::{MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
-use crate::input::schema::measure::{RawAmplitude, RawBand, RawMargin, RawStress, RawTorque, RawTwist};
+use crate::input::schema::measure::{RawAmplitude, RawBand, RawM68, RawMargin, RawStress, RawTorque, RawTwist};
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
-use crate::units::M_PER_MM;
+use crate::units::{M_PER_MM, PA_PER_MPA};
 use std::f64::consts::PI;
 
 fn twist(check: &mut Check, chain: &Chain, from: &At<String>, to: &At<String>) -> Option<Quantity> {
@@ -121,8 +122,48 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let over = of.over(check, s.over, s.order.as_ref());
     let place = format!("of shaft {}", chain.shaft_name(shaft));
     let names = Names { key: "shaft_stress", column: "shaft_stress_mpa", word: "stress", what: "nominal stress", place };
-    let parts = (vec![Quantity::ShaftTorque(shaft)], over, of.within(check, s.within()));
-    Some(Resolved { spec: spec(names, parts, UnitOf::Stress { section_modulus }), bound: Bound::Most(s.max_mpa.as_ref()) })
+    let unit = UnitOf::Stress { section_modulus };
+    let mut within = of.within(check, s.within());
+    let Some(rule) = &s.iacs_m68 else {
+        let spec = spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit);
+        return Some(Resolved { spec, bound: Bound::Most(s.max_mpa.as_ref()) });
+    };
+    if s.max_mpa.is_some() || s.factor_by_speed.is_some() {
+        check.wrong(rule, "found `iacs_m68` beside `max_mpa` or `factor_by_speed`, expected the limit of the rule or one's own");
+    }
+    let limit = m68(check, rule, outer, of, &mut within)?;
+    Some(Resolved {
+        spec: spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit),
+        bound: Bound::Rule("by IACS UR M68", limit),
+    })
+}
+
+/// Steps of the ratio of speeds between which the limit of the rule is taken as linear: below its curve, by less than 1e-4 of it.
+const RATIO_STEP: f64 = 0.01;
+
+/// The limit of the rule at the rated speed, MPa, its curve over speed, and the range it holds in.
+fn m68(check: &mut Check, rule: &At<RawM68>, diameter: f64, of: Context, within: &mut Within) -> Option<f64> {
+    let raw = rule.get_ref();
+    let rated = check.positive(&raw.rated_speed_rpm);
+    let tensile =
+        PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=800.0, "N/mm² from 400 to the 800 up to which the rule counts it");
+    let factor =
+        check.within(&raw.stress_factor, 0.1..=1.0, "c_K of the rule, 0.1 to 1 (1 for an integral flange, 0.6 for a tapered keyway)");
+    let top = shaft_rules::RATIOS.1 * rated;
+    if of.speeds.0 >= top {
+        check.wrong(
+            &raw.rated_speed_rpm,
+            format!("found {rated} rpm, expected a rated speed of which the study's speeds are no more than 1.05"),
+        );
+        return None;
+    }
+    let at = |ratio: f64| shaft_rules::continuous(tensile, factor, diameter, ratio);
+    let steps = (shaft_rules::RATIOS.0 / RATIO_STEP).round() as usize;
+    within.factors = (1..=steps).map(|i| i as f64 * RATIO_STEP).map(|ratio| (ratio * rated, at(ratio) / at(1.0))).collect();
+    if within.ranges.is_empty() && of.speeds.1 > top {
+        within.ranges = vec![(of.speeds.0, top)];
+    }
+    Some(at(1.0) / PA_PER_MPA)
 }
 
 pub(super) fn natural_frequency<'r>(check: &mut Check, band: &'r RawBand, of: Context) -> Option<Resolved<'r>> {

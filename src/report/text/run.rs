@@ -8,7 +8,7 @@ use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
-use crate::input::{MeasureSpec, Study, UnitOf};
+use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Peak, Place};
 use crate::optimise::Role;
 use crate::report::csv::in_unit;
@@ -231,9 +231,32 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     text
 }
 
+/// A line for each family of each front: its knee, or that it has no design.
+fn fronts(study: &Study, results: &Results) -> String {
+    let Some(FrontSpec::Of { measures, .. }) = &study.front else { return String::new() };
+    let mut text = String::new();
+    for t in &results.tradeoffs {
+        let [first, second] = t.of.map(|i| &measures[i]);
+        for (family, front) in &t.families {
+            let left = front.points.iter().filter(|p| !p.dominated).count();
+            let knee = front.points.iter().find(|p| p.knee).map_or_else(String::new, |p| {
+                let shown = |m: &MeasureSpec, v: f64| format!("{}{}", significant(m.unit.shown(v), 4), m.unit.suffix());
+                format!(", knee at {} and {}", shown(first, p.values[0]), shown(second, p.values[1]))
+            });
+            let what = match front.points.len() {
+                0 => "no design was found within the limits".to_owned(),
+                1 => "one design is best in both".to_owned(),
+                count => format!("{count} points, {left} of them not dominated{knee}"),
+            };
+            let _ = writeln!(text, "Front of {} against {}, {}: {what}.", first.label, second.label, family.replace('_', " and "));
+        }
+    }
+    text
+}
+
 /// What the run found, in sentences.
 pub(crate) fn summary(study: &Study, results: &Results) -> String {
-    let mut text = String::new();
+    let mut text = fronts(study, results);
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     for (i, limit) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;

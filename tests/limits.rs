@@ -4,9 +4,9 @@ use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::TUNED;
 use hartog::analysis::{self, OptimumResult, Silent};
 use hartog::drivetrain::Modes;
-use hartog::input::{FrontSpec, LimitSpec, Size, Study};
+use hartog::input::{FrontSpec, LimitSpec, MeasureSpec, Size, Study};
 use hartog::numerics::C64;
-use hartog::objective::{Measure, Over, Property};
+use hartog::objective::{Condition, Measure, Over, Property};
 use hartog::response::Quantity;
 
 /// Static twist of the study, rad.
@@ -136,7 +136,7 @@ fn with(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> Study {
     s.front = None;
     s.designs.clear();
     s.objective.measure = measure(objective);
-    let of = |what| hartog::input::MeasureSpec { measure: measure(what), ..s.objective.clone() };
+    let of = |what| MeasureSpec { measure: measure(what), ..s.objective.clone() };
     s.limits = limits.iter().map(|(what, limit)| LimitSpec { of: of(*what), words: format!("{what:?}"), limit: *limit }).collect();
     s
 }
@@ -232,7 +232,7 @@ fn fronts_of_two_masses() {
     let front = |size: Size, seconds: What| {
         let mut s = with(masses, What::Twist, &[]);
         s.optimise.as_mut().expect("optimises").absorbers[0].size = size;
-        let of = |what| hartog::input::MeasureSpec { measure: measure(what), ..s.objective.clone() };
+        let of = |what| MeasureSpec { measure: measure(what), ..s.objective.clone() };
         s.front = Some(FrontSpec::Of { points: 20, measures: vec![of(What::Twist), of(seconds)] });
         let mut results = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}"));
         let front = results.tradeoffs.remove(0).families.remove(0).1;
@@ -321,7 +321,7 @@ fn shafts_by_the_rule() {
     let root = env!("CARGO_MANIFEST_DIR");
     let text = std::fs::read_to_string(format!("{root}/studies/villalva_i6_limits.toml")).expect("a study");
     let (head, rest) = (&text[..text.find("[[constraint]]").expect("limits")], &text[text.find("[optimise]").expect("optimises")..]);
-    let rule = "shaft_stress = { shaft = \"throw_6\", outer_diameter_mm = 80, iacs_m68 = { rated_speed_rpm = 2800, tensile_strength_mpa = 600, stress_factor = 0.6 } }";
+    let rule = "shaft_stress = { shaft = \"throw_6\", outer_diameter_mm = 80, iacs_m68 = { rated_speed_rpm = 2800, tensile_strength_mpa = 600, stress_factor = 0.6 }, except_rpm = [[2900, 3000], [3100, 3150]] }";
     let text = format!("{head}[[constraint]]\n{rule}\n\n{rest}").replace("engines/", &format!("{root}/studies/engines/"));
     let file = tempfile::tempdir().expect("folder").path().join("rule.toml");
     std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
@@ -329,13 +329,15 @@ fn shafts_by_the_rule() {
     let mut s = Study::read(&file).unwrap_or_else(|e| panic!("{e}"));
     (s.optimise, s.front) = (None, None);
     let results = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}"));
+    // the rule ends at 2940 rpm, and barred ranges beyond leave nothing there
+    assert!(s.limits[0].words.contains(", 600 to 2900 rpm by"), "{}", s.limits[0].words);
     let modulus = std::f64::consts::PI * 0.08f64.powi(3) / 16.0;
     let limit = |ratio: f64| {
         let speed = if ratio < 0.9 { 3.0 - 2.0 * ratio * ratio } else { 1.38 };
         (600.0 + 160.0) / 18.0 * 0.6 * (0.35 + 0.93 * 80f64.powf(-0.2)) * speed * 1e6
     };
     for d in &results.designs {
-        let speeds: Vec<f64> = (0..=4680).map(|i| 600.0 + 0.5 * f64::from(i)).collect();
+        let speeds: Vec<f64> = (0..=4600).map(|i| 600.0 + 0.5 * f64::from(i)).collect();
         let sys = crate::support::system(&s);
         let grid = hartog::response::Grid::new(&speeds, &[]);
         let method = hartog::response::Method::Direct(hartog::response::Direct::new(&sys, &grid));
@@ -347,4 +349,24 @@ fn shafts_by_the_rule() {
         let ratios = finder.synthesis(&sweep).into_iter().zip(&speeds).map(|(torque, speed)| torque / modulus / limit(speed / 2800.0));
         assert_close(d.limits[0], ratios.fold(0.0, f64::max), 2e-4, 0.0, &d.name);
     }
+}
+
+/// Law: what a family cannot change is no part of its front: a lost absorber is the same for all designs, and worse than each of them.
+#[test]
+fn fronts_in_conditions() {
+    let mut s = one_ring("villalva_i6_limits", Size::Each(vec![0.076]));
+    s.limits.clear();
+    s.conditions = vec![Condition::AbsorberLost];
+    let twist = s.objective.clone();
+    let ring = MeasureSpec { measure: measure(What::RingTwist), key: "ring_twist", ..twist.clone() };
+    s.front = Some(FrontSpec::Of { points: 6, measures: vec![twist, ring] });
+    let values = |held: &[Condition]| {
+        let mut s = s.clone();
+        s.optimise.as_mut().expect("optimises").conditions = held.to_vec();
+        let front = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}")).tradeoffs.remove(0).families.remove(0).1;
+        front.points.iter().map(|p| p.values).collect::<Vec<_>>()
+    };
+    let firing = values(&[Condition::Firing]);
+    assert!(firing.len() >= 4);
+    assert_eq!(firing, values(&[Condition::Firing, Condition::AbsorberLost]));
 }

@@ -11,7 +11,7 @@ use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
-use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Slot, Space, front, search, starts};
+use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Slot, Space, front, largest, search, starts};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -157,10 +157,7 @@ impl<'a> Searches<'a> {
 
     /// The study's other objectives for a design, at their worst in the load cases.
     fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
-        let value = |measure: &Measure| {
-            let peak = |s: &LoadCase| s.finder.peak(&s.condition.absorbers(design), measure, &mut Work::default());
-            self.load_cases.iter().try_fold(0.0, |worst, s| Ok(f64::max(worst, peak(s)?.map_or(0.0, |p| p.value))))
-        };
+        let value = |measure: &Measure| largest(self.load_cases.iter(), design, measure, &mut Work::default());
         self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
     }
 

@@ -6,19 +6,11 @@ use super::results::{Beside, TradeoffResult};
 use super::searches::Searches;
 use super::timing::Clock;
 use crate::absorber::{Host, Mounted};
-use crate::input::{FrontSpec, MeasureSpec, OptimiseSpec};
+use crate::input::{FrontSpec, OptimiseSpec};
 use crate::optimise::tradeoff::{Follower, mark};
-use crate::optimise::{LoadCase, Problem, Space, Tradeoff};
+use crate::optimise::{Problem, Space, Tradeoff, largest};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
-
-/// The largest of a measure in all load cases; nothing of it (the loss factor of a viscous damper) is zero.
-fn largest(load_cases: &[LoadCase], design: &[Mounted], measure: &MeasureSpec) -> Result<f64, ResponseError> {
-    load_cases.iter().try_fold(0.0, |worst, case| {
-        let peak = case.finder.peak(&case.condition.absorbers(design), &measure.measure, &mut Work::default())?;
-        Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
-    })
-}
 
 impl Searches<'_> {
     /// The families of a front: the first absorber of a study, the first two, and so on, of all types.
@@ -67,7 +59,7 @@ impl Searches<'_> {
             }
             mark(&mut fronts);
             let failed = |error: ResponseError| RunError { what: "front".into(), error };
-            let value = |m: usize, design: &[Mounted]| largest(self.load_cases, design, &measures[m]);
+            let value = |m: usize, design: &[Mounted]| largest(self.load_cases.iter(), design, &measures[m].measure, &mut Work::default());
             let third = (0..measures.len()).find(|m| !of.contains(m));
             let of_front = |f: &Tradeoff| -> Result<Vec<f64>, ResponseError> {
                 third.map_or_else(|| Ok(Vec::new()), |m| f.points.par_iter().map(|p| value(m, &p.design)).collect())

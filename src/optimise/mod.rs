@@ -12,6 +12,7 @@ pub mod variables;
 
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
+pub(crate) use problem::largest;
 pub use problem::{LoadCase, Problem, Role, Row, Rows};
 pub use search::{Optimum, Scan, Stages, Start};
 pub use tradeoff::{Tradeoff, TradeoffPoint};

@@ -1,8 +1,9 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
 use super::variables::Space;
+use crate::absorber::Mounted;
 use crate::objective::condition::Condition;
-use crate::objective::measure::Limit;
+use crate::objective::measure::{Limit, Measure};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
@@ -35,6 +36,22 @@ impl LoadCase<'_> {
             Condition::AbsorberLost => false,
         }
     }
+}
+
+/// The largest value of a measure of a design over some load cases; nothing of it is zero.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub(crate) fn largest<'a>(
+    mut load_cases: impl Iterator<Item = &'a LoadCase<'a>>,
+    design: &[Mounted],
+    measure: &Measure,
+    work: &mut Work,
+) -> Result<f64, ResponseError> {
+    load_cases.try_fold(0.0, |worst, case| {
+        let peak = case.finder.peak(&case.condition.absorbers(design), measure, work)?;
+        Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
+    })
 }
 
 /// What a row is of.
@@ -168,7 +185,8 @@ impl Problem<'_> {
         Ok(Rows { rows })
     }
 
-    fn steering(&self) -> impl Iterator<Item = (usize, &LoadCase<'_>)> {
+    /// Load cases in which the family can change something, with their indices.
+    pub(super) fn steering(&self) -> impl Iterator<Item = (usize, &LoadCase<'_>)> {
         self.load_cases.iter().enumerate().filter(|(_, s)| s.steers(&self.space))
     }
 }

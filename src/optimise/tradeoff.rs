@@ -4,6 +4,7 @@
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
 use super::minimax::{self, Outcome};
+use super::problem::largest;
 use super::search::{self, Recorder};
 use super::starts::NamedPoint;
 use super::{Problem, Space};
@@ -92,16 +93,11 @@ impl<'a> Follower<'a> {
         Problem { load_cases: self.problem.load_cases, space: self.problem.space.clone(), objectives, limits }
     }
 
-    /// Both measures at a point.
+    /// Both measures at a point, where the family can change them.
     fn values(&self, w: &[f64], work: &mut Work) -> Result<[f64; 2], ResponseError> {
         let design = self.problem.space.design(w);
-        let mut largest = |limit: &Limit| {
-            self.problem.load_cases.iter().try_fold(0.0, |worst, case| {
-                let peak = case.finder.peak(&case.condition.absorbers(&design), &limit.measure, work)?;
-                Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
-            })
-        };
-        Ok([largest(&self.problem.objectives[0])?, largest(self.second)?])
+        let mut of = |limit: &Limit| largest(self.problem.steering().map(|s| s.1), &design, &limit.measure, work);
+        Ok([of(&self.problem.objectives[0])?, of(self.second)?])
     }
 
     /// The best outcome of the minimax method from some points.

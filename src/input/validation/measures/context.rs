@@ -131,7 +131,7 @@ impl<'a> Context<'a> {
             let whole = ranges.first().copied().unwrap_or(self.speeds);
             let (mut left, mut from) = (Vec::new(), whole.0);
             for (low, high) in barred {
-                if low > from {
+                if low > from && from < whole.1 {
                     left.push((from, low.min(whole.1)));
                 }
                 from = from.max(high);

@@ -160,8 +160,14 @@ fn m68(check: &mut Check, rule: &At<RawM68>, diameter: f64, of: Context, within:
     let at = |ratio: f64| shaft_rules::continuous(tensile, factor, diameter, ratio);
     let steps = (shaft_rules::RATIOS.0 / RATIO_STEP).round() as usize;
     within.factors = (1..=steps).map(|i| i as f64 * RATIO_STEP).map(|ratio| (ratio * rated, at(ratio) / at(1.0))).collect();
+    // the rule ends there, whatever range is asked for
+    if of.speeds.1 > top {
+        let asked = if within.ranges.is_empty() { vec![of.speeds] } else { std::mem::take(&mut within.ranges) };
+        within.ranges = asked.into_iter().filter(|r| r.0 < top).map(|r| (r.0, r.1.min(top))).collect();
+    }
     if within.ranges.is_empty() && of.speeds.1 > top {
-        within.ranges = vec![(of.speeds.0, top)];
+        check.wrong(&raw.rated_speed_rpm, format!("found {rated} rpm, expected one of which the limit's speeds are no more than 1.05"));
+        return None;
     }
     Some(at(1.0) / PA_PER_MPA)
 }

@@ -6,7 +6,7 @@ use super::{ConditionResult, RunError, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
-use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place};
+use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place, holds};
 use crate::response::{Quantity, ResponseError, Unamplified, Work, quasi_static};
 use std::ops::Range;
 
@@ -155,6 +155,13 @@ pub struct DesignResult {
     pub margins: Vec<SmallestMargin>,
     /// In the other conditions of the study that make a difference to it.
     pub conditions: Vec<ConditionResult>,
+}
+
+impl DesignResult {
+    /// Whether every limit holds.
+    pub(crate) fn within_limits(&self) -> bool {
+        self.limits.iter().all(|l| holds(*l))
+    }
 }
 
 /// Evaluates one design. `finders`: of the engine as it should be, then with each cylinder misfiring where a condition asks for it.

@@ -2,7 +2,6 @@
 
 use super::calibrate::Calibration;
 use super::choice::Choice;
-use super::conflict::Conflict;
 use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
@@ -15,7 +14,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::optimise::{Front, Optimum, Scan, Tradeoff};
+use crate::optimise::{Conflict, Front, OnBound, Optimum, Scan, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -42,21 +41,6 @@ pub struct OptimumResult {
     pub on_bounds: Vec<OnBound>,
     /// The limits that no design of its family holds together.
     pub conflict: Option<Conflict>,
-}
-
-/// A parameter that lies on a bound.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct OnBound {
-    /// Index of the absorber.
-    pub absorber: usize,
-    /// Index of the parameter in its declaration.
-    pub parameter: usize,
-    /// The bound.
-    pub bound: f64,
-    /// Whether it is the upper one.
-    pub upper: bool,
-    /// Per cent of the objective that one per cent further would bring; nothing for a bound of zero.
-    pub price: Option<f64>,
 }
 
 /// Load case of a row of an optimum.
@@ -156,6 +140,6 @@ impl Results {
 
     /// Whether every limit holds for every optimum.
     pub fn limits_hold(&self) -> bool {
-        self.optima.iter().all(|o| o.design.limits.iter().all(|l| *l <= 1.0 + 1e-6))
+        self.optima.iter().all(|o| o.design.within_limits())
     }
 }

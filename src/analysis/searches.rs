@@ -1,9 +1,8 @@
 //! The searches of a study: optima and fronts.
 
-use super::conflict::{self, Conflict, Verdict};
 use super::evaluate::{self, Classifier};
 use super::families::{self, Family};
-use super::results::{FrontResult, OnBound, OptimumResult, RowCase};
+use super::results::{FrontResult, OptimumResult, RowCase};
 use super::timing::Clock;
 use super::wanted::Wanted;
 use super::{Progress, RunError};
@@ -11,16 +10,11 @@ use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
-use crate::optimise::{LoadCase, Optimum, Outcome, Problem, Role, Row, Slot, Space, front, largest, search, starts};
+use crate::optimise::conflict::{self, Conflict, Verdict};
+use crate::optimise::{LoadCase, Optimum, Problem, Row, Slot, Space, front, largest, prices, scan, search, starts};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
-/// A limit whose ratio has a larger logarithm is broken.
-const BROKEN: f64 = 1e-6;
-/// A parameter is on a bound where it is nearer than this share of the upper one.
-const ON_BOUND: f64 = 1e-9;
-/// Multipliers below this are what an interior-point method leaves of zero.
-const ROUNDING: f64 = 1e-9;
 /// Frequencies to which designs elsewhere are tuned.
 const SCANNED: usize = 24;
 /// Random points that tables screen for a start.
@@ -111,7 +105,7 @@ impl<'a> Searches<'a> {
                 let starts = self.starts(spec, &problem.space);
                 let mut optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
                 let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-                let scan = search::scan(&problem, &mut optimum, &lines);
+                let scan = scan::scan(&problem, &mut optimum, &lines);
                 let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
                 let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
                 let mounted = optimum.design.as_slice();
@@ -127,7 +121,8 @@ impl<'a> Searches<'a> {
                     RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
                 };
                 let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
-                let (prices, on_bounds) = (prices(&optimum.outcome, self.limits.len()), on_bounds(&problem.space, &optimum.outcome));
+                let (prices, on_bounds) =
+                    (prices::prices(&optimum.outcome, self.limits.len()), prices::on_bounds(&problem.space, &optimum.outcome));
                 Ok(OptimumResult {
                     design: design?,
                     optimum,
@@ -190,7 +185,7 @@ impl<'a> Searches<'a> {
 
 /// Where limits are broken: an optimum from a design that holds them, or the conflict.
 fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<f64>)]) -> Result<Option<Conflict>, ResponseError> {
-    if optimum.outcome.rows.excess() <= BROKEN {
+    if optimum.outcome.rows.hold() {
         return Ok(None);
     }
     match conflict::judge(problem, optimum, starts)? {
@@ -199,39 +194,11 @@ fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<
             Ok(Some(conflict))
         }
         Verdict::Found(outcome) => {
-            if outcome.rows.excess() <= BROKEN {
+            if outcome.rows.hold() {
                 optimum.design = problem.space.design(&outcome.point);
                 optimum.outcome = *outcome;
             }
             Ok(None)
         }
     }
-}
-
-/// Per cent of the objective that one per cent more of each limit would bring.
-fn prices(outcome: &Outcome, limits: usize) -> Vec<f64> {
-    let mut prices = vec![0.0; limits];
-    for (row, multiplier) in outcome.rows.rows.iter().zip(&outcome.multipliers) {
-        if let Role::Limit(limit) = row.role {
-            prices[limit] += multiplier;
-        }
-    }
-    prices.iter_mut().filter(|p| **p < ROUNDING).for_each(|p| *p = 0.0);
-    prices
-}
-
-/// Bounds on which parameters lie, and what one per cent further would bring.
-fn on_bounds(space: &Space, outcome: &Outcome) -> Vec<OnBound> {
-    let mut list = Vec::new();
-    for ((v, w), [low, high]) in space.variables.iter().zip(&outcome.point).zip(&outcome.bounds) {
-        let x = v.value(*w);
-        for (bound, multiplier, upper) in [(v.lower, low, false), (v.upper, high, true)] {
-            if (x - bound).abs() <= ON_BOUND * v.upper {
-                // a coordinate is nearly the logarithm of its value
-                let price = (bound > 0.0).then(|| multiplier * bound / v.slope(bound));
-                list.push(OnBound { absorber: v.absorber, parameter: v.parameter, bound, upper, price });
-            }
-        }
-    }
-    list
 }

@@ -150,7 +150,7 @@ fn coordinate(design: &[Mounted], index: usize) -> usize {
 }
 
 /// Frequency of a ring on its held hub, rad/s, from a first guess: omega² J = Re S(omega). Nothing where there is none.
-pub(crate) fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
+fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
     let mut omega = first;
     for _ in 0..MOST_ROUNDS {
         let next = (at_frequency(law, omega, order).stiffness / law.ring_inertia()).max(0.0).sqrt();
@@ -164,6 +164,16 @@ pub(crate) fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64
         }
     }
     Some(omega)
+}
+
+/// Where the search of a ring's own frequency begins, rad/s.
+const FIRST_GUESS: f64 = 1000.0;
+
+/// Loss factor of a law at the ring's own frequency on its held hub, Im S/Re S: twice its damping ratio there. Nothing where there is no such frequency.
+pub(crate) fn own_loss_factor(law: &dyn Law) -> Option<f64> {
+    let omega = own_frequency(law, FIRST_GUESS, 1.0)?;
+    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+    Some(s.im / s.re)
 }
 
 /// Natural frequencies (of the damped motion, the imaginary parts of the eigenvalues), Hz, ascending, without rigid modes. The absorbers'

@@ -110,6 +110,14 @@ impl Measure {
     }
 }
 
+/// A limit holds up to this share above it.
+pub(crate) const HELD: f64 = 1e-6;
+
+/// Whether a limit holds with this ratio of the measure to it.
+pub(crate) fn holds(ratio: f64) -> bool {
+    ratio <= 1.0 + HELD
+}
+
 /// A measure in units of a value of it: an upper limit, or a target.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {

@@ -15,6 +15,7 @@ pub mod speeds;
 pub mod surrogate;
 
 pub use condition::Condition;
+pub(crate) use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};
 pub use peak_search::PeakFinder;

@@ -4,15 +4,12 @@ use super::measure::{Measure, Over, Property};
 use super::peak::{Peak, Place};
 use super::peak_search::PeakFinder;
 use crate::absorber::parameter::STIFFNESS;
-use crate::absorber::{Absorber, Mounted, Operating};
+use crate::absorber::{Absorber, Mounted};
 use crate::drivetrain::natural;
 use crate::response::Quantity;
 
 /// Relative step of differences.
 const STEP: f64 = 1e-5;
-
-/// Where the search of a ring's own frequency begins, rad/s.
-const FIRST_GUESS: f64 = 1000.0;
 
 /// Loss factor of a damper whose spring has come to nothing: infinite, as a number.
 const NO_SPRING: f64 = 1e9;
@@ -25,10 +22,7 @@ fn loss_factor(absorber: &Absorber) -> Option<f64> {
     if absorber.value(STIFFNESS.key) == Some(0.0) && absorber.damping().is_some_and(|c| c > 0.0) {
         return Some(NO_SPRING);
     }
-    let law = absorber.law().filter(|law| law.spring_and_damper().is_none())?;
-    let omega = natural::own_frequency(law.as_ref(), FIRST_GUESS, 1.0)?;
-    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
-    Some(s.im / s.re)
+    natural::own_loss_factor(absorber.law().filter(|law| law.spring_and_damper().is_none())?.as_ref())
 }
 
 impl PeakFinder<'_> {

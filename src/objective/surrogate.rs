@@ -1,7 +1,7 @@
 //! The peak of a synthesis over speed from tables alone, for searches that look at many designs: every few speeds first, then the grid speeds round
 //! the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
 
-use crate::absorber::{Host, Law, Mounted, Operating};
+use crate::absorber::{Host, Law, Mounted};
 use crate::drivetrain::natural;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
@@ -60,17 +60,8 @@ const ROUNDING: f64 = 1e-9;
 const BESIDE_END: f64 = 1e-3;
 /// Damping ratio of a ring on its hub below which its resonance may hide.
 const LEAST_DAMPING: f64 = 0.02;
-/// Where the search of a ring's own frequency begins, rad/s.
-const FIRST_GUESS: f64 = 1000.0;
 /// Speeds remembered for giving up early.
 const REMEMBERED: usize = 3;
-
-/// Damping ratio of a ring on its held hub where its law depends on frequency; nothing where it has no resonance of its own.
-fn own_damping(law: &dyn Law) -> Option<f64> {
-    let omega = natural::own_frequency(law, FIRST_GUESS, 1.0)?;
-    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
-    Some(0.5 * s.im / s.re)
-}
 
 impl Surrogate {
     /// For every `stride`-th speed of the grid; nothing where the quantity has no table without holes.
@@ -103,7 +94,7 @@ impl Surrogate {
                 let ratio = s.damping / (2.0 * (s.stiffness * law.ring_inertia()).sqrt());
                 s.stiffness != 0.0 && (ratio.is_nan() || ratio < LEAST_DAMPING)
             }
-            None => law.depends_on_speed() || !own_damping(law).is_none_or(|ratio| ratio >= LEAST_DAMPING),
+            None => law.depends_on_speed() || !natural::own_loss_factor(law).is_none_or(|loss| 0.5 * loss >= LEAST_DAMPING),
         };
         mounted.on == Host::Station(self.fine.station) && !mounted.absorber.law().is_some_and(|law| hides(law.as_ref()))
     }

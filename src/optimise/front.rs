@@ -105,9 +105,7 @@ pub fn follow(
     for (outcomes, spent) in walks {
         work += spent;
         for (i, outcome) in outcomes {
-            // a limit that fails counts before the objective
-            let merit = |o: &Outcome| (if o.rows.excess() > 1e-6 { o.rows.excess() } else { 0.0 }, o.rows.objective());
-            if best[i].as_ref().is_none_or(|b| merit(&outcome) < merit(b)) {
+            if best[i].as_ref().is_none_or(|b| outcome.merit() < b.merit()) {
                 best[i] = Some(outcome);
             }
         }
@@ -119,7 +117,7 @@ pub fn follow(
         .filter_map(|(i, outcome)| outcome.map(|o| (i, o)))
         .map(|(i, o)| {
             let value = o.rows.objective();
-            let holds = o.rows.excess() <= 1e-6;
+            let holds = o.rows.hold();
             let dominated = value >= lowest || !holds;
             if holds {
                 lowest = lowest.min(value);

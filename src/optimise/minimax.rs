@@ -59,6 +59,13 @@ pub struct Outcome {
     pub stop: Stop,
 }
 
+impl Outcome {
+    /// What outcomes are compared by: a limit that fails counts before the objective.
+    pub(super) fn merit(&self) -> (f64, f64) {
+        (if self.rows.hold() { 0.0 } else { self.rows.excess() }, self.rows.objective())
+    }
+}
+
 const MOST_ITERATIONS: usize = 80;
 const FIRST_REACH: f64 = 0.3;
 const LARGEST_REACH: f64 = 2.0;

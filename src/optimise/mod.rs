@@ -1,19 +1,25 @@
 //! Optimisation: the problem and its variables, starts, gradient-free search, sequential quadratic minimax, and the front over ring inertia.
 
+pub(crate) mod conflict;
 pub mod front;
 pub mod gradient_free;
 pub mod minimax;
+pub(crate) mod prices;
 pub mod problem;
+pub(crate) mod scan;
 pub mod search;
 pub mod starts;
 mod subproblem;
 pub mod tradeoff;
 pub mod variables;
 
+pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
 pub use minimax::{Outcome, Stop};
+pub use prices::OnBound;
 pub(crate) use problem::largest;
 pub use problem::{LoadCase, Problem, Role, Row, Rows};
-pub use search::{Optimum, Scan, Stages, Start};
+pub use scan::Scan;
+pub use search::{Optimum, Stages, Start};
 pub use tradeoff::{Tradeoff, TradeoffPoint};
 pub use variables::{Slot, Space, Variable};

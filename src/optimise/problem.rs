@@ -3,7 +3,7 @@
 use super::variables::Space;
 use crate::absorber::Mounted;
 use crate::objective::condition::Condition;
-use crate::objective::measure::{Limit, Measure};
+use crate::objective::measure::{HELD, Limit, Measure};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
@@ -96,6 +96,11 @@ impl Rows {
     /// Largest row of the objective.
     pub fn objective(&self) -> f64 {
         self.rows.iter().find(|r| !r.role.is_limit()).map_or(0.0, |r| r.value)
+    }
+
+    /// Whether all limits hold.
+    pub(crate) fn hold(&self) -> bool {
+        self.excess() <= HELD
     }
 
     /// Largest excess over a limit (a logarithm); zero where all hold.

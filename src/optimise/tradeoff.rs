@@ -9,7 +9,7 @@ use super::search::{self, Recorder};
 use super::starts::NamedPoint;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
-use crate::objective::Limit;
+use crate::objective::{HELD, Limit};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -52,8 +52,6 @@ struct Level {
 const KNOTS: usize = 5;
 /// An optimum that is lower than another by more than this share is a better one.
 const BETTER: f64 = 1e-9;
-/// A limit whose ratio has a larger logarithm is broken.
-const BROKEN: f64 = 1e-6;
 /// Points nearer in the second measure than this share of its range are one.
 const SAME: f64 = 1e-6;
 /// A jump of the front is followed up to this share of the range of the second measure.
@@ -111,11 +109,11 @@ impl<'a> Follower<'a> {
                 continue;
             }
             best = Some(match best {
-                Some(b) if merit(&b) <= merit(&outcome) => b,
+                Some(b) if b.merit() <= outcome.merit() => b,
                 _ => outcome,
             });
         }
-        best.filter(|b| b.rows.excess() <= BROKEN)
+        best.filter(|b| b.rows.hold())
             .map(|outcome| Ok(Level { most, values: self.values(&outcome.point, &mut Work::default())?, outcome }))
             .transpose()
     }
@@ -135,7 +133,7 @@ impl<'a> Follower<'a> {
         *work += optimum.stages.seeds;
         *work += optimum.stages.search;
         *work += optimum.stages.minimax;
-        if optimum.outcome.rows.excess() > BROKEN {
+        if !optimum.outcome.rows.hold() {
             return Ok(None);
         }
         Ok(Some(Level { most, values: self.values(&optimum.outcome.point, &mut Work::default())?, outcome: optimum.outcome }))
@@ -143,7 +141,7 @@ impl<'a> Follower<'a> {
 
     /// Of designs that are level with this one in the first measure the one with the least of the second.
     fn least_of_second(&self, last: Level, work: &mut Work) -> Result<Level, ResponseError> {
-        let most = last.values[0] * (1.0 + BROKEN);
+        let most = last.values[0] * (1.0 + HELD);
         let first = Limit { measure: self.problem.objectives[0].measure.clone(), limit: most };
         let limits: Vec<Limit> = self.problem.limits.iter().cloned().chain([first]).collect();
         let seconds = [self.second.measure.in_si()];
@@ -152,7 +150,7 @@ impl<'a> Follower<'a> {
         let mut best = last;
         for point in std::iter::once(best.outcome.point.clone()).chain(starts.into_iter().map(|s| s.1)) {
             let Ok(outcome) = minimax::minimise(&problem, &point, work) else { continue };
-            if outcome.rows.excess() > BROKEN || outcome.rows.objective() >= best.values[1] * (1.0 - WORTH) {
+            if !outcome.rows.hold() || outcome.rows.objective() >= best.values[1] * (1.0 - WORTH) {
                 continue;
             }
             let Ok(values) = self.values(&outcome.point, work) else { continue };
@@ -172,12 +170,12 @@ impl<'a> Follower<'a> {
         let Some(last) = self.searched(f64::MAX, work)? else { return Ok(None) };
         let last = self.least_of_second(last, work)?;
         let least = found.outcome.rows.objective();
-        if found.outcome.rows.excess() > BROKEN {
+        if !found.outcome.rows.hold() {
             return Ok(None);
         }
         // designs that are level in the second measure differ in the first; the least of the second may be one without a finite first, as a ring without damping is
         for above in ABOVE_LEAST {
-            let most = (least * (1.0 + BROKEN)).max(least + above * (last.values[1] - least));
+            let most = (least * (1.0 + HELD)).max(least + above * (last.values[1] - least));
             if let Some(first) = self.best_of_starts(most, &[&found.outcome.point, &last.outcome.point], work)? {
                 return Ok(Some([first, last]));
             }
@@ -286,11 +284,6 @@ impl<'a> Follower<'a> {
 fn distinct(levels: &mut Vec<Level>) {
     let same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
     levels.dedup_by(|b, a| same(a.values[0], b.values[0]) && same(a.values[1], b.values[1]));
-}
-
-/// A limit that fails counts before the objective.
-fn merit(o: &Outcome) -> (f64, f64) {
-    (if o.rows.excess() > BROKEN { o.rows.excess() } else { 0.0 }, o.rows.objective())
 }
 
 /// Up to where the optimum of a level is known to be the same.

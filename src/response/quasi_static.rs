@@ -4,16 +4,22 @@ use super::quantity::Quantity;
 use crate::drivetrain::System;
 use crate::numerics::C64;
 
+/// A quantity of a mode of unit amplitude; zero of a ring.
+fn of_mode(system: &System, quantity: Quantity, mode: usize) -> f64 {
+    let (chain, at) = (&system.chain, |station: usize| system.modes.shapes[(station, mode)]);
+    match quantity {
+        Quantity::ShaftTorque(s) => chain.stations[s].stiffness_to_next * chain.link(s).of(at),
+        other => other.difference(chain).map_or(0.0, |twist| twist.of(at)),
+    }
+}
+
 /// A quantity per unit torque at each station if every elastic mode followed as if static (no amplification): what is left of it when
 /// nothing resonates. Zero for rings.
 pub(crate) fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
     let modes = &system.modes;
-    let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
-    let output = |mode: usize| match quantity {
-        Quantity::ShaftTorque(s) => system.chain.stations[s].stiffness_to_next * system.chain.link(s).of(|i| at(mode, i)),
-        other => other.difference(&system.chain).map_or(0.0, |twist| twist.of(|i| at(mode, i))),
+    let share = |station: usize, mode: usize| {
+        modes.shapes[(station, mode)] * of_mode(system, quantity, mode) / (modes.omega[mode] * modes.omega[mode])
     };
-    let share = |station: usize, mode: usize| at(mode, station) * output(mode) / (modes.omega[mode] * modes.omega[mode]);
     (0..system.chain.len()).map(|station| modes.elastic().map(|mode| share(station, mode)).sum()).collect()
 }
 
@@ -29,13 +35,9 @@ impl Unamplified {
     /// Of a quantity of stations and shafts; nothing of a ring.
     pub fn new(system: &System, quantity: Quantity) -> Self {
         let (modes, chain) = (&system.modes, &system.chain);
-        let at = |mode: usize, station: usize| modes.shapes[(station, mode)];
-        let output = |mode: usize| match quantity {
-            Quantity::ShaftTorque(s) => chain.stations[s].stiffness_to_next * chain.link(s).of(|i| at(mode, i)),
-            other => other.difference(chain).map_or(0.0, |twist| twist.of(|i| at(mode, i))),
-        };
         let stations: Vec<usize> = (0..chain.len()).filter(|i| !chain.stations[*i].throws.is_empty()).collect();
-        let mode = |m: usize| (modes.omega[m].powi(2), output(m), stations.iter().map(|s| at(m, *s)).collect());
+        let mode =
+            |m: usize| (modes.omega[m].powi(2), of_mode(system, quantity, m), stations.iter().map(|s| modes.shapes[(*s, m)]).collect());
         Self { modes: (0..modes.omega.len()).map(mode).collect(), stations }
     }
 

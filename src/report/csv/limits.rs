@@ -3,10 +3,8 @@
 use super::table::{Table, number, optional};
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
+use crate::objective::holds;
 use crate::report::files::{Folder, WriteError};
-
-/// A limit holds up to this ratio of its measure to it.
-const HELD: f64 = 1.0 + 1e-6;
 
 /// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, of a limit with factors over speed as if the factor were one; multiplier: per cent
 /// of the objective that one per cent more of the limit would bring, of optima.
@@ -25,7 +23,7 @@ pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite())),
                 number(unit.shown(limit.limit)),
                 unit.symbol().to_owned(),
-                (*ratio <= HELD).to_string(),
+                holds(*ratio).to_string(),
                 optional(prices.map(|p| p[i])),
             ]);
         }

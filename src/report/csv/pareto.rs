@@ -3,6 +3,7 @@
 use super::table::{Table, in_unit, in_unit_of, number, optional};
 use crate::analysis::Results;
 use crate::input::Study;
+use crate::objective::HELD;
 use crate::report::files::{Folder, WriteError};
 
 /// `pareto.csv`.
@@ -32,7 +33,7 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 optional(a.damping()),
                 number(in_unit(study, point.value)),
                 optional(Some(point.kkt_residual).filter(|r| r.is_finite())),
-                (point.excess <= 1e-6).to_string(),
+                (point.excess <= HELD).to_string(),
                 point.dominated.to_string(),
             ];
             row.extend(study.more_objectives.iter().zip(others).map(|(o, v)| number(in_unit_of(o, *v))));

@@ -2,9 +2,10 @@
 
 use super::margin::factor;
 use super::table::significant;
-use crate::analysis::{Conflict, OptimumResult};
+use crate::analysis::OptimumResult;
 use crate::input::{LimitSpec, Study, UnitOf};
-use crate::objective::{Over, Property};
+use crate::objective::{Over, Property, holds};
+use crate::optimise::Conflict;
 
 /// A smaller gain, per cent of the objective, is rounding.
 const WORTH_SAYING: f64 = 1e-6;
@@ -23,7 +24,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
     let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
     for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
-        let verdict = if *ratio <= 1.0 + 1e-6 { "holds" } else { "FAILS" };
+        let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit == UnitOf::Margin { "less" } else { "more" };
             format!("; one per cent {way} of it would bring {} %", significant(*price, 2))

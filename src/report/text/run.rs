@@ -9,7 +9,7 @@ use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
-use crate::objective::{Condition, Peak, Place};
+use crate::objective::{Condition, Peak, Place, holds};
 use crate::optimise::Role;
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
@@ -259,7 +259,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
     let mut text = fronts(study, results);
     let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     for (i, limit) in study.limits.iter().enumerate() {
-        let broken = |d: &&DesignResult| d.limits[i] > 1.0 + 1e-6;
+        let broken = |d: &&DesignResult| !holds(d.limits[i]);
         let size = |d: &DesignResult| match limit.of.unit {
             UnitOf::Margin => factor(1.0 / (d.limits[i] * limit.limit)),
             _ => format!("{:.0} %", 100.0 * d.limits[i]),
@@ -275,10 +275,9 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         let beside = none.map_or_else(String::new, |d| format!("; without absorber it is {}", value(study, objective(d))));
         let _ = writeln!(text, "Forced floor: {} would be left if nothing resonated{beside}.", value(study, floor));
     }
-    let holds = |d: &&DesignResult| d.limits.iter().all(|l| *l <= 1.0 + 1e-6);
     let with = || results.designs.iter().filter(|d| !d.absorbers.is_empty());
-    let any_holds = with().any(|d| holds(&d));
-    let given = with().filter(|d| !any_holds || holds(d));
+    let any_holds = with().any(DesignResult::within_limits);
+    let given = with().filter(|d| !any_holds || d.within_limits());
     let whose = match (study.limits.is_empty(), any_holds) {
         (true, _) => "",
         (false, true) => " within the limits",

@@ -1,7 +1,7 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
-use crate::objective::Limit;
-use crate::optimise::{Optimum, Problem, Role, minimax, search};
+use super::{Optimum, Problem, Role, minimax, search};
+use crate::objective::{Limit, holds};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -25,13 +25,11 @@ pub struct Conflict {
     pub parties: Vec<Party>,
 }
 
-/// A limit holds up to this logarithm of its ratio.
-const HELD: f64 = 1e-6;
 /// Shares below this are rounding.
 const LEAST_SHARE: f64 = 1e-4;
 
 /// What an optimum with a broken limit comes to: another optimum from a design that holds all limits, where there is one, or the conflict.
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     /// From a point at which all limits hold.
     Found(Box<minimax::Outcome>),
     /// There is none: the design that comes nearest to all limits, and what keeps it from them.
@@ -42,15 +40,15 @@ pub(super) enum Verdict {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
-pub(super) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
+pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
     let feasibility = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives: problem.limits, limits: &[] };
     let mut all = starts.to_vec();
     all.push(("optimum".into(), optimum.outcome.point.clone()));
     let mut nearest = search::optimise(&feasibility, &all, &|| {})?;
     let ratio = nearest.outcome.rows.objective();
-    if ratio <= 1.0 + HELD {
+    if holds(ratio) {
         let mut outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;
-        if outcome.rows.excess() > HELD {
+        if !outcome.rows.hold() {
             // what holds all limits is kept as it is
             outcome = nearest.outcome;
             outcome.rows = problem.rows(&outcome.point, &mut Work::default())?;
@@ -84,6 +82,6 @@ fn loosened(problem: &Problem, limit: usize, points: &[(String, Vec<f64>)]) -> O
     let objectives = std::slice::from_ref(&problem.limits[limit]);
     let alone = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives, limits: &others };
     let ends = points.par_iter().filter_map(|p| minimax::minimise(&alone, &p.1, &mut Work::default()).ok());
-    let held = ends.filter(|o| o.rows.excess() <= HELD).map(|o| o.rows.objective());
+    let held = ends.filter(|o| o.rows.hold()).map(|o| o.rows.objective());
     held.collect::<Vec<_>>().into_iter().reduce(f64::min)
 }

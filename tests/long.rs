@@ -106,7 +106,7 @@ fn fronts_are_optimal() {
                     let objective = s.objective.measure.in_si();
                     let problem = problem(&s, load_cases, &objective, modes, front.declaration, ring);
                     let list = starts::starts(&problem.space, modes, 40, 7);
-                    let best = search::optimise(&problem, &list, &|| {}).expect("damped").value();
+                    let best = search::optimise(&problem, &list, search::Finish::All, &|| {}).expect("damped").value();
                     worst = worst.max(p.value / best - 1.0);
                     assert!(p.value <= best * (1.0 + 1e-5), "{name} {} at {ring}: {} against {best}", front.declaration.name, p.value);
                 }
@@ -122,7 +122,7 @@ fn fronts_are_optimal() {
 fn random_starts_reach_the_optima() {
     for_every_optimum(|name, o, problem, modes| {
         let random: Vec<_> = starts::starts(&problem.space, modes, 20, 99).into_iter().filter(|s| s.0.starts_with("random")).collect();
-        let found = search::optimise(problem, &random, &|| {}).expect("damped");
+        let found = search::optimise(problem, &random, search::Finish::All, &|| {}).expect("damped");
         let alone = minimax::minimise(problem, &random[0].1, &mut Work::default()).expect("damped");
         println!(
             "{name} {}: {} of 20 random starts agree; minimax alone from the first: {:.4}",

@@ -75,9 +75,9 @@ pub fn smallest(
     work: &mut Work,
 ) -> Result<Vec<SmallestMargin>, ResponseError> {
     let mut list = Vec::new();
-    for measure in measures {
-        let (Some(model), Over::Margin(criterion)) = (finder.margin, measure.over) else { continue };
-        let Some(peak) = finder.peak(design, measure, work)? else { continue };
+    let peaks = finder.peak_of_each(design, measures, work)?;
+    for (measure, peak) in measures.iter().zip(peaks) {
+        let (Some(model), Over::Margin(criterion), Some(peak)) = (finder.margin, measure.over, peak) else { continue };
         let (Quantity::ShaftTorque(shaft), Some(extremes)) = (peak.quantity, peak.extremes) else { continue };
         let mut phasors = vec![ZERO; finder.system.orders()];
         finder.direct.at(design, peak.quantity, peak.speed_rpm, &mut phasors, work)?;
@@ -104,28 +104,22 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
         })
         .collect();
     let mut fillets: Vec<FilletSweep> = Vec::new();
-    for criterion in 0..model.criteria.len() {
-        for (shaft, torques) in torques.iter().enumerate() {
-            let locations: Vec<usize> = model.spots_of(criterion, shaft).collect();
-            let rows: Vec<Vec<Used>> = grid
-                .speed_rpm
-                .par_iter()
-                .zip(torques)
-                .map(|(speed, torque)| model.used_each(criterion, &locations, *speed, torque))
-                .collect();
-            for (k, location) in locations.iter().enumerate() {
-                let used = rows.iter().map(|row| row[k]);
-                let name = &model.locations[*location].name;
-                match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
-                    Some(other) => {
-                        for (worst, own) in other.used.iter_mut().zip(used) {
-                            if own.value > worst.value {
-                                *worst = own;
-                            }
+    for (shaft, torques) in torques.iter().enumerate() {
+        let at = |(speed, torque): (&f64, &Torque)| model.used_by_all(shaft, *speed, torque);
+        let rows: Vec<Vec<(usize, Used)>> = grid.speed_rpm.par_iter().zip(torques).map(at).collect();
+        for k in 0..rows.first().map_or(0, Vec::len) {
+            let (criterion, first) = rows[0][k];
+            let used = rows.iter().map(|row| row[k].1);
+            let name = &model.locations[first.location].name;
+            match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
+                Some(other) => {
+                    for (worst, own) in other.used.iter_mut().zip(used) {
+                        if own.value > worst.value {
+                            *worst = own;
                         }
                     }
-                    None => fillets.push(FilletSweep { criterion, name: name.clone(), used: used.collect() }),
                 }
+                None => fillets.push(FilletSweep { criterion, name: name.clone(), used: used.collect() }),
             }
         }
     }

@@ -103,7 +103,7 @@ impl<'a> Searches<'a> {
                 let failed = |error: ResponseError| RunError { what: name.clone(), error };
                 let problem = self.problem(space, objective);
                 let starts = self.starts(spec, &problem.space);
-                let mut optimum = search::optimise(&problem, &starts, &step).map_err(failed)?;
+                let mut optimum = search::optimise(&problem, &starts, search::Finish::All, &step).map_err(failed)?;
                 let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
                 let scan = scan::scan(&problem, &mut optimum, &lines);
                 let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();

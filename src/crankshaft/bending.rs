@@ -44,13 +44,18 @@ pub fn table(
     let row = |speed: &f64| {
         let loads = model.at(*speed);
         let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; locations.len()];
+        let mut webs = vec![None; if with_histories { 2 * crank.throws() } else { 0 }];
         for (section, own) in &sections {
             let in_plane = section.loads(crank, &loads);
             for i in own {
                 local[*i] = stress(&locations[*i], &in_plane);
             }
+            if let (true, Section::Web(throw, rear)) = (with_histories, section) {
+                webs[2 * throw + usize::from(*rear)] = Some(history(&in_plane));
+            }
         }
-        let webs = if with_histories { histories(crank, &loads) } else { Vec::new() };
+        let missing = |(i, known): (usize, Option<History>)| known.unwrap_or_else(|| history(&loads.web(i / 2, i % 2 == 1)));
+        let webs = webs.into_iter().enumerate().map(missing).collect();
         (local, mean_torque(chain, &loads), webs)
     };
     let rows: Vec<_> = speeds_rpm.par_iter().map(row).collect();
@@ -63,10 +68,8 @@ pub fn table(
     Some(table)
 }
 
-fn histories(crank: &Crank, loads: &CrankLoads) -> Vec<History> {
-    let webs = (0..crank.throws()).flat_map(|throw| [(throw, false), (throw, true)]);
-    let own = webs.map(|(throw, rear)| loads.web(throw, rear));
-    own.map(|w| [w.moment, w.tangential, w.shear].map(|load| load.into_iter().step_by(APART).collect())).collect()
+fn history(section: &InPlane) -> History {
+    [&section.moment, &section.tangential, &section.shear].map(|load| load.iter().step_by(APART).copied().collect())
 }
 
 /// A section of the crank, and how its loads are found.

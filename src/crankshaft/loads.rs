@@ -5,6 +5,7 @@ use super::{Beam, Crank, elements, singularity};
 use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
 use crate::units::RAD_PER_S_PER_RPM;
+use multiversion::multiversion;
 
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
 pub(crate) const STRIDE: usize = 2;
@@ -135,19 +136,18 @@ impl CrankLoads<'_> {
 
     /// Loads at a section in axes of a throw, from the forces at some rods.
     fn section(&self, throw: usize, rods: &[usize], influence: &Influence) -> InPlane {
-        let mut own = InPlane::default();
-        for j in 0..self.theta.len() {
-            let (mut moment, mut shear) = ([0.0; 2], [0.0; 2]);
-            for (i, r) in rods.iter().enumerate() {
-                for axis in 0..2 {
-                    moment[axis] += influence.moment[i] * self.forces[*r][j][axis];
-                    shear[axis] += influence.shear[i] * self.forces[*r][j][axis];
-                }
-            }
-            let [radial, tangential] = self.turned(moment, j, throw);
+        let n = self.theta.len();
+        let (mut moment, mut shear) = (vec![[0.0; 2]; n], vec![[0.0; 2]; n]);
+        for (i, r) in rods.iter().enumerate() {
+            add(moment.as_flattened_mut(), influence.moment[i], self.forces[*r].as_flattened());
+            add(shear.as_flattened_mut(), influence.shear[i], self.forces[*r].as_flattened());
+        }
+        let mut own = InPlane { moment: Vec::with_capacity(n), shear: Vec::with_capacity(n), tangential: Vec::with_capacity(n) };
+        for j in 0..n {
+            let [radial, tangential] = self.turned(moment[j], j, throw);
             own.moment.push(radial);
             own.tangential.push(tangential);
-            own.shear.push(self.turned(shear, j, throw)[0]);
+            own.shear.push(self.turned(shear[j], j, throw)[0]);
         }
         own
     }
@@ -194,5 +194,13 @@ impl CrankLoads<'_> {
             before = after;
         }
         (shear, moment)
+    }
+}
+
+/// Adds a multiple of a row to a sum.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
+    for (s, v) in sum.iter_mut().zip(row) {
+        *s += factor * v;
     }
 }

@@ -3,12 +3,13 @@
 use super::critical_locations::locations;
 use super::speed_table::At;
 use super::stress_histories::Histories;
-use super::{Crank, CriticalLocation, Family, FatigueSpec, MarginCriterion, MeanBending, Place, bending};
+use super::{Crank, CriticalLocation, Family, FatigueSpec, Known, MarginCriterion, MeanBending, Place, bending};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
 use crate::numerics::synthesis::Extremes;
 use crate::numerics::{C64, nearest};
+use std::rc::Rc;
 
 /// The vibratory torque of a shaft at a speed, N m.
 #[derive(Debug, Clone, Copy)]
@@ -117,19 +118,49 @@ impl Margin {
 
     /// A location under a torque at a speed.
     pub fn used(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Used {
-        self.used_each(criterion, &[location], speed_rpm, torque).swap_remove(0)
+        let at = self.place(speed_rpm);
+        match self.multiaxial(criterion) {
+            Some((_, histories)) => {
+                let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
+                self.of_history(histories, location, self.shares(histories, location, at, &whole)[criterion])
+            }
+            None => self.used_at(criterion, location, at, &torque.extremes),
+        }
     }
 
-    /// Some locations of one shaft under its torque at a speed.
-    pub(crate) fn used_each(&self, criterion: usize, locations: &[usize], speed_rpm: f64, torque: &Torque) -> Vec<Used> {
+    /// All locations of a shaft under its torque at a speed by all criteria that judge them, with the index of the criterion: by criterion, then as they are listed.
+    pub(crate) fn used_by_all(&self, shaft: usize, speed_rpm: f64, torque: &Torque) -> Vec<(usize, Used)> {
         let at = self.place(speed_rpm);
-        match (self.multiaxial(criterion), locations.first()) {
-            (Some(by), Some(first)) => {
-                let whole = by.1.torque(torque.phasors, self.mean_at(at, self.locations[*first].shaft));
-                locations.iter().map(|location| self.used_by_history(by, *location, at, &whole)).collect()
+        let whole = self.histories.as_ref().map(|h| h.torque(torque.phasors, self.mean_at(at, shaft)));
+        let mut shares: Vec<Option<Rc<[f64]>>> = vec![None; self.locations.len()];
+        let mut list = Vec::new();
+        for criterion in 0..self.criteria.len() {
+            for location in self.spots_of(criterion, shaft) {
+                let used = match (self.multiaxial(criterion), &whole) {
+                    (Some((_, histories)), Some(whole)) => {
+                        let own = shares[location].get_or_insert_with(|| self.shares(histories, location, at, whole));
+                        self.of_history(histories, location, own[criterion])
+                    }
+                    _ => self.used_at(criterion, location, at, &torque.extremes),
+                };
+                list.push((criterion, used));
             }
-            _ => locations.iter().map(|location| self.used_at(criterion, *location, at, &torque.extremes)).collect(),
         }
+        list
+    }
+
+    /// Share of the strength that a location uses by each criterion that asks for its path; zero by the others.
+    fn shares(&self, histories: &Histories, location: usize, at: At, torque: &[f64]) -> Rc<[f64]> {
+        let path = histories.path(&self.locations[location], at, torque);
+        let by = |criterion: &MarginCriterion| match criterion {
+            MarginCriterion::Multiaxial(c) => histories.used(*c, &path),
+            _ => 0.0,
+        };
+        self.criteria.iter().map(by).collect()
+    }
+
+    fn of_history(&self, histories: &Histories, location: usize, value: f64) -> Used {
+        Used { location, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
     }
 
     fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
@@ -141,17 +172,6 @@ impl Margin {
 
     fn mean_at(&self, at: At, shaft: usize) -> f64 {
         at.between(self.mean_torque[at.low][shaft], self.mean_torque[at.high][shaft])
-    }
-
-    fn used_by_history(
-        &self,
-        (criterion, histories): (multiaxial::Criterion, &Histories),
-        location: usize,
-        at: At,
-        torque: &[f64],
-    ) -> Used {
-        let value = histories.used(criterion, &histories.history(&self.locations[location], at, torque));
-        Used { location, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
     }
 
     fn used_at(&self, criterion: usize, location: usize, at: At, torque: &Extremes) -> Used {
@@ -189,10 +209,10 @@ impl Margin {
 
     /// The location of a shaft that is used most.
     pub fn most_used(&self, criterion: usize, shaft: usize, speed_rpm: f64, torque: &Torque) -> Option<Used> {
-        self.most_used_above(criterion, shaft, speed_rpm, torque, (1.0, 0.0))
+        self.most_used_above(criterion, shaft, speed_rpm, torque, (1.0, 0.0), None)
     }
 
-    /// The same among those that may be used as much as `wanted` where the torque is up to `rise` times as large; by criteria of extremes among all.
+    /// The same among those that may be used as much as `wanted` where the torque is up to `rise` times as large; by criteria of extremes among all. `known`: of the design.
     pub(crate) fn most_used_above(
         &self,
         criterion: usize,
@@ -200,6 +220,7 @@ impl Margin {
         speed_rpm: f64,
         torque: &Torque,
         (rise, wanted): (f64, f64),
+        known: Option<&Known>,
     ) -> Option<Used> {
         let at = self.place(speed_rpm);
         let larger = |m: Used, u: Used| if u.value > m.value { u } else { m };
@@ -207,7 +228,6 @@ impl Margin {
             return self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque.extremes)).reduce(larger);
         };
         let mean = self.mean_at(at, shaft);
-        let whole = histories.torque(torque.phasors, mean);
         let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
         let bound = |i: usize, rise: f64| {
             let largest = mean.abs() + rise * (middle.abs() + half_peak_to_peak);
@@ -217,12 +237,21 @@ impl Margin {
         let able = self.spots_of(criterion, shaft).filter(|i| bound(*i, rise) >= wanted);
         let mut locations: Vec<(f64, usize)> = able.map(|i| (bound(i, 1.0), i)).collect();
         locations.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut whole: Option<Vec<f64>> = None;
         let mut most: Option<Used> = None;
         for (bound, location) in locations {
             if most.is_some_and(|m| bound < m.value) {
                 break;
             }
-            let used = self.used_by_history((word, histories), location, at, &whole);
+            let mut find = || {
+                let whole = whole.get_or_insert_with(|| histories.torque(torque.phasors, mean));
+                self.shares(histories, location, at, whole)
+            };
+            let shares = match known {
+                Some(known) => known.shares(location, speed_rpm, find),
+                None => find(),
+            };
+            let used = self.of_history(histories, location, shares[criterion]);
             most = Some(most.map_or(used, |m| larger(m, used)));
         }
         most
@@ -236,11 +265,9 @@ impl Margin {
             let bound = |i: usize| histories.at_most(word, (i, &self.locations[i]), at, half_peak_to_peak, largest);
             return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
-        let worst = |middle: f64| {
-            let torque = Extremes { half_peak_to_peak, middle, ..Extremes::default() };
-            self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque).value).fold(0.0, f64::max)
-        };
-        worst(middle).max(worst(-middle))
+        // the size of the mean counts: with the sign of the mean torque it is the largest
+        let torque = Extremes { half_peak_to_peak, middle: middle.copysign(self.mean_at(at, shaft)), ..Extremes::default() };
+        self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque).value).fold(0.0, f64::max)
     }
 }
 

@@ -1,20 +1,18 @@
 //! Stress histories of the locations, for multiaxial criteria: the sum of stresses per unit load over the cycle. Bending comes from the loads of the crank, which no absorber
 //! changes; torque from the chain.
 //!
-//! A fillet with factors of nominal stress has a plane state: bending along the fillet's meridian (xx) and shear by torque (xy). What any criterion asks of such a path, its
-//! corners answer: circles, balls, ranges and sums of a distance and a linear function are decided by the convex hull. A fillet with stresses per unit load from elsewhere has any
-//! tensor, and keeps all samples.
+//! A fillet with factors of nominal stress has a plane state: bending along the fillet's meridian and shear by torque, of which criteria ask for the corners only. A fillet
+//! with stresses per unit load from elsewhere has any tensor, and keeps all samples.
 
 use super::CriticalLocation;
 use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::Invariants;
-use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, evaluate, papadopoulos};
+use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate, papadopoulos};
 use crate::numerics::C64;
-use crate::numerics::hull::hull;
+use crate::numerics::periodic_sums::PeriodicSums;
 use rayon::prelude::*;
-use std::f64::consts::TAU;
 
 /// Samples that ranges are taken of together.
 const BLOCK: usize = 16;
@@ -33,51 +31,69 @@ struct Bent {
     normal: f64,
 }
 
+/// What a location bears over the cycle.
+pub(crate) enum Path {
+    /// Bending and torsion of a nominal state.
+    Plane(PlaneState),
+    /// Any tensor.
+    General(History),
+}
+
 /// Histories of all locations at the speeds of a sweep.
 #[derive(Debug, Clone)]
 pub(crate) struct Histories {
     limits: Limits,
     samples: usize,
-    /// Turn of every harmonic at every sample: a row a harmonic.
-    turns: Vec<Vec<C64>>,
+    sums: PeriodicSums,
     /// By speed and section (front and rear web of each throw).
     sections: Vec<Vec<Section>>,
     /// By speed and location.
     bent: Vec<Vec<Bent>>,
+    /// By location.
+    twisted: Vec<Twisted>,
+}
+
+/// What a location bears by a torque of 1 N m.
+#[derive(Debug, Clone, Copy)]
+struct Twisted {
+    sqrt_j2: f64,
+    hydrostatic: f64,
+    normal: f64,
 }
 
 impl Histories {
     /// From the loads of the sections at each speed. `harmonics`: of the torque, in the cycle.
     pub fn new(limits: Limits, harmonics: &[u32], locations: &[CriticalLocation], sections: Vec<Vec<Section>>) -> Self {
         let samples = sections.first().and_then(|s| s.first()).map_or(0, |s| s[0].len());
-        let turn = |h: u32, j: usize| C64::cis(TAU * ((h as usize * j) % samples) as f64 / samples as f64);
-        let turns = harmonics.iter().map(|h| (0..samples).map(|j| turn(*h, j)).collect()).collect();
         let bent =
             sections.par_iter().map(|row| locations.iter().map(|location| bent(location, &row[section_of(location)])).collect()).collect();
-        Self { limits, samples, turns, sections, bent }
+        Self {
+            limits,
+            samples,
+            sums: PeriodicSums::new(harmonics, samples),
+            sections,
+            bent,
+            twisted: locations.iter().map(twisted).collect(),
+        }
     }
 
     /// The torque at every sample, N m.
     pub fn torque(&self, phasors: &[C64], mean: f64) -> Vec<f64> {
-        let mut torque = vec![mean; self.samples];
-        for (y, turns) in phasors.iter().zip(&self.turns) {
-            for (t, turn) in torque.iter_mut().zip(turns) {
-                *t += y.re * turn.re - y.im * turn.im;
-            }
-        }
+        let mut torque = Vec::new();
+        self.sums.at(phasors, mean, &mut torque);
         torque
     }
 
-    /// The history of a location under a torque.
-    pub fn history(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> History {
+    /// What a location bears over the cycle under a torque.
+    pub fn path(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> Path {
         let section = section_of(location);
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
-        let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
         if let Some(units) = &location.unit_loads {
-            return History::new((0..self.samples).map(|j| {
+            let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
+            return Path::General(History::new((0..self.samples).map(|j| {
                 let (m, t, v) = (load(0, j), load(1, j), load(2, j));
                 std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * torque[j])
-            }));
+            })));
         }
         let mut bending = vec![0.0; self.samples];
         // a row each: a sum of four products
@@ -89,22 +105,36 @@ impl Histories {
             }
         }
         let shear: Vec<f64> = torque.iter().map(|t| location.torsion * t).collect();
-        let mut corners = hull(&bending, &shear);
-        // whole blocks are looked at together: the first corner once more costs nothing
-        corners.resize(corners.len().next_multiple_of(BLOCK), corners[0]);
-        let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
-        History::plane_state(at(&bending), at(&shear))
+        Path::Plane(PlaneState::of(&bending, &shear))
     }
 
-    /// Share of the strength that a history uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.
-    pub fn used(&self, criterion: Criterion, history: &History) -> f64 {
-        if history.components.iter().flatten().all(|s| *s == 0.0) {
-            return 0.0;
-        }
-        match evaluate(history, &self.limits, &[criterion], Grid::default()) {
-            Ok((verdicts, _)) => 1.0 / verdicts[0].safety_factor,
+    /// Share of the strength that a path uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.
+    pub fn used(&self, criterion: Criterion, path: &Path) -> f64 {
+        let stress = match path {
+            Path::Plane(state) if state.is_zero() => Ok(0.0),
+            Path::Plane(state) => match criterion.by_invariants(state, &self.limits) {
+                Ok(None) => {
+                    let (mut normal, mut shear) = (state.normal.clone(), state.shear.clone());
+                    // whole blocks are looked at together: the first corner once more costs nothing
+                    let count = normal.len().next_multiple_of(BLOCK);
+                    normal.resize(count, normal[0]);
+                    shear.resize(count, shear[0]);
+                    self.searched(criterion, &History::plane_state(normal, shear))
+                }
+                known => known.map(|stress| stress.unwrap_or(0.0).max(0.0)),
+            },
+            Path::General(history) if history.components.iter().flatten().all(|s| *s == 0.0) => Ok(0.0),
+            Path::General(history) => self.searched(criterion, history),
+        };
+        match stress {
+            Ok(stress) => stress / self.limits.torsion,
             Err(undefined) => unreachable!("checked in the study: {undefined}"),
         }
+    }
+
+    /// The equivalent shear stress of any history, Pa.
+    fn searched(&self, criterion: Criterion, history: &History) -> Result<f64, Undefined> {
+        evaluate(history, &self.limits, &[criterion], Grid::default()).map(|(verdicts, _)| self.limits.torsion / verdicts[0].safety_factor)
     }
 
     /// The equivalent shear stress of a share, Pa.
@@ -115,9 +145,8 @@ impl Histories {
     /// At least the share that a location uses under a torque of this half peak-to-peak value, and of no larger size than `largest`.
     pub fn at_most(&self, criterion: Criterion, location: (usize, &CriticalLocation), at: At, half_peak_to_peak: f64, largest: f64) -> f64 {
         let (low, high) = (&self.bent[at.low][location.0], &self.bent[at.high][location.0]);
-        let per_torque = location.1.unit_loads.map_or([0.0, 0.0, 0.0, location.1.torsion, 0.0, 0.0], |u| u.torque);
-        let twisted = deviator_of(&per_torque).iter().map(|d| d * d).sum::<f64>().sqrt() * half_peak_to_peak;
-        let hydrostatic = ((per_torque[0] + per_torque[1] + per_torque[2]) / 3.0).abs() * largest;
+        let per_torque = &self.twisted[location.0];
+        let (twisted, hydrostatic) = (per_torque.sqrt_j2 * half_peak_to_peak, per_torque.hydrostatic * largest);
         let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
         let within = Within {
             // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
@@ -128,7 +157,7 @@ impl Histories {
                 Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
             },
             hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
-            normal: at.between(low.normal, high.normal) + size(&per_torque) * largest,
+            normal: at.between(low.normal, high.normal) + per_torque.normal * largest,
         };
         criterion.at_most(&within, &self.limits).unwrap_or(f64::INFINITY)
     }
@@ -137,6 +166,15 @@ impl Histories {
 /// Index of the web.
 fn section_of(location: &CriticalLocation) -> usize {
     2 * location.throw + usize::from(location.rear)
+}
+
+fn twisted(location: &CriticalLocation) -> Twisted {
+    let stress = location.unit_loads.map_or([0.0, 0.0, 0.0, location.torsion, 0.0, 0.0], |u| u.torque);
+    Twisted {
+        sqrt_j2: deviator_of(&stress).iter().map(|d| d * d).sum::<f64>().sqrt(),
+        hydrostatic: ((stress[0] + stress[1] + stress[2]) / 3.0).abs(),
+        normal: size(&stress),
+    }
 }
 
 fn bent(location: &CriticalLocation, section: &Section) -> Bent {

@@ -7,6 +7,7 @@ pub mod hull;
 pub mod least_squares;
 pub mod maximise;
 pub mod nearest;
+pub(crate) mod periodic_sums;
 pub mod quadrature;
 pub(crate) mod sparse;
 pub mod synthesis;

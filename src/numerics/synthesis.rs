@@ -249,7 +249,9 @@ impl Synthesiser {
         let after = |j: usize| if j + 1 == n { 0 } else { j + 1 };
         let mut found: Vec<Local> = Vec::with_capacity(4);
         let mut known: Option<(usize, f64)> = None;
-        for j in 0..n {
+        let blocks = f.as_chunks::<BLOCK>().0.iter().enumerate();
+        let high = blocks.filter(|(b, own)| reaches(own, sign, lowest) || sign * f[after((b + 1) * BLOCK - 1)] >= lowest);
+        for j in high.flat_map(|(b, _)| b * BLOCK..(b + 1) * BLOCK) {
             let next = after(j);
             if sign * f[j] < lowest && sign * f[next] < lowest {
                 continue;
@@ -329,6 +331,11 @@ impl Synthesiser {
         let (high, low) = (sum(extremes.angle_max), sum(extremes.angle_min));
         (0.5 * (high - low), 0.5 * (high + low))
     }
+}
+
+/// Whether a sample of a block, times `sign`, is not below a level.
+fn reaches(block: &[f64; BLOCK], sign: f64, level: f64) -> bool {
+    block.iter().fold(false, |any, v| any | (sign * v >= level))
 }
 
 /// Sum of magnitudes: an upper bound of half the peak-to-peak value.

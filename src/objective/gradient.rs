@@ -52,7 +52,7 @@ impl PeakFinder<'_> {
         work: &mut Work,
     ) -> Result<Vec<f64>, ResponseError> {
         let Some(extremes) = &peak.extremes else { return Ok(Vec::new()) };
-        let metric = PointMetric::of(peak.over, peak.quantity, &measure.within, self.margin);
+        let metric = PointMetric::of(peak.over, peak.quantity, &measure.within, self.margin, None);
         if metric.has_ridges() {
             return self.gradient_on_ridge((design, index), peak, metric, work);
         }

@@ -4,6 +4,7 @@ pub mod condition;
 mod gradient;
 mod local_maxima;
 pub mod measure;
+mod order_peaks;
 pub mod peak;
 pub mod peak_search;
 pub mod point_metric;
@@ -13,6 +14,7 @@ mod properties;
 mod search_value;
 pub mod speeds;
 pub mod surrogate;
+mod synthesis_peaks;
 
 pub use condition::Condition;
 pub(crate) use measure::{HELD, holds};

@@ -10,22 +10,17 @@ use super::point_metric::PointMetric;
 use super::speeds::{Resonances, Speeds};
 use super::surrogate::Surrogate;
 use crate::absorber::Mounted;
-use crate::crankshaft::Margin;
+use crate::crankshaft::{Known, Margin};
 use crate::drivetrain::System;
-use crate::numerics::maximise::maximise;
-use crate::numerics::synthesis::{Extremes, Synthesiser, bound, dominating};
-use crate::numerics::{C64, ZERO};
+use crate::numerics::C64;
+use crate::numerics::synthesis::{Extremes, Synthesiser, bound};
 use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, Work};
+use std::cell::RefCell;
 use std::ops::Range;
+use std::rc::Rc;
 
-/// Share of a peak within which other pairs of extremes in the cycle are followed.
-const BRANCHES: f64 = 0.03;
-/// The same round a narrow resonance: phases turn by half a cycle within its width, and other extremes take over.
-const NARROW_BRANCHES: f64 = 0.1;
-/// A maximum closer to a neighbouring speed than this share of the distance is none.
-const EDGE: f64 = 1e-3;
 /// Peaks that differ by less than this share are level.
-const LEVEL: f64 = 1e-9;
+pub(super) const LEVEL: f64 = 1e-9;
 
 /// Finds peaks of one system by one method.
 #[derive(Debug)]
@@ -64,6 +59,26 @@ impl Found {
     }
 }
 
+/// What measures of one design share.
+#[derive(Debug, Default)]
+struct Shared {
+    known: Known,
+    swept: RefCell<Option<Swept>>,
+}
+
+/// Sweeps of quantities over speeds, rpm.
+#[derive(Debug)]
+struct Swept {
+    quantities: Vec<Quantity>,
+    speeds_rpm: Vec<f64>,
+    sweeps: Rc<Vec<Vec<C64>>>,
+}
+
+/// Of level peaks the one at the lowest speed.
+fn lowest(peaks: Vec<Peak>) -> Option<Peak> {
+    peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm))
+}
+
 impl<'a> PeakFinder<'a> {
     /// For one system, grid and method.
     pub fn new(system: &'a System, grid: &'a Grid, method: &'a Method<'a>, refine: bool) -> Self {
@@ -98,6 +113,31 @@ impl<'a> PeakFinder<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
+        self.peaks_knowing(design, measure, keep, &Shared::default(), work)
+    }
+
+    /// The largest peak of each measure, as [`PeakFinder::peak`] finds it: what the measures share is evaluated once.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn peak_of_each(
+        &self,
+        design: &[Mounted],
+        measures: &[Measure],
+        work: &mut Work,
+    ) -> Result<Vec<Option<Peak>>, ResponseError> {
+        let shared = Shared::default();
+        measures.iter().map(|m| Ok(lowest(self.peaks_knowing(design, m, 1.0, &shared, work)?))).collect()
+    }
+
+    fn peaks_knowing(
+        &self,
+        design: &[Mounted],
+        measure: &Measure,
+        keep: f64,
+        shared: &Shared,
+        work: &mut Work,
+    ) -> Result<Vec<Peak>, ResponseError> {
         if measure.absorbers().any(|i| i >= design.len()) {
             // a design may have fewer absorbers than others of its study
             let own = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
@@ -121,18 +161,19 @@ impl<'a> PeakFinder<'a> {
         let orders = self.system.orders();
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
-                let mut sweeps: Vec<_> = measure.quantities.iter().zip(self.sweeps(design, &measure.quantities, &speeds, work)?).collect();
+                let swept = self.swept(design, &measure.quantities, &speeds, shared, work)?;
+                let mut sweeps: Vec<(&Quantity, &Vec<C64>)> = measure.quantities.iter().zip(swept.iter()).collect();
                 if let Over::Margin(_) = measure.over {
                     // the shafts that may be used most first: the others need fewer sums then
-                    let most = |(quantity, sweep): &(&Quantity, Vec<C64>)| {
-                        let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin);
+                    let most = |(quantity, sweep): &(&Quantity, &Vec<C64>)| {
+                        let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin, Some(&shared.known));
                         let sums = sweep.chunks(orders).map(bound).zip(&speeds.rpm);
                         sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
                     };
                     sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
                 }
                 for (quantity, sweep) in sweeps {
-                    let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin);
+                    let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
                     for (part, speeds) in &parts {
                         let sweep = &sweep[part.start * orders..part.end * orders];
                         self.synthesised(design, (*quantity, measure.over, metric), (speeds, sweep), &mut found, work)?;
@@ -171,8 +212,7 @@ impl<'a> PeakFinder<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<Option<Peak>, ResponseError> {
-        let peaks = self.peaks(design, measure, 1.0, work)?;
-        Ok(peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm)))
+        Ok(lowest(self.peaks(design, measure, 1.0, work)?))
     }
 
     /// Half peak-to-peak value of every grid speed of a sweep.
@@ -193,6 +233,24 @@ impl<'a> PeakFinder<'a> {
         }
     }
 
+    /// Sweeps of some quantities, from those of the last measure where they are the same.
+    fn swept(
+        &self,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        speeds: &Speeds,
+        shared: &Shared,
+        work: &mut Work,
+    ) -> Result<Rc<Vec<Vec<C64>>>, ResponseError> {
+        if let Some(swept) = shared.swept.borrow().as_ref().filter(|s| s.quantities == quantities && s.speeds_rpm == speeds.rpm) {
+            return Ok(swept.sweeps.clone());
+        }
+        let sweeps = Rc::new(self.sweeps(design, quantities, speeds, work)?);
+        let own = Swept { quantities: quantities.to_vec(), speeds_rpm: speeds.rpm.clone(), sweeps: sweeps.clone() };
+        *shared.swept.borrow_mut() = Some(own);
+        Ok(sweeps)
+    }
+
     fn sweeps(
         &self,
         design: &[Mounted],
@@ -206,172 +264,6 @@ impl<'a> PeakFinder<'a> {
         }
         let added = self.direct.at_each(design, quantities, &speeds.added_rpm(), work)?;
         Ok(grid.into_iter().zip(added).map(|(g, a)| speeds.merge(g, &a, self.system.orders())).collect())
-    }
-
-    /// Values at the speeds that matter (the others stay at minus infinity), and the largest of them and of `best`.
-    fn values(&self, metric: PointMetric, speeds: &Speeds, sweep: &[C64], (keep, best): (f64, f64), work: &mut Work) -> (Vec<f64>, f64) {
-        let orders = self.system.orders();
-        let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
-        let bounds: Vec<f64> = sums.iter().zip(&speeds.rpm).map(|(sum, speed)| metric.bound(*speed, *sum)).collect();
-        // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
-        // shows in the growth towards it.
-        let mut values = vec![f64::NEG_INFINITY; bounds.len()];
-        let mut top = best;
-        let mut know = |i: usize, values: &mut Vec<f64>, wanted: f64, rise: f64| {
-            work.syntheses += 1;
-            let y = &sweep[i * orders..(i + 1) * orders];
-            values[i] = metric.value_above(&self.synthesiser, speeds.rpm[i], y, (rise, wanted));
-        };
-        let first = (0..bounds.len()).fold(0, |m, i| if bounds[i] > bounds[m] { i } else { m });
-        for i in std::iter::once(first).chain(0..bounds.len()) {
-            let rise = if self.refine { local_maxima::growth(&sums, i) } else { 1.0 };
-            if values[i] == f64::NEG_INFINITY && bounds[i] > 0.0 && metric.bound(speeds.rpm[i], sums[i] * rise) >= keep * top {
-                know(i, &mut values, keep * top, rise);
-                top = top.max(values[i]);
-            }
-        }
-        if self.refine {
-            // estimates need both neighbours
-            for c in local_maxima::maxima(&speeds.rpm, &values) {
-                for j in [c.index.saturating_sub(1), (c.index + 1).min(values.len() - 1)] {
-                    if values[j] == f64::NEG_INFINITY {
-                        know(j, &mut values, 0.0, 1.0);
-                    }
-                }
-            }
-        }
-        (values, top)
-    }
-
-    fn synthesised(
-        &self,
-        design: &[Mounted],
-        (quantity, over, metric): (Quantity, Over, PointMetric),
-        (speeds, sweep): (&Speeds, &[C64]),
-        found: &mut Found,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
-        let orders = self.system.orders();
-        let (values, top) = self.values(metric, speeds, sweep, (found.keep, found.best), work);
-        let mut y = vec![ZERO; orders];
-        let at = |speed_rpm: f64, y: &mut [C64], work: &mut Work| -> Result<Extremes, ResponseError> {
-            self.direct.at(design, quantity, speed_rpm, y, work)?;
-            work.syntheses += 1;
-            Ok(self.synthesiser.extremes(y))
-        };
-        for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-            let value_at = |speed: f64, work: &mut Work| at(speed, &mut y, work).map(|e| metric.value(speed, &e, &y));
-            let Some((mut speed_rpm, place)) =
-                self.refined((design, quantity), candidate, speeds, found.keep * found.best.max(top), value_at, work)?
-            else {
-                continue;
-            };
-            let mut extremes = at(speed_rpm, &mut y, work)?;
-            let reach = (speeds.rpm[candidate.index.saturating_sub(2)], speeds.rpm[(candidate.index + 2).min(values.len() - 1)]);
-            let followed = self.refine && !metric.asks_for_all();
-            if followed && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
-                // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
-                let (up, value) = self.top_of_branch((design, quantity, metric), &extremes, reach, work)?;
-                speed_rpm = if value > metric.value(speed_rpm, &extremes, &y) { up } else { speed_rpm };
-                extremes = at(speed_rpm, &mut y, work)?;
-            }
-            let peak = |extremes: Extremes, speed_rpm, place, y: &[C64]| {
-                let (order, order_value) = dominating(y);
-                let (value, weight) = (metric.value(speed_rpm, &extremes, y), metric.weight(speed_rpm));
-                Peak { value, weight, over, speed_rpm, order, order_value, quantity, extremes: Some(extremes), place }
-            };
-            found.put(peak(extremes, speed_rpm, place, &y));
-            if !followed {
-                continue;
-            }
-            // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
-            let share = if speeds.is_narrow(candidate.index) { NARROW_BRANCHES } else { (1.0 - found.keep).clamp(0.002, BRANCHES) };
-            for start in self.synthesiser.alternatives(&y, share) {
-                let top = self.top_of_branch((design, quantity, metric), &start, reach, work)?;
-                // a branch may be held by the same end of the range
-                let held = place == Place::End && {
-                    let extremes = self.on_branch((design, quantity), &start, speed_rpm, &mut y, work)?;
-                    metric.value(speed_rpm, &extremes, &y) >= top.1
-                };
-                let (at, place) = if held { (speed_rpm, Place::End) } else { (top.0, Place::Interior) };
-                let margin = EDGE * (reach.1 - reach.0);
-                if !held && !(reach.0 + margin..=reach.1 - margin).contains(&at) {
-                    // it rises beyond the neighbours, and is no maximum here
-                    continue;
-                }
-                let extremes = self.on_branch((design, quantity), &start, at, &mut y, work)?;
-                // a smaller range round a higher mean may use more than the whole cycle does: it is no row of its own
-                if metric.value(at, &extremes, &y) <= metric.value(at, &self.synthesiser.extremes(&y), &y) * (1.0 + LEVEL) {
-                    found.put(peak(extremes, at, place, &y));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The extremes of the branch of `from` at a speed, and the phasors there.
-    fn on_branch(
-        &self,
-        (design, quantity): (&[Mounted], Quantity),
-        from: &Extremes,
-        speed_rpm: f64,
-        y: &mut [C64],
-        work: &mut Work,
-    ) -> Result<Extremes, ResponseError> {
-        self.direct.at(design, quantity, speed_rpm, y, work)?;
-        Ok(self.synthesiser.branch(y, from))
-    }
-
-    /// Speed and value of the maximum of a branch between two speeds.
-    fn top_of_branch(
-        &self,
-        (design, quantity, metric): (&[Mounted], Quantity, PointMetric),
-        from: &Extremes,
-        (low, high): (f64, f64),
-        work: &mut Work,
-    ) -> Result<(f64, f64), ResponseError> {
-        let mut y = vec![ZERO; self.system.orders()];
-        let mut value = |speed: f64| self.on_branch((design, quantity), from, speed, &mut y, work).map(|e| metric.value(speed, &e, &y));
-        if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
-    }
-
-    /// Magnitudes of a quantity at all speeds and orders (speed by speed).
-    fn magnitudes(&self, design: &[Mounted], quantity: Quantity, speeds: &Speeds, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
-        let mut grid = Vec::new();
-        self.method.squares(design, quantity, &mut grid, work)?;
-        grid.iter_mut().for_each(|v| *v = v.sqrt());
-        let added = self.direct.at_each(design, &[quantity], &speeds.added_rpm(), work)?.swap_remove(0);
-        let added: Vec<f64> = added.iter().map(|y| y.norm()).collect();
-        Ok(speeds.merge(grid, &added, self.system.orders()))
-    }
-
-    fn single_orders(
-        &self,
-        design: &[Mounted],
-        (quantity, measure, only): (Quantity, &Measure, Range<usize>),
-        (speeds, sweep): (&Speeds, &[f64]),
-        found: &mut Found,
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
-        let orders = self.system.orders();
-        let weights: Vec<f64> = speeds.rpm.iter().map(|s| measure.within.weight(*s)).collect();
-        let of = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
-        let top = only.clone().flat_map(of).fold(found.best, f64::max);
-        for order in only {
-            let values: Vec<f64> = of(order).collect();
-            let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
-            for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-                let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
-                let wanted = found.keep * found.best.max(top);
-                let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
-                    continue;
-                };
-                let (order_value, weight) = (order_at(speed_rpm, work)?, measure.within.weight(speed_rpm));
-                let value = order_value * weight;
-                found.put(Peak { value, weight, over: measure.over, speed_rpm, order, order_value, quantity, extremes: None, place });
-            }
-        }
-        Ok(())
     }
 
     /// Speed and place of the local maximum near a candidate, or nothing where it cannot reach `wanted`.

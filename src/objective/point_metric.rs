@@ -1,7 +1,7 @@
 //! A measure at one speed: half the distance of the extremes of a sum of orders, or how much of the crank's strength it uses (by a multiaxial criterion the whole sum).
 
 use super::measure::{Over, Within};
-use crate::crankshaft::{Margin, Torque};
+use crate::crankshaft::{Known, Margin, Torque};
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Synthesiser};
 use crate::response::Quantity;
@@ -26,14 +26,16 @@ enum Kind<'a> {
         criterion: usize,
         /// Index of the shaft.
         shaft: usize,
+        /// What is known of the design's own torques.
+        known: Option<&'a Known>,
     },
 }
 
 impl<'a> PointMetric<'a> {
     /// Of a quantity in a measure.
-    pub fn of(over: Over, quantity: Quantity, within: &'a Within, margin: Option<&'a Margin>) -> Self {
+    pub fn of(over: Over, quantity: Quantity, within: &'a Within, margin: Option<&'a Margin>, known: Option<&'a Known>) -> Self {
         let kind = match (over, quantity, margin) {
-            (Over::Margin(criterion), Quantity::ShaftTorque(shaft), Some(margin)) => Kind::Used { margin, criterion, shaft },
+            (Over::Margin(criterion), Quantity::ShaftTorque(shaft), Some(margin)) => Kind::Used { margin, criterion, shaft, known },
             _ => Kind::HalfRange,
         };
         Self { kind, within }
@@ -49,7 +51,9 @@ impl<'a> PointMetric<'a> {
         let torque = Torque { extremes: *extremes, phasors };
         let value = match self.kind {
             Kind::HalfRange => extremes.half_peak_to_peak,
-            Kind::Used { margin, criterion, shaft } => margin.most_used(criterion, shaft, speed_rpm, &torque).map_or(0.0, |u| u.value),
+            Kind::Used { margin, criterion, shaft, known } => {
+                margin.most_used_above(criterion, shaft, speed_rpm, &torque, (1.0, 0.0), known).map_or(0.0, |u| u.value)
+            }
         };
         value * self.weight(speed_rpm)
     }
@@ -60,13 +64,18 @@ impl<'a> PointMetric<'a> {
         weight
             * match self.kind {
                 Kind::HalfRange => synthesiser.half_peak_to_peak_above(y, wanted / (rise * weight)),
-                Kind::Used { margin, criterion, shaft } => synthesiser
-                    .extremes_if(y, |half, middle| self.at_most(speed_rpm, half * rise, middle * rise) >= wanted)
-                    .and_then(|extremes| {
+                Kind::Used { margin, criterion, shaft, known } => {
+                    let can_matter = |half: f64, middle: f64| self.at_most(speed_rpm, half * rise, middle * rise) >= wanted;
+                    let extremes = match known {
+                        Some(known) => known.extremes_if((shaft, speed_rpm), synthesiser, y, can_matter),
+                        None => synthesiser.extremes_if(y, can_matter),
+                    };
+                    let used = extremes.and_then(|extremes| {
                         let torque = Torque { extremes, phasors: y };
-                        margin.most_used_above(criterion, shaft, speed_rpm, &torque, (rise, wanted / weight))
-                    })
-                    .map_or(f64::NEG_INFINITY, |u| u.value),
+                        margin.most_used_above(criterion, shaft, speed_rpm, &torque, (rise, wanted / weight), known)
+                    });
+                    used.map_or(f64::NEG_INFINITY, |u| u.value)
+                }
             }
     }
 
@@ -84,7 +93,7 @@ impl<'a> PointMetric<'a> {
     pub fn at_most(&self, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
         let most = match self.kind {
             Kind::HalfRange => half_peak_to_peak,
-            Kind::Used { margin, criterion, shaft } => margin.at_most(criterion, shaft, speed_rpm, half_peak_to_peak, middle),
+            Kind::Used { margin, criterion, shaft, .. } => margin.at_most(criterion, shaft, speed_rpm, half_peak_to_peak, middle),
         };
         most * self.weight(speed_rpm)
     }
@@ -109,7 +118,7 @@ impl<'a> PointMetric<'a> {
         let torque = Torque { extremes: *extremes, phasors };
         let most = match self.kind {
             Kind::HalfRange => None,
-            Kind::Used { margin, criterion, shaft } => margin.most_used(criterion, shaft, speed_rpm, &torque),
+            Kind::Used { margin, criterion, shaft, .. } => margin.most_used(criterion, shaft, speed_rpm, &torque),
         };
         let mut by_change: Vec<f64> = match (self.kind, most) {
             (Kind::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),

@@ -44,7 +44,7 @@ pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec
     let feasibility = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives: problem.limits, limits: &[] };
     let mut all = starts.to_vec();
     all.push(("optimum".into(), optimum.outcome.point.clone()));
-    let mut nearest = search::optimise(&feasibility, &all, &|| {})?;
+    let mut nearest = search::optimise(&feasibility, &all, search::Finish::All, &|| {})?;
     let ratio = nearest.outcome.rows.objective();
     if holds(ratio) {
         let mut outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;

@@ -1,7 +1,7 @@
 //! The front of ring inertia against the objective: the optimum followed along the inertia.
 
 use super::minimax::{self, Outcome};
-use super::search::{self, Optimum, Recorder};
+use super::search::{self, Finish, Optimum, Recorder};
 use super::{Problem, Space};
 use crate::absorber::Mounted;
 use crate::response::{ResponseError, Work};
@@ -47,6 +47,29 @@ fn retuned(space: &Space, point: &[f64], ring_inertia: f64) -> Vec<Vec<f64>> {
     values
 }
 
+/// The optimum followed from a head over some inertias: index, inertia and problem of each.
+fn walk<'a>(
+    (mut space, mut outcome): (Space, Outcome),
+    over: impl Iterator<Item = (usize, f64, Problem<'a>)>,
+    recorder: Recorder,
+) -> Result<(Vec<(usize, Outcome)>, Work), ResponseError> {
+    let mut work = Work::default();
+    // by how much the last optimum lay beside where it was expected: the next one does so, too
+    let mut beside = vec![0.0; outcome.point.len()];
+    let mut outcomes = Vec::new();
+    for (i, inertia, problem) in over {
+        let guess = problem.space.point(&retuned(&space, &outcome.point, inertia));
+        let near = guess.iter().zip(&beside).zip(problem.space.bounds());
+        let start: Vec<f64> = near.map(|((g, b), (low, high))| (g + b).clamp(low, high)).collect();
+        outcome = minimax::minimise_with(&problem, &start, outcome.curvature, &mut work)?;
+        beside = outcome.point.iter().zip(&guess).map(|(p, g)| p - g).collect();
+        space = problem.space;
+        outcomes.push((i, outcome.clone()));
+        recorder();
+    }
+    Ok((outcomes, work))
+}
+
 /// Follows the optimum over `inertias` (ascending). At every eleventh inertia and the last a global search from `starts` is made; in
 /// between the optimum is followed from both sides by the minimax method, and the better one kept.
 ///
@@ -66,7 +89,7 @@ pub fn follow(
         .par_iter()
         .map(|&i| {
             let problem = at(i);
-            let optimum = search::optimise(&problem, &starts(&problem.space), &|| {});
+            let optimum = search::optimise(&problem, &starts(&problem.space), Finish::Distinct, &|| {});
             recorder();
             optimum
         })
@@ -80,22 +103,11 @@ pub fn follow(
     // each segment is walked from its left and from its right head
     let walks: Vec<(Vec<(usize, Outcome)>, Work)> = (0..2 * (knots.len() - 1))
         .into_par_iter()
-        .map(|walk| {
-            let (left, right) = (knots[walk / 2], knots[walk / 2 + 1]);
-            let inner: Vec<usize> = if walk % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
-            let head = &heads[walk / 2 + walk % 2];
-            let mut work = Work::default();
-            let (mut point, mut space) = (head.outcome.point.clone(), at(knots[walk / 2 + walk % 2]).space);
-            let mut outcomes = Vec::new();
-            for i in inner {
-                let problem = at(i);
-                let guess = retuned(&space, &point, inertias[i]);
-                let outcome = minimax::minimise(&problem, &problem.space.point(&guess), &mut work)?;
-                (point, space) = (outcome.point.clone(), problem.space);
-                outcomes.push((i, outcome));
-                recorder();
-            }
-            Ok((outcomes, work))
+        .map(|i| {
+            let (left, right) = (knots[i / 2], knots[i / 2 + 1]);
+            let inner: Vec<usize> = if i % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
+            let from = (at(knots[i / 2 + i % 2]).space, heads[i / 2 + i % 2].outcome.clone());
+            walk(from, inner.into_iter().map(|i| (i, inertias[i], at(i))), recorder)
         })
         .collect::<Result<_, _>>()?;
     let mut best: Vec<Option<Outcome>> = vec![None; inertias.len()];

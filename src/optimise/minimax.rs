@@ -57,6 +57,9 @@ pub struct Outcome {
     pub iterations: usize,
     /// Why it ended.
     pub stop: Stop,
+    /// The model's curvature of the Lagrangian there, in coordinates and units of the objective: what a problem nearby may begin with.
+    #[serde(skip)]
+    pub curvature: DMatrix<f64>,
 }
 
 impl Outcome {
@@ -187,11 +190,19 @@ fn first_order(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) 
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance at the start.
 pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Outcome, ResponseError> {
+    minimise_with(problem, start, DMatrix::identity(start.len(), start.len()) * 0.1, work)
+}
+
+/// The same, beginning with a curvature: that of a problem nearby.
+///
+/// # Errors
+/// As [`minimise`].
+pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Work) -> Result<Outcome, ResponseError> {
     let bounds = problem.space.bounds();
     let n = start.len();
     let mut point = start.to_vec();
     let mut rows = problem.rows(&point, work)?;
-    let mut hessian = DMatrix::identity(n, n) * 0.1;
+    let mut hessian = curvature;
     let mut radius = FIRST_REACH;
     let mut iterations = 0;
     let mut penalty = PENALTY;
@@ -257,18 +268,19 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
         }
     };
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
-    let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop };
-    Ok(if problem.space.slots.len() > 1 { polished(problem, found, &hessian, penalty, work) } else { found })
+    let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
+    Ok(if problem.space.slots.len() > 1 { polished(problem, found, penalty, work) } else { found })
 }
 
 /// Further steps of the same model where decreases are already lost in rounding, kept while they lower the first-order residual and raise nothing: valleys of
 /// several absorbers are so flat that a decrease of 1e-12 still leaves their parameters uncertain in the seventh digit.
-fn polished(problem: &Problem, mut best: Outcome, hessian: &DMatrix<f64>, penalty: f64, work: &mut Work) -> Outcome {
+fn polished(problem: &Problem, mut best: Outcome, penalty: f64, work: &mut Work) -> Outcome {
     let bounds = problem.space.bounds();
     for _ in 0..MOST_POLISHING {
         let unit = best.rows.objective();
         let done = best.kkt_residual < CERTIFIED || unit == 0.0;
-        let model = (!done).then(|| solve(&lines(&best.rows, unit), hessian, &reach(&best.point, &bounds, FIRST_REACH), penalty)).flatten();
+        let model =
+            (!done).then(|| solve(&lines(&best.rows, unit), &best.curvature, &reach(&best.point, &bounds, FIRST_REACH), penalty)).flatten();
         let Some(step) = model else { break };
         let moved = best.point.iter().zip(&step.change).zip(&bounds);
         let point: Vec<f64> = moved.map(|((w, d), b)| snapped(w + d, *b)).collect();
@@ -278,7 +290,7 @@ fn polished(problem: &Problem, mut best: Outcome, hessian: &DMatrix<f64>, penalt
         if residual >= best.kkt_residual || rise > DECREASE {
             break;
         }
-        best = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations: best.iterations + 1, stop: best.stop };
+        best = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations: best.iterations + 1, ..best };
     }
     best
 }

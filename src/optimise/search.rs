@@ -69,33 +69,60 @@ pub(super) fn cost(outcome: &Outcome) -> f64 {
     outcome.rows.objective() * (1.0 + PENALTY * outcome.rows.excess())
 }
 
+/// Which starts are finished by the minimax method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Finish {
+    /// Every one: how many agree is a finding.
+    All,
+    /// Of those that the search without derivatives brought together only the best.
+    Distinct,
+}
+
+/// Points closer than this in every coordinate are of one basin.
+const TOGETHER: f64 = 0.1;
+
 /// Runs every start and keeps the best; the first of equals, so that threads change nothing.
 ///
 /// # Errors
 /// The error of the first start, where no start has a finite response.
-pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], recorder: Recorder) -> Result<Optimum, ResponseError> {
-    let runs: Vec<_> = starts
+pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish, recorder: Recorder) -> Result<Optimum, ResponseError> {
+    let searched: Vec<_> = starts
         .par_iter()
-        .map(|(name, w)| {
+        .map(|(_, w)| {
             let mut stages = Stages::default();
             let seed = problem.cost(w, &mut stages.seeds);
             let (mut searched, mut value) = gradient_free::search(problem, w, SEARCH_EVALUATIONS, &mut stages.search);
             if seed < value {
                 (searched, value) = (w.clone(), seed);
             }
-            let outcome = minimax::minimise(problem, &searched, &mut stages.minimax);
+            (searched, seed, value, stages)
+        })
+        .collect();
+    let own: Vec<usize> = match finish {
+        Finish::All => (0..starts.len()).collect(),
+        Finish::Distinct => distinct(&searched.iter().map(|s| (s.0.as_slice(), s.2)).collect::<Vec<_>>()),
+    };
+    let runs: Vec<_> = own
+        .par_iter()
+        .map(|i| {
+            let (searched, seed, value, _) = searched[*i].clone();
+            let mut work = Work::default();
+            let outcome = minimax::minimise(problem, &searched, &mut work);
             recorder();
-            (Start { name: name.clone(), seed, searched: value, finished: outcome.as_ref().map_or(f64::INFINITY, cost) }, outcome, stages)
+            let finished = outcome.as_ref().map_or(f64::INFINITY, cost);
+            (Start { name: starts[*i].0.clone(), seed, searched: value, finished }, outcome, work)
         })
         .collect();
     let mut stages = Stages::default();
+    for (_, _, _, work) in &searched {
+        stages.seeds += work.seeds;
+        stages.search += work.search;
+    }
     let mut log = Vec::new();
     let mut best: Option<Outcome> = None;
     let mut error = None;
     for (start, outcome, work) in runs {
-        stages.seeds += work.seeds;
-        stages.search += work.search;
-        stages.minimax += work.minimax;
+        stages.minimax += work;
         log.push(start);
         match outcome {
             Ok(o) if best.as_ref().is_none_or(|b| cost(&o) < cost(b) * (1.0 - 1e-12)) => best = Some(o),
@@ -108,4 +135,11 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], recorder: Reco
         (None, Some(e)) => Err(e),
         (None, None) => unreachable!("a search has at least one start"),
     }
+}
+
+/// Indices of the points with no better one near, in their order.
+fn distinct(points: &[(&[f64], f64)]) -> Vec<usize> {
+    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < TOGETHER);
+    let better = |i: usize, j: usize| points[j].1 < points[i].1 || (points[j].1 == points[i].1 && j < i);
+    (0..points.len()).filter(|i| !(0..points.len()).any(|j| better(*i, j) && near(points[*i].0, points[j].0))).collect()
 }

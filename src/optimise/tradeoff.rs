@@ -5,7 +5,7 @@
 
 use super::minimax::{self, Outcome};
 use super::problem::largest;
-use super::search::{self, Recorder};
+use super::search::{self, Finish, Recorder};
 use super::starts::NamedPoint;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
@@ -129,7 +129,7 @@ impl<'a> Follower<'a> {
     fn searched(&self, most: f64, work: &mut Work) -> Result<Option<Level>, ResponseError> {
         let limits = self.limits(most);
         let problem = self.within(&limits, self.problem.objectives);
-        let optimum = search::optimise(&problem, &(self.starts)(&problem.space), &|| {})?;
+        let optimum = search::optimise(&problem, &(self.starts)(&problem.space), Finish::All, &|| {})?;
         *work += optimum.stages.seeds;
         *work += optimum.stages.search;
         *work += optimum.stages.minimax;
@@ -163,7 +163,7 @@ impl<'a> Follower<'a> {
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
         let seconds = [self.second.measure.in_si()];
         let least_second = self.within(self.problem.limits, &seconds);
-        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), &|| {})?;
+        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), Finish::All, &|| {})?;
         *work += found.stages.seeds;
         *work += found.stages.search;
         *work += found.stages.minimax;

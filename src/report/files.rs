@@ -1,8 +1,8 @@
 //! Whole files or none: each is written under a temporary name and renamed.
 
-use std::cell::RefCell;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
 /// A file or folder could not be written.
@@ -16,11 +16,11 @@ pub struct WriteError {
 }
 
 /// The output folder.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
     /// Names of the files written.
-    written: RefCell<Vec<String>>,
+    written: Mutex<Vec<String>>,
 }
 
 impl Folder {
@@ -32,7 +32,7 @@ impl Folder {
         let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
         std::fs::create_dir_all(path).map_err(failed)?;
         tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
-        Ok(Self { path: path.to_path_buf(), written: RefCell::default() })
+        Ok(Self { path: path.to_path_buf(), written: Mutex::default() })
     }
 
     /// Where it is.
@@ -42,7 +42,7 @@ impl Folder {
 
     /// How many files were written.
     pub fn written(&self) -> usize {
-        self.written.borrow().len()
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
     /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.
@@ -69,7 +69,7 @@ impl Folder {
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
             let name = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
             let plot = name.starts_with(prefix) && (name.ends_with(".svg") || name.ends_with(".png"));
-            if plot && !self.written.borrow().contains(&name) {
+            if plot && !self.written.lock().unwrap_or_else(PoisonError::into_inner).contains(&name) {
                 old.push(name);
             }
         }
@@ -119,7 +119,7 @@ impl Folder {
             file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(failed)?;
         }
         file.persist(&target).map_err(|e| failed(e.error))?;
-        self.written.borrow_mut().push(name.to_owned());
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).push(name.to_owned());
         Ok(())
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn write_run(
     calibration: Option<&Calibration>,
     results: &Results,
     folder: &Folder,
-    written: &dyn Fn(),
+    written: &(dyn Fn() + Sync),
 ) -> Result<(), WriteError> {
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;

@@ -143,6 +143,59 @@ impl Criterion {
     }
 }
 
+/// Figures of a path over the cycle that criteria of invariants ask for, Pa.
+pub trait Path {
+    /// Amplitude of sqrt(J2).
+    fn sqrt_j2_amplitude(&self) -> f64;
+    /// Smallest and largest hydrostatic stress.
+    fn hydrostatic(&self) -> (f64, f64);
+    /// Largest Tresca stress about the middle of the deviator's path with `k` times the hydrostatic stress.
+    fn mesoscopic(&self, k: f64) -> f64;
+    /// Mean resolved shear over all planes and directions.
+    fn mean_shear(&self) -> f64;
+}
+
+impl Path for (&History, &Invariants) {
+    fn sqrt_j2_amplitude(&self) -> f64 {
+        self.1.sqrt_j2_amplitude
+    }
+
+    fn hydrostatic(&self) -> (f64, f64) {
+        (self.1.hydrostatic_mean - self.1.hydrostatic_amplitude, self.1.hydrostatic_max())
+    }
+
+    fn mesoscopic(&self, k: f64) -> f64 {
+        self.1.mesoscopic(self.0, k)
+    }
+
+    fn mean_shear(&self) -> f64 {
+        papadopoulos::mean_shear(self.0)
+    }
+}
+
+impl Criterion {
+    /// The equivalent shear stress of a path, Pa; nothing by a criterion that asks for planes.
+    ///
+    /// # Errors
+    /// [`Undefined`] where the limits leave no constant.
+    pub(crate) fn by_invariants(self, path: &impl Path, l: &Limits) -> Result<Option<f64>, Undefined> {
+        let k = self.weight(l)?;
+        let (low, high) = path.hydrostatic();
+        let (amplitude, mean) = (0.5 * (high - low), 0.5 * (high + low));
+        Ok(Some(match self {
+            Self::DangVanMesoscopic => path.mesoscopic(k),
+            Self::Sines => path.sqrt_j2_amplitude() + k * mean,
+            Self::Crossland => path.sqrt_j2_amplitude() + k * high,
+            Self::KakunoKawada => path.sqrt_j2_amplitude() + k * amplitude + Self::Sines.weight(l)? * mean,
+            Self::KakunoKawadaConsistent => {
+                path.sqrt_j2_amplitude() + k * amplitude + (3.0 * l.torsion / l.repeated_bending - 3.0 * l.torsion / l.bending) * mean
+            }
+            Self::Papadopoulos => path.mean_shear() + k * high,
+            Self::Matake | Self::McDiarmid | Self::DangVanThesis | Self::DangVanPlane | Self::Findley => return Ok(None),
+        }))
+    }
+}
+
 /// All criteria for one history.
 ///
 /// # Errors
@@ -176,18 +229,7 @@ fn verdict(criterion: Criterion, history: &History, l: &Limits, i: &Invariants, 
         }
         Criterion::DangVanPlane => (found.dang_van.as_ref().map_or(0.0, |s| s.value), found.dang_van.as_ref()),
         Criterion::Findley => (found.findley.as_ref().map_or(0.0, |s| s.value) / (1.0 + k * k).sqrt(), found.findley.as_ref()),
-        Criterion::DangVanMesoscopic => (i.mesoscopic(history, k), None),
-        Criterion::Sines => (i.sqrt_j2_amplitude + k * i.hydrostatic_mean, None),
-        Criterion::Crossland => (i.sqrt_j2_amplitude + k * i.hydrostatic_max(), None),
-        Criterion::KakunoKawada => {
-            let printed = Criterion::Sines.weight(l)?;
-            (i.sqrt_j2_amplitude + k * i.hydrostatic_amplitude + printed * i.hydrostatic_mean, None)
-        }
-        Criterion::KakunoKawadaConsistent => {
-            let mean = 3.0 * l.torsion / l.repeated_bending - 3.0 * l.torsion / l.bending;
-            (i.sqrt_j2_amplitude + k * i.hydrostatic_amplitude + mean * i.hydrostatic_mean, None)
-        }
-        Criterion::Papadopoulos => (papadopoulos::mean_shear(history) + k * i.hydrostatic_max(), None),
+        _ => (criterion.by_invariants(&(history, i), l)?.unwrap_or(0.0), None),
     };
     Ok(Verdict {
         criterion,

@@ -30,6 +30,56 @@ static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
     rule
 });
 
+/// The directions of the rule in a plane state: the resolved shear w0 s + w3 t of normal stress s and shear stress t, by growing angle of (w0, w3) from that of s, half a turn.
+#[derive(Debug)]
+pub(crate) struct Directions {
+    along: Vec<[f64; 2]>,
+    /// Sums of share times w0², w0 w3, w3² of those before each, and of all.
+    sums: Vec<[f64; 3]>,
+}
+
+/// Those of the rule.
+pub(crate) fn directions() -> &'static Directions {
+    static DIRECTIONS: LazyLock<Directions> = LazyLock::new(|| {
+        // a direction and its opposite are one
+        let upper = |w: &Weights| if (w[3], w[0]) < (0.0, 0.0) { [-w[0], -w[3]] } else { [w[0], w[3]] };
+        let mut list: Vec<([f64; 2], f64)> = RULE.iter().map(|(w, share)| (upper(w), *share)).collect();
+        list.sort_by(|a, b| a.0[1].atan2(a.0[0]).total_cmp(&b.0[1].atan2(b.0[0])));
+        let mut sums = vec![[0.0; 3]];
+        for ([x, y], share) in &list {
+            let before = sums[sums.len() - 1];
+            sums.push([before[0] + share * x * x, before[1] + share * x * y, before[2] + share * y * y]);
+        }
+        Directions { along: list.into_iter().map(|l| l.0).collect(), sums }
+    });
+    &DIRECTIONS
+}
+
+impl Directions {
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.along.len()
+    }
+
+    /// The first one, from `from` on, that has a positive part along `step`: a step that turns left from all before it.
+    pub(crate) fn first_along(&self, step: [f64; 2], from: usize) -> usize {
+        let not_along = |[x, y]: &[f64; 2]| x * step[0] + y * step[1] <= 0.0;
+        // most corners are left soon: twice as far each time
+        let (mut low, mut reach) = (from, 4);
+        while low + reach < self.along.len() && not_along(&self.along[low + reach]) {
+            low += reach;
+            reach *= 2;
+        }
+        let high = (low + reach).min(self.along.len());
+        low + self.along[low..high].partition_point(not_along)
+    }
+
+    /// Moments of those in a range.
+    pub fn moments(&self, from: usize, until: usize) -> [f64; 3] {
+        [0, 1, 2].map(|m| self.sums[until][m] - self.sums[from][m])
+    }
+}
+
 /// Of a plane state whose xx stays within an amplitude s and whose xy stays within t, whatever their phase: at least sqrt(5 <T_a²>), Pa.
 pub fn at_most(s: f64, t: f64) -> f64 {
     static CROSSED: LazyLock<f64> = LazyLock::new(|| RULE.iter().map(|(w, share)| 5.0 * share * (w[0] * w[3]).abs()).sum());

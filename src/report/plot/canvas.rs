@@ -4,7 +4,7 @@ use crate::report::files::{Folder, WriteError};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// plotters writes whole numbers only: everything is drawn this many times larger than shown.
 const SCALE: u32 = 10;
@@ -97,8 +97,13 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
 }
 
 fn png(svg: &str) -> Option<Vec<u8>> {
-    let mut options = resvg::usvg::Options::default();
-    options.fontdb_mut().load_font_data(dejavu::sans::regular().to_vec());
+    static FONTS: OnceLock<Arc<resvg::usvg::fontdb::Database>> = OnceLock::new();
+    let fonts = FONTS.get_or_init(|| {
+        let mut fonts = resvg::usvg::fontdb::Database::new();
+        fonts.load_font_data(dejavu::sans::regular().to_vec());
+        Arc::new(fonts)
+    });
+    let options = resvg::usvg::Options { fontdb: fonts.clone(), ..resvg::usvg::Options::default() };
     let tree = resvg::usvg::Tree::from_str(svg, &options).ok()?;
     let size = tree.size().to_int_size().scale_by(PNG_ZOOM)?;
     let mut pixels = resvg::tiny_skia::Pixmap::new(size.width(), size.height())?;

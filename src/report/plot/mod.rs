@@ -17,33 +17,41 @@ mod response;
 use super::files::{Folder, WriteError};
 use crate::analysis::Results;
 use crate::input::Study;
+use rayon::prelude::*;
 
 /// Draws every plot of a run.
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub fn run(study: &Study, results: &Results, folder: &Folder, written: &dyn Fn()) -> Result<(), WriteError> {
+pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn() + Sync)) -> Result<(), WriteError> {
+    type Plot<'a> = Box<dyn Fn() -> Result<(), WriteError> + Sync + Send + 'a>;
+    let mut plots: Vec<Plot> = Vec::new();
     for sweep in &results.sweeps {
-        response::draw(study, results, sweep, folder)?;
-        written();
+        plots.push(Box::new(|| response::draw(study, results, sweep, folder)));
     }
-    response::overlay(study, results, folder)?;
-    written();
-    campbell::draw(study, results, folder)?;
-    written();
-    excitation::draw(study, results, folder)?;
-    written();
+    plots.push(Box::new(|| response::overlay(study, results, folder)));
+    plots.push(Box::new(|| campbell::draw(study, results, folder)));
+    plots.push(Box::new(|| excitation::draw(study, results, folder)));
     if !results.fronts.is_empty() {
-        pareto::draw(study, results, folder)?;
-        written();
+        plots.push(Box::new(|| pareto::draw(study, results, folder)));
     }
+    if results.margin.is_some() {
+        plots.push(Box::new(|| margin::margins(study, results, folder).and_then(|()| margin::diagram(study, results, folder))));
+    } else {
+        margin::margins(study, results, folder)?;
+        margin::diagram(study, results, folder)?;
+    }
+    let drawn: Vec<Result<(), WriteError>> = plots
+        .par_iter()
+        .map(|plot| {
+            let drawn = plot();
+            written();
+            drawn
+        })
+        .collect();
+    drawn.into_iter().collect::<Result<(), _>>()?;
     front::draw(study, results, folder)?;
     results.tradeoffs.iter().for_each(|_| written());
-    margin::margins(study, results, folder)?;
-    margin::diagram(study, results, folder)?;
-    if results.margin.is_some() {
-        written();
-    }
     Ok(())
 }
 

@@ -1,0 +1,57 @@
+//! Peaks of single orders.
+
+use super::local_maxima;
+use super::measure::Measure;
+use super::peak::Peak;
+use super::peak_search::{Found, PeakFinder};
+use super::speeds::Speeds;
+use crate::absorber::Mounted;
+use crate::response::{Quantity, Response, ResponseError, Work};
+use std::ops::Range;
+
+impl PeakFinder<'_> {
+    /// Magnitudes of a quantity at all speeds and orders (speed by speed).
+    pub(super) fn magnitudes(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        speeds: &Speeds,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let mut grid = Vec::new();
+        self.method.squares(design, quantity, &mut grid, work)?;
+        grid.iter_mut().for_each(|v| *v = v.sqrt());
+        let added = self.direct.at_each(design, &[quantity], &speeds.added_rpm(), work)?.swap_remove(0);
+        let added: Vec<f64> = added.iter().map(|y| y.norm()).collect();
+        Ok(speeds.merge(grid, &added, self.system.orders()))
+    }
+
+    pub(super) fn single_orders(
+        &self,
+        design: &[Mounted],
+        (quantity, measure, only): (Quantity, &Measure, Range<usize>),
+        (speeds, sweep): (&Speeds, &[f64]),
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        let orders = self.system.orders();
+        let weights: Vec<f64> = speeds.rpm.iter().map(|s| measure.within.weight(*s)).collect();
+        let of = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
+        let top = only.clone().flat_map(of).fold(found.best, f64::max);
+        for order in only {
+            let values: Vec<f64> = of(order).collect();
+            let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
+            for candidate in local_maxima::maxima(&speeds.rpm, &values) {
+                let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
+                let wanted = found.keep * found.best.max(top);
+                let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
+                    continue;
+                };
+                let (order_value, weight) = (order_at(speed_rpm, work)?, measure.within.weight(speed_rpm));
+                let value = order_value * weight;
+                found.put(Peak { value, weight, over: measure.over, speed_rpm, order, order_value, quantity, extremes: None, place });
+            }
+        }
+        Ok(())
+    }
+}

@@ -32,7 +32,7 @@ pub struct Front {
 }
 
 /// Points between two global searches: fixed, so that the result does not depend on threads.
-const SEGMENT: usize = 11;
+const SEGMENT: usize = 17;
 
 /// Values of a family at a point with another ring: what grows with the ring follows it, so that the tuning is kept.
 fn retuned(space: &Space, point: &[f64], ring_inertia: f64) -> Vec<Vec<f64>> {
@@ -70,7 +70,7 @@ fn walk<'a>(
     Ok((outcomes, work))
 }
 
-/// Follows the optimum over `inertias` (ascending). At every eleventh inertia and the last a global search from `starts` is made; in
+/// Follows the optimum over `inertias` (ascending). At every seventeenth inertia and the last a global search from `starts` is made; in
 /// between the optimum is followed from both sides by the minimax method, and the better one kept.
 ///
 /// # Errors
@@ -100,7 +100,7 @@ pub fn follow(
         work += head.stages.search;
         work += head.stages.minimax;
     }
-    // each segment is walked from its left and from its right head
+    // each segment is walked from its left and from its right head: between heads of one branch another may be better
     let walks: Vec<(Vec<(usize, Outcome)>, Work)> = (0..2 * (knots.len() - 1))
         .into_par_iter()
         .map(|i| {

@@ -3,13 +3,15 @@
 use super::variables::Space;
 use crate::absorber::Mounted;
 use crate::objective::condition::Condition;
-use crate::objective::measure::{HELD, Limit, Measure};
+use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
 
 /// Smallest share of the largest peak for which a peak enters the rows: one step of an optimiser does not lift others past it.
 const ROW_SHARE: f64 = 0.8;
+/// The same of the crank's utilisation, most of which is bending that no absorber changes.
+const ROW_SHARE_OF_MARGIN: f64 = 0.95;
 /// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
 /// order one in these units.
 pub(crate) const PENALTY: f64 = 20.0;
@@ -157,14 +159,15 @@ impl Problem<'_> {
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
         for (role, Limit { measure, limit: unit }) in objectives.chain(limits) {
+            let share = if matches!(measure.over, Over::Margin(_)) { ROW_SHARE_OF_MARGIN } else { ROW_SHARE };
             let mut found: Vec<(usize, Peak)> = Vec::new();
             for (load_case, s) in self.steering() {
-                let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, ROW_SHARE, work)?;
+                let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, share, work)?;
                 found.extend(peaks.into_iter().map(|p| (load_case, p)));
             }
             // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
-            found.retain(|p| p.1.value >= ROW_SHARE * largest);
+            found.retain(|p| p.1.value >= share * largest);
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
             for (load_case, peak) in found {
                 let s = &self.load_cases[load_case];

@@ -15,14 +15,14 @@ const OMEGA: f64 = 100.0;
 
 /// Two masses: an inertia of 1 kg m² on 1e4 N m/rad with a damping ratio, and a ring on it, under 1 N m.
 #[derive(Clone, Copy)]
-struct TwoMasses {
-    damping_ratio: f64,
-    ring: f64,
+pub struct TwoMasses {
+    pub damping_ratio: f64,
+    pub ring: f64,
 }
 
 /// What is looked at of them.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum What {
+pub enum What {
     Twist,
     RingTwist,
     Power,
@@ -49,7 +49,7 @@ fn golden(mut a: f64, mut b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
 }
 
 /// The same where there may be several valleys: the lowest of some points first.
-fn scanned(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
+pub fn scanned(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> (f64, f64) {
     const POINTS: usize = 24;
     let at = |i: usize| a + (b - a) * i as f64 / POINTS as f64;
     let best = (0..=POINTS).map(|i| (i, f(at(i)))).fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m }).0;
@@ -74,7 +74,7 @@ impl TwoMasses {
     }
 
     /// The largest value over the speeds of the study.
-    fn peak(self, (k, c): (f64, f64), what: What) -> f64 {
+    pub fn peak(self, (k, c): (f64, f64), what: What) -> f64 {
         if what == What::LossFactor {
             return self.at(k, c, what, 1.0);
         }
@@ -92,7 +92,7 @@ impl TwoMasses {
     }
 
     /// Minimises a function of stiffness and damping by golden sections within golden sections, round a first guess.
-    fn minimise(self, f: &dyn Fn((f64, f64)) -> f64) -> ((f64, f64), f64) {
+    pub fn minimise(self, f: &dyn Fn((f64, f64)) -> f64) -> ((f64, f64), f64) {
         let mu = self.ring;
         let k0 = (mu * 1e4 / (1.0 + mu).powi(2)).ln();
         let c0 = (2.0 * mu * OMEGA * (3.0 * mu / (8.0 * (1.0 + mu).powi(3))).sqrt()).ln();
@@ -123,11 +123,11 @@ fn measure(what: What) -> Measure {
 }
 
 /// Den Hartog's study with one ring, a damped primary, and limits.
-fn limited(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> OptimumResult {
+pub fn limited(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> OptimumResult {
     analysis::run(&with(masses, objective, limits), &Silent).unwrap_or_else(|e| panic!("{e}")).optima.remove(0)
 }
 
-fn with(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> Study {
+pub fn with(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> Study {
     let mut s: Study = study("den_hartog");
     s.chain.stations[0].damping_to_ground = 2.0 * masses.damping_ratio * OMEGA;
     s.modes = Modes::new(&s.chain);

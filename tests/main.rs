@@ -3,6 +3,7 @@
 mod absorbers;
 mod bad_input;
 mod calibration;
+mod certificates;
 mod chains;
 mod choice;
 mod commands;

@@ -6,6 +6,7 @@ use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
 use super::margins::MarginSweep;
+use super::sensitivities::Sensitivity;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
 use crate::absorber::Declaration;
@@ -14,7 +15,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::optimise::{Conflict, Front, OnBound, Optimum, Scan, Tradeoff};
+use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -37,6 +38,12 @@ pub struct OptimumResult {
     pub prices: Vec<f64>,
     /// What designs elsewhere say of it.
     pub scan: Scan,
+    /// What random designs near it say of it.
+    pub nearby: Nearby,
+    /// What second order says of it, where peaks keep their places that near.
+    pub second_order: Option<SecondOrder>,
+    /// Its measures by its parameters.
+    pub sensitivities: Vec<Sensitivity>,
     /// Bounds it lies on.
     pub on_bounds: Vec<OnBound>,
     /// The limits that no design of its family holds together.

@@ -3,6 +3,7 @@
 use super::evaluate::{self, Classifier};
 use super::families::{self, Family};
 use super::results::{FrontResult, OptimumResult, RowCase};
+use super::sensitivities::sensitivities;
 use super::timing::Clock;
 use super::wanted::Wanted;
 use super::{Progress, RunError};
@@ -11,7 +12,7 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, PeakFinder};
 use crate::optimise::conflict::{self, Conflict, Verdict};
-use crate::optimise::{LoadCase, Optimum, Problem, Row, Slot, Space, front, largest, prices, scan, search, starts};
+use crate::optimise::{LoadCase, Optimum, Problem, Row, Slot, Space, front, largest, prices, scan, search, second_order, starts};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -106,8 +107,10 @@ impl<'a> Searches<'a> {
                 let mut optimum = search::optimise(&problem, &starts, search::Finish::All, &step).map_err(failed)?;
                 let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
                 let scan = scan::scan(&problem, &mut optimum, &lines);
+                let nearby = scan::nearby(&problem, &mut optimum, spec.seed);
                 let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
                 let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
+                let second_order = second_order::second_order(&problem, &optimum.outcome, &mut Work::default());
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);
@@ -116,6 +119,8 @@ impl<'a> Searches<'a> {
                     classifier.nature(load_case.finder, &load_case.condition.absorbers(mounted), &r.peak)
                 };
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
+                let sensitivities =
+                    sensitivities(self.load_cases, mounted, &self.study.objectives(), &self.study.limits).map_err(failed)?;
                 let load_case = |r: &Row| {
                     let load_case = &self.load_cases[r.load_case];
                     RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
@@ -133,6 +138,9 @@ impl<'a> Searches<'a> {
                     objective,
                     prices,
                     scan,
+                    nearby,
+                    second_order,
+                    sensitivities,
                     on_bounds,
                     conflict,
                 })

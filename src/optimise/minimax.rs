@@ -140,9 +140,9 @@ fn same_peak<'r>(row: &Row, rows: &'r Rows) -> Option<&'r Row> {
 }
 
 /// Gradient of the Lagrangian at `rows` with the multipliers found at `old`, or nothing where a peak has gone.
-fn lagrangian(old: &Rows, step: &Step, rows: &Rows, unit: f64) -> Option<DVector<f64>> {
-    let mut sum = DVector::zeros(step.change.len());
-    for (row, multiplier) in old.rows.iter().zip(&step.multipliers) {
+pub(super) fn lagrangian(old: &Rows, multipliers: &[f64], rows: &Rows, unit: f64) -> Option<DVector<f64>> {
+    let mut sum = DVector::zeros(old.rows.first().map_or(0, |r| r.gradient.len()));
+    for (row, multiplier) in old.rows.iter().zip(multipliers) {
         if *multiplier > 1e-6 {
             let scale = if row.role.is_limit() { 1.0 } else { 1.0 / unit };
             sum += DVector::from_column_slice(&same_peak(row, rows)?.gradient) * (multiplier * scale);
@@ -251,7 +251,8 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
         let change = DVector::from_iterator(n, to.iter().zip(&point).map(|(a, b)| a - b));
         let length = change.amax();
         if let Ok(there) = &there
-            && let (Some(new), Some(old)) = (lagrangian(&rows, &step, there, unit), lagrangian(&rows, &step, &rows, unit))
+            && let (Some(new), Some(old)) =
+                (lagrangian(&rows, &step.multipliers, there, unit), lagrangian(&rows, &step.multipliers, &rows, unit))
         {
             update(&mut hessian, &change, &(new - old));
         }

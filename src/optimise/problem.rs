@@ -130,15 +130,28 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        self.by(w, |finder, design, measure| finder.value(design, measure, work))
+    }
+
+    /// The same to rounding.
+    pub(super) fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        self.by(w, |finder, design, measure| Ok(finder.peak(design, measure, work)?.map_or(0.0, |p| p.value)))
+    }
+
+    fn by(
+        &self,
+        w: &[f64],
+        mut of: impl FnMut(&PeakFinder, &[Mounted], &Measure) -> Result<f64, ResponseError>,
+    ) -> Result<(f64, f64), ResponseError> {
         let own = self.space.design(w);
         let (mut value, mut excess) = (0.0_f64, 0.0_f64);
         for (_, load_case) in self.steering() {
             let design = load_case.condition.absorbers(&own);
             for objective in self.objectives {
-                value = value.max(load_case.finder.value(&design, &objective.measure, work)? / objective.limit);
+                value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
             }
             for limit in self.limits {
-                excess = excess.max((load_case.finder.value(&design, &limit.measure, work)? / limit.limit).ln());
+                excess = excess.max((of(load_case.finder, &design, &limit.measure)? / limit.limit).ln());
             }
         }
         Ok((value, excess))

@@ -4,7 +4,10 @@ use super::minimax::{self, Outcome};
 use super::problem::UNBOUNDED_COST;
 use super::search::cost;
 use super::{Optimum, Problem};
+use crate::objective::HELD;
 use crate::response::Work;
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
 /// What designs elsewhere say of an optimum.
@@ -16,6 +19,57 @@ pub struct Scan {
     pub followed: usize,
     /// Whether one of them led to a better optimum, which was kept.
     pub better: bool,
+}
+
+/// What random designs near an optimum say of it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, serde::Serialize)]
+pub struct Nearby {
+    /// Designs that were looked at.
+    pub designs: usize,
+    /// Whether one of them led to a better optimum, which was kept.
+    pub better: bool,
+}
+
+/// Random designs near an optimum, the farthest by this in each coordinate (nearly a factor of e^0.5), the nearest by a ten-thousandth of that.
+const NEAR: usize = 40;
+const FARTHEST: f64 = 0.5;
+const DECADES: f64 = 4.0;
+
+/// Looks at random designs round an optimum, ever nearer, and follows the lowest where it is lower.
+pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nearby {
+    let bounds = problem.space.bounds();
+    if bounds.is_empty() {
+        return Nearby::default();
+    }
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let points: Vec<Vec<f64>> = (0..NEAR)
+        .map(|i| {
+            let size = FARTHEST * 10f64.powf(-DECADES * i as f64 / (NEAR - 1) as f64);
+            let near = optimum.outcome.point.iter().zip(&bounds);
+            near.map(|(w, (low, high))| (w + size * random.random_range(-1.0..1.0)).clamp(*low, *high)).collect()
+        })
+        .collect();
+    let merits: Vec<(f64, Work)> = points
+        .par_iter()
+        .map(|w| {
+            let mut work = Work::default();
+            let (value, excess) = problem.exactly(w, &mut work).unwrap_or((f64::INFINITY, 0.0));
+            (if excess > HELD { f64::INFINITY } else { value }, work)
+        })
+        .collect();
+    merits.iter().for_each(|m| optimum.stages.search += m.1);
+    let mut found = Nearby { designs: points.len(), better: false };
+    let lowest = (0..points.len()).fold(0, |m, i| if merits[i].0 < merits[m].0 { i } else { m });
+    let held = optimum.outcome.rows.hold();
+    if held
+        && merits[lowest].0 < optimum.value() * (1.0 - LOWER)
+        && let Ok(outcome) = minimax::minimise(problem, &points[lowest], &mut optimum.stages.minimax)
+        && cost(&outcome) < cost(&optimum.outcome) * (1.0 - LOWER)
+    {
+        optimum.replace(problem, outcome);
+        found.better = true;
+    }
+    found
 }
 
 /// Most designs of a scan that are followed.
@@ -58,8 +112,7 @@ pub(crate) fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f6
     for (outcome, work) in ends {
         optimum.stages.minimax += work;
         if let Some(outcome) = outcome.filter(|o| cost(o) < cost(&optimum.outcome) * (1.0 - LOWER)) {
-            optimum.design = problem.space.design(&outcome.point);
-            optimum.outcome = outcome;
+            optimum.replace(problem, outcome);
             scan.better = true;
         }
     }

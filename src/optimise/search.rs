@@ -39,6 +39,15 @@ pub struct Stages {
     pub minimax: Work,
 }
 
+/// Another design that meets the first-order conditions.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct LocalOptimum {
+    /// The design.
+    pub design: Vec<Mounted>,
+    /// Value of the objective.
+    pub value: f64,
+}
+
 /// The best design found, and how.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct Optimum {
@@ -48,6 +57,8 @@ pub struct Optimum {
     pub outcome: Outcome,
     /// Every start.
     pub starts: Vec<Start>,
+    /// Where others ended within all limits and met the first-order conditions: the best first.
+    pub others: Vec<LocalOptimum>,
     /// Evaluations.
     pub stages: Stages,
 }
@@ -56,6 +67,15 @@ impl Optimum {
     /// Value of the objective.
     pub fn value(&self) -> f64 {
         self.outcome.rows.objective()
+    }
+
+    /// A better outcome takes its place; it stays as another local optimum.
+    pub(super) fn replace(&mut self, problem: &Problem, outcome: Outcome) {
+        if self.outcome.kkt_residual < MET && self.outcome.rows.hold() {
+            self.others.insert(0, LocalOptimum { design: self.design.clone(), value: self.value() });
+        }
+        self.design = problem.space.design(&outcome.point);
+        self.outcome = outcome;
     }
 
     /// How many starts ended at the best value.
@@ -78,6 +98,10 @@ pub enum Finish {
     Distinct,
 }
 
+/// First-order conditions are met below this residual.
+const MET: f64 = 1e-6;
+/// Ends closer than this in every coordinate are one.
+const APART: f64 = 1e-3;
 /// Points closer than this in every coordinate are of one basin.
 const TOGETHER: f64 = 0.1;
 
@@ -120,10 +144,12 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
     }
     let mut log = Vec::new();
     let mut best: Option<Outcome> = None;
+    let mut ends: Vec<Outcome> = Vec::new();
     let mut error = None;
     for (start, outcome, work) in runs {
         stages.minimax += work;
         log.push(start);
+        ends.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
         match outcome {
             Ok(o) if best.as_ref().is_none_or(|b| cost(&o) < cost(b) * (1.0 - 1e-12)) => best = Some(o),
             Ok(_) => {}
@@ -131,10 +157,29 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         }
     }
     match (best, error) {
-        (Some(outcome), _) => Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, stages }),
+        (Some(outcome), _) => {
+            let others = others(problem, &outcome, ends);
+            Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, others, stages })
+        }
         (None, Some(e)) => Err(e),
         (None, None) => unreachable!("a search has at least one start"),
     }
+}
+
+/// Ends that differ from each other and from the best, the best of them first.
+fn others(problem: &Problem, best: &Outcome, mut ends: Vec<Outcome>) -> Vec<LocalOptimum> {
+    ends.sort_by(|a, b| a.rows.objective().total_cmp(&b.rows.objective()));
+    let mut distinct: Vec<&Outcome> = vec![best];
+    for end in &ends {
+        let same = |d: &&Outcome| {
+            let near = end.point.iter().zip(&d.point).all(|(a, b)| (a - b).abs() < APART);
+            near || (end.rows.objective() / d.rows.objective() - 1.0).abs() < SAME
+        };
+        if !distinct.iter().any(same) {
+            distinct.push(end);
+        }
+    }
+    distinct[1..].iter().map(|o| LocalOptimum { design: problem.space.design(&o.point), value: o.rows.objective() }).collect()
 }
 
 /// Indices of the points with no better one near, in their order.

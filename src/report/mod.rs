@@ -35,6 +35,12 @@ pub(crate) fn write_run(
     } else {
         csv::limits(study, results, folder)?
     }
+    if results.optima.is_empty() {
+        folder.remove(&["optima.csv", "sensitivities.csv"])?;
+    } else {
+        csv::optima(study, results, folder)?;
+        csv::sensitivities(results, folder)?;
+    }
     csv::response(study, results, folder)?;
     csv::margin::margin(study, results, folder)?;
     if results.fronts.is_empty() {

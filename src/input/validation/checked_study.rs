@@ -107,6 +107,11 @@ impl Study {
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
     }
 
+    /// All objectives, the first before the others.
+    pub(crate) fn objectives(&self) -> Vec<&MeasureSpec> {
+        std::iter::once(&self.objective).chain(&self.more_objectives).collect()
+    }
+
     /// The engine whose pressure bends the crank.
     pub fn engine_of_crank(&self) -> &Engine {
         self.crank_engine.as_ref().unwrap_or(&self.engine)

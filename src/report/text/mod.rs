@@ -1,5 +1,6 @@
 //! What is printed: tables that line up, and sentences.
 pub mod calibration;
+mod certificate;
 pub mod chart;
 pub mod check;
 pub mod comparison;

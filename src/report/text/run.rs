@@ -1,5 +1,6 @@
 //! What a run prints: designs, optima, conditions, summary.
 
+use super::certificate::certificate;
 use super::limits::limits;
 use super::margin::factor;
 use super::parameters::parameters;
@@ -202,31 +203,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         }
     }
     parameters(o).into_iter().for_each(&mut put);
-    let starts = &o.optimum.starts;
-    let agreeing = o.optimum.agreeing();
-    let lowest = starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
-    let worst = starts.iter().map(|s| s.finished / lowest - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
-    let rest = match worst {
-        _ if agreeing == starts.len() => String::new(),
-        above if above < 10.0 => format!("; the worst of the others ended {:.2} % above", 100.0 * above),
-        _ => "; others ended far above".into(),
-    };
-    put(format!("  {agreeing} of {} starts agree to 1e-6{rest}", starts.len()));
-    put(match &o.scan {
-        scan if scan.better => {
-            format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs)
-        }
-        scan => format!("  none of {} designs elsewhere, nor what the best {} of them lead to, is lower", scan.designs, scan.followed),
-    });
-    let s = &o.optimum.stages;
-    put(format!(
-        "  evaluations: {} of starts, {} of search, {} of minimax; KKT residual {}; {}",
-        s.seeds.evaluations,
-        s.search.evaluations,
-        s.minimax.evaluations,
-        if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() },
-        outcome.stop.reason()
-    ));
+    certificate(objective, o, value_of).into_iter().for_each(&mut put);
     limits(study, o).into_iter().for_each(&mut put);
     text
 }

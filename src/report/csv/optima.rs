@@ -1,0 +1,65 @@
+//! `optima.csv`: a row an optimum: its value and why it is to be believed.
+
+use super::table::{Table, number, optional};
+use crate::analysis::Results;
+use crate::input::Study;
+use crate::optimise::Stop;
+use crate::report::files::{Folder, WriteError};
+
+/// `optima.csv`. `kkt_residual`: length of the steepest-descent step, in logarithms of the parameters; `smallest_curvature`: of the Lagrangian along the directions that first
+/// order leaves free, share of the objective per square of those.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let mut table = Table::new(&[
+        "design",
+        "objective",
+        "value",
+        "unit",
+        "limits_hold",
+        "converged",
+        "kkt_residual",
+        "free_directions",
+        "smallest_curvature",
+        "starts",
+        "starts_agreeing",
+        "found_from",
+        "other_optima",
+        "best_other",
+        "designs_elsewhere",
+        "designs_nearby",
+        "evaluations_search",
+        "evaluations_minimax",
+    ]);
+    for o in &results.optima {
+        let objective = study.objective_of(o.objective);
+        let (optimum, outcome) = (&o.optimum, &o.optimum.outcome);
+        let found_from = match (o.nearby.better, o.scan.better) {
+            (true, _) => "nearby",
+            (false, true) => "elsewhere",
+            (false, false) => "start",
+        };
+        table.row([
+            o.design.name.clone(),
+            objective.key.to_owned(),
+            number(objective.unit.shown(optimum.value())),
+            objective.unit.symbol().to_owned(),
+            o.design.within_limits().to_string(),
+            (outcome.stop == Stop::Converged).to_string(),
+            optional(Some(outcome.kkt_residual).filter(|r| r.is_finite())),
+            o.second_order.map_or_else(String::new, |s| s.free.to_string()),
+            optional(o.second_order.and_then(|s| s.curvature)),
+            optimum.starts.len().to_string(),
+            optimum.agreeing().to_string(),
+            found_from.to_owned(),
+            optimum.others.len().to_string(),
+            optional(optimum.others.first().map(|l| objective.unit.shown(l.value))),
+            o.scan.designs.to_string(),
+            o.nearby.designs.to_string(),
+            (optimum.stages.seeds.evaluations + optimum.stages.search.evaluations).to_string(),
+            optimum.stages.minimax.evaluations.to_string(),
+        ]);
+    }
+    table.save(folder, "optima.csv")
+}

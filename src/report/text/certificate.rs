@@ -1,0 +1,68 @@
+//! Why an optimum is to be believed: starts, designs elsewhere and near it, other optima, first and second order.
+
+use super::table::significant;
+use crate::analysis::OptimumResult;
+use crate::input::MeasureSpec;
+
+/// Curvatures above this are no rounding of differences.
+const ROUNDING: f64 = 1e-6;
+/// Most other optima that are named.
+const MOST_NAMED: usize = 3;
+
+/// Its lines.
+pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: impl Fn(&MeasureSpec, f64) -> String) -> Vec<String> {
+    let mut lines = vec![starts(o)];
+    let others = &o.optimum.others;
+    if !others.is_empty() {
+        let named: Vec<String> = others.iter().take(MOST_NAMED).map(|l| value(objective, l.value)).collect();
+        let more = if others.len() > MOST_NAMED { format!(" and {} higher ones", others.len() - MOST_NAMED) } else { String::new() };
+        lines.push(format!("  other local optima: {}{more}", named.join(", ")));
+    }
+    lines.push(match &o.scan {
+        scan if scan.better => {
+            format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs)
+        }
+        scan => format!("  none of {} designs elsewhere, nor what the best {} of them lead to, is lower", scan.designs, scan.followed),
+    });
+    match &o.nearby {
+        near if near.better => lines.push(format!("  found from one of {} random designs near the end of the search", near.designs)),
+        near if near.designs > 0 => lines.push(format!("  none of {} random designs near it is lower", near.designs)),
+        _ => {}
+    }
+    let (s, outcome) = (&o.optimum.stages, &o.optimum.outcome);
+    let residual = if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() };
+    lines.push(format!("  first order: KKT residual {residual}; {}", outcome.stop.reason()));
+    lines.push(second_order(o));
+    lines.push(format!(
+        "  evaluations: {} of starts, {} of search, {} of minimax",
+        s.seeds.evaluations, s.search.evaluations, s.minimax.evaluations
+    ));
+    lines
+}
+
+fn starts(o: &OptimumResult) -> String {
+    let starts = &o.optimum.starts;
+    let agreeing = o.optimum.agreeing();
+    let lowest = starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+    let worst = starts.iter().map(|s| s.finished / lowest - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
+    let rest = match worst {
+        _ if agreeing == starts.len() => String::new(),
+        above if above < 10.0 => format!("; the worst of the others ended {:.2} % above", 100.0 * above),
+        _ => "; others ended far above".into(),
+    };
+    format!("  {agreeing} of {} starts agree to 1e-6{rest}", starts.len())
+}
+
+fn second_order(o: &OptimumResult) -> String {
+    match &o.second_order {
+        None => "  second order: not available, other peaks or bounds take over that near".into(),
+        Some(s) => match s.curvature {
+            None => "  second order: the active peaks, limits and bounds leave no direction free".into(),
+            Some(c) => {
+                let directions = if s.free == 1 { "the free direction".to_owned() } else { format!("{} free directions", s.free) };
+                let verdict = if c > ROUNDING { "a strict local minimum" } else { "NOT a strict local minimum" };
+                format!("  second order: curvature at least {} along {directions}: {verdict}", significant(c, 3))
+            }
+        },
+    }
+}

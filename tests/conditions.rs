@@ -178,6 +178,7 @@ fn gradients_in_every_condition() {
         load_cases: &load_cases[range],
         space: space.clone(),
         objectives: std::slice::from_ref(&objective),
+        weights: &[],
         limits: &[],
     };
     let mut seen = [0; 4];

@@ -4,7 +4,7 @@ use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::TUNED;
 use hartog::analysis::{self, OptimumResult, Silent};
 use hartog::drivetrain::Modes;
-use hartog::input::{FrontSpec, LimitSpec, MeasureSpec, Size, Study};
+use hartog::input::{CombinedSpec, FrontSpec, LimitSpec, MeasureSpec, Size, Study};
 use hartog::numerics::C64;
 use hartog::objective::{Condition, Measure, Over, Property};
 use hartog::response::Quantity;
@@ -188,6 +188,35 @@ fn each_limit_alone() {
             assert_close(loose.optimum.value(), best, 1e-9, 0.0, "loose");
             assert_eq!(loose.prices[0], 0.0);
         }
+    }
+}
+
+/// Several objectives as one, the largest in units of their targets and the weighted sum: the least is that of a brute-force search, to 1e-7.
+#[test]
+fn combined_objectives() {
+    let masses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
+    let of = [What::Twist, What::RingTwist, What::Power];
+    let targets = of.map(|what| 0.9 * masses.within(what, &[]));
+    for weights in [vec![], vec![1.0, 0.3, 0.1], vec![1.0, 0.1, 0.3]] {
+        let mut s = with(masses, What::Twist, &[]);
+        let part = |(what, limit): (&What, f64)| LimitSpec {
+            of: MeasureSpec { measure: measure(*what), ..s.objective.clone() },
+            words: format!("{what:?}"),
+            limit,
+        };
+        s.combined =
+            Some(CombinedSpec { parts: of.iter().zip(targets).map(part).collect(), weights: weights.clone(), spec: s.objective.clone() });
+        let results = s.run().unwrap_or_else(|e| panic!("{e}"));
+        let found = results.optima.iter().find(|o| o.design.name == "optimum_tuned_combined").expect("an optimum");
+        let terms = |p: (f64, f64)| of.iter().zip(targets).map(move |(what, target)| masses.peak(p, *what) / target);
+        let value = |p: (f64, f64)| match weights.as_slice() {
+            [] => terms(p).fold(0.0, f64::max),
+            weights => terms(p).zip(weights).map(|(v, w)| v * w).sum(),
+        };
+        let (_, expected) = masses.minimise(&value);
+        assert_close(found.optimum.value(), expected, 1e-7, 0.0, &format!("weights {weights:?}"));
+        let own = &found.optimum.design[0].absorber;
+        assert_close(value((own.stiffness().expect("k"), own.damping().expect("c"))), expected, 1e-7, 0.0, "its own value");
     }
 }
 

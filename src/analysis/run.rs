@@ -62,6 +62,7 @@ impl Study {
         let (mut study, _) = calibrate(self, &Silent)?;
         (study.optimise, study.front) = (None, None);
         study.more_objectives.clear();
+        study.combined = None;
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
     }
@@ -237,6 +238,7 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
     }
     let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
     quantities.extend(study.more_objectives.iter().flat_map(|o| o.measure.quantities.iter().copied()));
+    quantities.extend(study.combined.iter().flat_map(|c| &c.parts).flat_map(|p| p.of.measure.quantities.iter().copied()));
     quantities.extend(study.limits.iter().flat_map(|l| l.of.measure.quantities.iter().copied()));
     if let Some(FrontSpec::Of { measures, .. }) = &study.front {
         quantities.extend(measures.iter().flat_map(|m| m.measure.quantities.iter().copied()));

@@ -28,6 +28,8 @@ pub(crate) struct Searches<'a> {
     pub(super) load_cases: &'a [LoadCase<'a>],
     /// Each by itself, in SI units.
     objectives: Vec<Limit>,
+    /// Those that are combined, in units of their targets.
+    combined: Vec<Limit>,
     pub(super) limits: Vec<Limit>,
     pub(super) modes: &'a [Vec<EngineMode>],
     wanted: &'a Wanted<'a>,
@@ -45,11 +47,16 @@ impl<'a> Searches<'a> {
     ) -> Self {
         let objectives = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| o.measure.in_si()).collect();
         let limits = study.limits.iter().map(LimitSpec::to_limit).collect();
-        Self { study, finders, load_cases, objectives, limits, modes, wanted, progress }
+        let combined = study.combined.iter().flat_map(|c| c.parts.iter().map(LimitSpec::to_limit)).collect();
+        Self { study, finders, load_cases, objectives, combined, limits, modes, wanted, progress }
     }
 
     fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
-        Problem { load_cases: self.load_cases, space, objectives: std::slice::from_ref(&self.objectives[objective]), limits: &self.limits }
+        let (objectives, weights) = match (self.objectives.get(objective), &self.study.combined) {
+            (None, Some(combined)) => (self.combined.as_slice(), combined.weights.as_slice()),
+            _ => (std::slice::from_ref(&self.objectives[objective]), &[][..]),
+        };
+        Problem { load_cases: self.load_cases, space, objectives, weights, limits: &self.limits }
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
@@ -91,9 +98,10 @@ impl<'a> Searches<'a> {
     pub fn optima(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<OptimumResult>, RunError> {
         let mut families: Vec<(Family, usize)> = families::wanted(spec, self.modes).into_iter().map(|family| (family, 0)).collect();
         // the main size of each type once more for every other objective
-        for (i, objective) in self.study.more_objectives.iter().enumerate() {
+        let others = self.study.more_objectives.iter().map(|o| format!("by_{}", o.word));
+        for (i, suffix) in others.chain(self.study.combined.iter().map(|_| "combined".to_owned())).enumerate() {
             let main: Vec<Family> = families.iter().filter(|f| f.0.is_main && f.1 == 0).map(|f| f.0.clone()).collect();
-            families.extend(main.into_iter().map(|f| (Family { name: format!("{}_by_{}", f.name, objective.word), ..f }, i + 1)));
+            families.extend(main.into_iter().map(|f| (Family { name: format!("{}_{suffix}", f.name), ..f }, i + 1)));
         }
         let count = families.iter().map(|f| self.starts(spec, &f.0.space).len()).sum();
         self.progress.stage("optima", count);

@@ -153,6 +153,7 @@ fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
 fn only_published_rings(study: &mut Study, published: &Published) {
     study.front = None;
     study.more_objectives.clear();
+    study.combined = None;
     let measures = std::iter::once(&study.objective.measure).chain(study.limits.iter().map(|l| &l.of.measure));
     let of_optima = measures.filter_map(|m| if let Over::Margin(c) = m.over { Some(c) } else { None }).max();
     if let Some(fatigue) = &mut study.fatigue {

@@ -121,6 +121,17 @@ pub struct LimitSpec {
     pub limit: f64,
 }
 
+/// Several measures as one objective.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CombinedSpec {
+    /// The measures with their targets.
+    pub parts: Vec<LimitSpec>,
+    /// Of each; none where the largest in units of its target counts.
+    pub weights: Vec<f64>,
+    /// What comes of them: a number without unit.
+    pub spec: MeasureSpec,
+}
+
 impl LimitSpec {
     /// As optimisers take it.
     pub(crate) fn to_limit(&self) -> Limit {

@@ -8,7 +8,7 @@ pub mod tables;
 mod validation;
 
 pub use error::InputError;
-pub use measure::{LimitSpec, MeasureSpec, UnitOf};
+pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use validation::{
     AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating, ResponseMethod, Size,

@@ -46,7 +46,7 @@ pub struct Outcome {
     pub point: Vec<f64>,
     /// The rows there.
     pub rows: Rows,
-    /// Of each row, as shares of the objective per share of the row: those of the objective sum to one; one per cent more of a limit brings as many per cent.
+    /// Of each row, as shares of the objective per share of the row: those of an objective sum to its weight; one per cent more of a limit brings as many per cent.
     pub multipliers: Vec<f64>,
     /// Of the lower and upper bound of each coordinate: share of the objective per unit of the coordinate.
     pub bounds: Vec<[f64; 2]>,
@@ -87,7 +87,7 @@ const HEAVIEST: f64 = 1e6;
 fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
     let line = |r: &Row| {
         let scale = if r.role.is_limit() { 1.0 } else { 1.0 / unit };
-        Line { limit: r.role.is_limit(), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }
+        Line { objective: rows.term(r.role), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }
     };
     rows.rows.iter().map(line).collect()
 }
@@ -177,7 +177,7 @@ fn first_order(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) 
     if n == 0 {
         return FirstOrder { residual: 0.0, ..unknown() };
     }
-    let step = solve(&lines(rows, rows.objective()), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), penalty);
+    let step = solve(&lines(rows, rows.objective()), rows.weights(), &DMatrix::identity(n, n), &reach(point, bounds, 1.0), penalty);
     step.map_or_else(unknown, |s| FirstOrder {
         residual: DVector::from_column_slice(&s.change).norm(),
         multipliers: s.multipliers,
@@ -219,7 +219,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
         }
         iterations += 1;
         let model = lines(&rows, unit);
-        let Some(step) = solve(&model, &hessian, &reach(&point, &bounds, radius), penalty) else { break Stop::NoModel };
+        let Some(step) = solve(&model, rows.weights(), &hessian, &reach(&point, &bounds, radius), penalty) else { break Stop::NoModel };
         let here = merit(&rows, unit, penalty);
         let promised = here - step.model;
         if promised < DECREASE {
@@ -238,7 +238,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
         if ratio < 0.25
             && let Ok(trial) = &there
             && let Some(corrected) = corrected(&rows, trial, &model, &step, unit)
-            && let Some(second) = solve(&corrected, &hessian, &reach(&point, &bounds, radius), penalty)
+            && let Some(second) = solve(&corrected, rows.weights(), &hessian, &reach(&point, &bounds, radius), penalty)
         {
             // second-order correction: the same model through the values measured at the trial point
             let to2 = moved(&second.change);
@@ -280,8 +280,11 @@ fn polished(problem: &Problem, mut best: Outcome, penalty: f64, work: &mut Work)
     for _ in 0..MOST_POLISHING {
         let unit = best.rows.objective();
         let done = best.kkt_residual < CERTIFIED || unit == 0.0;
-        let model =
-            (!done).then(|| solve(&lines(&best.rows, unit), &best.curvature, &reach(&best.point, &bounds, FIRST_REACH), penalty)).flatten();
+        let model = (!done)
+            .then(|| {
+                solve(&lines(&best.rows, unit), best.rows.weights(), &best.curvature, &reach(&best.point, &bounds, FIRST_REACH), penalty)
+            })
+            .flatten();
         let Some(step) = model else { break };
         let moved = best.point.iter().zip(&step.change).zip(&bounds);
         let point: Vec<f64> = moved.map(|((w, d), b)| snapped(w + d, *b)).collect();

@@ -92,12 +92,39 @@ pub struct Row {
 pub struct Rows {
     /// Objective and limits, those of the objective first, largest first.
     pub rows: Vec<Row>,
+    /// Of the objectives, where they are added up; one for all of them where the largest counts.
+    weights: Vec<f64>,
 }
 
 impl Rows {
-    /// Largest row of the objective.
+    /// The objective: its largest row, or the sum of the largest of each.
     pub fn objective(&self) -> f64 {
-        self.rows.iter().find(|r| !r.role.is_limit()).map_or(0.0, |r| r.value)
+        if let [_] = self.weights.as_slice() {
+            return self.rows.iter().find(|r| !r.role.is_limit()).map_or(0.0, |r| r.value);
+        }
+        // the largest of each comes first
+        let largest = |i: usize| self.rows.iter().find(|r| r.role == Role::Objective(i)).map_or(0.0, |r| r.value);
+        self.weights.iter().enumerate().map(|(i, weight)| weight * largest(i)).sum()
+    }
+
+    /// Weights of the terms of the objective.
+    pub(super) fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// Index of the term of the objective that a row is of; nothing of a limit.
+    pub(super) fn term(&self, role: Role) -> Option<usize> {
+        match role {
+            Role::Limit(_) => None,
+            Role::Objective(_) if self.weights.len() == 1 => Some(0),
+            Role::Objective(i) => Some(i),
+        }
+    }
+
+    /// Whether a row is as large as its term of the objective, but for a share.
+    pub(crate) fn is_largest(&self, row: &Row, share: f64) -> bool {
+        let own = self.rows.iter().filter(|r| self.term(r.role) == self.term(row.role)).map(|r| r.value).fold(0.0, f64::max);
+        row.value >= own * (1.0 - share)
     }
 
     /// Whether all limits hold.
@@ -111,15 +138,17 @@ impl Rows {
     }
 }
 
-/// Minimise the largest of some measures, each in units of a value of it, over a family of absorbers and all load cases, within limits.
+/// Minimise the largest of some measures, each in units of a value of it, or their weighted sum, over a family of absorbers and all load cases, within limits.
 #[derive(Debug)]
 pub struct Problem<'a> {
     /// At least one in which the family can change something.
     pub load_cases: &'a [LoadCase<'a>],
     /// The family.
     pub space: Space,
-    /// Minimised: the largest of them.
+    /// Minimised: the largest of them,
     pub objectives: &'a [Limit],
+    /// or their sum with these weights, where there are any.
+    pub weights: &'a [f64],
     /// To hold.
     pub limits: &'a [Limit],
 }
@@ -144,16 +173,20 @@ impl Problem<'_> {
         mut of: impl FnMut(&PeakFinder, &[Mounted], &Measure) -> Result<f64, ResponseError>,
     ) -> Result<(f64, f64), ResponseError> {
         let own = self.space.design(w);
-        let (mut value, mut excess) = (0.0_f64, 0.0_f64);
+        let (mut values, mut excess) = (vec![0.0_f64; self.objectives.len()], 0.0_f64);
         for (_, load_case) in self.steering() {
             let design = load_case.condition.absorbers(&own);
-            for objective in self.objectives {
-                value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
+            for (value, objective) in values.iter_mut().zip(self.objectives) {
+                *value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
             }
             for limit in self.limits {
                 excess = excess.max((of(load_case.finder, &design, &limit.measure)? / limit.limit).ln());
             }
         }
+        let value = match self.weights {
+            [] => values.into_iter().fold(0.0, f64::max),
+            weights => values.iter().zip(weights).map(|(v, w)| v * w).sum(),
+        };
         Ok((value, excess))
     }
 
@@ -203,7 +236,8 @@ impl Problem<'_> {
                 b.value.total_cmp(&a.value)
             })
         });
-        Ok(Rows { rows })
+        let weights = if self.weights.is_empty() { vec![1.0] } else { self.weights.to_vec() };
+        Ok(Rows { rows, weights })
     }
 
     /// Load cases in which the family can change something, with their indices.

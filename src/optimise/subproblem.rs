@@ -7,8 +7,8 @@ use nalgebra::DMatrix;
 /// A linearised row: value and gradient.
 #[derive(Debug, Clone)]
 pub(crate) struct Line {
-    /// Whether it belongs to a limit (to be at most zero) or to the objective (to be at most t).
-    pub limit: bool,
+    /// Index of the objective that it is of (to be at most its t), or nothing for a limit (to be at most zero).
+    pub objective: Option<usize>,
     /// In units of the largest objective.
     pub value: f64,
     /// With respect to the coordinates.
@@ -20,20 +20,20 @@ pub(crate) struct Line {
 pub struct Step {
     /// Change of the coordinates.
     pub change: Vec<f64>,
-    /// Model value t + penalty s after the step (with curvature).
+    /// Model value (weighted t) + penalty s after the step (with curvature).
     pub model: f64,
-    /// One multiplier a line; those of the objective sum to one.
+    /// One multiplier a line; those of an objective sum to its weight.
     pub multipliers: Vec<f64>,
     /// Multipliers of the lower and upper reach of each coordinate.
     pub bounds: Vec<[f64; 2]>,
 }
 
-/// Minimises t + penalty s + d'Bd/2 over (d, t, s) with value + gradient d <= t (objective) or <= s (limits), s >= 0 and d within `reach`.
+/// Minimises the sum of weights times t + penalty s + d'Bd/2 over (d, t, s) with value + gradient d <= t (that of its objective) or <= s (limits), s >= 0 and d within `reach`.
 /// Rows come in units of the largest objective, so nothing is badly scaled; what comes back is checked. `None` where the solver did not
 /// succeed.
-pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penalty: f64) -> Option<Step> {
+pub fn solve(lines: &[Line], weights: &[f64], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penalty: f64) -> Option<Step> {
     let n = reach.len();
-    let (t, s) = (n, n + 1);
+    let s = n + weights.len();
     let (mut row, mut column, mut value) = (Vec::new(), Vec::new(), Vec::new());
     let mut b = Vec::new();
     let mut put = |r: usize, c: usize, v: f64| {
@@ -43,7 +43,7 @@ pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penal
     };
     for (r, line) in lines.iter().enumerate() {
         line.gradient.iter().enumerate().for_each(|(c, g)| put(r, c, *g));
-        put(r, if line.limit { s } else { t }, -1.0);
+        put(r, line.objective.map_or(s, |o| n + o), -1.0);
         b.push(-line.value);
     }
     for (i, (low, high)) in reach.iter().enumerate() {
@@ -58,7 +58,7 @@ pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penal
     if !finite {
         return None;
     }
-    let a = CscMatrix::new_from_triplets(b.len(), n + 2, row, column, value);
+    let a = CscMatrix::new_from_triplets(b.len(), s + 1, row, column, value);
     let (mut pr, mut pc, mut pv) = (Vec::new(), Vec::new(), Vec::new());
     for c in 0..n {
         for r in 0..=c {
@@ -67,9 +67,9 @@ pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penal
             pv.push(hessian[(r, c)]);
         }
     }
-    let p = CscMatrix::new_from_triplets(n + 2, n + 2, pr, pc, pv);
-    let mut q = vec![0.0; n + 2];
-    q[t] = 1.0;
+    let p = CscMatrix::new_from_triplets(s + 1, s + 1, pr, pc, pv);
+    let mut q = vec![0.0; s + 1];
+    q[n..s].copy_from_slice(weights);
     q[s] = penalty;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
@@ -91,8 +91,9 @@ pub fn solve(lines: &[Line], hessian: &DMatrix<f64>, reach: &[(f64, f64)], penal
     let change: Vec<f64> = x[..n].iter().zip(reach).map(|(d, (low, high))| d.clamp(*low, *high)).collect();
     // t and s from the rows themselves: exact for the clamped step
     let at = |line: &Line| line.value + line.gradient.iter().zip(&change).map(|(g, d)| g * d).sum::<f64>();
-    let top = lines.iter().filter(|l| !l.limit).map(at).fold(f64::NEG_INFINITY, f64::max);
-    let excess = lines.iter().filter(|l| l.limit).map(at).fold(0.0, f64::max);
+    let largest = |objective: usize| lines.iter().filter(|l| l.objective == Some(objective)).map(at).fold(f64::NEG_INFINITY, f64::max);
+    let top: f64 = weights.iter().enumerate().map(|(o, weight)| weight * largest(o)).sum();
+    let excess = lines.iter().filter(|l| l.objective.is_none()).map(at).fold(0.0, f64::max);
     let d = nalgebra::DVector::from_column_slice(&change);
     let model = top + penalty * excess + 0.5 * (hessian * &d).dot(&d);
     let z = &solver.solution.z;

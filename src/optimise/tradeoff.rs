@@ -88,7 +88,7 @@ impl<'a> Follower<'a> {
     where
         'a: 'p,
     {
-        Problem { load_cases: self.problem.load_cases, space: self.problem.space.clone(), objectives, limits }
+        Problem { load_cases: self.problem.load_cases, space: self.problem.space.clone(), objectives, weights: &[], limits }
     }
 
     /// Both measures at a point, where the family can change them.

@@ -105,6 +105,15 @@ pub(crate) struct RawOptimise {
     pub random_starts: Option<At<i64>>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
     pub absorber: At<Vec<RawOptimised>>,
+    pub combined: Option<At<RawCombined>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawCombined {
+    pub of: At<Vec<At<String>>>,
+    pub targets: At<Vec<At<f64>>>,
+    pub weights: Option<At<Vec<At<f64>>>>,
 }
 
 #[derive(Debug, Deserialize)]

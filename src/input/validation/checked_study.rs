@@ -8,7 +8,7 @@ use super::optimise::{FrontSpec, OptimiseSpec};
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::Engine;
-use crate::input::measure::{LimitSpec, MeasureSpec};
+use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec};
 use crate::input::published::Published;
 use crate::input::schema::study::RawMethod;
 use crate::objective::Condition;
@@ -77,6 +77,8 @@ pub struct Study {
     pub objective: MeasureSpec,
     /// Further objectives, each with optima of the main size of its own.
     pub more_objectives: Vec<MeasureSpec>,
+    /// Some measures together, with optima of the main size of their own.
+    pub combined: Option<CombinedSpec>,
     /// To hold.
     pub limits: Vec<LimitSpec>,
     /// What to optimise.
@@ -104,7 +106,8 @@ pub struct Study {
 impl Study {
     /// An objective: the first, or one of those after it.
     pub(crate) fn objective_of(&self, index: usize) -> &MeasureSpec {
-        index.checked_sub(1).and_then(|i| self.more_objectives.get(i)).unwrap_or(&self.objective)
+        let combined = || self.combined.as_ref().filter(|_| index > self.more_objectives.len()).map(|c| &c.spec);
+        index.checked_sub(1).and_then(|i| self.more_objectives.get(i).or_else(combined)).unwrap_or(&self.objective)
     }
 
     /// All objectives, the first before the others.

@@ -318,6 +318,9 @@ fn goals(study: &Study) -> String {
     for objective in &study.more_objectives {
         let _ = writeln!(text, "  and, for optima of their own: {}", objective.label);
     }
+    if let Some(combined) = &study.combined {
+        let _ = writeln!(text, "  and, for optima of their own: {}", combined.spec.label);
+    }
     if let Some(f) = &study.fatigue {
         let names: Vec<&str> = f.criteria.iter().map(|c| c.name()).collect();
         let _ = writeln!(

@@ -189,11 +189,14 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
             RowCase { condition, cylinder: Some(cylinder) } => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
         };
         match row.role {
-            Role::Objective(_) if p.value >= best * (1.0 - 1e-5) => {
+            Role::Objective(i) if outcome.rows.is_largest(row, 1e-5) => {
+                let parts = study.combined.as_ref().filter(|_| o.objective > study.more_objectives.len());
+                let own = parts.map_or(objective, |c| &c.parts[i].of);
+                let of = if parts.is_some() { format!(" of {}", own.label) } else { String::new() };
                 put(format!(
-                    "  active peak{}{during}, {}{}",
+                    "  active peak{of}{}{during}, {}{}",
                     at_speed(p),
-                    value_of(objective, p.value),
+                    value_of(own, p.value),
                     peak_words(results, nature.as_ref())
                 ));
             }

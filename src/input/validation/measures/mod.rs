@@ -8,9 +8,9 @@ mod of_chain;
 pub(crate) use context::{Context, Judged, default_twist};
 
 use crate::input::error::{At, Check};
-use crate::input::measure::{LimitSpec, MeasureSpec, UnitOf};
+use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
-use crate::input::schema::study::RawStudy;
+use crate::input::schema::study::{RawCombined, RawStudy};
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
 use names::{Bound, Names, Resolved, spec};
@@ -79,6 +79,21 @@ fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Con
 pub(super) fn of_front(
     check: &mut Check,
     words: &At<Vec<At<String>>>,
+    known: (&[MeasureSpec], &[LimitSpec]),
+    of: Context,
+) -> Option<Vec<MeasureSpec>> {
+    let list = different(check, words, known, of)?;
+    if !(2..=3).contains(&list.len()) {
+        check.wrong(words, format!("found {} measures, expected two, or three for a front of each pair", list.len()));
+        return None;
+    }
+    Some(list)
+}
+
+/// Different measures by their words.
+fn different(
+    check: &mut Check,
+    words: &At<Vec<At<String>>>,
     (objectives, limits): (&[MeasureSpec], &[LimitSpec]),
     of: Context,
 ) -> Option<Vec<MeasureSpec>> {
@@ -94,11 +109,47 @@ pub(super) fn of_front(
         }
         list.push(spec);
     }
-    if !(2..=3).contains(&list.len()) {
-        check.wrong(words, format!("found {} measures, expected two, or three for a front of each pair", list.len()));
+    Some(list)
+}
+
+/// As many positive numbers as there are measures.
+fn one_each(check: &mut Check, what: &str, numbers: &At<Vec<At<f64>>>, count: usize) -> Vec<f64> {
+    let list: Vec<f64> = numbers.get_ref().iter().map(|n| check.positive(n)).collect();
+    if list.len() != count {
+        check.wrong(numbers, format!("found {} of the {what} for {count} measures, expected one each", list.len()));
+    }
+    list
+}
+
+/// Several measures as one objective: the largest in units of their targets, or their sum with weights.
+pub(super) fn combined(check: &mut Check, raw: &RawCombined, known: (&[MeasureSpec], &[LimitSpec]), of: Context) -> Option<CombinedSpec> {
+    let list = different(check, &raw.of, known, of)?;
+    if list.len() < 2 {
+        check.wrong(&raw.of, format!("found {} measure, expected at least two to be combined", list.len()));
         return None;
     }
-    Some(list)
+    let targets = one_each(check, "targets", &raw.targets, list.len());
+    let weights = raw.weights.as_ref().map_or_else(Vec::new, |w| one_each(check, "weights", w, list.len()));
+    let part = |(spec, target): (MeasureSpec, f64)| LimitSpec {
+        words: format!("{} of {target}{}", shown(&spec), spec.unit.suffix()),
+        limit: spec.unit.inside(target),
+        of: spec,
+    };
+    let first = list[0].clone();
+    let parts: Vec<LimitSpec> = list.into_iter().zip(targets).map(part).collect();
+    let words: Vec<&str> = parts.iter().map(|p| p.words.as_str()).collect();
+    let how = if weights.is_empty() { "largest" } else { "weighted sum" };
+    let spec = MeasureSpec {
+        key: "combined",
+        place: words.join("; "),
+        column: "combined".into(),
+        label: format!("{how} in units of targets ({})", words.join("; ")),
+        unit: UnitOf::Ratio,
+        is_twist: false,
+        word: "combined".into(),
+        ..first
+    };
+    Some(CombinedSpec { parts, weights, spec })
 }
 
 /// Objectives, the first one first; by default the synthesised twist from the hub to the last station.

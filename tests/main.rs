@@ -34,6 +34,7 @@ mod peaks;
 mod planes;
 mod responses;
 mod shaft;
+mod shaft_rules;
 mod sized;
 mod sizing;
 mod support;

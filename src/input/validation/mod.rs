@@ -184,13 +184,11 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
     }
     let limits = measures::limits(check, study, of);
-    let tolerance = study.response.tolerance.as_ref();
-    let tolerance =
-        tolerance.map_or(DEFAULT_TOLERANCE, |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)"));
+    let allowed = |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)");
+    let tolerance = study.response.tolerance.as_ref().map_or(DEFAULT_TOLERANCE, allowed);
     let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
     let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
-    let combined = study.optimise.as_ref().and_then(|o| o.combined.as_ref());
-    let combined = combined.and_then(|c| measures::combined(check, c.get_ref(), (&known, &limits), of));
+    let combined = measures::combined(check, study, (&known, &limits), of);
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, &base.engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());

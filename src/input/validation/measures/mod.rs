@@ -10,7 +10,7 @@ pub(crate) use context::{Context, Judged, default_twist};
 use crate::input::error::{At, Check};
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
-use crate::input::schema::study::{RawCombined, RawStudy};
+use crate::input::schema::study::RawStudy;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
 use names::{Bound, Names, Resolved, spec};
@@ -122,7 +122,8 @@ fn one_each(check: &mut Check, what: &str, numbers: &At<Vec<At<f64>>>, count: us
 }
 
 /// Several measures as one objective: the largest in units of their targets, or their sum with weights.
-pub(super) fn combined(check: &mut Check, raw: &RawCombined, known: (&[MeasureSpec], &[LimitSpec]), of: Context) -> Option<CombinedSpec> {
+pub(super) fn combined(check: &mut Check, study: &RawStudy, known: (&[MeasureSpec], &[LimitSpec]), of: Context) -> Option<CombinedSpec> {
+    let raw = study.optimise.as_ref()?.combined.as_ref()?.get_ref();
     let list = different(check, &raw.of, known, of)?;
     if list.len() < 2 {
         check.wrong(&raw.of, format!("found {} measure, expected at least two to be combined", list.len()));

@@ -1,24 +1,44 @@
 //! Limits of classification societies for shafts and cranks, against fine sweeps and the rules' own formulas.
 
 use crate::support::assert_close;
+use hartog::absorber::Mounted;
 use hartog::analysis::{self, Silent};
 use hartog::input::Study;
-use hartog::response::Quantity;
+use hartog::objective::PeakFinder;
+use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
+
+/// The study of limits of the six with one limit, its given designs only.
+fn judged_by(rule: &str) -> Study {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let text = std::fs::read_to_string(format!("{root}/studies/villalva_i6_limits.toml")).expect("a study");
+    let (head, rest) = (&text[..text.find("[[constraint]]").expect("limits")], &text[text.find("[optimise]").expect("optimises")..]);
+    let text = format!("{head}[[constraint]]\n{rule}\n\n{rest}").replace("engines/", &format!("{root}/studies/engines/"));
+    let folder = tempfile::tempdir().expect("folder");
+    let file = folder.path().join("rule.toml");
+    std::fs::write(&file, text).expect("written");
+    let mut s = Study::read(&file).unwrap_or_else(|e| panic!("{e}"));
+    (s.optimise, s.front) = (None, None);
+    s
+}
+
+/// Stress of a shaft over its limit at every half rpm, with the speeds.
+fn sweep_of(s: &Study, absorbers: &[Mounted], shaft: usize, modulus: f64, limit: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let speeds: Vec<f64> = (0..=4600).map(|i| 600.0 + 0.5 * f64::from(i)).collect();
+    let system = crate::support::system(s);
+    let grid = Grid::new(&speeds, &[]);
+    let method = Method::Direct(Direct::new(&system, &grid));
+    let finder = PeakFinder::new(&system, &grid, &method, false);
+    let mut sweep = Vec::new();
+    method.sweep(absorbers, Quantity::ShaftTorque(shaft), &mut sweep, &mut Work::default()).expect("damped");
+    finder.synthesis(&sweep).into_iter().zip(speeds).map(|(torque, speed)| (speed, torque / modulus / limit(speed))).collect()
+}
 
 /// Source: [IACS UR M68]: tau_C = (sigma_B + 160)/18 c_K c_D (3 - 2 lambda²), 1.38 from 0.9 of the rated speed to 1.05, c_D = 0.35 + 0.93 d^-0.2. The ratio of a design to its limit is the largest of
 /// nominal stress over that curve in a sweep, in which the limit is below the curve by no more than 1e-4.
 #[test]
 fn shafts_by_the_rule() {
-    let root = env!("CARGO_MANIFEST_DIR");
-    let text = std::fs::read_to_string(format!("{root}/studies/villalva_i6_limits.toml")).expect("a study");
-    let (head, rest) = (&text[..text.find("[[constraint]]").expect("limits")], &text[text.find("[optimise]").expect("optimises")..]);
     let rule = "shaft_stress = { shaft = \"throw_6\", outer_diameter_mm = 80, iacs_m68 = { rated_speed_rpm = 2800, tensile_strength_mpa = 600, stress_factor = 0.6 }, except_rpm = [[2900, 3000], [3100, 3150]] }";
-    let text = format!("{head}[[constraint]]\n{rule}\n\n{rest}").replace("engines/", &format!("{root}/studies/engines/"));
-    let file = tempfile::tempdir().expect("folder").path().join("rule.toml");
-    std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
-    std::fs::write(&file, text).expect("written");
-    let mut s = Study::read(&file).unwrap_or_else(|e| panic!("{e}"));
-    (s.optimise, s.front) = (None, None);
+    let s = judged_by(rule);
     let results = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}"));
     // the rule ends at 2940 rpm, and barred ranges beyond leave nothing there
     assert!(s.limits[0].words.contains(", 600 to 2900 rpm by"), "{}", s.limits[0].words);
@@ -28,16 +48,43 @@ fn shafts_by_the_rule() {
         (600.0 + 160.0) / 18.0 * 0.6 * (0.35 + 0.93 * 80f64.powf(-0.2)) * speed * 1e6
     };
     for d in &results.designs {
-        let speeds: Vec<f64> = (0..=4600).map(|i| 600.0 + 0.5 * f64::from(i)).collect();
-        let sys = crate::support::system(&s);
-        let grid = hartog::response::Grid::new(&speeds, &[]);
-        let method = hartog::response::Method::Direct(hartog::response::Direct::new(&sys, &grid));
-        let finder = hartog::objective::PeakFinder::new(&sys, &grid, &method, false);
-        let mut sweep = Vec::new();
-        let shaft = Quantity::ShaftTorque(6);
-        hartog::response::Response::sweep(&method, &d.absorbers, shaft, &mut sweep, &mut hartog::response::Work::default())
-            .expect("damped");
-        let ratios = finder.synthesis(&sweep).into_iter().zip(&speeds).map(|(torque, speed)| torque / modulus / limit(speed / 2800.0));
-        assert_close(d.limits[0], ratios.fold(0.0, f64::max), 2e-4, 0.0, &d.name);
+        let ratios = sweep_of(&s, &d.absorbers, 6, modulus, &|speed| limit(speed / 2800.0));
+        let within = ratios.iter().filter(|r| r.0 <= 2900.0).map(|r| r.1);
+        assert_close(d.limits[0], within.fold(0.0, f64::max), 2e-4, 0.0, &d.name);
     }
+}
+
+/// Source: [KR Pt 5 Ch 4]: 45 - 24 lambda² N/mm² for four-strokes in line, above the rated speed 21 + 237 (lambda - 0.8) sqrt(lambda - 1) up to 1.15 of it, times 1 + 2/3 (sigma_B/440 - 1). The
+/// ratio of a design to its limit is the largest in a sweep (the limit of straight pieces lies below the curve, by 0.6 % at most where it begins to rise), and each barred range
+/// lies round a maximum of the sweep that is above the limit: 16 n/(18 - lambda) to (18 - lambda) n/16.
+#[test]
+fn cranks_by_the_rule() {
+    let rule = "shaft_stress = { shaft = \"throw_6\", outer_diameter_mm = 66, korean_register_crank = { rated_speed_rpm = 2600, tensile_strength_mpa = 800, engine = \"four_stroke_in_line\" } }";
+    let s = judged_by(rule);
+    let results = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}"));
+    let modulus = std::f64::consts::PI * 0.066f64.powi(3) / 16.0;
+    let limit = |speed: f64| {
+        let ratio = speed / 2600.0;
+        let plain = if ratio <= 1.0 { 45.0 - 24.0 * ratio * ratio } else { 21.0 + 237.0 * (ratio - 0.8) * (ratio - 1.0).sqrt() };
+        plain * (1.0 + 2.0 / 3.0 * (800.0 / 440.0 - 1.0)) * 1e6
+    };
+    let mut barred = 0;
+    for d in &results.designs {
+        let ratios = sweep_of(&s, &d.absorbers, 6, modulus, &limit);
+        let within: Vec<(f64, f64)> = ratios.into_iter().filter(|r| r.0 <= 1.15 * 2600.0).collect();
+        let largest = within.iter().map(|r| r.1).fold(0.0, f64::max);
+        assert_close(d.limits[0], largest, 6e-3, 0.0, &d.name);
+        let tops: Vec<f64> = within.windows(3).filter(|w| w[1].1 > w[0].1 && w[1].1 >= w[2].1 && w[1].1 > 1.01).map(|w| w[1].0).collect();
+        for top in &tops {
+            assert!(d.barred.iter().any(|b| (b.critical_rpm - top).abs() < 5.0), "{}: no range for {top} rpm: {:?}", d.name, d.barred);
+        }
+        for b in &d.barred {
+            let width = (18.0 - b.critical_rpm / 2600.0) / 16.0;
+            assert_close(b.from_rpm, b.critical_rpm / width, 1e-12, 0.0, "from");
+            assert_close(b.to_rpm, b.critical_rpm * width, 1e-12, 0.0, "to");
+            assert_eq!(b.allowed, b.to_rpm <= 0.8 * 2600.0);
+            barred += 1;
+        }
+    }
+    assert!(barred > 0, "some design breaks it");
 }

@@ -2,7 +2,7 @@
 
 use super::margins::{self, SmallestMargin};
 use super::wanted::{Wanted, asked, shafts};
-use super::{ConditionResult, RunError, conditions};
+use super::{BarredRange, ConditionResult, RunError, barred, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
@@ -151,6 +151,8 @@ pub struct DesignResult {
     pub objective: Option<f64>,
     /// Value of each limited measure over its limit, the largest over the same conditions.
     pub limits: Vec<f64>,
+    /// Ranges of speed that rules bar, of limits that it breaks.
+    pub barred: Vec<BarredRange>,
     /// Smallest margin of the crank by each criterion of the study.
     pub margins: Vec<SmallestMargin>,
     /// In the other conditions of the study that make a difference to it.
@@ -186,6 +188,7 @@ pub fn evaluate(
     }
     result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
     result.limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
+    result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(|error| RunError { what: name.to_owned(), error })?;
     result.conditions = conditions;
     Ok(result)
 }
@@ -223,6 +226,7 @@ fn firing(
         loads,
         objective: Some(objective),
         limits: Vec::new(),
+        barred: Vec::new(),
         margins: margins::smallest(finder, design, wanted.margins, work)?,
         conditions: Vec::new(),
     };

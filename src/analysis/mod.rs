@@ -2,6 +2,7 @@
 
 pub mod amplitude;
 pub mod audit;
+pub mod barred;
 pub mod bearings;
 pub mod calibrate;
 pub mod choice;
@@ -27,6 +28,7 @@ pub mod timing;
 mod tradeoffs;
 pub mod wanted;
 
+pub use barred::BarredRange;
 pub use calibrate::{Calibration, calibrate};
 pub use conditions::ConditionResult;
 pub use duty::{DutyOfDesign, DutyResult};

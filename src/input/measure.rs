@@ -119,6 +119,8 @@ pub struct LimitSpec {
     pub words: String,
     /// Of the measure, inside.
     pub limit: f64,
+    /// Speed that the curve of a society's rule is in units of, rpm.
+    pub rated_rpm: Option<f64>,
 }
 
 /// Several measures as one objective.

@@ -31,9 +31,14 @@ pub(crate) fn write_run(
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
     if study.limits.is_empty() {
-        folder.remove(&["limits.csv"])?
+        folder.remove(&["limits.csv", "barred.csv"])?
     } else {
-        csv::limits(study, results, folder)?
+        csv::limits(study, results, folder)?;
+        if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
+            csv::barred(study, results, folder)?
+        } else {
+            folder.remove(&["barred.csv"])?
+        }
     }
     if results.optima.is_empty() {
         folder.remove(&["optima.csv", "sensitivities.csv"])?;

@@ -65,6 +65,7 @@ over_speed!(RawStress {
     order: Option<At<f64>>,
     max_mpa: Option<At<f64>>,
     iacs_m68: Option<At<RawM68>>,
+    korean_register_crank: Option<At<RawKrCrank>>,
 });
 over_speed!(#[derive(Default)] RawRingTwist { absorber: Option<At<i64>>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
 over_speed!(RawStrain {
@@ -78,6 +79,23 @@ over_speed!(RawStrain {
 over_speed!(#[derive(Default)] RawPower { absorber: Option<At<i64>>, max_w: Option<At<f64>>, });
 over_speed!(RawPowerPerArea { absorber: At<i64>, area_m2: At<f64>, max_w_per_m2: Option<At<f64>>, });
 over_speed!(#[derive(Default)] RawMargin { criterion: Option<At<RawCriterion>>, min: Option<At<f64>>, });
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawKrCrank {
+    pub rated_speed_rpm: At<f64>,
+    pub tensile_strength_mpa: At<f64>,
+    pub engine: RawKrEngine,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawKrEngine {
+    FourStrokeInLine,
+    #[serde(rename = "four_stroke_vee_45_60")]
+    FourStrokeVee,
+    Other,
+}
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

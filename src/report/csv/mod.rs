@@ -1,6 +1,7 @@
 //! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly; what does not apply is empty.
 
 mod absorbers;
+mod barred;
 pub mod chart;
 mod comparison;
 pub mod curves;
@@ -19,6 +20,7 @@ mod table;
 mod timing;
 
 pub use absorbers::absorbers;
+pub use barred::barred;
 pub use comparison::{calibration, comparison};
 pub use designs::designs;
 pub use duty::duty;

@@ -2,9 +2,9 @@
 
 use super::margin::factor;
 use super::table::significant;
-use crate::analysis::OptimumResult;
+use crate::analysis::{BarredRange, DesignResult, OptimumResult};
 use crate::input::{LimitSpec, Study, UnitOf};
-use crate::objective::{Over, Property, holds};
+use crate::objective::{Condition, Over, Property, holds};
 use crate::optimise::Conflict;
 
 /// A smaller gain, per cent of the objective, is rounding.
@@ -42,6 +42,24 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     }
     lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c)));
     lines
+}
+
+/// A line for each range of speed that a rule bars for a design.
+pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
+    let line = |b: &BarredRange| {
+        let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
+        let allowed = if b.allowed { "" } else { "; the rule lets no range be barred above 0.8 of the rated speed" };
+        format!(
+            "  {}: {} breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
+            study.limits[b.limit].words,
+            d.name,
+            b.critical_rpm,
+            100.0 * b.ratio,
+            b.from_rpm,
+            b.to_rpm
+        )
+    };
+    d.barred.iter().map(line).collect()
 }
 
 /// Which limits were not held together, how near a design comes, and what loosening one would take.

@@ -1,7 +1,7 @@
 //! What a run prints: designs, optima, conditions, summary.
 
 use super::certificate::certificate;
-use super::limits::limits;
+use super::limits::{barred, limits};
 use super::margin::factor;
 use super::parameters::parameters;
 use super::table::{dash, significant, table};
@@ -248,6 +248,9 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         if !list.is_empty() {
             let _ = writeln!(text, "Limit {}: broken by the given {}.", limit.words, list.join(", "));
         }
+    }
+    for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
+        barred(study, d).into_iter().for_each(|line| text.extend([line.as_str(), "\n"]));
     }
     // the floor is that of the firing engine
     if let Some(floor) = results.forced_floor.filter(|_| *held == [Condition::Firing]) {

@@ -134,6 +134,7 @@ pub(super) fn combined(check: &mut Check, study: &RawStudy, known: (&[MeasureSpe
     let part = |(spec, target): (MeasureSpec, f64)| LimitSpec {
         words: format!("{} of {target}{}", shown(&spec), spec.unit.suffix()),
         limit: spec.unit.inside(target),
+        rated_rpm: None,
         of: spec,
     };
     let first = list[0].clone();
@@ -162,7 +163,7 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
             Bound::Most(Some(at)) | Bound::Least(Some(at)) => {
                 check.wrong(at, "found a limit in an objective, expected it in a [[constraint]]")
             }
-            Bound::Rule(..) => check.wrong(raw, "found a rule in an objective, expected it in a [[constraint]]"),
+            Bound::Rule { .. } => check.wrong(raw, "found a rule in an objective, expected it in a [[constraint]]"),
             Bound::Band => check.wrong(raw, "found a band of natural frequencies as an objective, expected it in a [[constraint]]"),
             Bound::Most(None) | Bound::Least(None) => {}
         }
@@ -202,16 +203,21 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
             Bound::Most(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at most {}{}", at.get_ref(), spec.unit.suffix())),
             Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}", at.get_ref())),
             Bound::Band => (1.0, String::new()),
-            Bound::Rule(words, limit) => {
+            Bound::Rule { words, limit, rated_rpm } => {
                 let words = format!("{words}, {:.4}{} at the rated speed", limit, spec.unit.suffix());
-                limits.push(LimitSpec { words: format!("{} {words}", shown(&spec)), limit: spec.unit.inside(limit), of: spec });
+                limits.push(LimitSpec {
+                    words: format!("{} {words}", shown(&spec)),
+                    limit: spec.unit.inside(limit),
+                    of: spec,
+                    rated_rpm: Some(rated_rpm),
+                });
                 continue;
             }
         };
         let label = shown(&spec);
         let factor = if spec.measure.within.factors.is_empty() { "" } else { ", times the factor of its speed" };
         let words = format!("{label} {words}{factor}").trim_end().to_owned();
-        limits.push(LimitSpec { of: spec, words, limit });
+        limits.push(LimitSpec { of: spec, words, limit, rated_rpm: None });
     }
     limits
 }

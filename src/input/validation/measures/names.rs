@@ -16,8 +16,12 @@ pub(super) enum Bound<'r> {
     Most(Option<&'r At<f64>>),
     Least(Option<&'r At<f64>>),
     Band,
-    /// Of a rule, in words, as it is reported.
-    Rule(&'static str, f64),
+    /// Of a rule, in words; at the rated speed, as it is reported.
+    Rule {
+        words: &'static str,
+        limit: f64,
+        rated_rpm: f64,
+    },
 }
 
 /// What a measure is called.

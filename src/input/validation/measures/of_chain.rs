@@ -4,11 +4,11 @@ use super::context::{Context, Judged, default_twist};
 use super::names::{Bound, Names, Resolved, spec};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
-use crate::fatigue::shaft_rules;
+use crate::fatigue::shaft_rules::ShaftRule;
 use crate::input::error::{At, Check};
 use crate::input::measure::{MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
-use crate::input::schema::measure::{RawAmplitude, RawBand, RawM68, RawMargin, RawStress, RawTorque, RawTwist};
+use crate::input::schema::measure::{RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist};
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
@@ -124,52 +124,75 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let names = Names { key: "shaft_stress", column: "shaft_stress_mpa", word: "stress", what: "nominal stress", place };
     let unit = UnitOf::Stress { section_modulus };
     let mut within = of.within(check, s.within());
-    let Some(rule) = &s.iacs_m68 else {
+    let rules = [s.iacs_m68.as_ref().map(|r| propulsion(check, r, outer)), s.korean_register_crank.as_ref().map(|r| crank(check, r))];
+    let mut rules = rules.into_iter().flatten();
+    let Some(rule) = rules.next() else {
         let spec = spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit);
         return Some(Resolved { spec, bound: Bound::Most(s.max_mpa.as_ref()) });
     };
-    if s.max_mpa.is_some() || s.factor_by_speed.is_some() {
-        check.wrong(rule, "found `iacs_m68` beside `max_mpa` or `factor_by_speed`, expected the limit of the rule or one's own");
+    const ONE: &str = "found another limit beside that of a rule, expected one of them";
+    if let Some(at) = &s.max_mpa {
+        check.wrong(at, ONE);
     }
-    let limit = m68(check, rule, outer, of, &mut within)?;
+    if let Some(at) = &s.factor_by_speed {
+        check.wrong(at, ONE);
+    }
+    if let Some(second) = rules.next() {
+        check.wrong(second.rated, ONE);
+    }
+    let limit = of_rule(check, &rule, of, &mut within)?;
     Some(Resolved {
         spec: spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit),
-        bound: Bound::Rule("by IACS UR M68", limit),
+        bound: Bound::Rule { words: rule.words, limit, rated_rpm: *rule.rated.get_ref() },
     })
 }
 
-/// Steps of the ratio of speeds between which the limit of the rule is taken as linear: below its curve, by less than 1e-4 of it.
-const RATIO_STEP: f64 = 0.01;
+/// A rule with the speed it is in units of.
+struct Rule<'r> {
+    words: &'static str,
+    rated: &'r At<f64>,
+    rule: ShaftRule,
+}
 
-/// The limit of the rule at the rated speed, MPa, its curve over speed, and the range it holds in.
-fn m68(check: &mut Check, rule: &At<RawM68>, diameter: f64, of: Context, within: &mut Within) -> Option<f64> {
-    let raw = rule.get_ref();
-    let rated = check.positive(&raw.rated_speed_rpm);
+fn propulsion<'r>(check: &mut Check, raw: &'r At<RawM68>, diameter: f64) -> Rule<'r> {
+    let raw = raw.get_ref();
     let tensile =
         PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=800.0, "N/mm² from 400 to the 800 up to which the rule counts it");
-    let factor =
+    let stress_factor =
         check.within(&raw.stress_factor, 0.1..=1.0, "c_K of the rule, 0.1 to 1 (1 for an integral flange, 0.6 for a tapered keyway)");
-    let top = shaft_rules::RATIOS.1 * rated;
+    Rule { words: "by IACS UR M68", rated: &raw.rated_speed_rpm, rule: ShaftRule::Propulsion { tensile, stress_factor, diameter } }
+}
+
+fn crank<'r>(check: &mut Check, raw: &'r At<RawKrCrank>) -> Rule<'r> {
+    let raw = raw.get_ref();
+    let tensile = PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=1500.0, "N/mm² from 400 to 1500");
+    let rule = ShaftRule::Crank { tensile, in_line: raw.engine != RawKrEngine::Other };
+    Rule { words: "by KR Pt 5 Ch 4", rated: &raw.rated_speed_rpm, rule }
+}
+
+/// The limit of a rule at the rated speed, MPa; its curve over speed, and the range it holds in, go into `within`.
+fn of_rule(check: &mut Check, Rule { rated: at_rated, rule, .. }: &Rule, of: Context, within: &mut Within) -> Option<f64> {
+    let rated = check.positive(at_rated);
+    let top = rule.top() * rated;
     if of.speeds.0 >= top {
         check.wrong(
-            &raw.rated_speed_rpm,
-            format!("found {rated} rpm, expected a rated speed of which the study's speeds are no more than 1.05"),
+            at_rated,
+            format!("found {rated} rpm, expected a rated speed of which the study's speeds are no more than {}", rule.top()),
         );
         return None;
     }
-    let at = |ratio: f64| shaft_rules::continuous(tensile, factor, diameter, ratio);
-    let steps = (shaft_rules::RATIOS.0 / RATIO_STEP).round() as usize;
-    within.factors = (1..=steps).map(|i| i as f64 * RATIO_STEP).map(|ratio| (ratio * rated, at(ratio) / at(1.0))).collect();
+    let whole = rule.continuous(1.0);
+    within.factors = rule.ratios().into_iter().map(|ratio| (ratio * rated, rule.continuous(ratio) / whole)).collect();
     // the rule ends there, whatever range is asked for
     if of.speeds.1 > top {
         let asked = if within.ranges.is_empty() { vec![of.speeds] } else { std::mem::take(&mut within.ranges) };
         within.ranges = asked.into_iter().filter(|r| r.0 < top).map(|r| (r.0, r.1.min(top))).collect();
     }
     if within.ranges.is_empty() && of.speeds.1 > top {
-        check.wrong(&raw.rated_speed_rpm, format!("found {rated} rpm, expected one of which the limit's speeds are no more than 1.05"));
+        check.wrong(at_rated, format!("found {rated} rpm, expected one of which the limit's speeds are no more than {}", rule.top()));
         return None;
     }
-    Some(at(1.0) / PA_PER_MPA)
+    Some(whole / PA_PER_MPA)
 }
 
 pub(super) fn natural_frequency<'r>(check: &mut Check, band: &'r RawBand, of: Context) -> Option<Resolved<'r>> {

@@ -1,0 +1,31 @@
+//! `barred.csv`: a row a range of speed that a society's rule bars.
+
+use super::table::{Table, number};
+use crate::analysis::Results;
+use crate::input::Study;
+use crate::report::files::{Folder, WriteError};
+
+/// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let mut table = Table::new(&["design", "limit", "condition", "critical_rpm", "ratio", "from_rpm", "to_rpm", "speed_ratio", "allowed"]);
+    for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
+        for b in &d.barred {
+            let limit = &study.limits[b.limit];
+            table.row([
+                d.name.clone(),
+                limit.words.clone(),
+                b.condition.name().to_owned(),
+                number(b.critical_rpm),
+                number(b.ratio),
+                number(b.from_rpm),
+                number(b.to_rpm),
+                number(b.critical_rpm / limit.rated_rpm.unwrap_or(f64::NAN)),
+                b.allowed.to_string(),
+            ]);
+        }
+    }
+    table.save(folder, "barred.csv")
+}

@@ -14,7 +14,7 @@ pub struct BarredRange {
     pub limit: usize,
     /// In which it is broken.
     pub condition: Condition,
-    /// rpm.
+    /// At which it is broken most, rpm.
     pub critical_rpm: f64,
     /// Stress there over the limit.
     pub ratio: f64,
@@ -26,8 +26,14 @@ pub struct BarredRange {
     pub allowed: bool,
 }
 
-/// Critical speeds closer than this share are one.
-const SAME: f64 = 1e-3;
+impl BarredRange {
+    fn absorb(&mut self, other: &Self) {
+        if other.ratio > self.ratio {
+            (self.ratio, self.critical_rpm) = (other.ratio, other.critical_rpm);
+        }
+        (self.from_rpm, self.to_rpm) = (self.from_rpm.min(other.from_rpm), self.to_rpm.max(other.to_rpm));
+    }
+}
 
 /// Those of a design, of its limits by rules (`ratios`: each limited measure over its limit), in every condition that it is to hold in.
 ///
@@ -47,19 +53,23 @@ pub(crate) fn ranges(
                 let mounted = condition.absorbers(design);
                 for peak in finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())? {
                     let (own, critical_rpm) = (peak.value / limit.limit, peak.speed_rpm);
-                    let known = |r: &&mut BarredRange| {
-                        (r.limit, r.condition) == (index, *condition) && (r.critical_rpm / critical_rpm - 1.0).abs() < SAME
-                    };
                     if holds(own) || peak.place != Place::Interior {
                         continue;
                     }
-                    if let Some(known) = list.iter_mut().find(known) {
-                        known.ratio = known.ratio.max(own);
-                        continue;
-                    }
                     let (from_rpm, to_rpm) = barred(critical_rpm, rated);
-                    let allowed = *condition != Condition::Firing || to_rpm <= HIGHEST_BARRED * rated;
-                    list.push(BarredRange { limit: index, condition: *condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed });
+                    let mut range =
+                        BarredRange { limit: index, condition: *condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed: true };
+                    // ranges that meet are one, round the critical speed that breaks the limit most
+                    list.retain(|r| {
+                        let meets =
+                            (r.limit, r.condition) == (index, *condition) && r.from_rpm <= range.to_rpm && range.from_rpm <= r.to_rpm;
+                        if meets {
+                            range.absorb(r);
+                        }
+                        !meets
+                    });
+                    range.allowed = *condition != Condition::Firing || range.to_rpm <= HIGHEST_BARRED * rated;
+                    list.push(range);
                 }
             }
         }

@@ -4,7 +4,7 @@
 //! curvature of the Lagrangian), then measures the true peaks. Without curvature the method stalls wherever fewer peaks are level than
 //! there are variables: Den Hartog's problem has two level peaks and two variables, and its optimum is not a vertex of the linear model.
 
-use super::problem::PENALTY;
+use super::problem::{PENALTY, ROW_SHARE};
 use super::subproblem::{Line, Step, solve};
 use super::{Problem, Row, Rows};
 use crate::objective::Peak;
@@ -72,6 +72,9 @@ impl Outcome {
 const MOST_ITERATIONS: usize = 80;
 const FIRST_REACH: f64 = 0.3;
 const LARGEST_REACH: f64 = 2.0;
+/// Relative change of a peak over that of a coordinate, at most, and the largest share that rows are asked with.
+const LIFT: f64 = 2.0;
+const NEAREST: f64 = 0.97;
 const SMALLEST_REACH: f64 = 1e-10;
 const DECREASE: f64 = 1e-12;
 /// First-order residual that several absorbers are polished to, and most steps of that.
@@ -201,9 +204,11 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
     let bounds = problem.space.bounds();
     let n = start.len();
     let mut point = start.to_vec();
-    let mut rows = problem.rows(&point, work)?;
     let mut hessian = curvature;
     let mut radius = FIRST_REACH;
+    // what a step cannot lift to the top is left out: a relative change is hardly larger than the step
+    let share = |reach: f64| (1.0 - LIFT * reach).clamp(ROW_SHARE, NEAREST);
+    let mut rows = problem.rows_near(&point, share(radius), work)?;
     let mut iterations = 0;
     let mut penalty = PENALTY;
     let stop = loop {
@@ -232,7 +237,8 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
         }
         let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).zip(&bounds).map(|((w, d), b)| snapped(w + d, *b)).collect() };
         let mut to = moved(&step.change);
-        let mut there = problem.rows(&to, work);
+        let length = step.change.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
+        let mut there = problem.rows_near(&to, share(2.0 * length), work);
         let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit, penalty));
         let mut ratio = decrease(&there) / promised;
         if ratio < 0.25
@@ -242,7 +248,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
         {
             // second-order correction: the same model through the values measured at the trial point
             let to2 = moved(&second.change);
-            let there2 = problem.rows(&to2, work);
+            let there2 = problem.rows_near(&to2, share(2.0 * length), work);
             let ratio2 = decrease(&there2) / promised;
             if ratio2 > ratio {
                 (to, there, ratio) = (to2, there2, ratio2);

@@ -9,7 +9,7 @@ use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
 
 /// Smallest share of the largest peak for which a peak enters the rows: one step of an optimiser does not lift others past it.
-const ROW_SHARE: f64 = 0.8;
+pub(super) const ROW_SHARE: f64 = 0.8;
 /// The same of the crank's utilisation, most of which is bending that no absorber changes.
 const ROW_SHARE_OF_MARGIN: f64 = 0.95;
 /// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
@@ -200,12 +200,17 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn rows(&self, w: &[f64], work: &mut Work) -> Result<Rows, ResponseError> {
+        self.rows_near(w, ROW_SHARE, work)
+    }
+
+    /// Those of at least a share of the largest of their measure.
+    pub(super) fn rows_near(&self, w: &[f64], share: f64, work: &mut Work) -> Result<Rows, ResponseError> {
         let own = self.space.design(w);
         let mut rows = Vec::new();
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
         for (role, Limit { measure, limit: unit }) in objectives.chain(limits) {
-            let share = if matches!(measure.over, Over::Margin(_)) { ROW_SHARE_OF_MARGIN } else { ROW_SHARE };
+            let share = if matches!(measure.over, Over::Margin(_)) { share.max(ROW_SHARE_OF_MARGIN) } else { share };
             let mut found: Vec<(usize, Peak)> = Vec::new();
             for (load_case, s) in self.steering() {
                 let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, share, work)?;

@@ -173,7 +173,8 @@ fn crank<'r>(check: &mut Check, raw: &'r At<RawKrCrank>) -> Rule<'r> {
 /// The limit of a rule at the rated speed, MPa; its curve over speed, and the range it holds in, go into `within`.
 fn of_rule(check: &mut Check, Rule { rated: at_rated, rule, .. }: &Rule, of: Context, within: &mut Within) -> Option<f64> {
     let rated = check.positive(at_rated);
-    let top = rule.top() * rated;
+    // written without rounding
+    let top = (rule.top() * rated * 1e6).round() / 1e6;
     if of.speeds.0 >= top {
         check.wrong(
             at_rated,

@@ -136,3 +136,19 @@ fn optimum_by_a_multiaxial_margin() {
         }
     });
 }
+
+/// Law: what `hartog chart` sets side by side agrees: whole histories and their corners to 1e-7 (a radius that is right to 1e-13 leaves the centre, which Dang Van's sum asks for, to the root of that), and bounds leave out nothing that is the worst, for
+/// both engines by all criteria of their studies.
+#[test]
+fn ways_to_a_margin_agree() {
+    for name in ENGINES {
+        let study = short(name);
+        let design = study.designs.iter().find(|d| !d.absorbers.is_empty()).expect("an absorber");
+        let costs = hartog::benchmark::margin_methods::measure(&study, (&design.name, &design.absorbers)).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(costs.len(), study.fatigue.as_ref().expect("[fatigue]").criteria.len());
+        for c in costs {
+            assert!(c.difference < 1e-7 && c.missed == 0.0, "{name}: {c:?}");
+            assert_eq!(c.whole.is_some(), !["goodman", "iacs_m53", "iacs_m53_continuous"].contains(&c.criterion));
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Everything that `hartog chart` measures, put together.
 
+use super::margin_methods::{self, MarginCost};
 use super::scenarios::scenarios;
 use super::stability::{Cell, Scenario};
 use super::{energy, growth, model_accuracy, savings, speed_accuracy};
@@ -53,6 +54,8 @@ pub struct Chart<'a> {
     pub savings: Option<savings::Savings>,
     /// What simplifications cost.
     pub models: Vec<model_accuracy::ModelError>,
+    /// What margins of its first probe cost, where the study judges the crank.
+    pub margins: Vec<MarginCost>,
     /// What is the same for all studies.
     pub common: &'a Common,
 }
@@ -65,7 +68,7 @@ impl<'a> Chart<'a> {
     pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
-        progress.stage("random absorbers, simplified models", 2);
+        progress.stage("random absorbers, simplified models, margins", 3);
         let savings = savings::measure(&study)?;
         progress.step();
         let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
@@ -74,7 +77,10 @@ impl<'a> Chart<'a> {
         }
         let models = model_accuracy::measure(&study, &designs)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, common })
+        let probe = methods.probes.first().map_or(("none", &[][..]), |p| (p.0.as_str(), p.1.as_slice()));
+        let margins = margin_methods::measure(&study, probe)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, margins, common })
     }
 
     /// Whether skipping changes nothing.

@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod energy;
 pub mod growth;
+pub mod margin_methods;
 pub mod methods;
 pub mod model_accuracy;
 pub mod savings;

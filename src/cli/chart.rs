@@ -94,6 +94,9 @@ fn print(chart: &Chart) {
     if let Some(savings) = &chart.savings {
         say(&format!("\n{}", text::chart::savings(savings)));
     }
+    if !chart.margins.is_empty() {
+        say(&format!("\n{}", text::chart::margins(&chart.margins)));
+    }
     if !chart.models.is_empty() {
         say(&format!("\n{}", text::chart::models("What a simpler model costs, error of the peak:", &chart.models)));
     }

@@ -149,6 +149,14 @@ impl Margin {
         list
     }
 
+    /// The same by the whole history, without its corners; nothing by a criterion that asks for no history.
+    pub(crate) fn used_by_whole_history(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Option<f64> {
+        let (by, histories) = self.multiaxial(criterion)?;
+        let at = self.place(speed_rpm);
+        let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
+        Some(histories.used(by, &histories.whole(&self.locations[location], at, &whole)))
+    }
+
     /// Share of the strength that a location uses by each criterion that asks for its path; zero by the others.
     fn shares(&self, histories: &Histories, location: usize, at: At, torque: &[f64]) -> Rc<[f64]> {
         let path = histories.path(&self.locations[location], at, torque);

@@ -95,6 +95,25 @@ impl Histories {
                 std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * torque[j])
             })));
         }
+        let (bending, shear) = self.plane(location, at, torque);
+        Path::Plane(PlaneState::of(&bending, &shear))
+    }
+
+    /// The same with all its samples, whatever its state: what needs no corners.
+    pub fn whole(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> Path {
+        match self.path(location, at, torque) {
+            Path::Plane(_) => {
+                let (bending, shear) = self.plane(location, at, torque);
+                Path::General(History::plane_state(bending, shear))
+            }
+            general => general,
+        }
+    }
+
+    /// Normal and shear stress of a nominal state at every sample.
+    fn plane(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let section = section_of(location);
+        let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         let mut bending = vec![0.0; self.samples];
         // a row each: a sum of four products
         let shares = [(low, 1.0 - at.fraction), (high, at.fraction)];
@@ -104,8 +123,7 @@ impl Histories {
                 *b += moment * m + shear * v;
             }
         }
-        let shear: Vec<f64> = torque.iter().map(|t| location.torsion * t).collect();
-        Path::Plane(PlaneState::of(&bending, &shear))
+        (bending, torque.iter().map(|t| location.torsion * t).collect())
     }
 
     /// Share of the strength that a path uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.

@@ -23,6 +23,17 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
             table.row([name, setting, seconds, error, String::new(), note]);
         }
     }
+    for m in &chart.margins {
+        let mut row = |setting: &str, seconds: Option<f64>, error: Option<f64>| {
+            let (method, setting) = (text("margin"), format!("{}, {setting}", m.criterion));
+            table.row([method, setting, optional(seconds), optional(error), text("yes"), text("smallest margin of a design")]);
+        };
+        if m.whole.is_some() {
+            row("whole histories", m.whole, None);
+        }
+        row("corners, every fillet and speed", Some(m.all), m.whole.map(|_| m.difference));
+        row("with bounds", Some(m.bounds), Some(m.missed));
+    }
     for m in std::iter::once(&chart.common.grid).chain(&chart.models) {
         for (x, error) in &m.points {
             table.row([text("model"), format!("{} {x}", m.what.label()), String::new(), number(*error), String::new(), String::new()]);

@@ -4,6 +4,7 @@ use super::table::table;
 use crate::analysis::choice::Considered;
 use crate::benchmark::energy::Balance;
 use crate::benchmark::growth::{Growth, SIZES};
+use crate::benchmark::margin_methods::MarginCost;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::model_accuracy::ModelError;
 use crate::benchmark::savings::Savings;
@@ -83,6 +84,17 @@ pub fn savings(s: &Savings) -> String {
         1e3 * s.sweep.seconds
     ));
     text
+}
+
+/// What the smallest margin of a design costs, a row a criterion.
+pub(crate) fn margins(costs: &[MarginCost]) -> String {
+    let row = |m: &MarginCost| {
+        let whole = m.whole.map_or_else(|| "-".into(), duration);
+        let difference = if m.whole.is_some() { format!("{:.1e}", m.difference) } else { "-".into() };
+        vec![m.criterion.to_owned(), whole, duration(m.all), difference, duration(m.bounds), format!("{:.1e}", m.missed)]
+    };
+    let header = ["smallest margin, per design", "whole histories", "corners", "difference", "with bounds", "difference"];
+    table(&header, &costs.iter().map(row).collect::<Vec<_>>())
 }
 
 /// What simplifications cost, a row each, under a heading.

@@ -111,7 +111,7 @@ impl TwoMasses {
     }
 }
 
-fn measure(what: What) -> Measure {
+pub fn measure(what: What) -> Measure {
     let ring = vec![Quantity::RingTwist(0)];
     match what {
         What::Twist => Measure::new(vec![Quantity::Twist { from: 0, to: None }], Over::Synthesis),

@@ -35,6 +35,62 @@ impl BarredRange {
     }
 }
 
+/// A limit that is broken outside the ranges, too.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct StillBroken {
+    /// Index of the limit.
+    pub limit: usize,
+    /// Stress over the limit, where it is largest.
+    pub ratio: f64,
+    /// rpm.
+    pub speed_rpm: f64,
+}
+
+/// Where limits by rules are broken outside the barred ranges, at their worst: on the flank of a critical speed, at an end of the range, or where nothing resonates.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub(crate) fn still_broken(
+    finders: &[PeakFinder],
+    design: &[Mounted],
+    wanted: &Wanted,
+    ratios: &[f64],
+    barred: &[BarredRange],
+) -> Result<Vec<StillBroken>, ResponseError> {
+    let mut list = Vec::new();
+    for (index, (limit, _)) in wanted.limits.iter().zip(ratios).enumerate().filter(|(_, (l, r))| l.rated_rpm.is_some() && !holds(**r)) {
+        let mut worst: Option<StillBroken> = None;
+        for condition in wanted.held {
+            for finder in engines_in(*condition, finders) {
+                let mut outside = limit.of.measure.clone();
+                let own = barred.iter().filter(|b| (b.limit, b.condition) == (index, *condition));
+                outside.within.ranges = without(&outside.within.ranges, &finder.grid.speed_rpm, own);
+                if outside.within.ranges.is_empty() {
+                    continue;
+                }
+                let Some(peak) = finder.peak(&condition.absorbers(design), &outside, &mut Work::default())? else { continue };
+                let ratio = peak.value / limit.limit;
+                if !holds(ratio) && worst.is_none_or(|w| ratio > w.ratio) {
+                    worst = Some(StillBroken { limit: index, ratio, speed_rpm: peak.speed_rpm });
+                }
+            }
+        }
+        list.extend(worst);
+    }
+    Ok(list)
+}
+
+/// Ranges of speed (all of a grid where there are none) without barred ones.
+fn without<'b>(ranges: &[(f64, f64)], speeds_rpm: &[f64], barred: impl Iterator<Item = &'b BarredRange>) -> Vec<(f64, f64)> {
+    let whole = [(speeds_rpm[0], speeds_rpm[speeds_rpm.len() - 1])];
+    let mut left = if ranges.is_empty() { whole.to_vec() } else { ranges.to_vec() };
+    for b in barred {
+        let parts = |(low, high): (f64, f64)| [(low, high.min(b.from_rpm)), (low.max(b.to_rpm), high)];
+        left = left.into_iter().flat_map(parts).filter(|r| r.0 < r.1).collect();
+    }
+    left
+}
+
 /// Those of a design, of its limits by rules (`ratios`: each limited measure over its limit), in every condition that it is to hold in.
 ///
 /// # Errors
@@ -53,7 +109,9 @@ pub(crate) fn ranges(
                 let mounted = condition.absorbers(design);
                 for peak in finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())? {
                     let (own, critical_rpm) = (peak.value / limit.limit, peak.speed_rpm);
-                    if holds(own) || peak.place != Place::Interior {
+                    // where the limit has a corner no order resonates
+                    let corner = limit.of.measure.within.kinks().any(|k| (k / critical_rpm - 1.0).abs() < 1e-9);
+                    if holds(own) || peak.place != Place::Interior || corner {
                         continue;
                     }
                     let (from_rpm, to_rpm) = barred(critical_rpm, rated);

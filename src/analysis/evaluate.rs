@@ -2,7 +2,7 @@
 
 use super::margins::{self, SmallestMargin};
 use super::wanted::{Wanted, asked, shafts};
-use super::{BarredRange, ConditionResult, RunError, barred, conditions};
+use super::{BarredRange, ConditionResult, RunError, StillBroken, barred, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
@@ -153,6 +153,8 @@ pub struct DesignResult {
     pub limits: Vec<f64>,
     /// Ranges of speed that rules bar, of limits that it breaks.
     pub barred: Vec<BarredRange>,
+    /// Where it breaks them outside those.
+    pub still_broken: Vec<StillBroken>,
     /// Smallest margin of the crank by each criterion of the study.
     pub margins: Vec<SmallestMargin>,
     /// In the other conditions of the study that make a difference to it.
@@ -188,7 +190,9 @@ pub fn evaluate(
     }
     result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));
     result.limits = (0..own_limits.len()).map(|l| asked.iter().map(|a| a.1[l]).fold(0.0, f64::max)).collect();
-    result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(|error| RunError { what: name.to_owned(), error })?;
+    let failed = |error| RunError { what: name.to_owned(), error };
+    result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(failed)?;
+    result.still_broken = barred::still_broken(finders, design, wanted, &result.limits, &result.barred).map_err(failed)?;
     result.conditions = conditions;
     Ok(result)
 }
@@ -227,6 +231,7 @@ fn firing(
         objective: Some(objective),
         limits: Vec::new(),
         barred: Vec::new(),
+        still_broken: Vec::new(),
         margins: margins::smallest(finder, design, wanted.margins, work)?,
         conditions: Vec::new(),
     };

@@ -28,7 +28,7 @@ pub mod timing;
 mod tradeoffs;
 pub mod wanted;
 
-pub use barred::BarredRange;
+pub use barred::{BarredRange, StillBroken};
 pub use calibrate::{Calibration, calibrate};
 pub use conditions::ConditionResult;
 pub use duty::{DutyOfDesign, DutyResult};

@@ -118,7 +118,9 @@ impl<'a> Searches<'a> {
                 let nearby = scan::nearby(&problem, &mut optimum, spec.seed);
                 let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
                 let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
-                let second_order = second_order::second_order(&problem, &optimum.outcome, &mut Work::default());
+                // of the nearest design nothing is an optimum but its violation
+                let second_order =
+                    if conflict.is_some() { None } else { second_order::second_order(&problem, &optimum.outcome, &mut Work::default()) };
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);
@@ -128,7 +130,7 @@ impl<'a> Searches<'a> {
                 };
                 let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
                 let sensitivities =
-                    sensitivities(self.load_cases, mounted, &self.study.objectives(), &self.study.limits).map_err(failed)?;
+                    sensitivities(self.load_cases, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
                 let load_case = |r: &Row| {
                     let load_case = &self.load_cases[r.load_case];
                     RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
@@ -207,6 +209,7 @@ fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<
     match conflict::judge(problem, optimum, starts)? {
         Verdict::Conflict(nearest, conflict) => {
             *optimum = *nearest;
+            optimum.others.clear();
             Ok(Some(conflict))
         }
         Verdict::Found(outcome) => {

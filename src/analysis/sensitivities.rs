@@ -1,8 +1,9 @@
 //! How measures of an optimum change with its parameters, and how far these may drift.
 
-use crate::absorber::Mounted;
+use crate::absorber::{Absorber, Mounted};
 use crate::input::{LimitSpec, MeasureSpec, UnitOf};
-use crate::optimise::LoadCase;
+use crate::objective::{Measure, holds};
+use crate::optimise::{LoadCase, largest};
 use crate::response::{ResponseError, Work};
 
 /// A measure by a parameter.
@@ -23,7 +24,7 @@ pub struct Sensitivity {
     pub more: f64,
     /// The same for a decrease: not its opposite where several peaks are level.
     pub less: f64,
-    /// Relative increase and decrease of the parameter, to first order, at which the limit breaks; nothing where it does not.
+    /// Relative increase and decrease of the parameter at which the limit breaks first; nothing where it holds up to a half.
     pub drift: (Option<f64>, Option<f64>),
 }
 
@@ -63,8 +64,7 @@ pub(crate) fn sensitivities(
                 if !(more.is_finite() && less.is_finite()) {
                     continue;
                 }
-                let room = limit.map(|l| (l / largest - 1.0).max(0.0));
-                let drift = |rise: f64| room.filter(|_| rise > 0.0).map(|room| room / rise);
+                let drift = |sign: f64| limit.and_then(|l| breaks(load_cases, design, (&spec.measure, l), (absorber, parameter), sign));
                 // of a margin it is the inverse that rises
                 let sign = if spec.unit == UnitOf::Margin { -1.0 } else { 1.0 };
                 list.push(Sensitivity {
@@ -75,10 +75,52 @@ pub(crate) fn sensitivities(
                     parameter,
                     more: sign * more,
                     less: sign * less,
-                    drift: (drift(more), drift(less).filter(|d| *d < 1.0)),
+                    drift: (drift(1.0), drift(-1.0)),
                 });
             }
         }
     }
     Ok(list)
+}
+
+/// Steps of a parameter at which a limit is looked at, growing: the largest relative change is a half.
+const STEPS: [f64; 9] = [0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.25, 0.35, 0.5];
+/// Halvings between the last step that holds and the first that does not.
+const HALVINGS: usize = 12;
+
+/// Relative change of a parameter, upwards or downwards, at which a limit breaks first, as far as the steps see.
+fn breaks(
+    load_cases: &[LoadCase],
+    design: &[Mounted],
+    (measure, limit): (&Measure, f64),
+    (absorber, parameter): (usize, usize),
+    sign: f64,
+) -> Option<f64> {
+    let (declaration, law) = design[absorber].absorber.declaration().zip(design[absorber].absorber.law())?;
+    let broken = |change: f64| {
+        let mut values = law.values();
+        values[parameter] *= 1.0 + sign * change;
+        let mut moved = design.to_vec();
+        moved[absorber].absorber = Absorber::Ring((declaration.build)(&values));
+        // what has no finite response holds no limit
+        largest(load_cases.iter(), &moved, measure, &mut Work::default()).map_or(true, |value| !holds(value / limit))
+    };
+    let mut below = 0.0;
+    for step in STEPS {
+        if !broken(step) {
+            below = step;
+            continue;
+        }
+        let mut above = step;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if broken(middle) {
+                above = middle;
+            } else {
+                below = middle;
+            }
+        }
+        return Some(below);
+    }
+    None
 }

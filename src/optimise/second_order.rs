@@ -17,7 +17,7 @@ pub struct SecondOrder {
 
 /// Multipliers above this are active.
 const ACTIVE: f64 = 1e-6;
-/// A peak whose relative change for a change of the coordinates is below this is at its own minimum: convergence leaves about 1e-6.
+/// Relative changes for a change of the coordinates that differ by less than this are the same: convergence leaves about 1e-6.
 const STATIONARY: f64 = 1e-5;
 /// Eigenvalues of a sum of squares below this share of the largest are zero.
 const DEPENDENT: f64 = 1e-11;
@@ -29,12 +29,17 @@ const STEP: f64 = 1e-3;
 pub(crate) fn second_order(problem: &Problem, outcome: &Outcome, work: &mut Work) -> Option<SecondOrder> {
     let n = outcome.point.len();
     let unit = outcome.rows.objective();
-    let changes = |r: &Row| {
-        let scale = if r.role.is_limit() { 1.0 } else { 1.0 / unit };
-        r.gradient.iter().map(|g| g * g).sum::<f64>().sqrt() * scale > STATIONARY
-    };
-    let active = outcome.rows.rows.iter().zip(&outcome.multipliers).filter(|(r, multiplier)| **multiplier > ACTIVE && changes(r));
-    let mut normals: Vec<Vec<f64>> = active.map(|(r, _)| r.gradient.clone()).collect();
+    let active = outcome.rows.rows.iter().zip(&outcome.multipliers).filter(|r| *r.1 > ACTIVE).map(|r| r.0);
+    // level peaks of one term stay level; a limit stays on its value
+    let mut first: Vec<Option<&Row>> = vec![None; outcome.rows.weights().len()];
+    let mut normals: Vec<Vec<f64>> = Vec::new();
+    for row in active {
+        match outcome.rows.term(row.role).map(|term| first[term].get_or_insert(row)) {
+            None => normals.push(row.gradient.clone()),
+            Some(of) => normals.push(row.gradient.iter().zip(&of.gradient).map(|(g, f)| (g - f) / unit).collect()),
+        }
+    }
+    normals.retain(|v| v.iter().map(|x| x * x).sum::<f64>().sqrt() > STATIONARY);
     let held = (0..n).filter(|i| outcome.bounds[*i].iter().any(|m| *m > ACTIVE));
     normals.extend(held.map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()));
     let free = complement(&normals, n);

@@ -110,9 +110,16 @@ impl Study {
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i).or_else(combined)).unwrap_or(&self.objective)
     }
 
-    /// All objectives, the first before the others.
-    pub(crate) fn objectives(&self) -> Vec<&MeasureSpec> {
-        std::iter::once(&self.objective).chain(&self.more_objectives).collect()
+    /// All objectives, the first before the others, then what an objective combines besides.
+    pub(crate) fn measures_of(&self, index: usize) -> Vec<&MeasureSpec> {
+        let mut list: Vec<&MeasureSpec> = std::iter::once(&self.objective).chain(&self.more_objectives).collect();
+        let combined = self.combined.iter().filter(|_| index > self.more_objectives.len());
+        for part in combined.flat_map(|c| &c.parts).map(|p| &p.of) {
+            if list.iter().all(|m| m.column != part.column) {
+                list.push(part);
+            }
+        }
+        list
     }
 
     /// The engine whose pressure bends the crank.

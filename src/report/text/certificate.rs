@@ -32,7 +32,9 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
     let (s, outcome) = (&o.optimum.stages, &o.optimum.outcome);
     let residual = if outcome.kkt_residual.is_finite() { format!("{:.0e}", outcome.kkt_residual) } else { "not available".into() };
     lines.push(format!("  first order: KKT residual {residual}; {}", outcome.stop.reason()));
-    lines.push(second_order(o));
+    if o.conflict.is_none() {
+        lines.push(second_order(o));
+    }
     lines.push(format!(
         "  evaluations: {} of starts, {} of search, {} of minimax",
         s.seeds.evaluations, s.search.evaluations, s.minimax.evaluations

@@ -2,7 +2,7 @@
 
 use super::margin::factor;
 use super::table::significant;
-use crate::analysis::{BarredRange, DesignResult, OptimumResult};
+use crate::analysis::{BarredRange, DesignResult, OptimumResult, StillBroken};
 use crate::input::{LimitSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Property, holds};
 use crate::optimise::Conflict;
@@ -48,9 +48,9 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
         let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
-        let allowed = if b.allowed { "" } else { "; the rule lets no range be barred above 0.8 of the rated speed" };
+        let allowed = if b.allowed { "" } else { ": more than the rule allows, which is none above 0.8 of the rated speed" };
         format!(
-            "  {}: {} breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
+            "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
             study.limits[b.limit].words,
             d.name,
             b.critical_rpm,
@@ -59,7 +59,17 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
             b.to_rpm
         )
     };
-    d.barred.iter().map(line).collect()
+    let outside = |b: &StillBroken| {
+        let which = if d.barred.iter().any(|r| r.limit == b.limit) { "outside that, too" } else { "at no critical speed" };
+        format!(
+            "  {}: `{}` breaks it {which}: most at {:.0} rpm ({:.0} %)",
+            study.limits[b.limit].words,
+            d.name,
+            b.speed_rpm,
+            100.0 * b.ratio
+        )
+    };
+    d.barred.iter().map(line).chain(d.still_broken.iter().map(outside)).collect()
 }
 
 /// Which limits were not held together, how near a design comes, and what loosening one would take.

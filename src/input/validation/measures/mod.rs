@@ -126,7 +126,7 @@ pub(super) fn combined(check: &mut Check, study: &RawStudy, known: (&[MeasureSpe
     let raw = study.optimise.as_ref()?.combined.as_ref()?.get_ref();
     let list = different(check, &raw.of, known, of)?;
     if list.len() < 2 {
-        check.wrong(&raw.of, format!("found {} measure, expected at least two to be combined", list.len()));
+        check.wrong(&raw.of, "found fewer than two measures, expected at least two to be combined");
         return None;
     }
     let targets = one_each(check, "targets", &raw.targets, list.len());

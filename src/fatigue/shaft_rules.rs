@@ -74,7 +74,7 @@ impl ShaftRule {
 /// Ratio of speeds above which no range may be barred in normal firing.
 pub(crate) const HIGHEST_BARRED: f64 = 0.8;
 
-/// The range that a critical speed bars, rpm: 16 n/(18 - lambda) to (18 - lambda) n/16 \[IACS UR M68\].
+/// The range that a critical speed bars, rpm: 16 n/(18 - lambda) to (18 - lambda) n/16 \[IACS UR M68\]; taken for cranks, too (assumption).
 pub(crate) fn barred(critical_rpm: f64, rated_rpm: f64) -> (f64, f64) {
     let width = (18.0 - critical_rpm / rated_rpm) / 16.0;
     (critical_rpm / width, critical_rpm * width)

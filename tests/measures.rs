@@ -2,9 +2,9 @@
 
 use crate::support::{assert_close, study, system};
 use hartog::absorber::{Absorber, Host, Mounted, RUBBER, TUNED};
-use hartog::input::Study;
+use hartog::input::{LimitSpec, MeasureSpec, Study};
 use hartog::numerics::C64;
-use hartog::objective::{Measure, Over, PeakFinder, Property, Within};
+use hartog::objective::{DutyLoad, Measure, Over, PeakFinder, Property, Within};
 use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 
 const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
@@ -13,7 +13,10 @@ fn with_finder<T>(study: &Study, f: impl FnOnce(&PeakFinder) -> T) -> T {
     let sys = system(study);
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Direct(Direct::new(&sys, &grid));
-    f(&PeakFinder::new(&sys, &grid, &method, true))
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let point = |(share, speed_rpm)| DutyLoad { share, speed_rpm, system: system(study) };
+    let duty = [(0.25, low + 11.0), (0.6, 0.3 * low + 0.7 * high), (0.15, high)].map(point);
+    f(&PeakFinder::new(&sys, &grid, &method, true).with_duty(&duty))
 }
 
 fn ring(declaration: &'static hartog::absorber::Declaration, on: Host, values: &[f64]) -> Mounted {
@@ -46,6 +49,11 @@ fn measures(study: &Study, rings: usize) -> Vec<Measure> {
         Measure::new(all(), Over::Power),
         Measure::new(vec![Quantity::RingTwist(rings - 1)], Over::Power),
         Measure::new(vec![study.twist], Over::Order(order)),
+        Measure::new(vec![Quantity::Acceleration(1)], Over::Synthesis),
+        Measure::new(vec![Quantity::Acceleration(0)], Over::Orders),
+        Measure::new(vec![study.twist], Over::Mean),
+        Measure::new(all(), Over::Mean),
+        Measure::new(all(), Over::MeanPower),
         Measure::new(all(), Over::Property(Property::RingInertia)),
         Measure::new(all(), Over::Property(Property::TotalInertia)),
         Measure::new(vec![study.twist], Over::Property(Property::Band { low: 60.0, high: 4000.0 })),
@@ -106,7 +114,7 @@ fn values_of_measures_equal_a_fine_sweep() {
             let orders = finder.system.orders();
             let design = &designs()[1];
             for measure in measures(&s, design.len()) {
-                if matches!(measure.over, Over::Property(_)) {
+                if matches!(measure.over, Over::Mean | Over::MeanPower | Over::Property(_)) {
                     continue;
                 }
                 let holds =
@@ -139,4 +147,38 @@ fn values_of_measures_equal_a_fine_sweep() {
             }
         });
     }
+}
+
+/// Law: a mean over the duty is the sum of shares times what the design does at each point, at its speed and load: of the duty that a run reports, and of a study that has one
+/// speed only.
+#[test]
+fn means_over_the_duty() {
+    let mut s = study("villalva_i6");
+    (s.optimise, s.front, s.fatigue) = (None, None, None);
+    s.more_objectives.clear();
+    s.conditions.clear();
+    s.designs.retain(|d| d.name == "tuned_unity");
+    let point = |speed_rpm, load_fraction, share| hartog::input::DutyPoint { speed_rpm, load_fraction, share };
+    s.duty = vec![point(1000.0, 0.5, 0.3), point(1755.0, 1.0, 0.7)];
+    s.objective.measure.over = Over::Mean;
+    let power = Measure::new(vec![Quantity::RingTwist(0)], Over::MeanPower);
+    s.limits = vec![LimitSpec {
+        of: MeasureSpec { measure: power, ..s.objective.clone() },
+        words: "mean power".into(),
+        limit: 100.0,
+        rated_rpm: None,
+    }];
+    let results = s.run().expect("damped");
+    let of = |i: usize| &results.duty[0].points[i];
+    assert!(of(0).twist > 0.0 && of(1).twist > 1.1 * of(0).twist, "{:?}", results.duty);
+    let found = &results.designs[0];
+    assert_close(found.objective.expect("twist"), 0.3 * of(0).twist + 0.7 * of(1).twist, 1e-12, 0.0, "twist");
+    assert_close(100.0 * found.limits[0], results.duty[0].mean_power(), 1e-12, 0.0, "power");
+    // the point at full load by itself
+    s.speeds_rpm = vec![1755.0];
+    (s.objective.measure.over, s.duty) = (Over::Synthesis, Vec::new());
+    s.limits[0].of.measure.over = Over::Power;
+    let alone = s.run().expect("damped");
+    assert_close(alone.designs[0].objective.expect("twist"), of(1).twist, 1e-12, 0.0, "twist at one speed");
+    assert_close(alone.designs[0].power.expect("a ring"), of(1).power, 1e-12, 0.0, "power at one speed");
 }

@@ -114,3 +114,29 @@ fn energy_put_in_is_dissipated() {
     }
     assert!(balances.len() >= 36, "{}", balances.len());
 }
+
+/// Law: an acceleration is minus the square of the frequency times the angle, by every method that answers.
+#[test]
+fn accelerations_are_second_derivatives() {
+    let scenario = scenarios().into_iter().find(|s| s.name.starts_with("Den Hartog")).expect("a scenario");
+    let grid = Grid::new(&scenario.speeds, &[]);
+    let mut answered = 0;
+    for cell in scenario.cells() {
+        let sweep = |quantity| {
+            let method = cell.candidate.build(&scenario.system, &grid, &scenario.design, quantity)?;
+            let mut out = Vec::new();
+            method.sweep(&scenario.design, quantity, &mut out, &mut Work::default()).ok().map(|()| out)
+        };
+        let (Some(angles), Some(found)) = (sweep(Quantity::Twist { from: 0, to: None }), sweep(Quantity::Acceleration(0))) else {
+            continue;
+        };
+        answered += 1;
+        for (i, (angle, found)) in angles.iter().zip(&found).enumerate() {
+            let orders = scenario.system.orders();
+            let omega = scenario.system.excitation.orders[i % orders].omega(scenario.speeds[i / orders]);
+            let expected = angle * -(omega * omega);
+            assert_close((found - expected).norm(), 0.0, 0.0, 1e-9 * expected.norm(), &cell.candidate.label());
+        }
+    }
+    assert!(answered >= 8, "{answered} methods");
+}

@@ -4,8 +4,9 @@ use super::DesignResult;
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::engine::{Engine, Excitation, Load, Source};
-use crate::input::{DutyPoint, Study};
+use crate::input::{DutyPoint, MeasureSpec, Study};
 use crate::numerics::synthesis::Synthesiser;
+use crate::objective::{DutyLoad, Over};
 use crate::response::{Direct, Grid, Quantity, ResponseError, Work};
 
 /// A design at one point of the duty.
@@ -44,21 +45,28 @@ fn at_load(engine: &Engine, load_fraction: f64) -> Option<Engine> {
     Some(Engine { source: Source::Cylinder { geometry: geometry.clone(), pressure }, ..engine.clone() })
 }
 
+/// The points of the duty where a measure of the study is a mean over them; else none.
+pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
+    let is_mean = |m: &MeasureSpec| matches!(m.measure.over, Over::Mean | Over::MeanPower);
+    if study.measures().any(is_mean) { systems(study).map(|s| s.1).collect() } else { Vec::new() }
+}
+
+fn systems(study: &Study) -> impl Iterator<Item = (DutyPoint, DutyLoad)> + '_ {
+    study.duty.iter().filter_map(|point| {
+        let excitation = Excitation::new(&at_load(&study.engine, point.load_fraction)?, study.order_limit);
+        let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+        Some((*point, DutyLoad { share: point.share, speed_rpm: point.speed_rpm, system }))
+    })
+}
+
 /// Every design at every point; empty without a duty.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly, with the name of the design.
 pub(crate) fn duty<'d>(study: &Study, shown: &[&'d DesignResult]) -> Result<Vec<DutyOfDesign>, (&'d DesignResult, ResponseError)> {
-    let systems: Vec<(DutyPoint, System)> = study
-        .duty
-        .iter()
-        .filter_map(|point| {
-            let excitation = Excitation::new(&at_load(&study.engine, point.load_fraction)?, study.order_limit);
-            Some((*point, System::with_modes(study.chain.clone(), study.modes.clone(), excitation)))
-        })
-        .collect();
+    let systems: Vec<(DutyPoint, DutyLoad)> = systems(study).collect();
     let all = |d: &&'d DesignResult| {
-        let points = systems.iter().map(|(point, system)| at(study, system, *point, &d.absorbers)).collect::<Result<_, _>>();
+        let points = systems.iter().map(|(point, system)| at(study, &system.system, *point, &d.absorbers)).collect::<Result<_, _>>();
         Ok(DutyOfDesign { design: d.name.clone(), points: points.map_err(|error| (*d, error))? })
     };
     if systems.is_empty() { Ok(Vec::new()) } else { shown.iter().map(all).collect() }

@@ -68,7 +68,7 @@ impl Classifier {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub(crate) fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
-        if peak.quantity != self.quantity {
+        if peak.quantity != self.quantity || peak.place == Place::Nowhere {
             return Ok(None);
         }
         let still = self.phasors(finder.system, peak.speed_rpm);
@@ -111,7 +111,9 @@ pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 
             let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
             index.map_or(0.0, own)
         }
-        Over::Synthesis | Over::Margin(_) | Over::Power | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
+        Over::Synthesis | Over::Mean | Over::Margin(_) | Over::Power | Over::MeanPower | Over::Property(_) => {
+            finder.synthesis(&work).into_iter().fold(0.0, f64::max)
+        }
     }
 }
 

@@ -18,7 +18,7 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::{DesignSpec, FrontSpec, ResponseMethod, Study};
+use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, PeakFinder};
 use crate::optimise::LoadCase;
@@ -84,8 +84,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     if margin.is_some() {
         clock.lap("crank", Work::default());
     }
-    let finder = |(system, method)| PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
-    let finders: Vec<PeakFinder> = systems.iter().zip(&methods).map(finder).collect();
+    let duty_points = duty::points(study);
+    let finder = |(i, (system, method))| {
+        let finder = PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
+        // a duty is of the engine as it should be
+        if i == 0 { finder.with_duty(&duty_points) } else { finder }
+    };
+    let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
     let modes = study
         .optimise
         .as_ref()
@@ -236,13 +241,7 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
     if study.method == ResponseMethod::Direct {
         return Method::Direct(Direct::new(system, grid));
     }
-    let mut quantities: Vec<Quantity> = study.objective.measure.quantities.clone();
-    quantities.extend(study.more_objectives.iter().flat_map(|o| o.measure.quantities.iter().copied()));
-    quantities.extend(study.combined.iter().flat_map(|c| &c.parts).flat_map(|p| p.of.measure.quantities.iter().copied()));
-    quantities.extend(study.limits.iter().flat_map(|l| l.of.measure.quantities.iter().copied()));
-    if let Some(FrontSpec::Of { measures, .. }) = &study.front {
-        quantities.extend(measures.iter().flat_map(|m| m.measure.quantities.iter().copied()));
-    }
+    let mut quantities: Vec<Quantity> = study.measures().flat_map(|m| m.measure.quantities.iter().copied()).collect();
     quantities.extend([study.twist, Quantity::Twist { from: study.hub, to: None }]);
     let mut unique: Vec<Quantity> = Vec::new();
     for q in quantities {

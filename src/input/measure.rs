@@ -8,6 +8,8 @@ use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
 pub enum UnitOf {
     /// Degrees (rad inside).
     Angle,
+    /// rad/s².
+    Acceleration,
     /// N m.
     Torque,
     /// Nominal shear stress of a section, MPa (N m inside).
@@ -43,7 +45,7 @@ impl UnitOf {
             Self::Stress { section_modulus } => value / section_modulus / PA_PER_MPA,
             Self::Strain { per_twist } => 100.0 * value * per_twist,
             Self::PowerPerArea { area } => value / area,
-            Self::Torque | Self::Power | Self::Inertia | Self::Ratio => value,
+            Self::Acceleration | Self::Torque | Self::Power | Self::Inertia | Self::Ratio => value,
             Self::Margin => 1.0 / value,
         }
     }
@@ -55,7 +57,7 @@ impl UnitOf {
             Self::Stress { section_modulus } => shown * PA_PER_MPA * section_modulus,
             Self::Strain { per_twist } => 0.01 * shown / per_twist,
             Self::PowerPerArea { area } => shown * area,
-            Self::Torque | Self::Power | Self::Inertia | Self::Ratio => shown,
+            Self::Acceleration | Self::Torque | Self::Power | Self::Inertia | Self::Ratio => shown,
             Self::Margin => 1.0 / shown,
         }
     }
@@ -64,6 +66,7 @@ impl UnitOf {
     pub(crate) fn suffix(self) -> &'static str {
         match self {
             Self::Angle => "°",
+            Self::Acceleration => " rad/s²",
             Self::Torque => " N m",
             Self::Stress { .. } => " MPa",
             Self::Strain { .. } => " %",
@@ -78,6 +81,7 @@ impl UnitOf {
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Angle => "deg",
+            Self::Acceleration => "rad/s2",
             Self::Torque => "N m",
             Self::Stress { .. } => "MPa",
             Self::Strain { .. } => "%",

@@ -37,9 +37,10 @@ impl PeakFinder<'_> {
                 Ok(change[0].iter().map(|d| peak.weight * (y.conj() * d).re / y.norm()).collect())
             }
             Over::Power => {
-                let gradient = self.power_gradient((design, index), measure, peak.speed_rpm, work)?;
+                let gradient = self.power_gradient(&self.direct, (design, index), measure, peak.speed_rpm, work)?;
                 Ok(gradient.into_iter().map(|g| peak.weight * g).collect())
             }
+            Over::Mean | Over::MeanPower => self.mean_gradient((design, index), measure, peak.quantity, work),
             Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),
         }
     }

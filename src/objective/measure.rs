@@ -16,6 +16,10 @@ pub enum Over {
     Margin(usize),
     /// Mean power dissipated in the absorbers whose ring twists are the quantities, together, W.
     Power,
+    /// Mean over the duty of half peak-to-peak of all orders together.
+    Mean,
+    /// Mean over the duty of the power as above, W.
+    MeanPower,
     /// What the design has at no speed.
     Property(Property),
 }

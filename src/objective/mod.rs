@@ -1,6 +1,7 @@
 //! The objective and how it is evaluated: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
 
 pub mod condition;
+pub mod duty;
 mod gradient;
 mod local_maxima;
 pub mod measure;
@@ -17,6 +18,7 @@ pub mod surrogate;
 mod synthesis_peaks;
 
 pub use condition::Condition;
+pub use duty::DutyLoad;
 pub(crate) use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};

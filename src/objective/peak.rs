@@ -11,7 +11,7 @@ pub enum Place {
     Interior,
     /// At the lowest or highest speed.
     End,
-    /// At no speed: a property of the design.
+    /// At no speed: a property of the design, or a mean over the duty.
     Nowhere,
 }
 

@@ -3,6 +3,7 @@
 //! A sweep finds the local maxima on the grid, with speeds added round resonances too narrow for it; each that could win is refined by direct
 //! solutions. Ends of the range and kinks of the torque (tabulated speeds) are candidates.
 
+use super::duty::DutyLoad;
 use super::local_maxima::{self, Candidate};
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
@@ -39,6 +40,8 @@ pub struct PeakFinder<'a> {
     pub(super) synthesiser: Synthesiser,
     /// The crank, for measures of its margin.
     pub margin: Option<&'a Margin>,
+    /// For means over a duty.
+    pub(super) duty: &'a [DutyLoad],
     /// Tables for searches, with the quantity they are of and the largest error they may have.
     pub(super) surrogate: Option<(Surrogate, Quantity, f64)>,
 }
@@ -91,6 +94,7 @@ impl<'a> PeakFinder<'a> {
             resonances: refine.then(|| Resonances::new(system, grid)),
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
             margin: None,
+            duty: &[],
             surrogate: None,
         }
     }
@@ -152,6 +156,10 @@ impl<'a> PeakFinder<'a> {
             found.peaks.extend(self.property(design, measure, property));
             return Ok(found.peaks);
         }
+        if matches!(measure.over, Over::Mean | Over::MeanPower) {
+            found.peaks.extend(self.mean(design, measure, work)?);
+            return Ok(found.peaks);
+        }
         let speeds = self.speeds(design).with_kinks(measure.within.kinks());
         for pole in speeds.poles.iter().filter(|p| measure.within.holds(p.speed_rpm)) {
             self.check_pole(design, measure, pole, work)?;
@@ -199,7 +207,7 @@ impl<'a> PeakFinder<'a> {
                     self.powers(design, measure, (speeds, part.start), &twists, &mut found, work)?;
                 }
             }
-            Over::Property(_) => {}
+            Over::Mean | Over::MeanPower | Over::Property(_) => {}
         }
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));

@@ -7,7 +7,7 @@ use super::peak_search::{Found, PeakFinder};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
 use crate::numerics::{C64, ZERO};
-use crate::response::{Quantity, ResponseError, Work};
+use crate::response::{Direct, Quantity, ResponseError, Work};
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// Below this share of the largest known power a maximum is not refined: power grows as the square of a twist.
@@ -78,6 +78,7 @@ impl PeakFinder<'_> {
     /// Derivatives of a power by the parameters of absorber `index`: of its own law, and of all twists.
     pub(super) fn power_gradient(
         &self,
+        direct: &Direct,
         (design, index): (&[Mounted], usize),
         measure: &Measure,
         speed_rpm: f64,
@@ -88,8 +89,8 @@ impl PeakFinder<'_> {
         let mut gradient: Vec<f64> = Vec::new();
         for i in measure.absorbers().filter(|i| *i < design.len()) {
             let Some(law) = design[i].absorber.law() else { continue };
-            self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
-            let changes = self.direct.sensitivity(design, index, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;
+            direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
+            let changes = direct.sensitivity(design, index, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;
             for (n, (y, changes)) in y.iter().zip(&changes).enumerate() {
                 let at = self.operating(n, speed_rpm);
                 gradient.resize(changes.len(), 0.0);

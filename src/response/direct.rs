@@ -46,6 +46,8 @@ impl BasePoint {
 enum Output {
     /// Of a station.
     Angle(usize),
+    /// Of a station.
+    Acceleration(usize),
     /// Twists of links that follow each other.
     Row(std::ops::Range<usize>),
     /// Twists of links with their weights.
@@ -165,6 +167,7 @@ impl<'a> Direct<'a> {
             Quantity::Twist { from, to: Some(to) } => Output::Path(self.system.chain.path(from, to)),
             Quantity::ShaftTorque(s) => Output::Torque(s),
             Quantity::RingTwist(a) => Output::Ring(a),
+            Quantity::Acceleration(station) => Output::Acceleration(station),
         }
     }
 
@@ -180,6 +183,11 @@ impl<'a> Direct<'a> {
                 torque
             }
             Output::Ring(a) => block.ring[*a],
+            Output::Acceleration(station) => {
+                let mut angle = block.x[*station];
+                (0..LANES).for_each(|l| angle.set(l, angle.get(l) * -(block.omega[l] * block.omega[l])));
+                angle
+            }
         }
     }
 

@@ -123,7 +123,9 @@ impl<'a> Factored<'a> {
     pub fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
         let theta = |i: usize| self.angle(i, x);
         match quantity {
-            Quantity::Twist { .. } => quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)),
+            Quantity::Twist { .. } | Quantity::Acceleration(_) => {
+                quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)) * quantity.per_angle(self.omega)
+            }
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),
             Quantity::RingTwist(a) => {
                 let ring = &self.condensed.rings[a];

@@ -123,7 +123,8 @@ impl Motion {
             shaft.map_or(twist, |s| s.stiffness_to_next * twist + s.damping_to_next * rate)
         };
         let outputs: Vec<f64> = self.states.iter().map(output).collect();
-        let found = Analyser::new(outputs.len(), &system.excitation.harmonics).analyse(&outputs);
+        let mut found = Analyser::new(outputs.len(), &system.excitation.harmonics).analyse(&outputs);
+        found.iter_mut().zip(&system.excitation.orders).for_each(|(y, order)| *y *= quantity.per_angle(order.omega(speed_rpm)));
         if found.iter().all(|y| y.is_finite()) { Ok(found) } else { Err(ResponseError::unbounded(system.excitation.orders[0], speed_rpm)) }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::drivetrain::{Chain, Difference};
 
-/// A quantity that is linear in the angles.
+/// A quantity that is linear in the angles, at a frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 pub enum Quantity {
     /// Angle of station `from` less that of `to`, referred to the crankshaft where there are gears (`None`: the ground, so the amplitude of a
@@ -17,16 +17,24 @@ pub enum Quantity {
     ShaftTorque(usize),
     /// Angle of the ring of an absorber (index in the design) less that of its hub, rad.
     RingTwist(usize),
+    /// Angular acceleration of a station, rad/s².
+    Acceleration(usize),
 }
 
 impl Quantity {
-    /// The angles of stations that it is, or that it is the stiffness of a shaft times; nothing for the twist of a ring.
+    /// The angles of stations that it is, or that it is a factor times (the stiffness of a shaft, a square of the frequency); nothing for the twist of a ring.
     pub(crate) fn difference(self, chain: &Chain) -> Option<Difference> {
         match self {
             Self::Twist { from, to: None } => Some(Difference { from, to: None, scale: 1.0 }),
             Self::Twist { from, to: Some(to) } => Some(chain.between(from, to)),
             Self::ShaftTorque(shaft) => Some(chain.link(shaft)),
+            Self::Acceleration(from) => Some(Difference { from, to: None, scale: 1.0 }),
             Self::RingTwist(_) => None,
         }
+    }
+
+    /// What it is times the angles of its difference, but for the stiffness of a shaft: -omega² of an acceleration.
+    pub(crate) fn per_angle(self, omega: f64) -> f64 {
+        if matches!(self, Self::Acceleration(_)) { -omega * omega } else { 1.0 }
     }
 }

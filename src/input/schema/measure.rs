@@ -10,6 +10,15 @@ pub(crate) enum RawOver {
     #[default]
     Synthesis,
     Orders,
+    Duty,
+}
+
+#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawPowerOver {
+    #[default]
+    Speed,
+    Duty,
 }
 
 /// Pairs of numbers: ranges of speed (rpm), or speeds with factors.
@@ -56,6 +65,7 @@ over_speed!(RawTwist {
     max_deg: Option<At<f64>>,
 });
 over_speed!(RawAmplitude { station: At<String>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
+over_speed!(RawAcceleration { station: At<String>, over: Option<RawOver>, order: Option<At<f64>>, max_rad_per_s2: Option<At<f64>>, });
 over_speed!(#[derive(Default)] RawTorque { shaft: Option<At<String>>, over: Option<RawOver>, order: Option<At<f64>>, max_n_m: Option<At<f64>>, });
 over_speed!(RawStress {
     shaft: At<String>,
@@ -76,8 +86,13 @@ over_speed!(RawStrain {
     order: Option<At<f64>>,
     max_percent: Option<At<f64>>,
 });
-over_speed!(#[derive(Default)] RawPower { absorber: Option<At<i64>>, max_w: Option<At<f64>>, });
-over_speed!(RawPowerPerArea { absorber: At<i64>, area_m2: At<f64>, max_w_per_m2: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawPower { absorber: Option<At<i64>>, over: Option<RawPowerOver>, max_w: Option<At<f64>>, });
+over_speed!(RawPowerPerArea {
+    absorber: At<i64>,
+    area_m2: At<f64>,
+    over: Option<RawPowerOver>,
+    max_w_per_m2: Option<At<f64>>,
+});
 over_speed!(#[derive(Default)] RawMargin { criterion: Option<At<RawCriterion>>, min: Option<At<f64>>, });
 
 #[derive(Debug, Deserialize)]
@@ -130,6 +145,7 @@ pub(crate) struct RawBand {
 pub(crate) enum RawMeasure {
     PeakTwist(RawTwist),
     HubAmplitude(RawAmplitude),
+    Acceleration(RawAcceleration),
     VibratoryTorque(RawTorque),
     ShaftStress(RawStress),
     RingTwist(RawRingTwist),

@@ -122,6 +122,17 @@ impl Study {
         list
     }
 
+    /// Everything that is measured: objectives, what they combine, limits, and axes of fronts.
+    pub(crate) fn measures(&self) -> impl Iterator<Item = &MeasureSpec> {
+        let combined = self.combined.iter().flat_map(|c| &c.parts);
+        let limits = combined.chain(&self.limits).map(|l| &l.of);
+        let axes = match &self.front {
+            Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
+            _ => &[],
+        };
+        std::iter::once(&self.objective).chain(&self.more_objectives).chain(limits).chain(axes)
+    }
+
     /// The engine whose pressure bends the crank.
     pub fn engine_of_crank(&self) -> &Engine {
         self.crank_engine.as_ref().unwrap_or(&self.engine)

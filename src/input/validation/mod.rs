@@ -177,6 +177,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         order_limit: base.order_limit,
         strokes: base.engine.strokes,
         absorbers: Context::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise.as_ref()),
+        has_duty: !study.duty.is_empty(),
     };
     let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);

@@ -43,6 +43,8 @@ pub(crate) struct Context<'a> {
     pub strokes: u32,
     /// Most absorbers of a design.
     pub absorbers: usize,
+    /// Whether the study has a duty.
+    pub has_duty: bool,
 }
 
 impl<'a> Context<'a> {
@@ -75,6 +77,7 @@ impl<'a> Context<'a> {
             return match over.unwrap_or_default() {
                 RawOver::Synthesis => Over::Synthesis,
                 RawOver::Orders => Over::Orders,
+                RawOver::Duty => Over::Mean,
             };
         };
         if over.is_some() {

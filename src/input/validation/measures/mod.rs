@@ -17,9 +17,25 @@ use names::{Bound, Names, Resolved, spec};
 
 /// A measure as typed; nothing where a mistake leaves none.
 fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
+    let resolved = of_kind(check, raw, of)?;
+    let measure = &resolved.spec.measure;
+    if matches!(measure.over, Over::Mean | Over::MeanPower) {
+        if !of.has_duty {
+            check.wrong(raw, "found a mean over the duty in a study without one, expected its points as `duty = [...]`");
+        }
+        if measure.within != Within::default() {
+            check.wrong(raw, "found speeds or a limit over speed beside `over = \"duty\"`, expected the points of the duty alone");
+        }
+    }
+    Some(resolved)
+}
+
+/// The same, not yet held against the study's duty.
+fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
     match raw.get_ref() {
         RawMeasure::PeakTwist(m) => of_chain::peak_twist(check, m, of),
         RawMeasure::HubAmplitude(m) => of_chain::hub_amplitude(check, m, of),
+        RawMeasure::Acceleration(m) => of_chain::acceleration(check, m, of),
         RawMeasure::VibratoryTorque(m) => of_chain::vibratory_torque(check, m, raw, of),
         RawMeasure::ShaftStress(m) => of_chain::shaft_stress(check, m, of),
         RawMeasure::RingTwist(m) => of_absorbers::ring_twist(check, m, of),
@@ -40,7 +56,7 @@ fn reported_twist(of: Context) -> MeasureSpec {
     let name = |i: usize| of.chain.stations[i].name.as_str();
     let place = match quantity {
         Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
-        Quantity::ShaftTorque(_) | Quantity::RingTwist(_) => String::new(),
+        Quantity::ShaftTorque(_) | Quantity::RingTwist(_) | Quantity::Acceleration(_) => String::new(),
     };
     let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
     spec(names, (vec![quantity], Over::Synthesis, Within::default()), UnitOf::Angle)
@@ -52,7 +68,7 @@ const BY_WORD: [&str; 8] =
 
 /// A measure by its word: that of the study's objectives or limits, or of all shafts, rings or locations.
 fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Context) -> Option<MeasureSpec> {
-    if let Some(known) = known.iter().find(|k| k.key == word.get_ref()) {
+    if let Some(known) = known.iter().find(|k| k.word == *word.get_ref()).or_else(|| known.iter().find(|k| k.key == word.get_ref())) {
         // a factor belongs to the limit, not to the measure
         let mut spec = (*known).clone();
         spec.measure.within.factors.clear();

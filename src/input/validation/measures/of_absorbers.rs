@@ -4,7 +4,7 @@ use super::context::Context;
 use super::names::{Bound, Names, Resolved, spec};
 use crate::input::error::Check;
 use crate::input::measure::UnitOf;
-use crate::input::schema::measure::{RawInertia, RawLossFactor, RawPower, RawPowerPerArea, RawRingTwist, RawStrain};
+use crate::input::schema::measure::{RawInertia, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawStrain};
 use crate::objective::{Over, Property, Within};
 
 pub(super) fn ring_twist<'r>(check: &mut Check, r: &'r RawRingTwist, of: Context) -> Option<Resolved<'r>> {
@@ -27,10 +27,18 @@ pub(super) fn element_strain<'r>(check: &mut Check, s: &'r RawStrain, of: Contex
     })
 }
 
+/// How powers count.
+fn of_power(over: Option<RawPowerOver>) -> Over {
+    match over.unwrap_or_default() {
+        RawPowerOver::Speed => Over::Power,
+        RawPowerOver::Duty => Over::MeanPower,
+    }
+}
+
 pub(super) fn dissipated_power<'r>(check: &mut Check, p: &'r RawPower, of: Context) -> Option<Resolved<'r>> {
     let place = format!("of {}", Context::ring_words(p.absorber.as_ref()));
     let names = Names { key: "dissipated_power", column: "power_w", word: "power", what: "dissipated power", place };
-    let parts = (of.rings(check, p.absorber.as_ref())?, Over::Power, of.within(check, p.within()));
+    let parts = (of.rings(check, p.absorber.as_ref())?, of_power(p.over), of.within(check, p.within()));
     Some(Resolved { spec: spec(names, parts, UnitOf::Power), bound: Bound::Most(p.max_w.as_ref()) })
 }
 
@@ -38,7 +46,7 @@ pub(super) fn power_per_area<'r>(check: &mut Check, p: &'r RawPowerPerArea, of: 
     let area = check.positive(&p.area_m2);
     let place = format!("of {}", Context::ring_words(Some(&p.absorber)));
     let names = Names { key: "power_per_area", column: "power_w_per_m2", word: "power_per_area", what: "dissipated power per area", place };
-    let parts = (of.rings(check, Some(&p.absorber))?, Over::Power, of.within(check, p.within()));
+    let parts = (of.rings(check, Some(&p.absorber))?, of_power(p.over), of.within(check, p.within()));
     Some(Resolved { spec: spec(names, parts, UnitOf::PowerPerArea { area }), bound: Bound::Most(p.max_w_per_m2.as_ref()) })
 }
 

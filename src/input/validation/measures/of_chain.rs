@@ -8,7 +8,9 @@ use crate::fatigue::shaft_rules::ShaftRule;
 use crate::input::error::{At, Check};
 use crate::input::measure::{MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
-use crate::input::schema::measure::{RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist};
+use crate::input::schema::measure::{
+    RawAcceleration, RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist,
+};
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
@@ -86,6 +88,15 @@ pub(super) fn hub_amplitude<'r>(check: &mut Check, a: &'r RawAmplitude, of: Cont
         spec: spec(names, (quantities, over, of.within(check, a.within())), UnitOf::Angle),
         bound: Bound::Most(a.max_deg.as_ref()),
     })
+}
+
+pub(super) fn acceleration<'r>(check: &mut Check, a: &'r RawAcceleration, of: Context) -> Option<Resolved<'r>> {
+    let at = station(check, of.chain, &a.station)?;
+    let over = of.over(check, a.over, a.order.as_ref());
+    let place = format!("of {}", of.chain.stations[at].name);
+    let names = Names { key: "acceleration", column: "acceleration_rad_per_s2", word: "acceleration", what: "angular acceleration", place };
+    let parts = (vec![Quantity::Acceleration(at)], over, of.within(check, a.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Acceleration), bound: Bound::Most(a.max_rad_per_s2.as_ref()) })
 }
 
 pub(super) fn vibratory_torque<'r, T>(check: &mut Check, t: &'r RawTorque, at: &At<T>, of: Context) -> Option<Resolved<'r>> {

@@ -3,7 +3,7 @@
 use crate::limits::{TwoMasses, What, limited, measure, scanned, with};
 use crate::support::{assert_close, study};
 use hartog::absorber::{Mounted, TUNED, VISCOUS};
-use hartog::input::{CombinedSpec, LimitSpec, MeasureSpec, Size};
+use hartog::input::{CombinedSpec, FrontSpec, LimitSpec, MeasureSpec, Size};
 use hartog::objective::Condition;
 
 /// Law: with the damping held beside its optimum, the least peak over stiffness rises as half the curvature times the square of the way along the valley (coordinates are
@@ -127,4 +127,21 @@ fn other_local_optima_are_minima() {
     for (k, c) in [(1.005, 1.0), (0.995, 1.0), (1.0, 1.005), (1.0, 0.995), (1.003, 1.003), (0.997, 0.997), (1.003, 0.997), (0.997, 1.003)] {
         assert!(value(k, c) >= here * (1.0 - 1e-9), "{k}, {c}: {} against {here}", value(k, c));
     }
+}
+
+/// Law: a front that is followed by the minimax method is no higher anywhere than one by NSGA-II with four times its evaluations, which finds nothing below it.
+#[test]
+fn evolution_finds_nothing_below_a_front() {
+    let mut s = study("villalva_i6_thesis");
+    s.optimise.as_mut().expect("[optimise]").absorbers[0].types.truncate(1);
+    s.more_objectives.clear();
+    s.fatigue = None;
+    s.front = Some(FrontSpec::OverInertia((0..12).map(|i| 0.01 * 1.25_f64.powi(i)).collect()));
+    let found = hartog::benchmark::evolution::measure(&s).expect("damped");
+    assert_eq!(found.len(), 1);
+    for round in &found[0].rounds {
+        assert!(round.below < 1e-7, "{found:?}");
+        assert!(round.median > 0.0 && round.largest < 0.2, "{found:?}");
+    }
+    assert!(found[0].rounds[1].median < found[0].rounds[0].median, "{found:?}");
 }

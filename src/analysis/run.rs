@@ -100,19 +100,10 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     if choice.is_some() {
         clock.lap("choice", Work::default());
     }
-    let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
     let measures = margins::measures(study);
-    let wanted = Wanted {
-        twist: study.twist,
-        hub: study.hub,
-        objective: &study.objective.measure,
-        limits: &study.limits,
-        margins: &measures,
-        conditions: &study.conditions,
-        held,
-    };
+    let wanted = Wanted::new(study, &measures);
     let designs = designs(study, &finders, &wanted, progress, &mut clock)?;
-    let load_cases: Vec<LoadCase> = held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
+    let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 impl Searches<'_> {
     /// The families of a front: the first absorber of a study, the first two, and so on, of all types.
-    fn families_of_front(&self, spec: &OptimiseSpec) -> Vec<(String, Space, OptimiseSpec)> {
+    pub(crate) fn families_of_front(&self, spec: &OptimiseSpec) -> Vec<(String, Space, OptimiseSpec)> {
         let mut list = Vec::new();
         for count in 1..=spec.absorbers.len() {
             let fewer = OptimiseSpec { absorbers: spec.absorbers[..count].to_vec(), ..spec.clone() };
@@ -36,7 +36,7 @@ impl Searches<'_> {
     ///
     /// # Errors
     /// [`RunError`] where no start of a search has a finite response.
-    pub(super) fn tradeoffs(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<TradeoffResult>, RunError> {
+    pub(crate) fn tradeoffs(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<TradeoffResult>, RunError> {
         let Some(FrontSpec::Of { points, measures }) = &self.study.front else { return Ok(Vec::new()) };
         let pairs: Vec<[usize; 2]> = (0..measures.len()).flat_map(|i| (i + 1..measures.len()).map(move |j| [i, j])).collect();
         let families = self.families_of_front(spec);

@@ -1,7 +1,7 @@
 //! What a study asks of every design.
 
 use crate::absorber::Mounted;
-use crate::input::LimitSpec;
+use crate::input::{LimitSpec, Study};
 use crate::objective::{Condition, Measure, PeakFinder};
 use crate::response::{Quantity, ResponseError, Work};
 
@@ -22,6 +22,21 @@ pub struct Wanted<'a> {
     pub conditions: &'a [Condition],
     /// Conditions an optimum is to hold in.
     pub held: &'a [Condition],
+}
+
+impl<'a> Wanted<'a> {
+    /// What a study asks; `margins` as it judges the crank.
+    pub(crate) fn new(study: &'a Study, margins: &'a [Measure]) -> Self {
+        Self {
+            twist: study.twist,
+            hub: study.hub,
+            objective: &study.objective.measure,
+            limits: &study.limits,
+            margins,
+            conditions: &study.conditions,
+            held: study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions),
+        }
+    }
 }
 
 /// All shafts.

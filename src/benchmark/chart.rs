@@ -1,5 +1,6 @@
 //! Everything that `hartog chart` measures, put together.
 
+use super::evolution::{self, Evolution};
 use super::margin_methods::{self, MarginCost};
 use super::scenarios::scenarios;
 use super::stability::{Cell, Scenario};
@@ -56,6 +57,8 @@ pub struct Chart<'a> {
     pub models: Vec<model_accuracy::ModelError>,
     /// What margins of its first probe cost, where the study judges the crank.
     pub margins: Vec<MarginCost>,
+    /// NSGA-II beside its fronts.
+    pub fronts: Vec<Evolution>,
     /// What is the same for all studies.
     pub common: &'a Common,
 }
@@ -68,7 +71,7 @@ impl<'a> Chart<'a> {
     pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
-        progress.stage("random absorbers, simplified models, margins", 3);
+        progress.stage("random absorbers, simplified models, margins, fronts", 4);
         let savings = savings::measure(&study)?;
         progress.step();
         let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
@@ -80,7 +83,9 @@ impl<'a> Chart<'a> {
         let probe = methods.probes.first().map_or(("none", &[][..]), |p| (p.0.as_str(), p.1.as_slice()));
         let margins = margin_methods::measure(&study, probe)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, margins, common })
+        let fronts = evolution::measure(&study)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, margins, fronts, common })
     }
 
     /// Whether skipping changes nothing.

@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod energy;
+pub mod evolution;
 pub mod growth;
 pub mod margin_methods;
 pub mod methods;

@@ -97,6 +97,9 @@ fn print(chart: &Chart) {
     if !chart.margins.is_empty() {
         say(&format!("\n{}", text::chart::margins(&chart.margins)));
     }
+    if !chart.fronts.is_empty() {
+        say(&format!("\n{}", text::chart::fronts(&chart.fronts)));
+    }
     if !chart.models.is_empty() {
         say(&format!("\n{}", text::chart::models("What a simpler model costs, error of the peak:", &chart.models)));
     }

@@ -2,6 +2,7 @@
 
 pub mod condition;
 pub mod duty;
+mod duty_means;
 mod gradient;
 mod local_maxima;
 pub mod measure;

@@ -106,6 +106,13 @@ impl<'a> PeakFinder<'a> {
         self
     }
 
+    /// Answers for means over a duty, too.
+    #[must_use]
+    pub fn with_duty(mut self, duty: &'a [DutyLoad]) -> Self {
+        self.duty = duty;
+        self
+    }
+
     /// Whether no resonance of the chain alone is too narrow for the grid.
     pub fn is_smooth(&self) -> bool {
         let speeds = self.speeds(&[]);

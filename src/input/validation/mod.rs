@@ -164,14 +164,9 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     };
     let fatigue = judge(files, check, in_engine, &base);
     let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
-    let judged = match (&study.fatigue, &fatigue) {
-        (None, _) => Judged::Not,
-        (Some(_), None) => Judged::Wrongly,
-        (Some(_), Some(spec)) => Judged::By(spec),
-    };
     let of = Context {
         chain: &base.chain,
-        fatigue: judged,
+        fatigue: Judged::new(study.fatigue.is_some(), fatigue.as_ref()),
         hub,
         speeds: (base.speeds_rpm[0], base.speeds_rpm[base.speeds_rpm.len() - 1]),
         order_limit: base.order_limit,

@@ -34,6 +34,20 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
         row("corners, every fillet and speed", Some(m.all), m.whole.map(|_| m.difference));
         row("with bounds", Some(m.bounds), Some(m.missed));
     }
+    for f in &chart.fronts {
+        for r in &f.rounds {
+            let setting = format!("{}, {} against {}: {} evaluations", f.family, f.of[0], f.of[1], r.evaluations);
+            let note = format!(
+                "largest gap to a front of {} evaluations; median {}; {} of {} points reached; {} below it",
+                f.evaluations,
+                number(r.median),
+                r.reached,
+                f.points,
+                number(r.below)
+            );
+            table.row([text("nsga_2"), setting, String::new(), optional(Some(r.largest).filter(|x| x.is_finite())), text("yes"), note]);
+        }
+    }
     for m in std::iter::once(&chart.common.grid).chain(&chart.models) {
         for (x, error) in &m.points {
             table.row([text("model"), format!("{} {x}", m.what.label()), String::new(), number(*error), String::new(), String::new()]);

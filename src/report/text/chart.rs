@@ -3,6 +3,7 @@
 use super::table::table;
 use crate::analysis::choice::Considered;
 use crate::benchmark::energy::Balance;
+use crate::benchmark::evolution::{Evolution, Round};
 use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::margin_methods::MarginCost;
 use crate::benchmark::methods::Candidate;
@@ -95,6 +96,18 @@ pub(crate) fn margins(costs: &[MarginCost]) -> String {
     };
     let header = ["smallest margin, per design", "whole histories", "corners", "difference", "with bounds", "difference"];
     table(&header, &costs.iter().map(row).collect::<Vec<_>>())
+}
+
+/// NSGA-II beside fronts, a row a run.
+pub(crate) fn fronts(fronts: &[Evolution]) -> String {
+    let share = |x: f64| if x.is_finite() { format!("{:.3} %", 100.0 * x) } else { "-".into() };
+    let row = |f: &Evolution, r: &Round| {
+        let name = format!("{}, {} against {}", f.family, f.of[0], f.of[1]);
+        let work = format!("{:.1}", r.evaluations as f64 / f.evaluations as f64);
+        vec![name, work, format!("{} of {}", r.reached, f.points), share(r.median), share(r.largest), share(r.below)]
+    };
+    let rows: Vec<Vec<String>> = fronts.iter().flat_map(|f| f.rounds.iter().map(move |r| row(f, r))).collect();
+    table(&["NSGA-II beside the front", "work", "reached", "median above", "most above", "below"], &rows)
 }
 
 /// What simplifications cost, a row each, under a heading.

@@ -28,6 +28,17 @@ pub(crate) enum Judged<'a> {
     By(&'a FatigueSpec),
 }
 
+impl<'a> Judged<'a> {
+    /// Of what was asked and what came of it.
+    pub fn new(asked: bool, spec: Option<&'a FatigueSpec>) -> Self {
+        match (asked, spec) {
+            (false, _) => Self::Not,
+            (true, None) => Self::Wrongly,
+            (true, Some(spec)) => Self::By(spec),
+        }
+    }
+}
+
 /// What measures are resolved against.
 #[derive(Clone, Copy)]
 pub(crate) struct Context<'a> {

@@ -1,0 +1,82 @@
+//! Means over the points of a duty.
+
+use super::duty::DutyLoad;
+use super::measure::{Measure, Over};
+use super::peak::{Peak, Place};
+use super::peak_search::PeakFinder;
+use crate::absorber::Mounted;
+use crate::numerics::ZERO;
+use crate::numerics::synthesis::Extremes;
+use crate::response::{Direct, Quantity, ResponseError, Work};
+
+impl<'a> PeakFinder<'a> {
+    fn at(&self, point: &'a DutyLoad) -> Direct<'a> {
+        Direct::new(&point.system, self.grid)
+    }
+
+    /// The mean of a measure as its only peak: of several quantities the largest mean, of powers their sum; nothing without a duty.
+    pub(super) fn mean(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<Option<Peak>, ResponseError> {
+        let Some(&first) = measure.quantities.first() else { return Ok(None) };
+        let mut most = (0.0, first);
+        if measure.over == Over::MeanPower {
+            for point in self.duty {
+                for ring in measure.absorbers() {
+                    most.0 += point.share * self.at(point).dissipated_power(design, ring, point.speed_rpm, work)?;
+                }
+            }
+        } else {
+            for quantity in &measure.quantities {
+                let mut mean = 0.0;
+                for point in self.duty {
+                    mean += point.share * self.extremes_at(design, *quantity, point, work)?.half_peak_to_peak;
+                }
+                most = if mean > most.0 { (mean, *quantity) } else { most };
+            }
+        }
+        let (value, quantity) = most;
+        Ok((value > 0.0).then_some(Peak {
+            value,
+            weight: 1.0,
+            over: measure.over,
+            speed_rpm: 0.0,
+            order: 0,
+            order_value: 0.0,
+            quantity,
+            extremes: None,
+            place: Place::Nowhere,
+        }))
+    }
+
+    fn extremes_at(&self, design: &[Mounted], quantity: Quantity, point: &'a DutyLoad, work: &mut Work) -> Result<Extremes, ResponseError> {
+        let mut y = vec![ZERO; point.system.orders()];
+        self.at(point).at(design, quantity, point.speed_rpm, &mut y, work)?;
+        work.syntheses += 1;
+        Ok(self.synthesiser.extremes(&y))
+    }
+
+    /// Derivatives of a mean by the parameters of absorber `index`, at fixed angles in the cycle, where each value is stationary.
+    pub(super) fn mean_gradient(
+        &self,
+        (design, index): (&[Mounted], usize),
+        measure: &Measure,
+        quantity: Quantity,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let mut gradient: Vec<f64> = Vec::new();
+        for point in self.duty {
+            let direct = self.at(point);
+            let own = if measure.over == Over::MeanPower {
+                self.power_gradient(&direct, (design, index), measure, point.speed_rpm, work)?
+            } else {
+                let extremes = self.extremes_at(design, quantity, point, work)?;
+                let changes = direct.sensitivity(design, index, quantity, 0..point.system.orders(), point.speed_rpm, work)?;
+                let parameters = changes.first().map_or(0, Vec::len);
+                let along = |p: usize| self.synthesiser.derivatives_of(&extremes, &changes.iter().map(|c| c[p]).collect::<Vec<_>>()).0;
+                (0..parameters).map(along).collect()
+            };
+            gradient.resize(own.len(), 0.0);
+            gradient.iter_mut().zip(own).for_each(|(sum, own)| *sum += point.share * own);
+        }
+        Ok(gradient)
+    }
+}

@@ -30,3 +30,5 @@ pub(crate) const M_PER_IN: f64 = 0.0254;
 pub(crate) const W_PER_KW: f64 = 1e3;
 /// crank degrees in a revolution.
 pub(crate) const DEG_PER_REV: f64 = 360.0;
+/// K at 0 °C.
+pub(crate) const KELVIN_AT_0_C: f64 = 273.15;

@@ -32,22 +32,3 @@ fn the_library_finds_what_the_command_prints() {
     let text = toml::to_string(&best.design.absorbers[0]).expect("serialises");
     assert!(text.contains("type = \"tuned\"") && text.contains("stiffness_n_m_per_rad = "), "{text}");
 }
-
-/// A pendulum tuned to an order holds the station still at that order, at every speed.
-#[test]
-fn a_pendulum_holds_its_order_still() {
-    use hartog::absorber::Mounted;
-    use hartog::response::{Direct, Grid, Quantity, Response, Work};
-    let study = Study::read("studies/villalva_i6_thesis.toml").expect("shipped");
-    let system = crate::support::system(&study);
-    let design = [Mounted::on_station(0, own_law::Pendulum { ring_inertia: 0.02, tuning_order: 3.0, damping: 0.0 })];
-    let hub = Quantity::Twist { from: 0, to: None };
-    let order = system.excitation.orders.iter().position(|o| o.value() == 3.0).expect("order 3");
-    for speed in [700.0, 1500.0, 3100.0] {
-        let grid = Grid::new(&[speed], &[]);
-        let direct = Direct::new(&system, &grid);
-        let held = direct.phasor(&design, hub, (order, speed), &mut Work::default()).expect("finite").norm();
-        let free = direct.phasor(&[], hub, (order, speed), &mut Work::default()).expect("finite").norm();
-        assert!(held < 1e-9 * free, "{speed}: {held} against {free}");
-    }
-}

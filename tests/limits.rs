@@ -14,7 +14,7 @@ const STATIC: f64 = 1e-4;
 const OMEGA: f64 = 100.0;
 
 /// Two masses: an inertia of 1 kg m² on 1e4 N m/rad with a damping ratio, and a ring on it, under 1 N m.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct TwoMasses {
     pub damping_ratio: f64,
     pub ring: f64,

@@ -32,6 +32,7 @@ mod optima;
 mod pairs;
 mod peaks;
 mod planes;
+mod real_absorbers;
 mod responses;
 mod shaft;
 mod shaft_rules;

@@ -3,7 +3,8 @@
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
-use super::parameter::Parameter;
+use super::parameter::{Follows, Parameter};
+use super::state::State;
 use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -35,6 +36,16 @@ pub trait Law: Debug + Send + Sync {
         false
     }
 
+    /// The same law with other values of the declared parameters.
+    fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
+        (self.declaration().build)(values)
+    }
+
+    /// The law in a state of its material; nothing where that changes nothing.
+    fn in_state(&self, _: State) -> Option<Arc<dyn Law>> {
+        None
+    }
+
     /// S at many points.
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
         for (out, at) in out.iter_mut().zip(at) {
@@ -58,6 +69,8 @@ pub struct ClosedForm {
     pub name: &'static str,
     /// Whether searches start from it for every mode, or for the first one only.
     pub every_mode: bool,
+    /// Whether it is an optimum of its source; else it is a start only, and no design can be seeded by it.
+    pub is_optimum: bool,
     /// Values of the type's parameters for a ring of this inertia (kg m²) on this mode.
     pub values: fn(f64, EngineMode) -> Vec<f64>,
 }
@@ -84,6 +97,16 @@ impl PartialEq for Declaration {
 impl Eq for Declaration {}
 
 impl Declaration {
+    /// Factors on the parameters where temperature changes the material by a factor.
+    pub(crate) fn followed(&self, factor: f64) -> Vec<f64> {
+        let of = |p: &Parameter| match p.follows {
+            Follows::Nothing => 1.0,
+            Follows::Factor => factor,
+            Follows::Inverse => 1.0 / factor,
+        };
+        self.parameters.iter().map(of).collect()
+    }
+
     /// Index of a parameter by its key.
     pub fn index(&self, key: &str) -> Option<usize> {
         self.parameters.iter().position(|p| p.key == key)

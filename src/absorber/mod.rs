@@ -1,24 +1,42 @@
 //! Torsional vibration absorbers: a ring tied to a hub by a law. One file a type.
 
+pub mod carreau;
 pub mod closed_forms;
 pub mod condensed;
 pub mod dynamic_stiffness;
+pub mod fractional_kelvin;
+pub mod fractional_zener;
 pub mod law;
+pub mod maxwell;
 pub mod mounted;
 pub mod parameter;
+pub mod pendulum;
 pub mod rubber;
+pub mod spring_pack;
+pub mod state;
+pub mod temperature;
 pub mod tuned;
 pub mod types;
 pub mod undamped;
 pub mod viscous;
+pub mod with_states;
 
+pub use carreau::{CARREAU, Carreau};
 pub(crate) use condensed::Condensed;
 pub use dynamic_stiffness::{Operating, SpringAndDamper};
+pub use fractional_kelvin::{FRACTIONAL_KELVIN, FractionalKelvin};
+pub use fractional_zener::{FRACTIONAL_ZENER, FractionalZener};
 pub use law::{ClosedForm, Declaration, Law};
+pub use maxwell::{MAXWELL, Maxwell};
 pub use mounted::{Absorber, Host, Mounted};
-pub use parameter::{Parameter, Range, Surroundings};
+pub use parameter::{Follows, Parameter, Range, Surroundings};
+pub use pendulum::{PENDULUM, Pendulum};
 pub use rubber::{RUBBER, Rubber};
+pub use spring_pack::{SPRING_PACK, SpringPack};
+pub use state::State;
+pub use temperature::TemperatureLaw;
 pub use tuned::{TUNED, Tuned};
 pub use types::TYPES;
 pub use undamped::{UNDAMPED, Undamped};
 pub use viscous::{VISCOUS, Viscous};
+pub use with_states::{Factors, WithStates};

@@ -1,6 +1,7 @@
 //! Absorbers and where they sit: on stations of the chain, or on the ring of another absorber.
 
 use super::law::{Declaration, Law};
+use super::state::State;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
 
@@ -63,6 +64,11 @@ impl Absorber {
             Self::Ring(law) => Some(law),
             Self::Locked { .. } => None,
         }
+    }
+
+    /// The same in a state of its material; nothing where that changes nothing.
+    pub(crate) fn in_state(&self, state: State) -> Option<Self> {
+        self.law()?.in_state(state).map(Self::Ring)
     }
 
     /// The type, where the ring moves.

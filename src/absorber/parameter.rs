@@ -7,10 +7,34 @@ use super::closed_forms::EngineMode;
 pub enum Range {
     /// Above zero.
     Positive,
+    /// Above this number.
+    Above(f64),
     /// At least zero.
     NotNegative,
     /// From the one to the other.
     Within(f64, f64),
+}
+
+impl Range {
+    /// The value in it that is nearest to one of the right sign.
+    pub(crate) fn nearest(self, x: f64) -> f64 {
+        match self {
+            Self::Positive | Self::NotNegative => x,
+            Self::Above(least) => x.max(least * (1.0 + 1e-9)),
+            Self::Within(low, high) => x.clamp(low, high),
+        }
+    }
+}
+
+/// How a parameter follows the factor by which temperature changes a material.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Follows {
+    /// Not at all.
+    Nothing,
+    /// It is multiplied by it.
+    Factor,
+    /// It is divided by it.
+    Inverse,
 }
 
 /// What a search is told of the engine: modes that an absorber may be tuned to, the lowest first.
@@ -52,6 +76,10 @@ pub struct Parameter {
     pub extensive: bool,
     /// Whether nothing is dissipated where it is zero.
     pub dissipative: bool,
+    /// Whether it is a property of a material: a study has to give its value, or its bounds.
+    pub material: bool,
+    /// How it follows temperature, where an absorber says how its material does.
+    pub follows: Follows,
     /// Lower and upper bound of a search, where a study gives none: wide enough to lock the ring and to let it loose.
     pub bounds: fn(&Surroundings) -> (f64, f64),
     /// A typical value; a thousandth of it acts like zero.
@@ -65,17 +93,21 @@ pub const RING_INERTIA: Parameter = Parameter {
     range: Range::Positive,
     extensive: true,
     dissipative: false,
+    material: false,
+    follows: Follows::Nothing,
     bounds: |s| (s.ring_inertia, s.ring_inertia),
     typical: |s| s.ring_inertia,
 };
 
 /// Stiffness of a spring, up to 10⁴ times that tuned to the highest mode.
-pub(crate) const STIFFNESS: Parameter = Parameter {
+pub const STIFFNESS: Parameter = Parameter {
     key: "stiffness_n_m_per_rad",
     label: "k/N m/rad",
     range: Range::NotNegative,
     extensive: true,
     dissipative: false,
+    material: false,
+    follows: Follows::Nothing,
     bounds: |s| (0.0, 1e4 * s.ring_inertia * s.highest() * s.highest()),
     typical: |s| s.ring_inertia * s.typical() * s.typical(),
 };
@@ -87,6 +119,8 @@ pub const DAMPING: Parameter = Parameter {
     range: Range::NotNegative,
     extensive: true,
     dissipative: true,
+    material: false,
+    follows: Follows::Nothing,
     bounds: |s| (0.0, 1e3 * super::closed_forms::viscous_damping(s.ring_inertia, s.first())),
     typical: |s| s.ring_inertia * s.typical(),
 };

@@ -1,12 +1,12 @@
 //! Ring on rubber: a spring with a constant loss factor, S = k (1 + i eta).
 //!
 //! Rubber loses the same share of its energy in every cycle, whatever the frequency. The law holds near one frequency: it is not causal, and methods in time
-//! refuse it.
+//! refuse it. Temperature changes stiffness and loss factor by the same factor, as catalogues of couplings have it (Renold RB: S_t and M30/S_t).
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
-use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
+use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
 use crate::numerics::C64;
 use std::sync::Arc;
 
@@ -21,23 +21,25 @@ pub struct Rubber {
     pub loss_factor: f64,
 }
 
-/// Share of the energy lost in a cycle over 2 pi; a search may take it from nothing to far beyond any rubber.
+/// Share of the energy lost in a cycle over 2 pi; a search may take it from nothing to far beyond any rubber, which has 0.05 to 0.4.
 const LOSS_FACTOR: Parameter = Parameter {
     key: "loss_factor",
     label: "loss factor",
-    range: Range::NotNegative,
+    range: Range::Within(0.0, 2.0),
     extensive: false,
     dissipative: true,
-    bounds: |_| (0.0, 10.0),
+    material: false,
+    follows: Follows::Factor,
+    bounds: |_| (0.0, 2.0),
     typical: |_| 1.0,
 };
 
 /// Ring on rubber.
 pub static RUBBER: Declaration = Declaration {
     name: "rubber",
-    parameters: &[RING_INERTIA, STIFFNESS, LOSS_FACTOR],
+    parameters: &[RING_INERTIA, Parameter { follows: Follows::Factor, ..STIFFNESS }, LOSS_FACTOR],
     build: |v| Arc::new(Rubber { ring_inertia: v[0], stiffness: v[1], loss_factor: v[2] }),
-    closed_forms: &[ClosedForm { name: "hysteretic", every_mode: true, values: hysteretic }],
+    closed_forms: &[ClosedForm { name: "hysteretic", every_mode: true, is_optimum: true, values: hysteretic }],
 };
 
 /// The exact optimum on an undamped mass: k = J w0²/(1 + mu)² and eta = sqrt(mu (3 + mu)/2), with a largest amplitude of sqrt(2 (1 + mu)/mu) static

@@ -24,9 +24,14 @@ pub static TUNED: Declaration = Declaration {
     parameters: &[RING_INERTIA, STIFFNESS, DAMPING],
     build: |v| Arc::new(Tuned { ring_inertia: v[0], stiffness: v[1], damping: v[2] }),
     closed_forms: &[
-        ClosedForm { name: "brock_unity", every_mode: false, values: |ring, mode| values(ring, mode, brock_unity_ring) },
-        ClosedForm { name: "den_hartog_brock", every_mode: false, values: |ring, mode| values(ring, mode, den_hartog_brock_ring) },
-        ClosedForm { name: "h_infinity", every_mode: true, values: |ring, mode| values(ring, mode, h_infinity_ring) },
+        ClosedForm { name: "brock_unity", every_mode: false, is_optimum: true, values: |ring, mode| values(ring, mode, brock_unity_ring) },
+        ClosedForm {
+            name: "den_hartog_brock",
+            every_mode: false,
+            is_optimum: true,
+            values: |ring, mode| values(ring, mode, den_hartog_brock_ring),
+        },
+        ClosedForm { name: "h_infinity", every_mode: true, is_optimum: true, values: |ring, mode| values(ring, mode, h_infinity_ring) },
     ],
 };
 

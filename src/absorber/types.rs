@@ -1,13 +1,20 @@
 //! The types a study may name.
 
+use super::carreau::CARREAU;
+use super::fractional_kelvin::FRACTIONAL_KELVIN;
+use super::fractional_zener::FRACTIONAL_ZENER;
 use super::law::{ClosedForm, Declaration};
+use super::maxwell::MAXWELL;
+use super::pendulum::PENDULUM;
 use super::rubber::RUBBER;
+use super::spring_pack::SPRING_PACK;
 use super::tuned::TUNED;
 use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 4] = [&TUNED, &VISCOUS, &UNDAMPED, &RUBBER];
+pub static TYPES: [&Declaration; 10] =
+    [&TUNED, &VISCOUS, &UNDAMPED, &RUBBER, &FRACTIONAL_KELVIN, &FRACTIONAL_ZENER, &MAXWELL, &CARREAU, &SPRING_PACK, &PENDULUM];
 
 /// A type by its word.
 pub fn find(name: &str) -> Option<&'static Declaration> {
@@ -17,7 +24,7 @@ pub fn find(name: &str) -> Option<&'static Declaration> {
 /// Words of all closed forms, each once.
 pub(crate) fn closed_form_names() -> Vec<&'static str> {
     let mut names = Vec::new();
-    for form in TYPES.into_iter().flat_map(|t| t.closed_forms) {
+    for form in TYPES.into_iter().flat_map(|t| t.closed_forms).filter(|f| f.is_optimum) {
         if !names.contains(&form.name) {
             names.push(form.name);
         }
@@ -27,5 +34,5 @@ pub(crate) fn closed_form_names() -> Vec<&'static str> {
 
 /// A closed form by its word, with the first type that has it.
 pub(crate) fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
-    TYPES.into_iter().find_map(|t| t.closed_forms.iter().find(|c| c.name == name).map(|c| (t, c)))
+    TYPES.into_iter().find_map(|t| t.closed_forms.iter().find(|c| c.is_optimum && c.name == name).map(|c| (t, c)))
 }

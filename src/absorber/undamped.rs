@@ -22,13 +22,24 @@ pub static UNDAMPED: Declaration = Declaration {
     parameters: &[RING_INERTIA, STIFFNESS],
     build: |v| Arc::new(Undamped { ring_inertia: v[0], stiffness: v[1] }),
     closed_forms: &[
-        ClosedForm { name: "brock_unity", every_mode: false, values: |ring, mode| vec![ring, brock_unity_ring(ring, mode).stiffness] },
+        ClosedForm {
+            name: "brock_unity",
+            every_mode: false,
+            is_optimum: true,
+            values: |ring, mode| vec![ring, brock_unity_ring(ring, mode).stiffness],
+        },
         ClosedForm {
             name: "den_hartog_brock",
             every_mode: false,
+            is_optimum: true,
             values: |ring, mode| vec![ring, den_hartog_brock_ring(ring, mode).stiffness],
         },
-        ClosedForm { name: "h_infinity", every_mode: true, values: |ring, mode| vec![ring, h_infinity_ring(ring, mode).stiffness] },
+        ClosedForm {
+            name: "h_infinity",
+            every_mode: true,
+            is_optimum: true,
+            values: |ring, mode| vec![ring, h_infinity_ring(ring, mode).stiffness],
+        },
     ],
 };
 

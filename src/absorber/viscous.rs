@@ -3,7 +3,7 @@
 use super::closed_forms::viscous_damping;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
-use super::parameter::{DAMPING, RING_INERTIA};
+use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA};
 use crate::numerics::C64;
 use std::sync::Arc;
 
@@ -19,9 +19,14 @@ pub struct Viscous {
 /// Ring and damper.
 pub static VISCOUS: Declaration = Declaration {
     name: "viscous",
-    parameters: &[RING_INERTIA, DAMPING],
+    parameters: &[RING_INERTIA, Parameter { follows: Follows::Factor, ..DAMPING }],
     build: |v| Arc::new(Viscous { ring_inertia: v[0], damping: v[1] }),
-    closed_forms: &[ClosedForm { name: "viscous_untuned", every_mode: true, values: |ring, mode| vec![ring, viscous_damping(ring, mode)] }],
+    closed_forms: &[ClosedForm {
+        name: "viscous_untuned",
+        every_mode: true,
+        is_optimum: true,
+        values: |ring, mode| vec![ring, viscous_damping(ring, mode)],
+    }],
 };
 
 impl Law for Viscous {

@@ -51,8 +51,8 @@ pub(crate) fn in_conditions(
     for &condition in wanted.conditions {
         let found: Vec<(ConditionResult, Work)> = match condition {
             Condition::Firing => continue,
-            Condition::AbsorberLocked | Condition::AbsorberLost if design.is_empty() => continue,
-            Condition::Misfire | Condition::UnequalCylinders | Condition::AbsorberLocked | Condition::AbsorberLost => {
+            _ if condition.changes_nothing(design) => continue,
+            _ => {
                 let engines: Vec<&PeakFinder> = engines_in(condition, finders).collect();
                 let found = engines.into_par_iter().map(|finder| one(condition, finder)).collect::<Result<_, _>>();
                 found.map_err(|e| failed(condition, e))?

@@ -62,9 +62,11 @@ fn slot(
         (None, Size::Each(list)) => (list[0], list[0]),
     };
     let surroundings = Surroundings { modes, ring_inertia: size.1 };
+    let material = spec.materials.iter().find(|m| m.0 == declaration).map(|m| &m.1);
     let (mut values, mut variables) = (Vec::new(), Vec::new());
     for (parameter, p) in declaration.parameters.iter().enumerate() {
-        let given = spec.bounds.iter().find(|b| b.0 == p.key).map(|b| b.1);
+        let own = material.iter().flat_map(|m| &m.properties);
+        let given = own.chain(&spec.bounds).find(|b| b.0 == p.key).map(|b| b.1);
         let (lower, upper) = if parameter == 0 { size } else { given.unwrap_or_else(|| (p.bounds)(&surroundings)) };
         values.push(lower);
         if lower < upper {
@@ -72,7 +74,8 @@ fn slot(
             variables.push(Variable { absorber: index, parameter, lower, upper, scale: 1e-3 * (p.typical)(&surroundings) });
         }
     }
-    (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values }, variables)
+    let states = material.map_or_else(|| [].into(), |m| m.states(declaration, spec.temperatures));
+    (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, states }, variables)
 }
 
 /// An optimum that a study asks for.

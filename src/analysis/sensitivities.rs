@@ -99,9 +99,9 @@ fn breaks(
     let (declaration, law) = design[absorber].absorber.declaration().zip(design[absorber].absorber.law())?;
     let broken = |change: f64| {
         let mut values = law.values();
-        values[parameter] *= 1.0 + sign * change;
+        values[parameter] = declaration.parameters[parameter].range.nearest(values[parameter] * (1.0 + sign * change));
         let mut moved = design.to_vec();
-        moved[absorber].absorber = Absorber::Ring((declaration.build)(&values));
+        moved[absorber].absorber = Absorber::Ring(law.rebuilt(&values));
         // what has no finite response holds no limit
         largest(load_cases.iter(), &moved, measure, &mut Work::default()).map_or(true, |value| !holds(value / limit))
     };

@@ -20,3 +20,14 @@ pub type C64 = nalgebra::Complex<f64>;
 pub const I: C64 = C64::new(0.0, 1.0);
 /// Complex zero.
 pub const ZERO: C64 = C64::new(0.0, 0.0);
+
+/// (i y)^a for y >= 0, on the principal branch.
+pub(crate) fn imaginary_power(y: f64, a: f64) -> C64 {
+    let (sin, cos) = (a * std::f64::consts::FRAC_PI_2).sin_cos();
+    C64::new(cos, sin) * y.powf(a)
+}
+
+/// ln(i y) for y > 0, on the principal branch.
+pub(crate) fn imaginary_ln(y: f64) -> C64 {
+    C64::new(y.ln(), std::f64::consts::FRAC_PI_2)
+}

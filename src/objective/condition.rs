@@ -1,6 +1,7 @@
-//! Conditions an absorber is judged in: everything works, a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
+//! Conditions an absorber is judged in: everything works, a cylinder misfires, the cylinders burn unequally, the absorber is cold, hot, aged, locked or
+//! lost.
 
-use crate::absorber::{Absorber, Host, Mounted};
+use crate::absorber::{Absorber, Host, Mounted, State};
 use crate::engine::Units;
 
 /// State of engine and absorbers.
@@ -12,6 +13,12 @@ pub enum Condition {
     Misfire,
     /// The cylinders burn as unequally as the study says.
     UnequalCylinders,
+    /// The materials of the absorbers are as cold as the study says.
+    Cold,
+    /// They are as hot as it says.
+    Hot,
+    /// They are aged.
+    Aged,
     /// The rings turn with their hubs: a seized damper, or a spring far too stiff.
     AbsorberLocked,
     /// The rings are gone; the hubs stay.
@@ -25,6 +32,9 @@ impl Condition {
             Self::Firing => "firing",
             Self::Misfire => "misfire",
             Self::UnequalCylinders => "unequal_cylinders",
+            Self::Cold => "cold",
+            Self::Hot => "hot",
+            Self::Aged => "aged",
             Self::AbsorberLocked => "absorber_locked",
             Self::AbsorberLost => "absorber_lost",
         }
@@ -35,7 +45,28 @@ impl Condition {
         match self {
             Self::Misfire => matches!(units, Units::Misfiring(_)),
             Self::UnequalCylinders => units == Units::Unequal,
-            Self::Firing | Self::AbsorberLocked | Self::AbsorberLost => units == Units::Equal,
+            Self::Firing | Self::Cold | Self::Hot | Self::Aged | Self::AbsorberLocked | Self::AbsorberLost => units == Units::Equal,
+        }
+    }
+
+    /// The state of the materials that it is.
+    fn material(self) -> Option<State> {
+        match self {
+            Self::Cold => Some(State::Cold),
+            Self::Hot => Some(State::Hot),
+            Self::Aged => Some(State::Aged),
+            _ => None,
+        }
+    }
+
+    /// Whether it makes no difference to a design: there are no absorbers, or none whose material it changes.
+    pub(crate) fn changes_nothing(self, design: &[Mounted]) -> bool {
+        match self {
+            Self::Firing | Self::Misfire | Self::UnequalCylinders => false,
+            Self::AbsorberLocked | Self::AbsorberLost => design.is_empty(),
+            Self::Cold | Self::Hot | Self::Aged => {
+                self.material().is_some_and(|state| design.iter().all(|m| m.absorber.in_state(state).is_none()))
+            }
         }
     }
 
@@ -48,6 +79,10 @@ impl Condition {
         };
         match self {
             Self::Firing | Self::Misfire | Self::UnequalCylinders => design.to_vec(),
+            Self::Cold | Self::Hot | Self::Aged => {
+                let state = |m: &Mounted| self.material().and_then(|state| m.absorber.in_state(state));
+                design.iter().map(|m| state(m).map_or_else(|| m.clone(), |absorber| Mounted { absorber, ..m.clone() })).collect()
+            }
             Self::AbsorberLocked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
             Self::AbsorberLost => design.iter().map(lost).collect(),
         }

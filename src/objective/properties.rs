@@ -64,12 +64,12 @@ impl PeakFinder<'_> {
     /// Derivatives by the parameters of absorber `index`, by central differences: properties are smooth and cost next to nothing.
     pub(super) fn property_gradient(&self, design: &[Mounted], index: usize, measure: &Measure, property: Property) -> Vec<f64> {
         let Absorber::Ring(law) = &design[index].absorber else { return Vec::new() };
-        let (build, values) = (law.declaration().build, law.values());
+        let values = law.values();
         let at = |parameter: usize, x: f64| {
             let mut moved = design.to_vec();
             let mut values = values.clone();
             values[parameter] = x;
-            moved[index].absorber = Absorber::Ring(build(&values));
+            moved[index].absorber = Absorber::Ring(law.rebuilt(&values));
             self.value_of(&moved, measure, property).map_or(0.0, |v| v.0)
         };
         let slope = |(parameter, x): (usize, &f64)| {

@@ -77,8 +77,9 @@ const LIFT: f64 = 2.0;
 const NEAREST: f64 = 0.97;
 const SMALLEST_REACH: f64 = 1e-10;
 const DECREASE: f64 = 1e-12;
-/// First-order residual that several absorbers are polished to, and most steps of that.
+/// First-order residual that optima are polished to (of one absorber where it is above the second number), and most steps of that.
 const CERTIFIED: f64 = 1e-9;
+const CERTIFIED_ALONE: f64 = 1e-8;
 const MOST_POLISHING: usize = 12;
 /// A limit that is missed by less than this holds.
 const HELD: f64 = 1e-8;
@@ -276,7 +277,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
     };
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
     let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
-    Ok(if problem.space.slots.len() > 1 { polished(problem, found, penalty, work) } else { found })
+    Ok(if problem.space.slots.len() > 1 || residual > CERTIFIED_ALONE { polished(problem, found, penalty, work) } else { found })
 }
 
 /// Further steps of the same model where decreases are already lost in rounding, kept while they lower the first-order residual and raise nothing: valleys of
@@ -297,10 +298,19 @@ fn polished(problem: &Problem, mut best: Outcome, penalty: f64, work: &mut Work)
         let Ok(rows) = problem.rows(&point, work) else { break };
         let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
         let rise = merit(&rows, unit, penalty) - merit(&best.rows, unit, penalty);
-        if residual >= best.kkt_residual || rise > DECREASE {
-            break;
+        let mut curvature = best.curvature.clone();
+        if let (Some(new), Some(old)) =
+            (lagrangian(&best.rows, &step.multipliers, &rows, unit), lagrangian(&best.rows, &step.multipliers, &best.rows, unit))
+        {
+            let change = DVector::from_iterator(point.len(), point.iter().zip(&best.point).map(|(a, b)| a - b));
+            update(&mut curvature, &change, &(new - old));
         }
-        best = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations: best.iterations + 1, ..best };
+        if residual >= best.kkt_residual || rise > DECREASE {
+            // the step has told of a curvature that the model did not know
+            best.curvature = curvature;
+            continue;
+        }
+        best = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations: best.iterations + 1, curvature, ..best };
     }
     best
 }

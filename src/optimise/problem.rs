@@ -33,9 +33,9 @@ impl LoadCase<'_> {
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
     fn steers(&self, space: &Space) -> bool {
         match self.condition {
-            Condition::Firing | Condition::Misfire | Condition::UnequalCylinders => true,
             Condition::AbsorberLocked => space.variables.iter().any(|v| v.parameter == 0),
             Condition::AbsorberLost => false,
+            _ => true,
         }
     }
 }

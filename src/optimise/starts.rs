@@ -2,7 +2,8 @@
 
 use super::variables::{Space, Variable};
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Host, Parameter};
+use crate::absorber::parameter::STIFFNESS;
+use crate::absorber::{Host, Operating, Parameter};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -58,11 +59,26 @@ fn single(space: &Space, modes: &[EngineMode]) -> Vec<NamedPoint> {
         for form in space.slots[0].declaration.closed_forms.iter().filter(|f| m == 0 || f.every_mode) {
             for (ring_inertia, which) in inertias(space, 0) {
                 let values = vec![(form.values)(ring_inertia, *engine)];
-                list.push((format!("{}, mode {}{which}", form.name, m + 1), space.point(&values)));
+                let point = space.point(&values);
+                let name = format!("{}, mode {}{which}", form.name, m + 1);
+                list.extend(retuned(space, &point, *engine).map(|p| (format!("{name}, retuned"), p)));
+                list.push((name, point));
             }
         }
     }
     list
+}
+
+/// A point with the spring such that the ring's own frequency is that of the best hysteretic ring, its material being what the bounds make of it; nothing where there is no material or no spring.
+fn retuned(space: &Space, point: &[f64], engine: EngineMode) -> Option<Vec<f64>> {
+    let parameters = space.slots[0].declaration.parameters;
+    let spring = parameters.iter().position(|p| p.key == STIFFNESS.key).filter(|_| parameters.iter().any(|p| p.material))?;
+    let mut values = space.values(point).swap_remove(0);
+    let law = (space.slots[0].declaration.build)(&values);
+    let omega = engine.omega / (1.0 + values[0] / engine.inertia);
+    let own = law.dynamic_stiffness(Operating { omega, shaft_speed: omega }).re;
+    values[spring] *= values[0] * omega * omega / own;
+    (own > 0.0 && values[spring].is_finite()).then(|| space.point(&[values]))
 }
 
 /// Every absorber by its closed form for one of the modes, all combinations of modes, the lower modes first.

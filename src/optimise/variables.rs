@@ -1,6 +1,7 @@
 //! What may vary in the absorbers of a design, and the coordinates an optimiser sees.
 
-use crate::absorber::{Absorber, Declaration, Host, Mounted};
+use crate::absorber::{Absorber, Declaration, Factors, Host, Mounted, WithStates};
+use std::sync::Arc;
 
 /// A parameter free between bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +46,8 @@ pub struct Slot {
     pub hub_inertia: f64,
     /// A value for each parameter of the type; those of variables are not looked at.
     pub values: Vec<f64>,
+    /// States of its material.
+    pub states: Arc<[Factors]>,
 }
 
 /// A family of designs: absorbers of given types in their places.
@@ -69,7 +72,7 @@ impl Space {
     /// The design at a point.
     pub fn design(&self, w: &[f64]) -> Vec<Mounted> {
         let mounted = |(slot, values): (&Slot, Vec<f64>)| {
-            let absorber = Absorber::Ring((slot.declaration.build)(&values));
+            let absorber = Absorber::Ring(WithStates::of((slot.declaration.build)(&values), slot.states.clone()));
             Mounted { on: slot.on, hub_inertia: slot.hub_inertia, absorber }
         };
         self.slots.iter().zip(self.values(w)).map(mounted).collect()

@@ -1,9 +1,12 @@
 //! Absorbers in a study. Their types and keys are those of the declarations in [`crate::absorber`]: a new type needs nothing here.
 
+use super::material_states::RawMaterialStates;
+use super::range::RawRange;
 use crate::absorber::{Declaration, TYPES};
 use crate::input::error::At;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -15,6 +18,7 @@ pub(crate) struct RawAbsorber {
     pub hub_inertia_kg_m2: Option<At<f64>>,
     #[serde(rename = "type")]
     pub kind: RawType,
+    pub material: Option<At<RawMaterialStates>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -68,14 +72,6 @@ pub(crate) enum RawSize {
     InertiaRatio(RawRange),
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawRange {
-    Fixed(At<f64>),
-    Between(At<Vec<At<f64>>>),
-    Each(At<Vec<At<f64>>>),
-}
-
 /// A family of absorbers: besides these keys, bounds of any parameter of a type.
 #[derive(Debug)]
 pub(crate) struct RawOptimised {
@@ -85,6 +81,7 @@ pub(crate) struct RawOptimised {
     pub types: At<Vec<At<RawKind>>>,
     pub size: RawSize,
     pub engine_inertia: RawEngineInertia,
+    pub material: BTreeMap<String, At<RawMaterialStates>>,
     pub bounds: Vec<(&'static str, RawRange)>,
 }
 
@@ -101,7 +98,7 @@ struct Words {
     family: Vec<&'static str>,
 }
 
-const OWN_KEYS: [&str; 6] = ["name", "on", "hub_inertia_kg_m2", "types", "size", "engine_inertia"];
+const OWN_KEYS: [&str; 7] = ["name", "on", "hub_inertia_kg_m2", "types", "size", "engine_inertia", "material"];
 
 fn words() -> &'static Words {
     static WORDS: OnceLock<Words> = OnceLock::new();
@@ -213,6 +210,7 @@ impl<'de> Deserialize<'de> for RawOptimised {
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<RawOptimised, A::Error> {
                 let (mut name, mut on, mut hub, mut types, mut size) = (None, None, None, None, None);
+                let mut material = BTreeMap::new();
                 let (mut engine_inertia, mut bounds) = (RawEngineInertia::default(), Vec::new());
                 while let Some(key) = map.next_key_seed(Word(&words().family, false))? {
                     match words().family[key] {
@@ -222,6 +220,7 @@ impl<'de> Deserialize<'de> for RawOptimised {
                         "types" => types = Some(map.next_value()?),
                         "size" => size = Some(map.next_value()?),
                         "engine_inertia" => engine_inertia = map.next_value()?,
+                        "material" => material = map.next_value()?,
                         parameter => bounds.push((parameter, map.next_value()?)),
                     }
                 }
@@ -232,6 +231,7 @@ impl<'de> Deserialize<'de> for RawOptimised {
                     types: types.ok_or_else(|| A::Error::missing_field("types"))?,
                     size: size.ok_or_else(|| A::Error::missing_field("size"))?,
                     engine_inertia,
+                    material,
                     bounds,
                 })
             }

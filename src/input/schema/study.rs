@@ -1,8 +1,10 @@
 //! The study file.
 
-use super::absorber::{RawAbsorber, RawOptimised, RawRange};
+use super::absorber::{RawAbsorber, RawOptimised};
 use super::fatigue::RawFatigue;
+use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
+use super::range::RawRange;
 use crate::input::error::At;
 use serde::Deserialize;
 
@@ -18,6 +20,7 @@ pub(crate) struct RawStudy {
     pub duty: Vec<RawDuty>,
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
     pub scatter: Option<At<RawScatter>>,
+    pub temperatures: Option<RawTemperatures>,
     #[serde(default)]
     pub response: RawResponse,
     #[serde(default)]
@@ -39,6 +42,9 @@ pub(crate) enum RawCondition {
     Firing,
     Misfire,
     UnequalCylinders,
+    Cold,
+    Hot,
+    Aged,
     AbsorberLocked,
     AbsorberLost,
 }

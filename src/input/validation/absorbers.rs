@@ -1,8 +1,9 @@
 //! Given designs, and what absorbers of designs and families share.
 
+use super::material_states::{Temperatures, material};
 use super::named::station;
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, types};
+use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithStates, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawType};
@@ -18,7 +19,12 @@ pub struct DesignSpec {
     pub absorbers: Vec<Mounted>,
 }
 
-pub(crate) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes: &Modes) -> Vec<DesignSpec> {
+pub(crate) fn resolve(
+    check: &mut Check,
+    study: &RawStudy,
+    (chain, modes): (&Chain, &Modes),
+    temperatures: Temperatures,
+) -> Vec<DesignSpec> {
     let mut names = HashSet::new();
     let mut designs = Vec::new();
     for raw in &study.design {
@@ -37,7 +43,8 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, modes:
         }
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
         let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
-        let absorbers = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), chain, modes)).collect();
+        let absorbers =
+            raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), (chain, modes), temperatures)).collect();
         designs.push(DesignSpec { name: name.clone(), absorbers });
     }
     designs
@@ -95,12 +102,25 @@ pub fn value(check: &mut Check, parameter: &Parameter, raw: &At<f64>) -> f64 {
     match parameter.range {
         Range::Positive => check.positive(raw),
         Range::NotNegative => check.not_negative(raw),
+        Range::Above(least) => {
+            let x = check.positive(raw);
+            if x <= least {
+                check.wrong(raw, format!("found {x}, expected more than {least}"));
+            }
+            x
+        }
         Range::Within(low, high) => check.within(raw, low..=high, &format!("a value from {low} to {high}")),
     }
 }
 
 /// An absorber in its place, with the station below it.
-fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, chain: &Chain, modes: &Modes) -> Option<Mounted> {
+fn absorber(
+    check: &mut Check,
+    raw: &RawAbsorber,
+    place: Option<(Host, usize)>,
+    (chain, modes): (&Chain, &Modes),
+    temperatures: Temperatures,
+) -> Option<Mounted> {
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
     let absorber = match &raw.kind {
         RawType::Declared(declaration, values) => {
@@ -117,6 +137,20 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             }
             seeded(check, s, place?.1, chain, modes)?
         }
+    };
+    let absorber = match (absorber, &raw.material) {
+        (Absorber::Ring(law), Some(raw)) => {
+            if !raw.get_ref().properties.is_empty() {
+                check.wrong(raw, "found properties of the material of a given ring, expected them among the values of its type");
+            }
+            let states = material(check, raw.get_ref(), law.declaration(), temperatures).states(law.declaration(), temperatures);
+            Absorber::Ring(WithStates::of(law, states))
+        }
+        (Absorber::Locked { ring_inertia }, Some(raw)) => {
+            check.wrong(raw, "found the material of a locked ring, expected it with a ring that moves");
+            Absorber::Locked { ring_inertia }
+        }
+        (absorber, None) => absorber,
     };
     Some(Mounted { on: place?.0, hub_inertia, absorber })
 }

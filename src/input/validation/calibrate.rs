@@ -5,7 +5,7 @@ use crate::drivetrain::{Chain, Modes};
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
 use crate::input::published::Published;
-use crate::input::schema::absorber::RawRange;
+use crate::input::schema::range::RawRange;
 use crate::input::schema::study::{RawCalibrate, RawExcluded};
 
 /// An input free between bounds.

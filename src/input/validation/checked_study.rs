@@ -4,6 +4,7 @@ use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
 use super::inputs::Input;
 use super::load::DutyPoint;
+use super::material_states::Temperatures;
 use super::optimise::{FrontSpec, OptimiseSpec};
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
@@ -87,6 +88,8 @@ pub struct Study {
     pub front: Option<FrontSpec>,
     /// Conditions every design is evaluated in; firing always is.
     pub conditions: Vec<Condition>,
+    /// Of the conditions `cold` and `hot`.
+    pub temperatures: Temperatures,
     /// Of each cylinder in the condition of unequal ones: the share by which burning adds more to its torque.
     pub scatter: Option<Vec<f64>>,
     /// Tables to compare with.

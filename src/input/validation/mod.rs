@@ -8,10 +8,12 @@ mod crank;
 mod damping;
 mod derived_chain;
 mod engine;
+mod family;
 mod fatigue;
 mod inputs;
 mod load;
 pub(super) mod material;
+mod material_states;
 mod measures;
 mod named;
 mod optimise;
@@ -23,6 +25,7 @@ mod tree;
 pub use absorbers::DesignSpec;
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
+pub use family::{AbsorberSpec, Size};
 pub use inputs::Input;
 pub use load::DutyPoint;
 use measures::{Context, Judged};
@@ -31,7 +34,7 @@ pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 
 use named::folder_of;
 pub(super) use named::table;
-pub use optimise::{AbsorberSpec, FrontSpec, OptimiseSpec, Size};
+pub use optimise::{FrontSpec, OptimiseSpec};
 
 use super::error::{At, Check, InputError, Source};
 use super::measure::MeasureSpec;
@@ -155,8 +158,10 @@ fn comparison(
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
     let modes = Modes::new(&base.chain);
-    let designs = absorbers::resolve(check, study, &base.chain, &modes);
-    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, &base.chain, &modes));
+    let temperatures = material_states::of_conditions(check, study);
+    let designs = absorbers::resolve(check, study, (&base.chain, &modes), temperatures);
+    let optimise = study.optimise.as_ref();
+    let optimise = optimise.and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
     let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {
         (Some(o), _) => o.station(0),
         (None, Some(d)) => station_of(&d.absorbers, 0),
@@ -221,6 +226,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         optimise,
         front,
         conditions,
+        temperatures,
         scatter,
         published,
         calibrate,

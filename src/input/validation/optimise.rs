@@ -1,48 +1,15 @@
 //! What is to be optimised, and the front.
 
 use super::absorbers::{engine_mode, hosts, root};
-use crate::absorber::{Declaration, Host, TYPES};
+use super::family::{AbsorberSpec, family, ordered};
+use super::material_states::Temperatures;
+use crate::absorber::Host;
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
-use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawRange, RawSize};
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::objective::Condition;
-
-/// Ring inertia of what is optimised, kg m².
-#[derive(Debug, Clone, PartialEq)]
-pub enum Size {
-    /// Given values: an optimum for each; the first is the main one.
-    Each(Vec<f64>),
-    /// Free between bounds.
-    Between(f64, f64),
-}
-
-/// A family of absorbers.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AbsorberSpec {
-    /// What carries the hub: a station, or the ring of another absorber of the list by its index.
-    pub on: Host,
-    /// kg m².
-    pub hub_inertia: f64,
-    /// Types, each optimised by itself.
-    pub types: Vec<&'static Declaration>,
-    /// Ring.
-    pub size: Size,
-    /// Lower and upper bound (equal: held) of parameters by their keys; of the others hartog chooses wide bounds.
-    pub bounds: Vec<(&'static str, (f64, f64))>,
-    /// Whether closed forms and inertia ratios use the whole chain's inertia instead of the modal one.
-    pub whole_chain: bool,
-}
-
-impl AbsorberSpec {
-    /// How many optima it asks for by itself.
-    fn choices(&self) -> usize {
-        let sizes = if let Size::Each(list) = &self.size { list.len() } else { 1 };
-        self.types.len() * sizes
-    }
-}
 
 /// More optima than this are a mistake in the file: each takes a search of its own.
 const MOST_OPTIMA: usize = 1000;
@@ -86,19 +53,6 @@ pub enum FrontSpec {
 /// What words of `of` mean.
 pub(super) type ByWord<'a> = &'a dyn Fn(&mut Check, &At<Vec<At<String>>>) -> Option<Vec<MeasureSpec>>;
 
-/// Lower and upper bound; the lower one may be zero only where `from_zero`.
-fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
-    let [low, high] = pair.get_ref().as_slice() else {
-        check.wrong(pair, format!("found {} values, expected two: a lower and an upper bound", pair.get_ref().len()));
-        return (1.0, 2.0);
-    };
-    let (a, b) = (if from_zero { check.not_negative(low) } else { check.positive(low) }, check.positive(high));
-    if b <= a {
-        check.wrong(pair, format!("found bounds {a} and {b}, expected the lower one first and below the upper one"));
-    }
-    (a, b)
-}
-
 /// Conditions as listed, each once; a misfire needs a cylinder pressure.
 pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &Engine) -> Vec<Condition> {
     let mut conditions = Vec::new();
@@ -107,6 +61,9 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
             RawCondition::Firing => Condition::Firing,
             RawCondition::Misfire => Condition::Misfire,
             RawCondition::UnequalCylinders => Condition::UnequalCylinders,
+            RawCondition::Cold => Condition::Cold,
+            RawCondition::Hot => Condition::Hot,
+            RawCondition::Aged => Condition::Aged,
             RawCondition::AbsorberLocked => Condition::AbsorberLocked,
             RawCondition::AbsorberLost => Condition::AbsorberLost,
         };
@@ -122,7 +79,7 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
     if conditions.is_empty() {
         check.wrong(
             list,
-            "found an empty list, expected at least one condition: firing, misfire, unequal_cylinders, absorber_locked, absorber_lost",
+            "found an empty list, expected at least one condition: firing, misfire, unequal_cylinders, cold, hot, aged, absorber_locked, absorber_lost",
         );
     }
     conditions
@@ -150,7 +107,13 @@ pub(super) fn scatter(check: &mut Check, study: &RawStudy, engine: &Engine, cond
     Some(list.get_ref().iter().map(|share| check.within(share, -1.0..=1.0, expected)).collect())
 }
 
-pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, chain: &Chain, modes: &Modes) -> Option<OptimiseSpec> {
+pub(crate) fn resolve(
+    check: &mut Check,
+    raw: &RawOptimise,
+    engine: &Engine,
+    (chain, modes): (&Chain, &Modes),
+    temperatures: Temperatures,
+) -> Option<OptimiseSpec> {
     let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
         let x = value.map_or(default, |v| *v.get_ref());
         if let Some(v) = value
@@ -168,7 +131,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, cha
         return None;
     }
     let hosts = hosts(check, chain, &list.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
-    let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes)));
+    let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes), temperatures));
     let absorbers: Vec<Option<AbsorberSpec>> = absorbers.collect();
     let optima = absorbers.iter().flatten().map(AbsorberSpec::choices).fold(1, usize::saturating_mul);
     if optima > MOST_OPTIMA {
@@ -178,83 +141,9 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawOptimise, engine: &Engine, cha
     if let Some(list) = &raw.conditions
         && conditions.iter().all(|c| matches!(c, Condition::AbsorberLocked | Condition::AbsorberLost))
     {
-        check.wrong(list, "found no condition in which an absorber works, expected `firing`, `misfire` or `unequal_cylinders` among them");
+        check.wrong(list, "found no condition in which an absorber works, expected one of `firing`, `misfire`, `unequal_cylinders`, `cold`, `hot` and `aged` among them");
     }
     Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions })
-}
-
-fn family(check: &mut Check, raw: &RawOptimised, place: Option<(Host, usize)>, (chain, modes): (&Chain, &Modes)) -> Option<AbsorberSpec> {
-    let station = place.map(|p| p.1);
-    let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
-    let mut types: Vec<&'static Declaration> = Vec::new();
-    for kind in raw.types.get_ref() {
-        let declaration = kind.get_ref().0;
-        if types.contains(&declaration) {
-            check.wrong(kind, format!("found type `{}` a second time, expected each once", declaration.name));
-        }
-        types.push(declaration);
-    }
-    if types.is_empty() {
-        let known: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
-        check.wrong(&raw.types, format!("found no type, expected at least one of {}", known.join(", ")));
-    }
-    let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
-    let (range, unit) = match &raw.size {
-        RawSize::RingInertia(r) => (r, Some(1.0)),
-        RawSize::InertiaRatio(r) => (r, station.and_then(|s| engine_mode(chain, modes, s, whole_chain)).map(|m| m.inertia)),
-    };
-    if station.is_some() && unit.is_none() {
-        check.wrong(&raw.types, "no elastic mode moves this station, expected `size.ring_inertia_kg_m2` instead of an inertia ratio");
-    }
-    let unit = unit.unwrap_or(1.0);
-    let size = match range {
-        RawRange::Fixed(v) => Size::Each(vec![check.positive(v) * unit]),
-        RawRange::Each(list) => {
-            if list.get_ref().is_empty() {
-                check.wrong(list, "found an empty list, expected at least one size");
-            }
-            let values: Vec<f64> = list.get_ref().iter().map(|v| check.positive(v) * unit).collect();
-            for (i, v) in values.iter().enumerate() {
-                if values[..i].contains(v) {
-                    check.wrong(&list.get_ref()[i], "found a size a second time, expected different sizes");
-                }
-            }
-            Size::Each(values)
-        }
-        RawRange::Between(pair) => {
-            let (a, b) = ordered(check, pair, false);
-            Size::Between(a * unit, b * unit)
-        }
-    };
-    let mut bounds = Vec::new();
-    for (key, range) in &raw.bounds {
-        let pair = match range {
-            RawRange::Fixed(v) => {
-                let x = check.not_negative(v);
-                (x, x)
-            }
-            RawRange::Between(pair) => ordered(check, pair, true),
-            RawRange::Each(list) => {
-                check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
-                continue;
-            }
-        };
-        if !types.is_empty() && types.iter().all(|t| t.index(key).is_none()) {
-            let Some(at) = first_value(range) else { continue };
-            let names: Vec<&str> = types.iter().map(|t| t.name).collect();
-            check.wrong(at, format!("found bounds of `{key}`, expected those of a parameter of {}", names.join(" or ")));
-        }
-        bounds.push((*key, pair));
-    }
-    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, whole_chain })
-}
-
-/// Where a range begins in the file.
-fn first_value(range: &RawRange) -> Option<&At<f64>> {
-    match range {
-        RawRange::Fixed(v) => Some(v),
-        RawRange::Between(list) | RawRange::Each(list) => list.get_ref().first(),
-    }
 }
 
 pub(super) fn front(

@@ -346,7 +346,8 @@ pub fn conditions(study: &Study, results: &Results) -> String {
     let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
     let own = results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design));
     if let (Some(best), Some(own)) = (given.min_by(|a, b| better(a, b)), own) {
-        for (own, given) in own.design.conditions.iter().zip(&best.conditions) {
+        for own in &own.design.conditions {
+            let Some(given) = best.conditions.iter().find(|c| c.condition == own.condition) else { continue };
             let change = 100.0 * (own.objective / given.objective - 1.0);
             let words = if change.abs() < 0.05 {
                 "changes nothing".to_owned()

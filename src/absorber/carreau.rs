@@ -1,0 +1,106 @@
+//! Ring in silicone oil with a spread of relaxation times, causal Carreau: S = i omega c/(1 + (i omega tau)^a)^((1 - n)/a).
+//!
+//! At low frequency a Newtonian damper c; far above 1/tau the viscosity falls as omega^(n - 1). `a` = 1 and `n` = 0 is Maxwell's law. With powers of i on the principal branch the argument of S
+//! lies between 0 and 90° for 0 < a <= 1 and 0 <= n < 1: the law is passive. For strains of less than one; at large ones the viscosity follows the rate of shear instead.
+
+use super::closed_forms::{EngineMode, viscous_damping};
+use super::dynamic_stiffness::Operating;
+use super::law::{ClosedForm, Declaration, Law};
+use super::maxwell::RELAXATION_TIME;
+use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range};
+use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use std::sync::Arc;
+
+/// Ring in silicone oil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Carreau {
+    /// kg m².
+    pub ring_inertia: f64,
+    /// At low frequency, N m s/rad, not negative.
+    pub damping: f64,
+    /// s, above zero.
+    pub relaxation_time: f64,
+    /// a, above 0 up to 1: how sharply the oil turns from viscous to elastic.
+    pub transition: f64,
+    /// n, from 0 to below 1.
+    pub flow_index: f64,
+}
+
+const TRANSITION: Parameter = Parameter {
+    key: "transition_exponent",
+    label: "a",
+    range: Range::Within(0.05, 1.0),
+    extensive: false,
+    dissipative: false,
+    material: true,
+    follows: Follows::Nothing,
+    bounds: |_| (0.05, 1.0),
+    typical: |_| 0.8,
+};
+
+const FLOW_INDEX: Parameter = Parameter {
+    key: "flow_index",
+    label: "n",
+    range: Range::Within(0.0, 0.95),
+    extensive: false,
+    dissipative: false,
+    material: true,
+    follows: Follows::Nothing,
+    bounds: |_| (0.0, 0.95),
+    typical: |_| 0.3,
+};
+
+/// Ring in silicone oil.
+pub static CARREAU: Declaration = Declaration {
+    name: "carreau",
+    parameters: &[
+        RING_INERTIA,
+        Parameter { follows: Follows::Factor, ..DAMPING },
+        Parameter { range: Range::Positive, ..RELAXATION_TIME },
+        TRANSITION,
+        FLOW_INDEX,
+    ],
+    build: |v| Arc::new(Carreau { ring_inertia: v[0], damping: v[1], relaxation_time: v[2], transition: v[3], flow_index: v[4] }),
+    closed_forms: &[ClosedForm { name: "carreau_untuned", every_mode: true, is_optimum: false, values: start }],
+};
+
+/// The best Newtonian damper, with a relaxation time of half a radian of the mode: a start, no optimum.
+fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
+    vec![ring_inertia, viscous_damping(ring_inertia, engine), 0.5 / engine.omega, 1.0, 0.0]
+}
+
+impl Carreau {
+    /// (i omega tau)^a.
+    fn power(&self, omega: f64) -> C64 {
+        imaginary_power(omega * self.relaxation_time, self.transition)
+    }
+}
+
+impl Law for Carreau {
+    fn declaration(&self) -> &'static Declaration {
+        &CARREAU
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.damping, self.relaxation_time, self.transition, self.flow_index]
+    }
+    fn ring_inertia(&self) -> f64 {
+        self.ring_inertia
+    }
+    fn dynamic_stiffness(&self, at: Operating) -> C64 {
+        let z = self.power(at.omega);
+        C64::new(0.0, at.omega * self.damping) * (1.0 + z).powf((self.flow_index - 1.0) / self.transition)
+    }
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        let (a, n) = (self.transition, self.flow_index);
+        let z = self.power(at.omega);
+        let falls = (1.0 + z).powf((n - 1.0) / a);
+        let newtonian = C64::new(0.0, at.omega);
+        let s = newtonian * self.damping * falls;
+        // d ln S/d ln tau = (n - 1) z/(1 + z)
+        let by_log_time = s * (z / (1.0 + z)) * (n - 1.0);
+        let by_transition = s
+            * ((1.0 + z).ln() * ((1.0 - n) / (a * a)) + (z / (1.0 + z)) * imaginary_ln(at.omega * self.relaxation_time) * ((n - 1.0) / a));
+        let by_index = s * (1.0 + z).ln() / a;
+        vec![C64::default(), newtonian * falls, by_log_time / self.relaxation_time, by_transition, by_index]
+    }
+}

@@ -1,0 +1,61 @@
+//! Ring on filled rubber, fractional Kelvin: S = k (1 + (i omega tau)^alpha), a spring beside a springpot.
+//!
+//! Over two or three decades the storage and loss moduli of filled rubber rise as omega^alpha. With (i)^alpha on the principal branch S is passive and causal for 0 < alpha <= 1; alpha = 1 is a spring
+//! beside a dashpot. The stiffness grows without bound at high frequency: `fractional_zener` ends it.
+
+use super::dynamic_stiffness::Operating;
+use super::fractional_zener::{EXPONENT, best};
+use super::law::{ClosedForm, Declaration, Law};
+use super::maxwell::RELAXATION_TIME;
+use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
+use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use std::sync::Arc;
+
+/// Ring on a spring beside a springpot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FractionalKelvin {
+    /// kg m².
+    pub ring_inertia: f64,
+    /// At low frequency, N m/rad, not negative.
+    pub stiffness: f64,
+    /// s, above zero.
+    pub relaxation_time: f64,
+    /// alpha, above 0 up to 1.
+    pub exponent: f64,
+}
+
+/// Ring on a spring beside a springpot.
+pub static FRACTIONAL_KELVIN: Declaration = Declaration {
+    name: "fractional_kelvin",
+    parameters: &[RING_INERTIA, STIFFNESS, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
+    build: |v| Arc::new(FractionalKelvin { ring_inertia: v[0], stiffness: v[1], relaxation_time: v[2], exponent: v[3] }),
+    closed_forms: &[ClosedForm {
+        name: "fractional_kelvin",
+        every_mode: true,
+        is_optimum: false,
+        values: |ring, engine| {
+            let zener = best(ring, engine);
+            vec![zener[0], zener[1], zener[3], zener[4]]
+        },
+    }],
+};
+
+impl Law for FractionalKelvin {
+    fn declaration(&self) -> &'static Declaration {
+        &FRACTIONAL_KELVIN
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.stiffness, self.relaxation_time, self.exponent]
+    }
+    fn ring_inertia(&self) -> f64 {
+        self.ring_inertia
+    }
+    fn dynamic_stiffness(&self, at: Operating) -> C64 {
+        self.stiffness * (1.0 + imaginary_power(at.omega * self.relaxation_time, self.exponent))
+    }
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        let x = at.omega * self.relaxation_time;
+        let z = imaginary_power(x, self.exponent);
+        vec![C64::default(), 1.0 + z, self.stiffness * self.exponent * z / self.relaxation_time, self.stiffness * z * imaginary_ln(x)]
+    }
+}

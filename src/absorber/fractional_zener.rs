@@ -1,0 +1,95 @@
+//! Ring on rubber from its rubbery to its glassy end, fractional Zener: S = k (1 + r (i omega tau)^alpha)/(1 + (i omega tau)^alpha).
+//!
+//! k at low frequency, r k at high frequency. Thermodynamically admissible for r > 1 and 0 < alpha <= 1 \[Bagley & Torvik 1986\].
+
+use super::closed_forms::EngineMode;
+use super::dynamic_stiffness::Operating;
+use super::law::{ClosedForm, Declaration, Law};
+use super::maxwell::RELAXATION_TIME;
+use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
+use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use std::sync::Arc;
+
+/// Ring on rubber of four numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FractionalZener {
+    /// kg m².
+    pub ring_inertia: f64,
+    /// At low frequency, N m/rad, not negative.
+    pub stiffness: f64,
+    /// Stiffness at high over that at low frequency, above one.
+    pub glass_ratio: f64,
+    /// s, above zero.
+    pub relaxation_time: f64,
+    /// alpha, above 0 up to 1.
+    pub exponent: f64,
+}
+
+/// Power of the frequency that moduli rise with.
+pub(super) const EXPONENT: Parameter = Parameter {
+    key: "fractional_exponent",
+    label: "alpha",
+    range: Range::Within(0.05, 1.0),
+    extensive: false,
+    dissipative: false,
+    material: true,
+    follows: Follows::Nothing,
+    bounds: |_| (0.05, 1.0),
+    typical: |_| 0.5,
+};
+
+const GLASS_RATIO: Parameter = Parameter {
+    key: "glass_ratio",
+    label: "r",
+    range: Range::Above(1.0),
+    extensive: false,
+    dissipative: false,
+    material: true,
+    follows: Follows::Nothing,
+    bounds: |_| (1.01, 1e4),
+    typical: |_| 20.0,
+};
+
+/// Ring on rubber of four numbers.
+pub static FRACTIONAL_ZENER: Declaration = Declaration {
+    name: "fractional_zener",
+    parameters: &[RING_INERTIA, STIFFNESS, GLASS_RATIO, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
+    build: |v| Arc::new(FractionalZener { ring_inertia: v[0], stiffness: v[1], glass_ratio: v[2], relaxation_time: v[3], exponent: v[4] }),
+    closed_forms: &[ClosedForm { name: "fractional_zener", every_mode: true, is_optimum: false, values: best }],
+};
+
+/// A start, no optimum: at the frequency of the best hysteretic ring the stiffness of that ring, by a springpot of exponent 0.5 a fifth as stiff as the spring, far from the glassy end.
+pub(super) fn best(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
+    let omega = engine.omega / (1.0 + ring_inertia / engine.inertia);
+    let time = 0.04 / omega;
+    let z = C64::new(0.0, omega * time).sqrt();
+    vec![ring_inertia, ring_inertia * omega * omega / (1.0 + z.re), 1e3, time, 0.5]
+}
+
+impl Law for FractionalZener {
+    fn declaration(&self) -> &'static Declaration {
+        &FRACTIONAL_ZENER
+    }
+    fn values(&self) -> Vec<f64> {
+        vec![self.ring_inertia, self.stiffness, self.glass_ratio, self.relaxation_time, self.exponent]
+    }
+    fn ring_inertia(&self) -> f64 {
+        self.ring_inertia
+    }
+    fn dynamic_stiffness(&self, at: Operating) -> C64 {
+        let z = imaginary_power(at.omega * self.relaxation_time, self.exponent);
+        self.stiffness * (1.0 + self.glass_ratio * z) / (1.0 + z)
+    }
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        let x = at.omega * self.relaxation_time;
+        let z = imaginary_power(x, self.exponent);
+        let by_power = self.stiffness * (self.glass_ratio - 1.0) / ((1.0 + z) * (1.0 + z));
+        vec![
+            C64::default(),
+            (1.0 + self.glass_ratio * z) / (1.0 + z),
+            self.stiffness * z / (1.0 + z),
+            by_power * self.exponent * z / self.relaxation_time,
+            by_power * z * imaginary_ln(x),
+        ]
+    }
+}

@@ -1,0 +1,96 @@
+//! A law in states of its material: in each, its parameters are those of the reference state times a factor.
+
+use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::law::{Declaration, Law};
+use super::state::State;
+use crate::numerics::C64;
+use std::sync::Arc;
+
+/// Factors on the parameters of a type in a state, in the order of their declaration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// The state.
+    pub state: State,
+    /// One for the ring inertia.
+    pub factors: Vec<f64>,
+}
+
+/// A law with its states: itself, as long as it is asked for none of them.
+#[derive(Debug, Clone)]
+pub struct WithStates {
+    law: Arc<dyn Law>,
+    states: Arc<[Factors]>,
+}
+
+impl WithStates {
+    /// A law with factors, as many as it has parameters.
+    pub fn of(law: Arc<dyn Law>, states: Arc<[Factors]>) -> Arc<dyn Law> {
+        if states.is_empty() { law } else { Arc::new(Self { law, states }) }
+    }
+}
+
+/// A law whose parameters are those of another times factors; its values are those of the other.
+#[derive(Debug, Clone)]
+struct Changed {
+    reference: Arc<dyn Law>,
+    now: Arc<dyn Law>,
+    factors: Vec<f64>,
+}
+
+impl Changed {
+    fn new(reference: Arc<dyn Law>, factors: Vec<f64>) -> Self {
+        let values: Vec<f64> = reference.values().iter().zip(&factors).map(|(v, f)| v * f).collect();
+        Self { now: reference.rebuilt(&values), reference, factors }
+    }
+}
+
+/// What a law that stands in for another one passes on.
+macro_rules! stands_in {
+    ($values:ident, $now:ident) => {
+        fn declaration(&self) -> &'static Declaration {
+            self.$values.declaration()
+        }
+        fn values(&self) -> Vec<f64> {
+            self.$values.values()
+        }
+        fn ring_inertia(&self) -> f64 {
+            self.$now.ring_inertia()
+        }
+        fn dynamic_stiffness(&self, at: Operating) -> C64 {
+            self.$now.dynamic_stiffness(at)
+        }
+        fn spring_and_damper(&self) -> Option<SpringAndDamper> {
+            self.$now.spring_and_damper()
+        }
+        fn depends_on_speed(&self) -> bool {
+            self.$now.depends_on_speed()
+        }
+        fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
+            self.$now.dynamic_stiffness_each(at, out);
+        }
+    };
+}
+
+impl Law for WithStates {
+    stands_in!(law, law);
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        self.law.derivatives(at)
+    }
+    fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
+        Arc::new(Self { law: self.law.rebuilt(values), states: self.states.clone() })
+    }
+    fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
+        let found = self.states.iter().find(|s| s.state == state)?;
+        Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone())))
+    }
+}
+
+impl Law for Changed {
+    stands_in!(reference, now);
+    fn derivatives(&self, at: Operating) -> Vec<C64> {
+        self.now.derivatives(at).into_iter().zip(&self.factors).map(|(d, f)| d * *f).collect()
+    }
+    fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
+        Arc::new(Self::new(self.reference.rebuilt(values), self.factors.clone()))
+    }
+}

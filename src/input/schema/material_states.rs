@@ -1,0 +1,66 @@
+//! States of an absorber's material, as typed.
+
+use super::range::RawRange;
+use crate::input::error::At;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Temperatures of the conditions `cold` and `hot`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawTemperatures {
+    pub cold_c: Option<At<f64>>,
+    pub hot_c: Option<At<f64>>,
+}
+
+/// What is said of a material.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMaterialStates {
+    pub temperature: Option<At<RawTemperatureLaw>>,
+    pub ageing: Option<RawAgeing>,
+    #[serde(default)]
+    pub properties: BTreeMap<String, RawRange>,
+}
+
+/// How a material follows temperature.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawTemperatureLaw {
+    Wlf(RawWlf),
+    Arrhenius(RawArrhenius),
+    Exponential(RawExponential),
+    SiliconeOil(RawSiliconeOil),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawWlf {
+    pub c1: At<f64>,
+    pub c2_k: At<f64>,
+    pub reference_c: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawArrhenius {
+    pub activation_kj_per_mol: At<f64>,
+    pub reference_c: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawExponential {
+    pub per_k: At<f64>,
+    pub reference_c: At<f64>,
+    pub between_c: At<Vec<At<f64>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawSiliconeOil {
+    pub reference_c: At<f64>,
+}
+
+/// Factors on parameters by their keys.
+pub(crate) type RawAgeing = At<BTreeMap<String, At<f64>>>;

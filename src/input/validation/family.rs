@@ -1,0 +1,211 @@
+//! A family of absorbers: types, sizes and bounds.
+
+use super::absorbers::{engine_mode, value};
+use super::material_states::{MaterialSpec, Temperatures, material};
+use crate::absorber::{Declaration, Host, Parameter, Range, TYPES};
+use crate::drivetrain::{Chain, Modes};
+use crate::input::error::{At, Check};
+use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawSize};
+use crate::input::schema::range::RawRange;
+
+/// Ring inertia of what is optimised, kg m².
+#[derive(Debug, Clone, PartialEq)]
+pub enum Size {
+    /// Given values: an optimum for each; the first is the main one.
+    Each(Vec<f64>),
+    /// Free between bounds.
+    Between(f64, f64),
+}
+
+/// A family of absorbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AbsorberSpec {
+    /// What carries the hub: a station, or the ring of another absorber of the list by its index.
+    pub on: Host,
+    /// kg m².
+    pub hub_inertia: f64,
+    /// Types, each optimised by itself.
+    pub types: Vec<&'static Declaration>,
+    /// Ring.
+    pub size: Size,
+    /// Lower and upper bound (equal: held) of parameters by their keys; of the others hartog chooses wide bounds.
+    pub bounds: Vec<(&'static str, (f64, f64))>,
+    /// Materials of types that have one.
+    pub materials: Vec<(&'static Declaration, MaterialSpec)>,
+    /// Of the study's conditions.
+    pub temperatures: Temperatures,
+    /// Whether closed forms and inertia ratios use the whole chain's inertia instead of the modal one.
+    pub whole_chain: bool,
+}
+
+impl AbsorberSpec {
+    /// How many optima it asks for by itself.
+    pub(super) fn choices(&self) -> usize {
+        let sizes = if let Size::Each(list) = &self.size { list.len() } else { 1 };
+        self.types.len() * sizes
+    }
+}
+
+/// Lower and upper bound; the lower one may be zero only where `from_zero`.
+pub(super) fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
+    let [low, high] = pair.get_ref().as_slice() else {
+        check.wrong(pair, format!("found {} values, expected two: a lower and an upper bound", pair.get_ref().len()));
+        return (1.0, 2.0);
+    };
+    let (a, b) = (if from_zero { check.not_negative(low) } else { check.positive(low) }, check.positive(high));
+    if b <= a {
+        check.wrong(pair, format!("found bounds {a} and {b}, expected the lower one first and below the upper one"));
+    }
+    (a, b)
+}
+
+pub(super) fn family(
+    check: &mut Check,
+    raw: &RawOptimised,
+    place: Option<(Host, usize)>,
+    (chain, modes): (&Chain, &Modes),
+    temperatures: Temperatures,
+) -> Option<AbsorberSpec> {
+    let station = place.map(|p| p.1);
+    let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
+    let mut types: Vec<&'static Declaration> = Vec::new();
+    for kind in raw.types.get_ref() {
+        let declaration = kind.get_ref().0;
+        if types.contains(&declaration) {
+            check.wrong(kind, format!("found type `{}` a second time, expected each once", declaration.name));
+        }
+        types.push(declaration);
+    }
+    if types.is_empty() {
+        let known: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
+        check.wrong(&raw.types, format!("found no type, expected at least one of {}", known.join(", ")));
+    }
+    let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
+    let (range, unit) = match &raw.size {
+        RawSize::RingInertia(r) => (r, Some(1.0)),
+        RawSize::InertiaRatio(r) => (r, station.and_then(|s| engine_mode(chain, modes, s, whole_chain)).map(|m| m.inertia)),
+    };
+    if station.is_some() && unit.is_none() {
+        check.wrong(&raw.types, "no elastic mode moves this station, expected `size.ring_inertia_kg_m2` instead of an inertia ratio");
+    }
+    let unit = unit.unwrap_or(1.0);
+    let size = match range {
+        RawRange::Fixed(v) => Size::Each(vec![check.positive(v) * unit]),
+        RawRange::Each(list) => {
+            if list.get_ref().is_empty() {
+                check.wrong(list, "found an empty list, expected at least one size");
+            }
+            let values: Vec<f64> = list.get_ref().iter().map(|v| check.positive(v) * unit).collect();
+            for (i, v) in values.iter().enumerate() {
+                if values[..i].contains(v) {
+                    check.wrong(&list.get_ref()[i], "found a size a second time, expected different sizes");
+                }
+            }
+            Size::Each(values)
+        }
+        RawRange::Between(pair) => {
+            let (a, b) = ordered(check, pair, false);
+            Size::Between(a * unit, b * unit)
+        }
+    };
+    let bounds = bounds_of(check, raw, &types);
+    let materials = materials(check, raw, &types, temperatures);
+    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, materials, temperatures, whole_chain })
+}
+
+/// Materials by the types that have them.
+fn materials(
+    check: &mut Check,
+    raw: &RawOptimised,
+    types: &[&'static Declaration],
+    temperatures: Temperatures,
+) -> Vec<(&'static Declaration, MaterialSpec)> {
+    let mut list = Vec::new();
+    for (word, raw) in &raw.material {
+        let Some(declaration) = types.iter().find(|t| t.name == word).copied() else {
+            let names: Vec<&str> = types.iter().map(|t| t.name).collect();
+            check.wrong(raw, format!("found a material of type `{word}`, expected one of {}", names.join(" or ")));
+            continue;
+        };
+        let mut spec = material(check, raw.get_ref(), declaration, temperatures);
+        for (key, range) in &raw.get_ref().properties {
+            let Some(parameter) = declaration.parameters.iter().skip(1).find(|p| p.key == key) else {
+                let known: Vec<&str> = declaration.parameters.iter().skip(1).map(|p| p.key).collect();
+                check.wrong(raw, format!("found the property `{key}` of `{word}`, expected one of {}", known.join(", ")));
+                continue;
+            };
+            in_range(check, parameter, range);
+            spec.properties.extend(pair_of(check, range).map(|pair| (parameter.key, pair)));
+        }
+        list.push((declaration, spec));
+    }
+    list
+}
+
+/// Lower and upper bound; alike where a value is held.
+fn pair_of(check: &mut Check, range: &RawRange) -> Option<(f64, f64)> {
+    match range {
+        RawRange::Fixed(v) => {
+            let x = check.not_negative(v);
+            Some((x, x))
+        }
+        RawRange::Between(pair) => Some(ordered(check, pair, true)),
+        RawRange::Each(list) => {
+            check.wrong(list, "found `each`, expected `fixed` or `between`: only sizes take several values");
+            None
+        }
+    }
+}
+
+/// Bounds as given, for all types that have the parameter.
+fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) -> Vec<(&'static str, (f64, f64))> {
+    let mut bounds = Vec::new();
+    for (key, range) in &raw.bounds {
+        let Some(pair) = pair_of(check, range) else { continue };
+        if !types.is_empty() && types.iter().all(|t| t.index(key).is_none()) {
+            let Some(at) = first_value(range) else { continue };
+            let names: Vec<&str> = types.iter().map(|t| t.name).collect();
+            check.wrong(at, format!("found bounds of `{key}`, expected those of a parameter of {}", names.join(" or ")));
+        }
+        for p in types.iter().flat_map(|t| t.parameters).filter(|p| p.key == *key) {
+            in_range(check, p, range);
+        }
+        bounds.push((*key, pair));
+    }
+    for t in types {
+        let of_material = |key: &str| raw.material.get(t.name).is_some_and(|m| m.get_ref().properties.contains_key(key));
+        let given = |key: &str| of_material(key) || raw.bounds.iter().any(|b| b.0 == key);
+        for p in t.parameters.iter().filter(|p| p.material && !given(p.key)) {
+            let words = format!("found type `{}` without `{}`, a property of its material that no default can decide", t.name, p.key);
+            let help =
+                format!("`{key}.fixed = …`, or `.between`; or under `material.{}` as `properties.{key}.fixed = …`", t.name, key = p.key);
+            check.wrong_with_help(&raw.types, words, help);
+        }
+    }
+    bounds
+}
+
+/// Whether bounds lie in the range of a parameter; their signs were looked at.
+fn in_range(check: &mut Check, parameter: &Parameter, range: &RawRange) {
+    if matches!(parameter.range, Range::Positive | Range::NotNegative) {
+        return;
+    }
+    match range {
+        RawRange::Fixed(v) => {
+            value(check, parameter, v);
+        }
+        RawRange::Between(list) | RawRange::Each(list) => {
+            for v in list.get_ref() {
+                value(check, parameter, v);
+            }
+        }
+    }
+}
+
+/// Where a range begins in the file.
+fn first_value(range: &RawRange) -> Option<&At<f64>> {
+    match range {
+        RawRange::Fixed(v) => Some(v),
+        RawRange::Between(list) | RawRange::Each(list) => list.get_ref().first(),
+    }
+}

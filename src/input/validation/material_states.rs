@@ -1,0 +1,160 @@
+//! States of an absorber's material: what temperature and age make of its parameters.
+
+use crate::absorber::{Declaration, Factors, Follows, Range, State, TemperatureLaw};
+use crate::input::error::{At, Check};
+use crate::input::schema::material_states::{RawMaterialStates, RawTemperatureLaw, RawTemperatures};
+use crate::input::schema::study::{RawCondition, RawStudy};
+use crate::units::KELVIN_AT_0_C;
+use std::sync::Arc;
+
+/// Temperatures of the conditions `cold` and `hot`, °C.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct Temperatures {
+    /// Of `cold`.
+    pub cold: Option<f64>,
+    /// Of `hot`.
+    pub hot: Option<f64>,
+}
+
+/// What a study says of the material of an absorber.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MaterialSpec {
+    /// How it follows temperature.
+    pub temperature: Option<TemperatureLaw>,
+    /// Factors on parameters when aged, by their keys.
+    pub ageing: Vec<(&'static str, f64)>,
+    /// Bounds of its properties by their keys.
+    pub properties: Vec<(&'static str, (f64, f64))>,
+}
+
+/// Temperatures above absolute zero that anything is made for, °C.
+const SENSIBLE: std::ops::RangeInclusive<f64> = -100.0..=400.0;
+
+fn celsius(check: &mut Check, raw: &At<f64>) -> f64 {
+    check.within(raw, SENSIBLE, "a temperature from -100 to 400 °C")
+}
+
+/// The temperatures of a study's conditions.
+pub(super) fn of_conditions(check: &mut Check, study: &RawStudy) -> Temperatures {
+    let temperatures = temperatures(check, study.temperatures.as_ref());
+    check_conditions(check, study, temperatures);
+    temperatures
+}
+
+fn temperatures(check: &mut Check, raw: Option<&RawTemperatures>) -> Temperatures {
+    let Some(raw) = raw else { return Temperatures::default() };
+    let [cold, hot] = [&raw.cold_c, &raw.hot_c].map(|t| t.as_ref().map(|t| celsius(check, t)));
+    if let (Some(low), Some(high), Some(at)) = (cold, hot, &raw.hot_c)
+        && high <= low
+    {
+        check.wrong(at, format!("found {high} °C, expected more than the {low} °C of `cold_c`"));
+    }
+    Temperatures { cold, hot }
+}
+
+/// Conditions that need what the study does not say.
+fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatures) {
+    let lists = study.conditions.iter().chain(study.optimise.iter().flat_map(|o| &o.conditions));
+    let designed = study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
+    let optimised = study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
+    let said = designed.chain(optimised).map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
+    let (warms, ages) = said.fold((false, false), |all, a| (all.0 || a.0, all.1 || a.1));
+    for raw in lists.flat_map(|l| l.get_ref()) {
+        let (word, given, followed, key) = match raw.get_ref() {
+            RawCondition::Cold => ("cold", temperatures.cold.is_some(), warms, "temperature"),
+            RawCondition::Hot => ("hot", temperatures.hot.is_some(), warms, "temperature"),
+            RawCondition::Aged => ("aged", true, ages, "ageing"),
+            _ => continue,
+        };
+        if !given {
+            check.wrong(raw, format!("found condition `{word}` without its temperature, expected `temperatures = {{ {word}_c = … }}`"));
+        } else if !followed {
+            check.wrong(raw, format!("found condition `{word}`, expected an absorber whose `material` has `{key}`, which it changes"));
+        }
+    }
+}
+
+/// What is said of the material of a type.
+pub(super) fn material(
+    check: &mut Check,
+    raw: &RawMaterialStates,
+    declaration: &'static Declaration,
+    temperatures: Temperatures,
+) -> MaterialSpec {
+    let law = raw.temperature.as_ref().map(|raw| {
+        let law = law(check, raw.get_ref());
+        if declaration.parameters.iter().all(|p| p.follows == Follows::Nothing) {
+            check.wrong(
+                raw,
+                format!(
+                    "found how a material follows temperature, expected it with a type whose law does: `{}` is ideal",
+                    declaration.name
+                ),
+            );
+        }
+        let (low, high) = law.range();
+        for celsius in [temperatures.cold, temperatures.hot, Some(law.reference())].into_iter().flatten() {
+            if !(low..=high).contains(&celsius) {
+                let up_to = if high.is_finite() { format!("from {low} to {high}") } else { format!("from {low:.1}") };
+                check.wrong(raw, format!("found {celsius} °C outside the range of this law, expected temperatures {up_to} °C"));
+            }
+        }
+        law
+    });
+    let ageing = raw.ageing.as_ref().map_or_else(Vec::new, |raw| {
+        raw.get_ref().iter().filter_map(|(key, value)| Some((aged_key(check, key, value, declaration)?, check.positive(value)))).collect()
+    });
+    MaterialSpec { temperature: law, ageing, properties: Vec::new() }
+}
+
+/// A parameter that may age: any but the ring, as long as no factor leads out of its range.
+fn aged_key(check: &mut Check, key: &str, at: &At<f64>, declaration: &'static Declaration) -> Option<&'static str> {
+    let may = |p: &&crate::absorber::Parameter| matches!(p.range, Range::Positive | Range::NotNegative);
+    let known: Vec<&'static str> = declaration.parameters.iter().skip(1).filter(may).map(|p| p.key).collect();
+    let found = known.iter().find(|k| **k == key).copied();
+    if found.is_none() {
+        check.wrong(at, format!("found a factor on `{key}`, expected one on {}", known.join(", ")));
+    }
+    found
+}
+
+fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
+    match raw {
+        RawTemperatureLaw::Wlf(w) => {
+            TemperatureLaw::Wlf { c1: check.positive(&w.c1), c2: check.positive(&w.c2_k), reference: celsius(check, &w.reference_c) }
+        }
+        RawTemperatureLaw::Arrhenius(a) => TemperatureLaw::Arrhenius {
+            activation: 1e3 * check.within(&a.activation_kj_per_mol, 1.0..=500.0, "an activation energy from 1 to 500 kJ/mol"),
+            reference: celsius(check, &a.reference_c),
+        },
+        RawTemperatureLaw::Exponential(e) => {
+            let ends: Vec<f64> = e.between_c.get_ref().iter().map(|t| celsius(check, t)).collect();
+            let between = match ends[..] {
+                [low, high] if low < high => (low, high),
+                _ => {
+                    check.wrong(&e.between_c, "expected the lowest and the highest temperature that the factor was measured at");
+                    (-KELVIN_AT_0_C, f64::INFINITY)
+                }
+            };
+            let per_k = check.within(&e.per_k, 0.0..=0.5, "a share per kelvin from 0 to 0.5");
+            TemperatureLaw::Exponential { per_k, reference: celsius(check, &e.reference_c), between }
+        }
+        RawTemperatureLaw::SiliconeOil(o) => TemperatureLaw::SiliconeOil { reference: celsius(check, &o.reference_c) },
+    }
+}
+
+impl MaterialSpec {
+    /// The states of an absorber of a type.
+    pub(crate) fn states(&self, declaration: &Declaration, temperatures: Temperatures) -> Arc<[Factors]> {
+        let mut states = Vec::new();
+        for (state, celsius) in [(State::Cold, temperatures.cold), (State::Hot, temperatures.hot)] {
+            let (Some(law), Some(celsius)) = (&self.temperature, celsius) else { continue };
+            states.push(Factors { state, factors: declaration.followed(law.factor(celsius)) });
+        }
+        if !self.ageing.is_empty() {
+            let of = |key: &str| self.ageing.iter().find(|a| a.0 == key).map_or(1.0, |a| a.1);
+            states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| of(p.key)).collect() });
+        }
+        states.into()
+    }
+}

@@ -311,7 +311,14 @@ fn optimum_by_margin() {
     let case = Case::new(short("villalva_v10_thesis"));
     let measures = margins::measures(&case.study);
     let space = Space {
-        slots: vec![Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.052, 0.0, 0.0], states: [].into() }],
+        slots: vec![Slot {
+            declaration: &TUNED,
+            on: Host::Station(0),
+            hub_inertia: 0.0,
+            values: vec![0.052, 0.0, 0.0],
+            states: [].into(),
+            thermal: None,
+        }],
         variables: vec![
             Variable { absorber: 0, parameter: 1, lower: 1e3, upper: 1e7, scale: 1e2 },
             Variable { absorber: 0, parameter: 2, lower: 0.0, upper: 1e4, scale: 0.1 },

@@ -5,6 +5,7 @@ use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::parameter::{Follows, Parameter};
 use super::state::State;
+use super::thermal::Thermal;
 use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -43,6 +44,11 @@ pub trait Law: Debug + Send + Sync {
 
     /// The law in a state of its material; nothing where that changes nothing.
     fn in_state(&self, _: State) -> Option<Arc<dyn Law>> {
+        None
+    }
+
+    /// How the temperature of its material comes about; nothing where nothing is said of it.
+    fn thermal(&self) -> Option<Thermal> {
         None
     }
 

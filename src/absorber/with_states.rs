@@ -3,6 +3,7 @@
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::law::{Declaration, Law};
 use super::state::State;
+use super::thermal::Thermal;
 use crate::numerics::C64;
 use std::sync::Arc;
 
@@ -20,12 +21,21 @@ pub struct Factors {
 pub struct WithStates {
     law: Arc<dyn Law>,
     states: Arc<[Factors]>,
+    thermal: Option<Thermal>,
 }
 
 impl WithStates {
-    /// A law with factors, as many as it has parameters.
-    pub fn of(law: Arc<dyn Law>, states: Arc<[Factors]>) -> Arc<dyn Law> {
-        if states.is_empty() { law } else { Arc::new(Self { law, states }) }
+    /// A law with factors, as many as it has parameters, and with what decides its temperature.
+    pub fn of(law: Arc<dyn Law>, states: Arc<[Factors]>, thermal: Option<Thermal>) -> Arc<dyn Law> {
+        if states.is_empty() && thermal.is_none() { law } else { Arc::new(Self { law, states, thermal }) }
+    }
+}
+
+/// A law with its material at a temperature, °C: itself where nothing is said of how it follows that.
+pub(crate) fn at_temperature(law: &Arc<dyn Law>, celsius: f64) -> Arc<dyn Law> {
+    match law.thermal() {
+        Some(thermal) => Arc::new(Changed::new(law.clone(), law.declaration().followed(thermal.law.factor(celsius)))),
+        None => law.clone(),
     }
 }
 
@@ -77,11 +87,14 @@ impl Law for WithStates {
         self.law.derivatives(at)
     }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
-        Arc::new(Self { law: self.law.rebuilt(values), states: self.states.clone() })
+        Arc::new(Self { law: self.law.rebuilt(values), states: self.states.clone(), thermal: self.thermal })
     }
     fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
         let found = self.states.iter().find(|s| s.state == state)?;
         Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone())))
+    }
+    fn thermal(&self) -> Option<Thermal> {
+        self.thermal
     }
 }
 

@@ -75,7 +75,10 @@ fn slot(
         }
     }
     let states = material.map_or_else(|| [].into(), |m| m.states(declaration, spec.temperatures));
-    (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, states }, variables)
+    (
+        Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, states, thermal: material.and_then(|m| m.thermal()) },
+        variables,
+    )
 }
 
 /// An optimum that a study asks for.

@@ -5,6 +5,7 @@ use super::choice::Choice;
 use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
+use super::heat::HeatOfDesign;
 use super::margins::MarginSweep;
 use super::sensitivities::Sensitivity;
 use super::sweeps::Sweeps;
@@ -133,6 +134,8 @@ pub struct Results {
     pub diagram: Option<Diagram>,
     /// The same designs at the points of the duty, where the study has one.
     pub duty: Vec<DutyOfDesign>,
+    /// Temperatures of those whose material says what cools it.
+    pub heat: Vec<HeatOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.
@@ -145,8 +148,9 @@ impl Results {
         self.optima.iter().any(|o| o.design.name == name)
     }
 
-    /// Whether every limit holds for every optimum.
+    /// Whether every limit holds for every optimum, and none of those that are shown overheats.
     pub fn limits_hold(&self) -> bool {
-        self.optima.iter().all(|o| o.design.within_limits())
+        let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.points.iter().any(|p| p.balances.is_empty());
+        self.optima.iter().all(|o| o.design.within_limits()) && !self.heat.iter().any(overheats)
     }
 }

@@ -5,6 +5,7 @@ use super::choice::{self, Choice, Strategy};
 use super::diagram::{self, Diagram};
 use super::duty::{self, DutyOfDesign};
 use super::evaluate::{self, DesignResult};
+use super::heat::{self, HeatOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
@@ -109,7 +110,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty } = over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -143,6 +144,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         margins,
         diagram,
         duty,
+        heat,
         appearing,
         timing,
         system,
@@ -198,6 +200,7 @@ struct OverSpeed {
     margins: Vec<MarginSweep>,
     diagram: Option<Diagram>,
     duty: Vec<DutyOfDesign>,
+    heat: Vec<HeatOfDesign>,
 }
 
 /// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
@@ -218,7 +221,8 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
         diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
     })?;
     let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty })
+    let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, margins, diagram, duty, heat })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

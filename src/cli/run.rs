@@ -85,6 +85,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !duty.is_empty() {
         say(&format!("\n{duty}"));
     }
+    let heat = text::heat(results);
+    if !heat.is_empty() {
+        say(&format!("\n{heat}"));
+    }
     let conditions = text::conditions(study, results);
     if !conditions.is_empty() {
         say(&format!("\n{conditions}"));

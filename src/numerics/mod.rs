@@ -9,6 +9,7 @@ pub mod maximise;
 pub mod nearest;
 pub(crate) mod periodic_sums;
 pub mod quadrature;
+pub(crate) mod roots;
 pub(crate) mod sparse;
 pub mod synthesis;
 mod tree;

@@ -1,6 +1,6 @@
 //! What may vary in the absorbers of a design, and the coordinates an optimiser sees.
 
-use crate::absorber::{Absorber, Declaration, Factors, Host, Mounted, WithStates};
+use crate::absorber::{Absorber, Declaration, Factors, Host, Mounted, Thermal, WithStates};
 use std::sync::Arc;
 
 /// A parameter free between bounds.
@@ -48,6 +48,8 @@ pub struct Slot {
     pub values: Vec<f64>,
     /// States of its material.
     pub states: Arc<[Factors]>,
+    /// What decides its temperature.
+    pub thermal: Option<Thermal>,
 }
 
 /// A family of designs: absorbers of given types in their places.
@@ -72,7 +74,7 @@ impl Space {
     /// The design at a point.
     pub fn design(&self, w: &[f64]) -> Vec<Mounted> {
         let mounted = |(slot, values): (&Slot, Vec<f64>)| {
-            let absorber = Absorber::Ring(WithStates::of((slot.declaration.build)(&values), slot.states.clone()));
+            let absorber = Absorber::Ring(WithStates::of((slot.declaration.build)(&values), slot.states.clone(), slot.thermal));
             Mounted { on: slot.on, hub_inertia: slot.hub_inertia, absorber }
         };
         self.slots.iter().zip(self.values(w)).map(mounted).collect()

@@ -30,6 +30,7 @@ pub(crate) fn write_run(
     csv::designs(study, results, folder)?;
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
+    csv::heat(results, folder)?;
     if study.limits.is_empty() {
         folder.remove(&["limits.csv", "barred.csv"])?
     } else {

@@ -19,6 +19,7 @@ pub(crate) struct RawTemperatures {
 pub(crate) struct RawMaterialStates {
     pub temperature: Option<At<RawTemperatureLaw>>,
     pub ageing: Option<RawAgeing>,
+    pub cooling: Option<At<RawCooling>>,
     #[serde(default)]
     pub properties: BTreeMap<String, RawRange>,
 }
@@ -64,3 +65,28 @@ pub(crate) struct RawSiliconeOil {
 
 /// Factors on parameters by their keys.
 pub(crate) type RawAgeing = At<BTreeMap<String, At<f64>>>;
+
+/// How heat leaves an absorber.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawCooling {
+    pub air_c: At<f64>,
+    pub hub_c: At<f64>,
+    pub to_air: RawToAir,
+    pub to_hub_w_per_k: At<f64>,
+    pub limit_c: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawToAir {
+    WPerK(At<f64>),
+    Disc(RawDisc),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawDisc {
+    pub diameter_mm: At<f64>,
+    pub width_mm: At<f64>,
+}

@@ -143,8 +143,9 @@ fn absorber(
             if !raw.get_ref().properties.is_empty() {
                 check.wrong(raw, "found properties of the material of a given ring, expected them among the values of its type");
             }
-            let states = material(check, raw.get_ref(), law.declaration(), temperatures).states(law.declaration(), temperatures);
-            Absorber::Ring(WithStates::of(law, states))
+            let spec = material(check, raw.get_ref(), law.declaration(), temperatures);
+            let states = spec.states(law.declaration(), temperatures);
+            Absorber::Ring(WithStates::of(law, states, spec.thermal()))
         }
         (Absorber::Locked { ring_inertia }, Some(raw)) => {
             check.wrong(raw, "found the material of a locked ring, expected it with a ring that moves");

@@ -1,10 +1,10 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
-use crate::absorber::{Declaration, Factors, Follows, Range, State, TemperatureLaw};
+use crate::absorber::{Cooling, Declaration, Factors, Follows, Range, State, TemperatureLaw, Thermal, ToAir};
 use crate::input::error::{At, Check};
-use crate::input::schema::material_states::{RawMaterialStates, RawTemperatureLaw, RawTemperatures};
+use crate::input::schema::material_states::{RawCooling, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir};
 use crate::input::schema::study::{RawCondition, RawStudy};
-use crate::units::KELVIN_AT_0_C;
+use crate::units::{KELVIN_AT_0_C, M_PER_MM};
 use std::sync::Arc;
 
 /// Temperatures of the conditions `cold` and `hot`, °C.
@@ -23,6 +23,8 @@ pub struct MaterialSpec {
     pub temperature: Option<TemperatureLaw>,
     /// Factors on parameters when aged, by their keys.
     pub ageing: Vec<(&'static str, f64)>,
+    /// What cools it.
+    pub cooling: Option<Cooling>,
     /// Bounds of its properties by their keys.
     pub properties: Vec<(&'static str, (f64, f64))>,
 }
@@ -104,7 +106,8 @@ pub(super) fn material(
     let ageing = raw.ageing.as_ref().map_or_else(Vec::new, |raw| {
         raw.get_ref().iter().filter_map(|(key, value)| Some((aged_key(check, key, value, declaration)?, check.positive(value)))).collect()
     });
-    MaterialSpec { temperature: law, ageing, properties: Vec::new() }
+    let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
+    MaterialSpec { temperature: law, ageing, cooling, properties: Vec::new() }
 }
 
 /// A parameter that may age: any but the ring, as long as no factor leads out of its range.
@@ -143,7 +146,39 @@ fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
     }
 }
 
+/// What cools an absorber whose material follows temperature by a law.
+fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) -> Option<Cooling> {
+    let raw = at.get_ref();
+    let Some(law) = law else {
+        check.wrong(at, "found `cooling` of a material of which nothing says how it follows temperature, expected `temperature` beside it");
+        return None;
+    };
+    let to_air = match &raw.to_air {
+        RawToAir::WPerK(g) => ToAir::Given(check.positive(g)),
+        RawToAir::Disc(disc) => {
+            let [diameter, width] = [&disc.diameter_mm, &disc.width_mm].map(|x| M_PER_MM * check.positive(x));
+            ToAir::Disc { radius: 0.5 * diameter, width }
+        }
+    };
+    let [air, hub, limit] = [&raw.air_c, &raw.hub_c, &raw.limit_c].map(|t| celsius(check, t));
+    if limit <= air.max(hub) {
+        check.wrong(&raw.limit_c, format!("found a limit of {limit} °C, expected more than the {} °C round the absorber", air.max(hub)));
+    }
+    let (low, high) = law.range();
+    for (t, at) in [(air, &raw.air_c), (hub, &raw.hub_c), (limit, &raw.limit_c)] {
+        if !(low..=high).contains(&t) {
+            check.wrong(at, format!("found {t} °C outside the range of the material's law of temperature, {low:.1} to {high} °C"));
+        }
+    }
+    Some(Cooling { air, hub, to_air, to_hub: check.not_negative(&raw.to_hub_w_per_k), limit })
+}
+
 impl MaterialSpec {
+    /// What decides the temperature of an absorber of it.
+    pub(crate) fn thermal(&self) -> Option<Thermal> {
+        Some(Thermal { law: self.temperature?, cooling: self.cooling? })
+    }
+
     /// The states of an absorber of a type.
     pub(crate) fn states(&self, declaration: &Declaration, temperatures: Temperatures) -> Arc<[Factors]> {
         let mut states = Vec::new();

@@ -1,6 +1,7 @@
 //! Everything that `hartog chart` measures, put together.
 
 use super::evolution::{self, Evolution};
+use super::laws::{self, LawCost};
 use super::margin_methods::{self, MarginCost};
 use super::scenarios::scenarios;
 use super::stability::{Cell, Scenario};
@@ -57,6 +58,8 @@ pub struct Chart<'a> {
     pub models: Vec<model_accuracy::ModelError>,
     /// What margins of its first probe cost, where the study judges the crank.
     pub margins: Vec<MarginCost>,
+    /// What laws of absorbers cost.
+    pub laws: Vec<LawCost>,
     /// NSGA-II beside its fronts.
     pub fronts: Vec<Evolution>,
     /// What is the same for all studies.
@@ -71,7 +74,7 @@ impl<'a> Chart<'a> {
     pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
-        progress.stage("random absorbers, simplified models, margins, fronts", 4);
+        progress.stage("random absorbers, simplified models, margins, fronts, laws", 5);
         let savings = savings::measure(&study)?;
         progress.step();
         let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
@@ -85,7 +88,9 @@ impl<'a> Chart<'a> {
         progress.step();
         let fronts = evolution::measure(&study)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, margins, fronts, common })
+        let laws = laws::measure(&study)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, margins, laws, fronts, common })
     }
 
     /// Whether skipping changes nothing.

@@ -4,6 +4,7 @@ pub mod chart;
 pub mod energy;
 pub mod evolution;
 pub mod growth;
+pub mod laws;
 pub mod margin_methods;
 pub mod methods;
 pub mod model_accuracy;

@@ -97,6 +97,9 @@ fn print(chart: &Chart) {
     if !chart.margins.is_empty() {
         say(&format!("\n{}", text::chart::margins(&chart.margins)));
     }
+    if !chart.laws.is_empty() {
+        say(&format!("\n{}", text::chart::laws(&chart.laws)));
+    }
     if !chart.fronts.is_empty() {
         say(&format!("\n{}", text::chart::fronts(&chart.fronts)));
     }

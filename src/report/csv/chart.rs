@@ -34,6 +34,13 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
         row("corners, every fillet and speed", Some(m.all), m.whole.map(|_| m.difference));
         row("with bounds", Some(m.bounds), Some(m.missed));
     }
+    for l in &chart.laws {
+        let note = format!(
+            "{:.3} times a spring and damper; error of the peak if it is taken for the one it is at the first mode",
+            l.seconds / l.plain
+        );
+        table.row([text("law"), text(l.name), number(l.seconds), number(l.error), text("yes"), note]);
+    }
     for f in &chart.fronts {
         for r in &f.rounds {
             let setting = format!("{}, {} against {}: {} evaluations", f.family, f.of[0], f.of[1], r.evaluations);

@@ -5,6 +5,7 @@ use crate::analysis::choice::Considered;
 use crate::benchmark::energy::Balance;
 use crate::benchmark::evolution::{Evolution, Round};
 use crate::benchmark::growth::{Growth, SIZES};
+use crate::benchmark::laws::LawCost;
 use crate::benchmark::margin_methods::MarginCost;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::model_accuracy::ModelError;
@@ -95,6 +96,15 @@ pub(crate) fn margins(costs: &[MarginCost]) -> String {
         vec![m.criterion.to_owned(), whole, duration(m.all), difference, duration(m.bounds), format!("{:.1e}", m.missed)]
     };
     let header = ["smallest margin, per design", "whole histories", "corners", "difference", "with bounds", "difference"];
+    table(&header, &costs.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Laws of absorbers against a spring and damper, a row a type.
+pub(crate) fn laws(costs: &[LawCost]) -> String {
+    let row = |l: &LawCost| {
+        vec![l.name.to_owned(), duration(l.seconds), format!("{:.2}", l.seconds / l.plain), format!("{:.2} %", 100.0 * l.error)]
+    };
+    let header = ["law of an absorber", "per design", "times a spring and damper", "error if taken for one"];
     table(&header, &costs.iter().map(row).collect::<Vec<_>>())
 }
 

@@ -1,0 +1,72 @@
+//! What a law costs against a plain spring and damper, and what it would cost to take it for one.
+
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Absorber, Declaration, Mounted, Operating, TYPES, Tuned};
+use crate::analysis::timing::{Repeats, median_seconds};
+use crate::analysis::{RunError, audit, families};
+use crate::drivetrain::System;
+use crate::engine::Excitation;
+use crate::input::Study;
+use crate::objective::{Measure, Over, PeakFinder};
+use crate::response::{Grid, Method, Quantity, Receptance, Work};
+
+/// A type, started by its last closed form on the first mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawCost {
+    /// Its word.
+    pub name: &'static str,
+    /// Seconds for the refined peak of a design.
+    pub seconds: f64,
+    /// The same of a spring and damper.
+    pub plain: f64,
+    /// Relative error of the peak where S is taken for the spring and damper that it is at the frequency of the mode.
+    pub error: f64,
+}
+
+const REPEATS: Repeats = Repeats { least: 3, most: 31, seconds: 0.1 };
+
+/// Of every type that is no spring and damper, with the ring of the study; nothing where it optimises no synthesised quantity.
+///
+/// # Errors
+/// [`RunError`] where a design has no finite peak.
+pub fn measure(study: &Study) -> Result<Vec<LawCost>, RunError> {
+    let (Some(spec), Some(quantity)) = (&study.optimise, study.objective.measure.synthesised()) else { return Ok(Vec::new()) };
+    let excitation = Excitation::new(&study.engine, study.order_limit);
+    let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+    let Some(mode) = modes.first().and_then(|m| m.first()).copied() else { return Ok(Vec::new()) };
+    let ring = families::main_ring(&spec.absorbers[0]).unwrap_or(0.1 * mode.inertia);
+    let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+    let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
+    let method = Method::Receptance(Receptance::new(&system, &grid, spec.station(0), &[quantity]));
+    let finder = PeakFinder::new(&system, &grid, &method, true);
+    let mut list = Vec::new();
+    for declaration in TYPES {
+        let failed = |error| RunError { what: format!("a ring of type `{}`", declaration.name), error };
+        let Some((law, constant)) = pair(declaration, ring, mode) else { continue };
+        let timed = |absorber: Absorber| -> Result<(f64, f64), RunError> {
+            let design = [Mounted::on_station(spec.station(0), absorber)];
+            let peak = || peak(&finder, &design, quantity);
+            Ok((median_seconds(REPEATS, || peak().map(|_| ())).map_err(failed)?, peak().map_err(failed)?))
+        };
+        let ((seconds, value), (plain, taken)) = (timed(law)?, timed(constant)?);
+        list.push(LawCost { name: declaration.name, seconds, plain, error: (taken / value - 1.0).abs() });
+    }
+    Ok(list)
+}
+
+fn peak(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<f64, crate::response::ResponseError> {
+    let measure = Measure::new(vec![quantity], Over::Synthesis);
+    Ok(finder.peak(design, &measure, &mut Work::default())?.map_or(0.0, |p| p.value))
+}
+
+/// A ring of a type, and the spring and damper that it is at the frequency of a mode; nothing of types that are one at every frequency.
+fn pair(declaration: &'static Declaration, ring: f64, mode: EngineMode) -> Option<(Absorber, Absorber)> {
+    let values = (declaration.closed_forms.last()?.values)(ring, mode);
+    let law = (declaration.build)(&values);
+    if law.spring_and_damper().is_some() {
+        return None;
+    }
+    let s = law.dynamic_stiffness(Operating { omega: mode.omega, shaft_speed: mode.omega / 6.0 });
+    let constant = Tuned { ring_inertia: ring, stiffness: s.re, damping: s.im / mode.omega };
+    Some((Absorber::Ring(law), constant.into()))
+}

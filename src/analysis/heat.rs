@@ -51,7 +51,7 @@ pub struct HeatOfDesign {
 
 impl HeatAt {
     /// The temperature that is reached from cold; nothing where it overheats.
-    pub fn from_cold(&self) -> Option<&Balance> {
+    pub(crate) fn cold_start(&self) -> Option<&Balance> {
         self.balances.first()
     }
 }

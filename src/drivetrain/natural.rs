@@ -16,6 +16,9 @@ const FASTEST: f64 = 1e4;
 /// Rounds of the iteration for laws that depend on frequency, and the change at which it ends.
 const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
+/// Relative change at which screening ends, and steps of its differences.
+const SCREENED: f64 = 1e-9;
+const DIFFERENCE: f64 = 1e-5;
 
 /// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
 #[derive(Debug, Clone)]
@@ -63,9 +66,60 @@ impl Basis {
         if is_constant(design) {
             return self.with(design, |law| at_frequency(law, 1.0, order));
         }
+        let start = self.with(design, |law| at_frequency(law, self.typical(law, order), order))?;
+        start.into_iter().map(|s| self.settled(design, s, order, MOST_ROUNDS)).collect()
+    }
+
+    /// Eigenvalues good enough to tell which motions are hardly damped: of one ring on a station, each by Newton's method on its characteristic equation with the law at its own frequency, from those with
+    /// a constant spring and damper; damping between different modes of the chain is left out. All others as [`Basis::eigenvalues`] has them.
+    pub(crate) fn screened(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
+        let [mounted] = design else { return self.eigenvalues(design, order) };
+        let (Absorber::Ring(law), Host::Station(station)) = (&mounted.absorber, mounted.on) else { return self.eigenvalues(design, order) };
+        if law.spring_and_damper().is_some() {
+            return self.eigenvalues(design, order);
+        }
+        let rough = self.with(design, |law| at_frequency(law, self.typical(law, order), order))?;
+        let near = |s: &C64| self.newton(mounted, law.as_ref(), station, *s, order);
+        rough.iter().map(near).collect::<Option<_>>().or_else(|| self.eigenvalues(design, order))
+    }
+
+    /// A frequency at which a law may be taken for constant: that of its ring on a held hub.
+    fn typical(&self, law: &dyn Law, order: f64) -> f64 {
         let first = self.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
-        let start = self.with(design, |law| at_frequency(law, own_frequency(law, first, order).unwrap_or(first), order))?;
-        start.into_iter().map(|s| self.settled(design, s, order)).collect()
+        own_frequency(law, first, order).unwrap_or(first)
+    }
+
+    /// The eigenvalue near `s` of the chain with one ring: (S + J s²)(1 + m s² H) + S J s² H = 0 with H the receptance of the station, times the denominator of its nearest mode.
+    fn newton(&self, mounted: &Mounted, law: &dyn Law, station: usize, mut s: C64, order: f64) -> Option<C64> {
+        let modal = |i: usize, s: C64| s * s + s * self.damping[(i, i)] + self.stiffness[i];
+        let shape = |i: usize| self.shapes[(station, i)] * self.shapes[(station, i)];
+        let nearest = (0..self.stiffness.len()).min_by(|a, b| {
+            let apart = |i: usize| (self.stiffness[i].sqrt() - s.im).abs();
+            apart(*a).total_cmp(&apart(*b))
+        })?;
+        let g = |s: C64| {
+            let own = modal(nearest, s);
+            let others = (0..self.stiffness.len()).filter(|i| *i != nearest);
+            let h: C64 = others.map(|i| shape(i) / modal(i, s)).sum::<C64>() * own + shape(nearest);
+            let spring = at_frequency(law, s.im, order);
+            let link = spring.stiffness + s * spring.damping;
+            let ring = s * s * law.ring_inertia();
+            (link + ring) * (own + s * s * mounted.hub_inertia * h) + link * ring * h
+        };
+        let start = s;
+        for _ in 0..MOST_ROUNDS {
+            let step = s * DIFFERENCE;
+            let here = g(s);
+            let change = here * step * 2.0 / (g(s + step) - g(s - step));
+            s -= change;
+            if !(s.im > 0.0 && (s - start).norm() < 0.5 * start.norm()) {
+                return None;
+            }
+            if change.norm() <= SCREENED * s.norm() {
+                return Some(s);
+            }
+        }
+        None
     }
 
     /// The design with rings on rings locked where their own motion is this many times faster than the highest mode: it is lost in the rounding of an
@@ -81,9 +135,14 @@ impl Basis {
         design.iter().map(|m| if fast > 0.0 && is_rigid(m) { linked(m) } else { m.clone() }).collect()
     }
 
-    /// The eigenvalue near `s` with laws taken at its own frequency.
-    fn settled(&self, design: &[Mounted], mut s: C64, order: f64) -> Option<C64> {
-        for _ in 0..MOST_ROUNDS {
+    /// The eigenvalue near a screened one with laws taken at its frequency, all damping counted: what screening leaves out is of the order of the square of the damping.
+    pub(crate) fn near(&self, design: &[Mounted], s: C64, order: f64) -> Option<C64> {
+        self.settled(design, s, order, 1)
+    }
+
+    /// The eigenvalue near `s` with laws taken at its own frequency, by iteration.
+    fn settled(&self, design: &[Mounted], mut s: C64, order: f64, rounds: usize) -> Option<C64> {
+        for _ in 0..rounds {
             let omega = s.im;
             let all = self.with(design, |law| at_frequency(law, omega, order))?;
             let near = all.into_iter().min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))?;

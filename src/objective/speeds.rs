@@ -2,7 +2,7 @@
 
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
-use crate::drivetrain::natural::{Basis, depends_on_speed};
+use crate::drivetrain::natural::{Basis, depends_on_speed, is_constant};
 use crate::engine::Order;
 use crate::numerics::C64;
 use crate::response::Grid;
@@ -120,7 +120,7 @@ impl Resonances {
     /// all modes are taken.
     fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted], order: f64) -> Vec<C64> {
         let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
-        let first = if heavy { &self.full } else { &self.basis }.eigenvalues(design, order).unwrap_or_default();
+        let first = if heavy { &self.full } else { &self.basis }.screened(design, order).unwrap_or_default();
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let narrow = |s: &C64| {
             let speeds = system.excitation.orders.iter().map(|o| s.im * HZ_PER_RAD_PER_S / (o.value() * HZ_PER_RPM));
@@ -131,7 +131,14 @@ impl Resonances {
             };
             speeds.into_iter().any(near)
         };
-        if !heavy && first.iter().any(narrow) { self.full.eigenvalues(design, order).unwrap_or(first) } else { first }
+        if !first.iter().any(narrow) || (heavy && is_constant(design)) {
+            return first;
+        }
+        if is_constant(design) {
+            return self.full.eigenvalues(design, order).unwrap_or(first);
+        }
+        let all = if heavy { first } else { self.full.screened(design, order).unwrap_or(first) };
+        all.into_iter().map(|s| if narrow(&s) { self.full.near(design, s, order).unwrap_or(s) } else { s }).collect()
     }
 }
 

@@ -7,6 +7,7 @@ use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithStates, typ
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawType};
+use crate::input::schema::material_states::RawCooling;
 use crate::input::schema::study::RawStudy;
 use std::collections::HashSet;
 
@@ -42,12 +43,20 @@ pub(crate) fn resolve(
             );
         }
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
+        one_cooled(check, raw.absorber.iter().filter_map(|a| a.material.as_ref()?.get_ref().cooling.as_ref()));
         let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
         let absorbers =
             raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), (chain, modes), temperatures)).collect();
         designs.push(DesignSpec { name: name.clone(), absorbers });
     }
     designs
+}
+
+/// The balance of heat is that of one absorber.
+pub(super) fn one_cooled<'r>(check: &mut Check, mut cooled: impl Iterator<Item = &'r At<RawCooling>>) {
+    if let (Some(_), Some(second)) = (cooled.next(), cooled.next()) {
+        check.wrong(second, "found `cooling` of a second absorber of a design, expected one: temperatures are balanced for one at a time");
+    }
 }
 
 /// What carries each absorber of a list: a station, or the ring of another one by its name. Nothing where a mistake leaves none.

@@ -34,27 +34,7 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
         row("corners, every fillet and speed", Some(m.all), m.whole.map(|_| m.difference));
         row("with bounds", Some(m.bounds), Some(m.missed));
     }
-    for l in &chart.laws {
-        let note = format!(
-            "{:.3} times a spring and damper; error of the peak if it is taken for the one it is at the first mode",
-            l.seconds / l.plain
-        );
-        table.row([text("law"), text(l.name), number(l.seconds), number(l.error), text("yes"), note]);
-    }
-    for f in &chart.fronts {
-        for r in &f.rounds {
-            let setting = format!("{}, {} against {}: {} evaluations", f.family, f.of[0], f.of[1], r.evaluations);
-            let note = format!(
-                "largest gap to a front of {} evaluations; median {}; {} of {} points reached; {} below it",
-                f.evaluations,
-                number(r.median),
-                r.reached,
-                f.points,
-                number(r.below)
-            );
-            table.row([text("nsga_2"), setting, String::new(), optional(Some(r.largest).filter(|x| x.is_finite())), text("yes"), note]);
-        }
-    }
+    laws_and_fronts(chart, &mut table);
     for m in std::iter::once(&chart.common.grid).chain(&chart.models) {
         for (x, error) in &m.points {
             table.row([text("model"), format!("{} {x}", m.what.label()), String::new(), number(*error), String::new(), String::new()]);
@@ -96,6 +76,32 @@ pub fn speed_accuracy(chart: &Chart, folder: &Folder) -> Result<(), WriteError> 
         }
     }
     table.save(folder, "speed_accuracy.csv")
+}
+
+/// Rows of laws of absorbers, and of NSGA-II beside fronts.
+fn laws_and_fronts(chart: &Chart, table: &mut Table) {
+    let text = |words: &str| words.to_owned();
+    for l in &chart.laws {
+        let note = format!(
+            "{:.3} times a spring and damper; error of the peak if it is taken for the one it is at the first mode",
+            l.seconds / l.plain
+        );
+        table.row([text("law"), text(l.name), number(l.seconds), number(l.error), text("yes"), note]);
+    }
+    for f in &chart.fronts {
+        for r in &f.rounds {
+            let setting = format!("{}, {} against {}: {} evaluations", f.family, f.of[0], f.of[1], r.evaluations);
+            let note = format!(
+                "largest gap to a front of {} evaluations; median {}; {} of {} points reached; {} below it",
+                f.evaluations,
+                number(r.median),
+                r.reached,
+                f.points,
+                number(r.below)
+            );
+            table.row([text("nsga_2"), setting, String::new(), optional(Some(r.largest).filter(|x| x.is_finite())), text("yes"), note]);
+        }
+    }
 }
 
 /// Rows of what choosing and skipping save: method, setting, seconds, error, note.

@@ -40,7 +40,7 @@ pub(crate) fn heat(results: &Results) -> String {
 }
 
 fn row(d: &HeatOfDesign) -> Vec<String> {
-    let reached = d.points.iter().filter_map(|p| Some((p, p.from_cold()?)));
+    let reached = d.points.iter().filter_map(|p| Some((p, p.cold_start()?)));
     let hottest = reached.clone().reduce(|m, p| if p.1.celsius > m.1.celsius { p } else { m });
     let most = reached.map(|p| p.1.power).fold(0.0, f64::max);
     let largest = d.points.iter().reduce(|m, p| if p.twist > m.twist { p } else { m });

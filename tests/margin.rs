@@ -316,8 +316,7 @@ fn optimum_by_margin() {
             on: Host::Station(0),
             hub_inertia: 0.0,
             values: vec![0.052, 0.0, 0.0],
-            states: [].into(),
-            thermal: None,
+            material: Default::default(),
         }],
         variables: vec![
             Variable { absorber: 0, parameter: 1, lower: 1e3, upper: 1e7, scale: 1e2 },

@@ -117,14 +117,8 @@ fn optimum_by_a_multiaxial_margin() {
     let measure = &margins::measures(&case.study)[0];
     let variable = |parameter, upper, scale| Variable { absorber: 0, parameter, lower: 0.0, upper, scale };
     let variables = vec![variable(1, 1e7, 1e2), variable(2, 1e4, 0.1)];
-    let slot = Slot {
-        declaration: &TUNED,
-        on: Host::Station(0),
-        hub_inertia: 0.0,
-        values: vec![0.01, 0.0, 0.0],
-        states: [].into(),
-        thermal: None,
-    };
+    let slot =
+        Slot { declaration: &TUNED, on: Host::Station(0), hub_inertia: 0.0, values: vec![0.01, 0.0, 0.0], material: Default::default() };
     let space = Space { slots: vec![slot], variables };
     case.with(|finder| {
         let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder }];

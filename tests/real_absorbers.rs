@@ -3,12 +3,12 @@
 use crate::limits::{TwoMasses, What, scanned, with};
 use crate::support::{assert_close, h_infinity_peak, study, system};
 use hartog::absorber::{
-    Absorber, CARREAU, Carreau, Cooling, Declaration, FRACTIONAL_KELVIN, FRACTIONAL_ZENER, Factors, FractionalKelvin, FractionalZener, Law,
-    MAXWELL, Maxwell, Mounted, Operating, PENDULUM, RUBBER, SPRING_PACK, SpringPack, State, TYPES, TemperatureLaw, Thermal, ToAir,
-    WithStates,
+    Absorber, CARREAU, Carreau, Cooling, Declaration, FRACTIONAL_KELVIN, FRACTIONAL_ZENER, Factors, FractionalKelvin, FractionalZener,
+    Geometry, Law, MAXWELL, Material, Maxwell, Mounted, Operating, PENDULUM, RUBBER, SPRING_PACK, SpringPack, State, TYPES, TemperatureLaw,
+    Thermal, ToAir, WithMaterial,
 };
 use hartog::analysis::{self, OptimumResult, Silent};
-use hartog::input::DesignSpec;
+use hartog::input::{DesignSpec, Size};
 use hartog::numerics::{C64, I};
 use hartog::objective::Condition;
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
@@ -76,8 +76,8 @@ fn states_of_every_law() {
     for declaration in TYPES {
         let values: Vec<f64> = declaration.parameters.iter().map(|p| if p.key == "dynamic_ratio" { 1.5 } else { 0.4 }).collect();
         let factors: Vec<f64> = (0..values.len()).map(|i| if i == 0 { 1.0 } else { 1.1 + 0.1 * i as f64 }).collect();
-        let states = [Factors { state: State::Hot, factors: factors.clone() }].into();
-        let law = WithStates::of((declaration.build)(&values), states, None);
+        let states = vec![Factors { state: State::Hot, factors: factors.clone() }];
+        let law = WithMaterial::of((declaration.build)(&values), &Material { states, ..Material::default() }.into());
         assert!(law.in_state(State::Cold).is_none());
         let hot = law.in_state(State::Hot).expect("hot");
         let scaled: Vec<f64> = values.iter().zip(&factors).map(|(v, f)| v * f).collect();
@@ -266,7 +266,8 @@ fn temperatures_in_balance() {
             law: TemperatureLaw::Exponential { per_k: beta, reference: air, between: (air, limit) },
             cooling: Cooling { air, hub: air, to_air: ToAir::Given(conductance), to_hub: 0.0, limit },
         };
-        let law = WithStates::of((RUBBER.build)(&[masses.ring, k0, eta]), [].into(), Some(thermal));
+        let law =
+            WithMaterial::of((RUBBER.build)(&[masses.ring, k0, eta]), &Material { thermal: Some(thermal), ..Material::default() }.into());
         s.designs = vec![DesignSpec { name: "ring".into(), absorbers: vec![Mounted::on_station(0, Absorber::Ring(law))] }];
         let results = s.run().expect("damped");
         for p in &results.heat[0].points {
@@ -317,4 +318,28 @@ fn a_disc_in_air() {
     }
     let cooling = Cooling { air: 40.0, hub: 100.0, to_air: ToAir::Given(3.0), to_hub: 1.0, limit: 150.0 };
     assert_eq!(cooling.at(100.0), (55.0, 0.25));
+}
+
+/// Shapes against a quadrature of thin rings, in parallel where shear is a twist, in series where it goes from radius to radius; and the strain of a sleeve is that at its inner face. A ring in a box has the
+/// inertia of its prism.
+#[test]
+fn shapes_that_are_sheared() {
+    let (a, b, n) = (0.08, 0.11, 200_000);
+    let width = (b - a) / f64::from(n);
+    let sum = |f: &dyn Fn(f64) -> f64| (0..n).map(|i| f(a + (f64::from(i) + 0.5) * width)).sum::<f64>() * width;
+    // a torque T shears each thin cylinder by T/(2 pi r² L G), and turns it by that over r
+    let sleeve = Geometry::Sleeve { inner: a, outer: b, length: 0.04 };
+    assert_close(sleeve.factor(), 1.0 / sum(&|r| 1.0 / (2.0 * PI * r.powi(3) * 0.04)), 1e-9, 0.0, "sleeve");
+    assert_close(sleeve.strain_per_twist(), sleeve.factor() / (2.0 * PI * a * a * 0.04), 1e-12, 0.0, "strain of a sleeve");
+    let faces = Geometry::Faces { inner: a, outer: b, thickness: 0.006, count: 2.0 };
+    assert_close(faces.factor(), 2.0 * sum(&|r| 2.0 * PI * r.powi(3) / 0.006), 1e-9, 0.0, "faces");
+    let wedges = Geometry::Wedges { inner: a, outer: b, slope: 0.07, count: 1.0 };
+    assert_close(wedges.factor(), sum(&|r| 2.0 * PI * r.powi(3) / (0.07 * r)), 1e-9, 0.0, "wedges");
+    assert_close(wedges.strain_per_twist(), 1.0 / 0.07, 1e-12, 0.0, "strain of wedges");
+    let gap = Geometry::Gap { inner: a, outer: b, width: 0.03, gap: 0.0004 };
+    let thin = 2.0 * sum(&|r| 2.0 * PI * r.powi(3) / 0.0004) + 2.0 * PI * 0.03 / 0.0004 * (a.powi(3) + b.powi(3));
+    assert_close(gap.factor(), thin, 2e-3, 0.0, "a thin gap");
+    let s = study("villalva_i6_materials");
+    let Size::Each(sizes) = &s.optimise.as_ref().expect("optimises").absorbers[0].size else { panic!("a box") };
+    assert_close(sizes[0], 0.5 * PI * 7850.0 * 0.06 * (0.135f64.powi(4) - 0.123f64.powi(4)), 1e-12, 0.0, "ring in a box");
 }

@@ -3,9 +3,9 @@
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::material::Material;
 use super::parameter::{Follows, Parameter};
 use super::state::State;
-use super::thermal::Thermal;
 use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -47,8 +47,8 @@ pub trait Law: Debug + Send + Sync {
         None
     }
 
-    /// How the temperature of its material comes about; nothing where nothing is said of it.
-    fn thermal(&self) -> Option<Thermal> {
+    /// What is known of its material; nothing where nothing is said of it.
+    fn material(&self) -> Option<&Material> {
         None
     }
 

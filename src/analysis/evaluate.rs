@@ -1,5 +1,6 @@
 //! Everything that is reported of one design.
 
+use super::made_of::{MadeOf, made_of};
 use super::margins::{self, SmallestMargin};
 use super::wanted::{Wanted, asked, shafts};
 use super::{BarredRange, ConditionResult, RunError, StillBroken, barred, conditions};
@@ -124,6 +125,8 @@ pub struct AbsorberLoad {
     pub power: f64,
     /// Largest synthesised twist of its ring, rad.
     pub ring_twist: f64,
+    /// What it would have to be made of, where its geometry is given.
+    pub made_of: Option<MadeOf>,
 }
 
 /// Numbers of one design, SI.
@@ -243,12 +246,13 @@ fn firing(
 /// What each absorber bears; `all`: power and ring twist of all together, which are those of the only one.
 fn loads(finder: &PeakFinder, design: &[Mounted], all: Option<(f64, f64)>, work: &mut Work) -> Result<Vec<AbsorberLoad>, ResponseError> {
     if let ([_], Some((power, ring_twist))) = (design, all) {
-        return Ok(vec![AbsorberLoad { power, ring_twist }]);
+        return Ok(vec![AbsorberLoad { power, ring_twist, made_of: made_of(&design[0].absorber, ring_twist) }]);
     }
     let one = |i: usize| {
         let power = largest_power(finder, design, i..i + 1, work)?.unwrap_or(0.0);
         let measure = Measure::new(vec![Quantity::RingTwist(i)], Over::Synthesis);
-        Ok(AbsorberLoad { power, ring_twist: finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value) })
+        let ring_twist = finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value);
+        Ok(AbsorberLoad { power, ring_twist, made_of: made_of(&design[i].absorber, ring_twist) })
     };
     (0..design.len()).map(one).collect()
 }

@@ -1,10 +1,11 @@
 //! From what a study wants optimised to families of designs.
 
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Declaration, Surroundings};
+use crate::absorber::{Declaration, Material, Surroundings};
 use crate::input::{AbsorberSpec, OptimiseSpec, Size, Study};
 use crate::optimise::{Slot, Space, Variable, starts};
 use crate::units::HZ_PER_RAD_PER_S;
+use std::sync::Arc;
 
 /// Modes that each absorber of a study can be tuned to: elastic, moving its station, within reach of the torque (at least the first).
 pub fn engine_modes(study: &Study, spec: &OptimiseSpec, highest_hz: f64) -> Vec<Vec<EngineMode>> {
@@ -74,11 +75,8 @@ fn slot(
             variables.push(Variable { absorber: index, parameter, lower, upper, scale: 1e-3 * (p.typical)(&surroundings) });
         }
     }
-    let states = material.map_or_else(|| [].into(), |m| m.states(declaration, spec.temperatures));
-    (
-        Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, states, thermal: material.and_then(|m| m.thermal()) },
-        variables,
-    )
+    let known = Arc::new(material.map_or_else(Material::default, |m| m.of_type(declaration, spec.temperatures)));
+    (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, material: known }, variables)
 }
 
 /// An optimum that a study asks for.

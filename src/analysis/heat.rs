@@ -69,7 +69,7 @@ pub(crate) fn heat<'d>(
     shown: &[&'d DesignResult],
 ) -> Result<Vec<HeatOfDesign>, (&'d DesignResult, ResponseError)> {
     let one = |d: &&'d DesignResult| {
-        let of = |m: &Mounted| m.absorber.law().and_then(|law| law.thermal());
+        let of = |m: &Mounted| -> Option<Thermal> { m.absorber.law()?.material()?.thermal };
         let (absorber, thermal) = d.absorbers.iter().enumerate().find_map(|(i, m)| Some((i, of(m)?)))?;
         let at = |speed: &f64| at(study, finder, (&d.absorbers, absorber), &thermal, *speed);
         let points = finder.grid.speed_rpm.par_iter().map(at).collect::<Result<_, _>>();

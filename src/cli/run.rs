@@ -85,6 +85,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !duty.is_empty() {
         say(&format!("\n{duty}"));
     }
+    let made_of = text::made_of(results);
+    if !made_of.is_empty() {
+        say(&format!("\n{made_of}"));
+    }
     let heat = text::heat(results);
     if !heat.is_empty() {
         say(&format!("\n{heat}"));

@@ -1,6 +1,6 @@
 //! What may vary in the absorbers of a design, and the coordinates an optimiser sees.
 
-use crate::absorber::{Absorber, Declaration, Factors, Host, Mounted, Thermal, WithStates};
+use crate::absorber::{Absorber, Declaration, Host, Material, Mounted, WithMaterial};
 use std::sync::Arc;
 
 /// A parameter free between bounds.
@@ -46,10 +46,8 @@ pub struct Slot {
     pub hub_inertia: f64,
     /// A value for each parameter of the type; those of variables are not looked at.
     pub values: Vec<f64>,
-    /// States of its material.
-    pub states: Arc<[Factors]>,
-    /// What decides its temperature.
-    pub thermal: Option<Thermal>,
+    /// Its material.
+    pub material: Arc<Material>,
 }
 
 /// A family of designs: absorbers of given types in their places.
@@ -74,7 +72,7 @@ impl Space {
     /// The design at a point.
     pub fn design(&self, w: &[f64]) -> Vec<Mounted> {
         let mounted = |(slot, values): (&Slot, Vec<f64>)| {
-            let absorber = Absorber::Ring(WithStates::of((slot.declaration.build)(&values), slot.states.clone(), slot.thermal));
+            let absorber = Absorber::Ring(WithMaterial::of((slot.declaration.build)(&values), &slot.material));
             Mounted { on: slot.on, hub_inertia: slot.hub_inertia, absorber }
         };
         self.slots.iter().zip(self.values(w)).map(mounted).collect()

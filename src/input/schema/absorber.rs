@@ -70,6 +70,17 @@ pub(crate) enum RawSize {
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(RawRange),
     InertiaRatio(RawRange),
+    Box(At<RawBox>),
+}
+
+/// What a ring of rectangular section fills.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawBox {
+    pub inner_diameter_mm: At<f64>,
+    pub outer_diameter_mm: At<f64>,
+    pub width_mm: At<f64>,
+    pub density_kg_m3: At<f64>,
 }
 
 /// A family of absorbers: besides these keys, bounds of any parameter of a type.

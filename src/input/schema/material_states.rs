@@ -20,6 +20,7 @@ pub(crate) struct RawMaterialStates {
     pub temperature: Option<At<RawTemperatureLaw>>,
     pub ageing: Option<RawAgeing>,
     pub cooling: Option<At<RawCooling>>,
+    pub geometry: Option<At<RawGeometry>>,
     #[serde(default)]
     pub properties: BTreeMap<String, RawRange>,
 }
@@ -89,4 +90,49 @@ pub(crate) enum RawToAir {
 pub(crate) struct RawDisc {
     pub diameter_mm: At<f64>,
     pub width_mm: At<f64>,
+}
+
+/// What of a material is sheared.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawGeometry {
+    Sleeve(RawSleeve),
+    Faces(RawFaces),
+    Wedges(RawWedges),
+    Gap(RawGap),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawSleeve {
+    pub inner_diameter_mm: At<f64>,
+    pub outer_diameter_mm: At<f64>,
+    pub length_mm: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawFaces {
+    pub inner_diameter_mm: At<f64>,
+    pub outer_diameter_mm: At<f64>,
+    pub thickness_mm: At<f64>,
+    pub count: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawWedges {
+    pub inner_diameter_mm: At<f64>,
+    pub outer_diameter_mm: At<f64>,
+    pub thickness_over_radius: At<f64>,
+    pub count: At<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawGap {
+    pub inner_diameter_mm: At<f64>,
+    pub outer_diameter_mm: At<f64>,
+    pub width_mm: At<f64>,
+    pub gap_mm: At<f64>,
 }

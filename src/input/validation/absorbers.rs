@@ -3,13 +3,14 @@
 use super::material_states::{Temperatures, material};
 use super::named::station;
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithStates, types};
+use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawType};
 use crate::input::schema::material_states::RawCooling;
 use crate::input::schema::study::RawStudy;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// A named design of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -153,8 +154,8 @@ fn absorber(
                 check.wrong(raw, "found properties of the material of a given ring, expected them among the values of its type");
             }
             let spec = material(check, raw.get_ref(), law.declaration(), temperatures);
-            let states = spec.states(law.declaration(), temperatures);
-            Absorber::Ring(WithStates::of(law, states, spec.thermal()))
+            let known = Arc::new(spec.of_type(law.declaration(), temperatures));
+            Absorber::Ring(WithMaterial::of(law, &known))
         }
         (Absorber::Locked { ring_inertia }, Some(raw)) => {
             check.wrong(raw, "found the material of a locked ring, expected it with a ring that moves");

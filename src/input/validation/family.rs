@@ -2,11 +2,13 @@
 
 use super::absorbers::{engine_mode, value};
 use super::material_states::{MaterialSpec, Temperatures, material};
+use crate::absorber::geometry::ring_inertia;
 use crate::absorber::{Declaration, Host, Parameter, Range, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
-use crate::input::schema::absorber::{RawEngineInertia, RawOptimised, RawSize};
+use crate::input::schema::absorber::{RawBox, RawEngineInertia, RawOptimised, RawSize};
 use crate::input::schema::range::RawRange;
+use crate::units::M_PER_MM;
 
 /// Ring inertia of what is optimised, kg m².
 #[derive(Debug, Clone, PartialEq)]
@@ -81,15 +83,24 @@ pub(super) fn family(
         check.wrong(&raw.types, format!("found no type, expected at least one of {}", known.join(", ")));
     }
     let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
+    let size = size(check, raw, station.map(|s| (s, whole_chain)), (chain, modes));
+    let bounds = bounds_of(check, raw, &types);
+    let materials = materials(check, raw, &types, temperatures);
+    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, materials, temperatures, whole_chain })
+}
+
+/// Ring inertias; `place`: the station, and whether ratios are of the whole chain.
+fn size(check: &mut Check, raw: &RawOptimised, place: Option<(usize, bool)>, (chain, modes): (&Chain, &Modes)) -> Size {
     let (range, unit) = match &raw.size {
         RawSize::RingInertia(r) => (r, Some(1.0)),
-        RawSize::InertiaRatio(r) => (r, station.and_then(|s| engine_mode(chain, modes, s, whole_chain)).map(|m| m.inertia)),
+        RawSize::Box(b) => return in_box(check, b),
+        RawSize::InertiaRatio(r) => (r, place.and_then(|(s, whole)| engine_mode(chain, modes, s, whole)).map(|m| m.inertia)),
     };
-    if station.is_some() && unit.is_none() {
+    if place.is_some() && unit.is_none() {
         check.wrong(&raw.types, "no elastic mode moves this station, expected `size.ring_inertia_kg_m2` instead of an inertia ratio");
     }
     let unit = unit.unwrap_or(1.0);
-    let size = match range {
+    match range {
         RawRange::Fixed(v) => Size::Each(vec![check.positive(v) * unit]),
         RawRange::Each(list) => {
             if list.get_ref().is_empty() {
@@ -107,10 +118,18 @@ pub(super) fn family(
             let (a, b) = ordered(check, pair, false);
             Size::Between(a * unit, b * unit)
         }
-    };
-    let bounds = bounds_of(check, raw, &types);
-    let materials = materials(check, raw, &types, temperatures);
-    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, materials, temperatures, whole_chain })
+    }
+}
+
+/// The ring that fills a box.
+fn in_box(check: &mut Check, at: &At<RawBox>) -> Size {
+    let raw = at.get_ref();
+    let [inner, outer, width] = [&raw.inner_diameter_mm, &raw.outer_diameter_mm, &raw.width_mm].map(|x| M_PER_MM * check.positive(x));
+    let density = check.within(&raw.density_kg_m3, 500.0..=25_000.0, "a density from 500 to 25000 kg/m³");
+    if inner >= outer {
+        check.wrong(at, "found a packaging box that holds no ring, expected an inner diameter below the outer one");
+    }
+    Size::Each(vec![ring_inertia(0.5 * inner, 0.5 * outer, width, density)])
 }
 
 /// Materials by the types that have them.

@@ -1,11 +1,10 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
-use crate::absorber::{Cooling, Declaration, Factors, Follows, Range, State, TemperatureLaw, Thermal, ToAir};
+use crate::absorber::{Cooling, Declaration, Factors, Follows, Geometry, Material, Range, State, TemperatureLaw, Thermal, ToAir};
 use crate::input::error::{At, Check};
-use crate::input::schema::material_states::{RawCooling, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir};
+use crate::input::schema::material_states::{RawCooling, RawGeometry, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir};
 use crate::input::schema::study::{RawCondition, RawStudy};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
-use std::sync::Arc;
 
 /// Temperatures of the conditions `cold` and `hot`, °C.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
@@ -25,6 +24,8 @@ pub struct MaterialSpec {
     pub ageing: Vec<(&'static str, f64)>,
     /// What cools it.
     pub cooling: Option<Cooling>,
+    /// What of it is sheared.
+    pub geometry: Option<Geometry>,
     /// Bounds of its properties by their keys.
     pub properties: Vec<(&'static str, (f64, f64))>,
 }
@@ -107,7 +108,8 @@ pub(super) fn material(
         raw.get_ref().iter().filter_map(|(key, value)| Some((aged_key(check, key, value, declaration)?, check.positive(value)))).collect()
     });
     let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
-    MaterialSpec { temperature: law, ageing, cooling, properties: Vec::new() }
+    let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
+    MaterialSpec { temperature: law, ageing, cooling, geometry, properties: Vec::new() }
 }
 
 /// A parameter that may age: any but the ring, as long as no factor leads out of its range.
@@ -146,6 +148,51 @@ fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
     }
 }
 
+/// What is sheared, in m.
+fn geometry(check: &mut Check, at: &At<RawGeometry>) -> Option<Geometry> {
+    let mut length = |x: &At<f64>| M_PER_MM * check.positive(x);
+    let found = match at.get_ref() {
+        RawGeometry::Sleeve(s) => Geometry::Sleeve {
+            inner: 0.5 * length(&s.inner_diameter_mm),
+            outer: 0.5 * length(&s.outer_diameter_mm),
+            length: length(&s.length_mm),
+        },
+        RawGeometry::Faces(f) => Geometry::Faces {
+            inner: 0.5 * length(&f.inner_diameter_mm),
+            outer: 0.5 * length(&f.outer_diameter_mm),
+            thickness: length(&f.thickness_mm),
+            count: check.positive(&f.count),
+        },
+        RawGeometry::Wedges(w) => Geometry::Wedges {
+            inner: 0.5 * length(&w.inner_diameter_mm),
+            outer: 0.5 * length(&w.outer_diameter_mm),
+            slope: check.positive(&w.thickness_over_radius),
+            count: check.positive(&w.count),
+        },
+        RawGeometry::Gap(g) => Geometry::Gap {
+            inner: 0.5 * length(&g.inner_diameter_mm),
+            outer: 0.5 * length(&g.outer_diameter_mm),
+            width: length(&g.width_mm),
+            gap: length(&g.gap_mm),
+        },
+    };
+    let (Geometry::Sleeve { inner, outer, .. }
+    | Geometry::Faces { inner, outer, .. }
+    | Geometry::Wedges { inner, outer, .. }
+    | Geometry::Gap { inner, outer, .. }) = found;
+    if inner >= outer {
+        check.wrong(at, "found an inner diameter that is not below the outer one, expected room between them");
+        return None;
+    }
+    if let Geometry::Gap { gap, width, .. } = found
+        && gap >= inner.min(width)
+    {
+        check.wrong(at, "found a gap as large as the ring, expected one below its bore's radius and its width");
+        return None;
+    }
+    Some(found)
+}
+
 /// What cools an absorber whose material follows temperature by a law.
 fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) -> Option<Cooling> {
     let raw = at.get_ref();
@@ -174,13 +221,8 @@ fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) 
 }
 
 impl MaterialSpec {
-    /// What decides the temperature of an absorber of it.
-    pub(crate) fn thermal(&self) -> Option<Thermal> {
-        Some(Thermal { law: self.temperature?, cooling: self.cooling? })
-    }
-
-    /// The states of an absorber of a type.
-    pub(crate) fn states(&self, declaration: &Declaration, temperatures: Temperatures) -> Arc<[Factors]> {
+    /// What is known of it where a type is made of it.
+    pub(crate) fn of_type(&self, declaration: &Declaration, temperatures: Temperatures) -> Material {
         let mut states = Vec::new();
         for (state, celsius) in [(State::Cold, temperatures.cold), (State::Hot, temperatures.hot)] {
             let (Some(law), Some(celsius)) = (&self.temperature, celsius) else { continue };
@@ -190,6 +232,7 @@ impl MaterialSpec {
             let of = |key: &str| self.ageing.iter().find(|a| a.0 == key).map_or(1.0, |a| a.1);
             states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| of(p.key)).collect() });
         }
-        states.into()
+        let thermal = self.temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling });
+        Material { states, thermal, geometry: self.geometry }
     }
 }

@@ -4,7 +4,7 @@ use super::table::{Table, number, optional};
 use crate::absorber::{Host, Mounted, Parameter, TYPES};
 use crate::analysis::{DesignResult, Results};
 use crate::report::files::{Folder, WriteError};
-use crate::units::DEG_PER_RAD;
+use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 /// Parameters of all types, each once, then those of laws that a program brought.
 fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
@@ -36,6 +36,7 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let mut header = vec!["design", "absorber", "on_station", "on_ring_of", "type", "hub_inertia_kg_m2"];
     header.extend(parameters.iter().map(|p| p.key));
     header.extend(["dissipated_power_w", "ring_twist_deg", "implied_loss_factor"]);
+    header.extend(["geometry_factor_m3", "own_frequency_hz", "shear_modulus_mpa", "loss_factor_there", "viscosity_pa_s", "strain_percent"]);
     let mut table = Table::new(&header);
     for d in designs() {
         for (i, (m, load)) in d.absorbers.iter().zip(&d.loads).enumerate() {
@@ -45,6 +46,12 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
             row.extend(parameters.iter().map(|p| optional(m.absorber.value(p.key))));
             row.extend([number(load.power), number(load.ring_twist * DEG_PER_RAD)]);
             row.push(optional(m.absorber.implied_loss_factor().map(|l| l.0)));
+            let made_of = load.made_of;
+            let rubber = made_of.and_then(|m| m.rubber);
+            row.push(optional(made_of.map(|m| m.factor)));
+            row.extend([rubber.map(|r| r.0), rubber.map(|r| r.1 / PA_PER_MPA), rubber.map(|r| r.2)].map(optional));
+            row.push(optional(made_of.and_then(|m| m.viscosity)));
+            row.push(optional(made_of.map(|m| 100.0 * m.strain)));
             table.row(row);
         }
     }

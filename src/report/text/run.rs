@@ -3,6 +3,7 @@
 use super::certificate::certificate;
 use super::limits::{barred, limits};
 use super::margin::factor;
+use super::materials::temperatures;
 use super::parameters::parameters;
 use super::table::{dash, significant, table};
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
@@ -335,6 +336,7 @@ pub fn conditions(study: &Study, results: &Results) -> String {
          design when all cylinders fire and the absorber works; % over none: against the engine without absorber in the same condition\n",
         table(&header, &rows)
     );
+    text.push_str(&temperatures(study, results));
     if !results.appearing.is_empty() {
         let list: Vec<String> = results.appearing.iter().map(ToString::to_string).collect();
         let _ = writeln!(

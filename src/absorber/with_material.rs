@@ -1,39 +1,29 @@
-//! A law in states of its material: in each, its parameters are those of the reference state times a factor.
+//! A law with its material: in each state of that, the parameters are those of the reference state times a factor.
 
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::law::{Declaration, Law};
+use super::material::Material;
 use super::state::State;
-use super::thermal::Thermal;
 use crate::numerics::C64;
 use std::sync::Arc;
 
-/// Factors on the parameters of a type in a state, in the order of their declaration.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Factors {
-    /// The state.
-    pub state: State,
-    /// One for the ring inertia.
-    pub factors: Vec<f64>,
-}
-
-/// A law with its states: itself, as long as it is asked for none of them.
+/// A law with its material: itself, as long as it is asked for no state of that.
 #[derive(Debug, Clone)]
-pub struct WithStates {
+pub struct WithMaterial {
     law: Arc<dyn Law>,
-    states: Arc<[Factors]>,
-    thermal: Option<Thermal>,
+    material: Arc<Material>,
 }
 
-impl WithStates {
-    /// A law with factors, as many as it has parameters, and with what decides its temperature.
-    pub fn of(law: Arc<dyn Law>, states: Arc<[Factors]>, thermal: Option<Thermal>) -> Arc<dyn Law> {
-        if states.is_empty() && thermal.is_none() { law } else { Arc::new(Self { law, states, thermal }) }
+impl WithMaterial {
+    /// A law with what is known of its material; in each state as many factors as it has parameters.
+    pub fn of(law: Arc<dyn Law>, material: &Arc<Material>) -> Arc<dyn Law> {
+        if **material == Material::default() { law } else { Arc::new(Self { law, material: material.clone() }) }
     }
 }
 
 /// A law with its material at a temperature, °C: itself where nothing is said of how it follows that.
 pub(crate) fn at_temperature(law: &Arc<dyn Law>, celsius: f64) -> Arc<dyn Law> {
-    match law.thermal() {
+    match law.material().and_then(|m| m.thermal) {
         Some(thermal) => Arc::new(Changed::new(law.clone(), law.declaration().followed(thermal.law.factor(celsius)))),
         None => law.clone(),
     }
@@ -81,25 +71,28 @@ macro_rules! stands_in {
     };
 }
 
-impl Law for WithStates {
+impl Law for WithMaterial {
     stands_in!(law, law);
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.law.derivatives(at)
     }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
-        Arc::new(Self { law: self.law.rebuilt(values), states: self.states.clone(), thermal: self.thermal })
+        Arc::new(Self { law: self.law.rebuilt(values), material: self.material.clone() })
     }
     fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
-        let found = self.states.iter().find(|s| s.state == state)?;
+        let found = self.material.states.iter().find(|s| s.state == state)?;
         Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone())))
     }
-    fn thermal(&self) -> Option<Thermal> {
-        self.thermal
+    fn material(&self) -> Option<&Material> {
+        Some(&self.material)
     }
 }
 
 impl Law for Changed {
     stands_in!(reference, now);
+    fn material(&self) -> Option<&Material> {
+        self.reference.material()
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.now.derivatives(at).into_iter().zip(&self.factors).map(|(d, f)| d * *f).collect()
     }

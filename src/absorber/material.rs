@@ -1,0 +1,35 @@
+//! What is known of the material of an absorber besides its law.
+
+use super::cooling::Cooling;
+use super::geometry::Geometry;
+use super::state::State;
+use super::temperature::TemperatureLaw;
+
+/// Factors on the parameters of a type in a state, in the order of their declaration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// The state.
+    pub state: State,
+    /// One for the ring inertia.
+    pub factors: Vec<f64>,
+}
+
+/// What decides the temperature of an absorber.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thermal {
+    /// How the material follows it.
+    pub law: TemperatureLaw,
+    /// What cools it.
+    pub cooling: Cooling,
+}
+
+/// What is known of a material and of how it is used.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Material {
+    /// Its states.
+    pub states: Vec<Factors>,
+    /// What decides its temperature.
+    pub thermal: Option<Thermal>,
+    /// What of it is sheared.
+    pub geometry: Option<Geometry>,
+}

@@ -1,0 +1,114 @@
+//! Temperatures and materials of absorbers, in words.
+
+use super::table::{significant, table};
+use crate::absorber::Mounted;
+use crate::analysis::{DesignResult, HeatAt, HeatOfDesign, Results};
+use crate::input::Study;
+use crate::units::{DEG_PER_RAD, PA_PER_MPA};
+
+/// The designs in balance of heat; empty where no material says what cools it.
+pub(crate) fn heat(results: &Results) -> String {
+    if results.heat.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<Vec<String>> = results.heat.iter().map(row).collect();
+    let header = ["design", "hottest/°C", "at/rpm", "limit/°C", "twist/°", "at/rpm", "heat/W"];
+    let mut text = format!("In balance of heat, each speed by itself, reached from cold:\n{}", table(&header, &rows));
+    for d in &results.heat {
+        let several: Vec<&HeatAt> = d.points.iter().filter(|p| p.balances.len() > 1).collect();
+        if let [first, .., last] = several.as_slice() {
+            text.push_str(&format!(
+                "  {}: up to {} temperatures are in balance at speeds from {} to {} rpm; which one is reached depends on what went before.\n",
+                d.design,
+                several.iter().map(|p| p.balances.len()).max().unwrap_or(0),
+                first.speed_rpm,
+                last.speed_rpm
+            ));
+        }
+        let over: Vec<&HeatAt> = d.points.iter().filter(|p| p.balances.is_empty()).collect();
+        if let (Some(first), Some(last)) = (over.first(), over.last()) {
+            let most = over.iter().map(|p| p.power_at_limit).fold(0.0, f64::max);
+            text.push_str(&format!(
+                "  {} OVERHEATS at {} of the speeds, from {} to {} rpm: at {} °C it still dissipates up to {most:.0} W.\n",
+                d.design,
+                over.len(),
+                first.speed_rpm,
+                last.speed_rpm,
+                d.limit
+            ));
+        }
+    }
+    text
+}
+
+/// What absorbers would have to be made of; empty where no geometry is given.
+pub(crate) fn made_of(results: &Results) -> String {
+    let mut rows = Vec::new();
+    let shown = || results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
+    for d in shown() {
+        for (i, load) in d.loads.iter().enumerate() {
+            let Some(m) = load.made_of else { continue };
+            let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
+            rows.push(vec![
+                d.name.clone(),
+                (i + 1).to_string(),
+                significant(1e6 * m.factor, 4),
+                dash(m.rubber.map(|r| format!("{:.2}", r.1 / PA_PER_MPA))),
+                dash(m.rubber.map(|r| format!("{:.0}", r.0))),
+                dash(m.rubber.map(|r| format!("{:.2}", r.2))),
+                dash(m.viscosity.map(|v| significant(v, 3))),
+                format!("{:.1}", 100.0 * m.strain),
+            ]);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let beyond = |d: &&DesignResult| d.loads.iter().filter_map(|l| l.made_of).any(|m| m.viscosity.is_some() && m.strain > 1.0);
+    let names: Vec<&str> = shown().filter(beyond).map(|d| d.name.as_str()).collect();
+    let beyond = if names.is_empty() {
+        String::new()
+    } else {
+        format!(
+            "  Oil sheared by more than one follows the rate of shear instead of its law here, which is of small strains: {}.\n",
+            names.join(", ")
+        )
+    };
+    let header = ["design", "absorber", "shape/cm³", "G'/MPa", "at/Hz", "loss factor", "viscosity/Pa s", "strain/%"];
+    let table = table(&header, &rows);
+    format!(
+        "What the absorbers have to be made of, in the shape that is given, and the shear strain at the largest twist:\n{table}{beyond}"
+    )
+}
+
+fn row(d: &HeatOfDesign) -> Vec<String> {
+    let reached = d.points.iter().filter_map(|p| Some((p, p.cold_start()?)));
+    let hottest = reached.clone().reduce(|m, p| if p.1.celsius > m.1.celsius { p } else { m });
+    let most = reached.map(|p| p.1.power).fold(0.0, f64::max);
+    let largest = d.points.iter().reduce(|m, p| if p.twist > m.twist { p } else { m });
+    let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
+    vec![
+        d.design.clone(),
+        dash(hottest.map(|h| format!("{:.1}", h.1.celsius))),
+        dash(hottest.map(|h| h.0.speed_rpm.to_string())),
+        d.limit.to_string(),
+        dash(largest.map(|p| significant(p.twist * DEG_PER_RAD, 4))),
+        dash(largest.map(|p| p.speed_rpm.to_string())),
+        format!("{most:.0}"),
+    ]
+}
+
+/// Temperatures of the conditions, and the designs that they do not change.
+pub(super) fn temperatures(study: &Study, results: &Results) -> String {
+    let told = [("cold", study.temperatures.cold), ("hot", study.temperatures.hot)];
+    let words: Vec<String> = told.iter().filter_map(|(word, t)| Some(format!("{word}: materials at {} °C", (*t)?))).collect();
+    if words.is_empty() {
+        return String::new();
+    }
+    let follows = |m: &Mounted| m.absorber.law().is_some_and(|law| law.material().is_some_and(|m| !m.states.is_empty()));
+    let ideal = |d: &&DesignResult| !d.absorbers.is_empty() && !d.absorbers.iter().any(follows);
+    let names: Vec<&str> = results.designs.iter().filter(ideal).map(|d| d.name.as_str()).collect();
+    let unchanged =
+        if names.is_empty() { String::new() } else { format!("; taken to be the same at every temperature: {}", names.join(", ")) };
+    format!("  {}{unchanged}\n", words.join(", "))
+}

@@ -308,13 +308,20 @@ fn temperatures_in_balance() {
     assert!(seen[0] > 0 && seen[1] > 0 && seen[3] > 0, "{seen:?}");
 }
 
-/// Source: [Cobb & Saunders 1956] as quoted for a disc of 250 mm: about 32 W/(m² K) at 2000 rpm, laminar, and 87 at 4000, turbulent; within a tenth, as the temperature of the air is not said.
+/// Source: [Cobb & Saunders 1956]: a disc of 250 mm at 2000 rpm is laminar, with about 32 W/(m² K) (within a tenth, as the temperature of the air is not said); a large fast one tends to the turbulent formula;
+/// between, the coefficient rises without a step.
 #[test]
 fn a_disc_in_air() {
-    let disc = ToAir::Disc { radius: 0.125, width: 0.0 };
-    let area = 2.0 * PI * 0.125 * 0.125;
-    for (rpm, expected) in [(2000.0, 32.0), (4000.0, 87.0)] {
-        assert_close(disc.conductance(rpm * PI / 30.0) / area, expected, 0.1, 0.0, "film coefficient");
+    let area = |radius: f64| 2.0 * PI * radius * radius;
+    let film = |radius: f64, rpm: f64| ToAir::Disc { radius, width: 0.0 }.conductance(rpm * PI / 30.0) / area(radius);
+    assert_close(film(0.125, 2000.0), 32.0, 0.1, 0.0, "laminar");
+    let reynolds = 3000.0 * PI / 30.0 / 1.70e-5;
+    assert_close(film(1.0, 3000.0), 0.015 * reynolds.powf(0.8) * 0.0271, 0.01, 0.0, "turbulent");
+    let mut last = film(0.125, 1000.0);
+    for rpm in 1001..6000 {
+        let now = film(0.125, f64::from(rpm));
+        assert!(now > last && now < 1.002 * last, "{rpm}");
+        last = now;
     }
     let cooling = Cooling { air: 40.0, hub: 100.0, to_air: ToAir::Given(3.0), to_hub: 1.0, limit: 150.0 };
     assert_eq!(cooling.at(100.0), (55.0, 0.25));

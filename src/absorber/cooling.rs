@@ -20,7 +20,9 @@ pub struct Cooling {
 pub enum ToAir {
     /// W/K at every speed.
     Given(f64),
-    /// Of a disc that turns in still air: both faces and the rim. Nu = h R/lambda = 0.36 Re^(1/2) for Re = Omega R²/nu below 2.4e5, 0.015 Re^0.8 above \[Cobb & Saunders 1956\].
+    /// Of a disc that turns in still air: both faces and the rim. Nu = h R/lambda = 0.36 Re^(1/2) with Re = Omega R²/nu; outside the radius at which Re reaches 2.4e5 turbulent, a whole disc of which has
+    /// 0.015 Re^0.8 \[Cobb & Saunders 1956\]. With s, the share of the radius that is laminar, the mean is 0.36 Re^(1/2) s² + 0.015 Re^0.8 (1 - s^2.6), as the local coefficient is constant inside and rises as
+    /// r^0.6 outside.
     Disc {
         /// R, m.
         radius: f64,
@@ -42,7 +44,8 @@ impl ToAir {
             Self::Given(conductance) => conductance,
             Self::Disc { radius, width } => {
                 let reynolds = shaft_speed * radius * radius / VISCOSITY;
-                let nusselt = if reynolds < TURBULENT { 0.36 * reynolds.sqrt() } else { 0.015 * reynolds.powf(0.8) };
+                let laminar = (TURBULENT / reynolds).sqrt().min(1.0);
+                let nusselt = 0.36 * reynolds.sqrt() * laminar * laminar + 0.015 * reynolds.powf(0.8) * (1.0 - laminar.powf(2.6));
                 let area = 2.0 * std::f64::consts::PI * radius * (radius + width);
                 nusselt * CONDUCTIVITY / radius * area
             }

@@ -9,6 +9,7 @@ pub(crate) mod drawing;
 mod excitation;
 pub mod fatigue;
 mod front;
+mod heat;
 mod margin;
 pub mod models;
 mod pareto;
@@ -50,6 +51,7 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn(
         })
         .collect();
     drawn.into_iter().collect::<Result<(), _>>()?;
+    heat::draw(study, results, folder)?;
     front::draw(study, results, folder)?;
     results.tradeoffs.iter().for_each(|_| written());
     Ok(())

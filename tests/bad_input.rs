@@ -198,3 +198,13 @@ fn sizing_files() {
         assert_eq!(fs::read_dir(place.path().join("out/sizing")).map_or(0, Iterator::count), 0, "{}", case.display());
     }
 }
+
+/// Tables of measured absorbers: `measured/*.csv` for `measured_study.toml`.
+#[test]
+fn measured_absorbers() {
+    let (study, engine) = (read(&folder().join("measured_study.toml")), read(&folder().join("engine.toml")));
+    for case in cases("measured", "csv") {
+        let files = [("study.toml", &study), ("engine.toml", &engine), ("damper.csv", &read(&case))];
+        compare(&case, &error(&files.map(|(name, text)| (name, text.as_bytes()))));
+    }
+}

@@ -350,3 +350,18 @@ fn shapes_that_are_sheared() {
     let Size::Each(sizes) = &s.optimise.as_ref().expect("optimises").absorbers[0].size else { panic!("a box") };
     assert_close(sizes[0], 0.5 * PI * 7850.0 * 0.06 * (0.135f64.powi(4) - 0.123f64.powi(4)), 1e-12, 0.0, "ring in a box");
 }
+
+/// The shipped table is a fractional Zener law, sampled: the ring on it and the ring on the law differ by what straight lines between its points leave, 2e-3, normal, cold and hot.
+#[test]
+fn a_measured_ring_is_what_was_measured() {
+    let mut s = study("villalva_i6_laws");
+    s.designs.retain(|d| ["measured", "fractional_zener"].contains(&d.name.as_str()));
+    let results = s.run().expect("damped");
+    let [law, table] = results.designs.as_slice() else { panic!("two designs") };
+    assert_close(table.objective.expect("twist"), law.objective.expect("twist"), 2e-3, 0.0, "firing");
+    assert_eq!((law.conditions.len(), table.conditions.len()), (2, 2));
+    for (t, l) in table.conditions.iter().zip(&law.conditions) {
+        assert_close(t.objective, l.objective, 2e-3, 0.0, t.condition.name());
+        assert!((t.objective / table.objective.expect("twist") - 1.0).abs() > 0.01, "{} changes nothing", t.condition.name());
+    }
+}

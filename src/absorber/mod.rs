@@ -11,6 +11,7 @@ pub mod geometry;
 pub mod law;
 pub mod material;
 pub mod maxwell;
+pub mod measured;
 pub mod mounted;
 pub mod parameter;
 pub mod pendulum;

@@ -25,7 +25,7 @@ pub struct Pendulum {
 
 const TUNING_ORDER: Parameter = Parameter {
     key: "tuning_order",
-    label: "order",
+    label: "tuned to",
     range: Range::Positive,
     extensive: false,
     dissipative: false,

@@ -80,8 +80,11 @@ impl Law for WithMaterial {
         Arc::new(Self { law: self.law.rebuilt(values), material: self.material.clone() })
     }
     fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
-        let found = self.material.states.iter().find(|s| s.state == state)?;
-        Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone())))
+        match self.material.states.iter().find(|s| s.state == state) {
+            Some(found) => Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone()))),
+            // what is known of the material leaves what the law itself knows
+            None => Some(Arc::new(Self { law: self.law.in_state(state)?, material: self.material.clone() })),
+        }
     }
     fn material(&self) -> Option<&Material> {
         Some(&self.material)

@@ -51,6 +51,15 @@ pub(crate) enum RawEngineInertia {
     WholeChain,
 }
 
+/// A ring on what was measured.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMeasured {
+    pub ring_inertia_kg_m2: At<f64>,
+    pub file: At<String>,
+    pub temperature_c: Option<At<f64>>,
+}
+
 /// A type with its values.
 #[derive(Debug)]
 pub(crate) enum RawType {
@@ -58,6 +67,7 @@ pub(crate) enum RawType {
     Declared(&'static Declaration, Vec<At<f64>>),
     Locked(RawLocked),
     Seeded(RawSeeded),
+    Measured(RawMeasured),
 }
 
 /// A type by its word.
@@ -122,7 +132,7 @@ fn words() -> &'static Words {
                 family.push(key);
             }
         }
-        Words { types: kinds.iter().copied().chain(["locked", "seeded"]).collect(), kinds, keys, family }
+        Words { types: kinds.iter().copied().chain(["locked", "seeded", "measured"]).collect(), kinds, keys, family }
     })
 }
 
@@ -185,6 +195,7 @@ impl<'de> Deserialize<'de> for RawType {
                 match words().types[index] {
                     "locked" => variant.newtype_variant().map(RawType::Locked),
                     "seeded" => variant.newtype_variant().map(RawType::Seeded),
+                    "measured" => variant.newtype_variant().map(RawType::Measured),
                     _ => variant.newtype_variant_seed(Values(index)).map(|values| RawType::Declared(TYPES[index], values)),
                 }
             }

@@ -2,6 +2,7 @@
 mod cycle;
 mod history;
 mod mass_elastic;
+mod measured_law;
 mod multiaxial;
 mod published;
 mod rounds;
@@ -13,6 +14,7 @@ mod unit_loads;
 pub(crate) use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;
+pub(crate) use measured_law::measured_law;
 pub use multiaxial::{histories, multiaxial};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub(crate) use rounds::published_rounds;

@@ -1,15 +1,18 @@
 //! Given designs, and what absorbers of designs and families share.
 
 use super::material_states::{Temperatures, material};
-use super::named::station;
+use super::named::{station, table};
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::measured::Measured;
 use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
-use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawOn, RawSeeded, RawType};
+use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawSeeded, RawType};
 use crate::input::schema::material_states::RawCooling;
 use crate::input::schema::study::RawStudy;
+use crate::input::tables::measured_law;
 use std::collections::HashSet;
+use std::path::Path;
 use std::sync::Arc;
 
 /// A named design of a study.
@@ -21,12 +24,20 @@ pub struct DesignSpec {
     pub absorbers: Vec<Mounted>,
 }
 
-pub(crate) fn resolve(
-    check: &mut Check,
-    study: &RawStudy,
-    (chain, modes): (&Chain, &Modes),
-    temperatures: Temperatures,
-) -> Vec<DesignSpec> {
+/// What absorbers are resolved against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reaches<'a> {
+    pub chain: &'a Chain,
+    pub modes: &'a Modes,
+    pub temperatures: Temperatures,
+    /// Folder of the study.
+    pub folder: &'a Path,
+    /// Lowest and highest frequency of the torque, Hz.
+    pub frequencies_hz: (f64, f64),
+}
+
+pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<DesignSpec> {
+    let chain = of.chain;
     let mut names = HashSet::new();
     let mut designs = Vec::new();
     for raw in &study.design {
@@ -46,8 +57,7 @@ pub(crate) fn resolve(
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
         one_cooled(check, raw.absorber.iter().filter_map(|a| a.material.as_ref()?.get_ref().cooling.as_ref()));
         let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
-        let absorbers =
-            raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), (chain, modes), temperatures)).collect();
+        let absorbers = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), of)).collect();
         designs.push(DesignSpec { name: name.clone(), absorbers });
     }
     designs
@@ -124,19 +134,15 @@ pub fn value(check: &mut Check, parameter: &Parameter, raw: &At<f64>) -> f64 {
 }
 
 /// An absorber in its place, with the station below it.
-fn absorber(
-    check: &mut Check,
-    raw: &RawAbsorber,
-    place: Option<(Host, usize)>,
-    (chain, modes): (&Chain, &Modes),
-    temperatures: Temperatures,
-) -> Option<Mounted> {
+fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, of: Reaches) -> Option<Mounted> {
+    let Reaches { chain, modes, temperatures, .. } = of;
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
     let absorber = match &raw.kind {
         RawType::Declared(declaration, values) => {
             let values: Vec<f64> = declaration.parameters.iter().zip(values).map(|(p, v)| value(check, p, v)).collect();
             Absorber::Ring((declaration.build)(&values))
         }
+        RawType::Measured(m) => measured(check, m, of)?,
         RawType::Locked(l) => Absorber::Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) },
         RawType::Seeded(s) => {
             if let (Host::Ring(_), _) = place? {
@@ -164,6 +170,40 @@ fn absorber(
         (absorber, None) => absorber,
     };
     Some(Mounted { on: place?.0, hub_inertia, absorber })
+}
+
+/// A ring on measured values, which the study's frequencies and temperatures may not leave.
+fn measured(check: &mut Check, raw: &RawMeasured, of: Reaches) -> Option<Absorber> {
+    let ring_inertia = check.positive(&raw.ring_inertia_kg_m2);
+    let found = Arc::new(table(check, &raw.file, of.folder, measured_law)?);
+    let (low, high) = (found.frequencies_hz[0], found.frequencies_hz[found.frequencies_hz.len() - 1]);
+    if low > of.frequencies_hz.0 || high < of.frequencies_hz.1 {
+        let (from, to) = of.frequencies_hz;
+        check.wrong(
+            &raw.file,
+            format!("found measurements from {low} to {high} Hz, expected those of the study's speeds and orders, {from:.4} to {to:.4} Hz"),
+        );
+    }
+    let has_temperature = found.temperatures_c.len() > 1;
+    let celsius = match &raw.temperature_c {
+        Some(t) if !has_temperature => {
+            check.wrong(t, "found a temperature with a table that has none, expected a column `temperature_c` there");
+            return None;
+        }
+        Some(t) => *t.get_ref(),
+        None if has_temperature => {
+            check.wrong(&raw.file, "found measurements at several temperatures, expected `temperature_c = …`, at which the ring works");
+            return None;
+        }
+        None => 0.0,
+    };
+    let (coldest, hottest) = (found.temperatures_c[0], found.temperatures_c[found.temperatures_c.len() - 1]);
+    let asked = [Some(celsius), of.temperatures.cold, of.temperatures.hot];
+    for t in asked.into_iter().flatten().filter(|t| has_temperature && !(coldest..=hottest).contains(t)) {
+        check.wrong(&raw.file, format!("found {t} °C outside the measurements, expected temperatures from {coldest} to {hottest} °C"));
+    }
+    let Temperatures { cold, hot } = of.temperatures;
+    Some(Measured { ring_inertia, scale: 1.0, celsius, table: found, cold, hot }.into())
 }
 
 /// Engine inertia at a station for the closed forms and the first elastic mode's frequency; nothing where no elastic mode moves there.

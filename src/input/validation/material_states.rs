@@ -2,6 +2,7 @@
 
 use crate::absorber::{Cooling, Declaration, Factors, Follows, Geometry, Material, Range, State, TemperatureLaw, Thermal, ToAir};
 use crate::input::error::{At, Check};
+use crate::input::schema::absorber::RawType;
 use crate::input::schema::material_states::{RawCooling, RawGeometry, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir};
 use crate::input::schema::study::{RawCondition, RawStudy};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
@@ -61,7 +62,10 @@ fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatu
     let designed = study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
     let optimised = study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
     let said = designed.chain(optimised).map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
+    let measured =
+        study.design.iter().flat_map(|d| &d.absorber).any(|a| matches!(&a.kind, RawType::Measured(m) if m.temperature_c.is_some()));
     let (warms, ages) = said.fold((false, false), |all, a| (all.0 || a.0, all.1 || a.1));
+    let warms = warms || measured;
     for raw in lists.flat_map(|l| l.get_ref()) {
         let (word, given, followed, key) = match raw.get_ref() {
             RawCondition::Cold => ("cold", temperatures.cold.is_some(), warms, "temperature"),

@@ -23,11 +23,13 @@ pub(super) mod sizing;
 mod tree;
 
 pub use absorbers::DesignSpec;
+use absorbers::Reaches;
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};
 pub use inputs::Input;
 pub use load::DutyPoint;
+use material_states::Temperatures;
 use measures::{Context, Judged};
 use ranges::MOST_POINTS;
 pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
@@ -48,6 +50,7 @@ use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Order, Source as TorqueSource};
 use crate::response::Quantity;
+use crate::units::HZ_PER_RPM;
 use std::path::Path;
 
 /// Largest relative error of a peak in a search, where a study says nothing.
@@ -71,6 +74,16 @@ struct Base {
     reciprocating: Reciprocating,
     speeds_rpm: Vec<f64>,
     order_limit: f64,
+}
+
+impl Base {
+    /// What absorbers are resolved against.
+    fn reaches<'a>(&'a self, study: &'a Path, modes: &'a Modes, temperatures: Temperatures) -> Reaches<'a> {
+        let step = if self.engine.strokes == 4 { 0.5 } else { 1.0 };
+        let hz = |order: f64, speed: f64| order * speed * HZ_PER_RPM;
+        let frequencies_hz = (hz(step, self.speeds_rpm[0]), hz(self.order_limit, self.speeds_rpm[self.speeds_rpm.len() - 1]));
+        Reaches { chain: &self.chain, modes, temperatures, folder: folder_of(study), frequencies_hz }
+    }
 }
 
 fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base> {
@@ -159,7 +172,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let study = files.study;
     let modes = Modes::new(&base.chain);
     let temperatures = material_states::of_conditions(check, study);
-    let designs = absorbers::resolve(check, study, (&base.chain, &modes), temperatures);
+    let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
     let optimise = study.optimise.as_ref();
     let optimise = optimise.and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
     let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {

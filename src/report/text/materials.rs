@@ -1,9 +1,9 @@
 //! Temperatures and materials of absorbers, in words.
 
 use super::table::{significant, table};
-use crate::absorber::Mounted;
 use crate::analysis::{DesignResult, HeatAt, HeatOfDesign, Results};
 use crate::input::Study;
+use crate::objective::Condition;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 /// The designs in balance of heat; empty where no material says what cools it.
@@ -105,8 +105,8 @@ pub(super) fn temperatures(study: &Study, results: &Results) -> String {
     if words.is_empty() {
         return String::new();
     }
-    let follows = |m: &Mounted| m.absorber.law().is_some_and(|law| law.material().is_some_and(|m| !m.states.is_empty()));
-    let ideal = |d: &&DesignResult| !d.absorbers.is_empty() && !d.absorbers.iter().any(follows);
+    let unchanged = |d: &DesignResult| [Condition::Cold, Condition::Hot].iter().all(|c| c.changes_nothing(&d.absorbers));
+    let ideal = |d: &&DesignResult| !d.absorbers.is_empty() && unchanged(d);
     let names: Vec<&str> = results.designs.iter().filter(ideal).map(|d| d.name.as_str()).collect();
     let unchanged =
         if names.is_empty() { String::new() } else { format!("; taken to be the same at every temperature: {}", names.join(", ")) };

@@ -1,0 +1,71 @@
+//! Measured stiffness of an absorber.
+
+use super::table::Table;
+use crate::absorber::measured::MeasuredTable;
+use crate::input::error::InputError;
+use crate::units::HZ_PER_RAD_PER_S;
+use std::path::Path;
+
+/// `frequency_hz, stiffness_n_m_per_rad` and either `loss_factor` or `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
+///
+/// # Errors
+/// [`InputError`] with file, row and column.
+pub(crate) fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
+    let table = Table::read(path)?;
+    let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
+    let (loss, damping, temperature) =
+        (table.optional("loss_factor"), table.optional("damping_n_m_s_per_rad"), table.optional("temperature_c"));
+    let loss_column = match (loss, damping) {
+        (Some(c), None) | (None, Some(c)) => c,
+        _ => return Err(table.whole("found both or neither of `loss_factor` and `damping_n_m_s_per_rad`, expected one of them".into())),
+    };
+    let known = [Some(frequency), Some(stiffness), Some(loss_column), temperature];
+    if let Some(c) = (0..table.header.len()).find(|c| !known.contains(&Some(*c))) {
+        return Err(table.at(1, c, format!("found column `{}`, which means nothing here", super::table::shown(&table.header[c]))));
+    }
+    let mut points: Vec<(f64, f64, f64, f64)> = Vec::new();
+    for (line, row) in table.numbers()? {
+        for c in [frequency, stiffness, loss_column] {
+            if row[c] <= 0.0 {
+                return Err(table.at(line, c, format!("found {}, expected a number above zero", row[c])));
+            }
+        }
+        let hz = row[frequency];
+        let lost = if loss.is_some() { row[stiffness] * row[loss_column] } else { row[loss_column] * hz / HZ_PER_RAD_PER_S };
+        let celsius = temperature.map_or(0.0, |c| row[c]);
+        if points.iter().any(|p| p.0 == celsius && p.1 == hz) {
+            return Err(table.at(line, frequency, format!("found {hz} Hz a second time, expected each frequency once at a temperature")));
+        }
+        points.push((celsius, hz, row[stiffness], lost));
+    }
+    let temperatures_c = ascending(points.iter().map(|p| p.0).collect());
+    let frequencies_hz = ascending(points.iter().map(|p| p.1).collect());
+    if frequencies_hz.len() < 2 {
+        return Err(table.whole(format!("found {} frequencies, expected at least two", frequencies_hz.len())));
+    }
+    let mut grid = Vec::new();
+    for t in &temperatures_c {
+        let mut row = Vec::new();
+        for f in &frequencies_hz {
+            let Some(p) = points.iter().find(|p| p.0 == *t && p.1 == *f) else {
+                let place = if temperature.is_some() { format!(" at {t} °C") } else { String::new() };
+                return Err(table.whole(format!(
+                    "found a hole in the table: no value at {f} Hz{place}, expected every temperature at every frequency"
+                )));
+            };
+            row.push((p.2, p.3));
+        }
+        grid.push(row);
+    }
+    if temperature.is_some() && temperatures_c.len() < 2 {
+        return Err(table.whole("found one temperature, expected several, or no column `temperature_c`".into()));
+    }
+    Ok(MeasuredTable { frequencies_hz, temperatures_c, stiffness: grid })
+}
+
+/// Each value once.
+fn ascending(mut list: Vec<f64>) -> Vec<f64> {
+    list.sort_by(f64::total_cmp);
+    list.dedup();
+    list
+}

@@ -190,7 +190,8 @@ pub fn evaluate(
     let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
     // a condition that makes no difference to the design is that of firing
     asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
-    if !wanted.held.contains(&Condition::Firing) && asked.len() > 1 {
+    let differs = |held: &Condition| conditions.iter().any(|c| c.condition == *held);
+    if wanted.held.iter().all(differs) {
         asked.remove(0);
     }
     result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));

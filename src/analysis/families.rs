@@ -71,8 +71,10 @@ fn slot(
         let (lower, upper) = if parameter == 0 { size } else { given.unwrap_or_else(|| (p.bounds)(&surroundings)) };
         values.push(lower);
         if lower < upper {
-            // a thousandth of the typical value: what lies below acts like zero
-            variables.push(Variable { absorber: index, parameter, lower, upper, scale: 1e-3 * (p.typical)(&surroundings) });
+            // a thousandth of the typical value: what lies below acts like zero; of a material nothing above zero does
+            let scale = 1e-3 * (p.typical)(&surroundings);
+            let scale = if p.material && lower > 0.0 { scale.min(lower) } else { scale };
+            variables.push(Variable { absorber: index, parameter, lower, upper, scale });
         }
     }
     let known = Arc::new(material.map_or_else(Material::default, |m| m.of_type(declaration, spec.temperatures)));

@@ -18,6 +18,8 @@ use rayon::prelude::*;
 
 /// Frequencies to which designs elsewhere are tuned.
 const SCANNED: usize = 24;
+/// Second order means something where first order holds this well.
+const FIRST_ORDER: f64 = 1e-4;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
 
@@ -119,8 +121,12 @@ impl<'a> Searches<'a> {
                 let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
                 let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
                 // of the nearest design nothing is an optimum but its violation
-                let second_order =
-                    if conflict.is_some() { None } else { second_order::second_order(&problem, &optimum.outcome, &mut Work::default()) };
+                let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
+                let second_order = if conflict.is_some() || !first_order {
+                    None
+                } else {
+                    second_order::second_order(&problem, &optimum.outcome, &mut Work::default())
+                };
                 let mounted = optimum.design.as_slice();
                 let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
                 let classifier = Classifier::new(self.finders[0].system, self.study.twist);

@@ -16,7 +16,7 @@ The objective of a study is, by default, half the peak-to-peak twist of all orde
 absorber's hub to the last station, at its worst speed. Neither the hub's amplitude nor a single order will do: at low speed the hub\n\
 rolls with the whole engine, which no absorber changes; and the largest single order saturates on forced twist, so that a ring that\n\
 wins by order can lose by the sum. Both can be chosen: hub_amplitude, and over = \"orders\".\n\n\
-Exit code: 0 done, 1 a limit of the study fails for an optimum, 2 bad input or no finite response.")]
+Exit code: 0 done, 1 a limit of the study fails for an optimum or its absorber overheats, 2 bad input or no finite response.")]
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,

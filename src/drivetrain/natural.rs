@@ -18,6 +18,13 @@ const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
 /// Relative change at which screening ends, and steps of its differences.
 const SCREENED: f64 = 1e-9;
+/// Relative change of an own frequency that is good enough where the iteration is slow.
+const NEARLY: f64 = 1e-3;
+/// Frequencies closer than this are one.
+const SAME: f64 = 1e-9;
+/// Rounds after which an iteration is given up that changes no less than this share of its last change.
+const PATIENCE: usize = 4;
+const SLOW: f64 = 0.9;
 const DIFFERENCE: f64 = 1e-5;
 
 /// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
@@ -127,7 +134,8 @@ impl Basis {
     fn with_rigid_links(&self, design: &[Mounted]) -> Vec<Mounted> {
         let fast = FASTEST * self.stiffness.iter().fold(0.0, |m: f64, k| m.max(k.sqrt()));
         let is_rigid = |m: &Mounted| {
-            let spring = m.absorber.law().filter(|_| matches!(m.on, Host::Ring(_))).and_then(|law| law.spring_and_damper());
+            let on_ring = m.absorber.law().filter(|_| matches!(m.on, Host::Ring(_)));
+            let spring = on_ring.map(|law| at_frequency(law.as_ref(), fast / FASTEST, 1.0));
             let inertia = m.absorber.ring_inertia();
             spring.is_some_and(|s| s.damping / inertia > fast || (s.stiffness / inertia).sqrt() > fast)
         };
@@ -142,15 +150,17 @@ impl Basis {
 
     /// The eigenvalue near `s` with laws taken at its own frequency, by iteration.
     fn settled(&self, design: &[Mounted], mut s: C64, order: f64, rounds: usize) -> Option<C64> {
-        for _ in 0..rounds {
+        let mut last = f64::INFINITY;
+        for round in 0..rounds {
             let omega = s.im;
             let all = self.with(design, |law| at_frequency(law, omega, order))?;
             let near = all.into_iter().min_by(|a, b| (a - s).norm().total_cmp(&(b - s).norm()))?;
             let change = (near - s).norm();
             s = near;
-            if change <= SETTLED * s.norm() {
+            if change <= SETTLED * s.norm() || (round >= PATIENCE && change > SLOW * last) {
                 break;
             }
+            last = change;
         }
         Some(s)
     }
@@ -219,10 +229,12 @@ fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
         let change = (next / omega - 1.0).abs();
         omega = next;
         if change < SETTLED {
-            break;
+            return Some(omega);
         }
     }
-    Some(omega)
+    // a stiffness that grows with frequency as fast as inertia does has no frequency of its own; others are close
+    let again = (at_frequency(law, omega, order).stiffness / law.ring_inertia()).max(0.0).sqrt();
+    ((again / omega - 1.0).abs() < NEARLY).then_some(omega)
 }
 
 /// Where the search of a ring's own frequency begins, rad/s.
@@ -241,7 +253,8 @@ pub(crate) fn own_loss_factor(law: &dyn Law) -> Option<f64> {
 }
 
 /// Natural frequencies (of the damped motion, the imaginary parts of the eigenvalues), Hz, ascending, without rigid modes. The absorbers'
-/// damping counts, the engine's own does not; overdamped motions have no frequency and are left out. `modes` are those of the chain alone. Nothing
+/// damping counts, the engine's own does not; overdamped motions have no frequency and are left out. A law is the spring and damper that it is at the frequency of the motion: for one that is heavily damped by
+/// such a law the frequency is approximate. `modes` are those of the chain alone. Nothing
 /// where a law depends on the speed of the shaft: the frequencies then do, too.
 ///
 /// Chains of more than 64 stations enter by their lowest 64 modes; the lowest frequencies then err by about (f/f64)².
@@ -255,5 +268,9 @@ pub fn frequencies_hz(chain: &Chain, modes: &Modes, design: &[Mounted]) -> Vec<f
     let eigenvalues = Basis::new(chain, modes, LARGEST_DENSE, false).eigenvalues(design, 1.0).unwrap_or_default();
     let mut frequencies: Vec<f64> = eigenvalues.iter().map(|s| s.im * HZ_PER_RAD_PER_S).collect();
     frequencies.sort_by(f64::total_cmp);
+    // two motions of the constant springs may lead to one of the laws
+    if !is_constant(design) {
+        frequencies.dedup_by(|b, a| (*b / *a - 1.0).abs() < SAME);
+    }
     frequencies
 }

@@ -191,9 +191,18 @@ fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaratio
         }
         bounds.push((*key, pair));
     }
+    let of_material = |t: &Declaration, key: &str| raw.material.get(t.name).is_some_and(|m| m.get_ref().properties.contains_key(key));
+    for (key, range) in &raw.bounds {
+        let mut with = types.iter().filter(|t| t.index(key).is_some()).peekable();
+        if with.peek().is_some()
+            && with.all(|t| of_material(t, key))
+            && let Some(at) = first_value(range)
+        {
+            check.wrong(at, format!("found `{key}` here and among the properties of the material, expected it in one place"));
+        }
+    }
     for t in types {
-        let of_material = |key: &str| raw.material.get(t.name).is_some_and(|m| m.get_ref().properties.contains_key(key));
-        let given = |key: &str| of_material(key) || raw.bounds.iter().any(|b| b.0 == key);
+        let given = |key: &str| of_material(t, key) || raw.bounds.iter().any(|b| b.0 == key);
         for p in t.parameters.iter().filter(|p| p.material && !given(p.key)) {
             let words = format!("found type `{}` without `{}`, a property of its material that no default can decide", t.name, p.key);
             let help =
@@ -204,9 +213,9 @@ fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaratio
     bounds
 }
 
-/// Whether bounds lie in the range of a parameter; their signs were looked at.
+/// Whether bounds lie in the range of a parameter; signs were looked at.
 fn in_range(check: &mut Check, parameter: &Parameter, range: &RawRange) {
-    if matches!(parameter.range, Range::Positive | Range::NotNegative) {
+    if parameter.range == Range::NotNegative {
         return;
     }
     match range {

@@ -34,6 +34,10 @@ pub struct MaterialSpec {
 /// Temperatures above absolute zero that anything is made for, °C.
 const SENSIBLE: std::ops::RangeInclusive<f64> = -100.0..=400.0;
 
+/// No material changes more than this with temperature.
+const LEAST_FACTOR: f64 = 1e-15;
+const MOST_FACTOR: f64 = 1e15;
+
 fn celsius(check: &mut Check, raw: &At<f64>) -> f64 {
     check.within(raw, SENSIBLE, "a temperature from -100 to 400 °C")
 }
@@ -56,9 +60,13 @@ fn temperatures(check: &mut Check, raw: Option<&RawTemperatures>) -> Temperature
     Temperatures { cold, hot }
 }
 
+/// All conditions that a study names.
+pub(super) fn conditions(study: &RawStudy) -> impl Iterator<Item = &At<RawCondition>> {
+    study.conditions.iter().chain(study.optimise.iter().flat_map(|o| &o.conditions)).flat_map(|l| l.get_ref())
+}
+
 /// Conditions that need what the study does not say.
 fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatures) {
-    let lists = study.conditions.iter().chain(study.optimise.iter().flat_map(|o| &o.conditions));
     let designed = study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
     let optimised = study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
     let said = designed.chain(optimised).map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
@@ -66,7 +74,7 @@ fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatu
         study.design.iter().flat_map(|d| &d.absorber).any(|a| matches!(&a.kind, RawType::Measured(m) if m.temperature_c.is_some()));
     let (warms, ages) = said.fold((false, false), |all, a| (all.0 || a.0, all.1 || a.1));
     let warms = warms || measured;
-    for raw in lists.flat_map(|l| l.get_ref()) {
+    for raw in conditions(study) {
         let (word, given, followed, key) = match raw.get_ref() {
             RawCondition::Cold => ("cold", temperatures.cold.is_some(), warms, "temperature"),
             RawCondition::Hot => ("hot", temperatures.hot.is_some(), warms, "temperature"),
@@ -104,6 +112,12 @@ pub(super) fn material(
             if !(low..=high).contains(&celsius) {
                 let up_to = if high.is_finite() { format!("from {low} to {high}") } else { format!("from {low:.1}") };
                 check.wrong(raw, format!("found {celsius} °C outside the range of this law, expected temperatures {up_to} °C"));
+            } else if !(LEAST_FACTOR..=MOST_FACTOR).contains(&law.factor(celsius)) {
+                let factor = law.factor(celsius);
+                check.wrong(
+                    raw,
+                    format!("found a factor of {factor:e} at {celsius} °C, expected one from {LEAST_FACTOR:e} to {:e}", MOST_FACTOR),
+                );
             }
         }
         law

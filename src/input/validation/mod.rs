@@ -43,7 +43,7 @@ use super::measure::MeasureSpec;
 use super::published::Published;
 use super::schema::engine::RawEngine;
 use super::schema::fatigue::RawCrankPressure;
-use super::schema::study::RawStudy;
+use super::schema::study::{RawCondition, RawStudy};
 use super::tables::Reach;
 use crate::absorber::mounted::station_of;
 use crate::crankshaft::{Crank, FatigueSpec};
@@ -191,6 +191,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         strokes: base.engine.strokes,
         absorbers: Context::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
+        unequal: material_states::conditions(study).any(|c| matches!(c.get_ref(), RawCondition::Misfire | RawCondition::UnequalCylinders)),
     };
     let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);

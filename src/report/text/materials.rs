@@ -25,15 +25,25 @@ pub(crate) fn heat(results: &Results) -> String {
                 last.speed_rpm
             ));
         }
+        let runs_away = d.points.iter().filter(|p| p.balances.len().is_multiple_of(2) && !p.balances.is_empty()).count();
+        if runs_away > 0 {
+            text.push_str(&format!(
+                "  {}: at {runs_away} of the speeds the highest balance is not stable; once hotter than that, the absorber overheats.\n",
+                d.design
+            ));
+        }
         let over: Vec<&HeatAt> = d.points.iter().filter(|p| p.balances.is_empty()).collect();
         if let (Some(first), Some(last)) = (over.first(), over.last()) {
             let most = over.iter().map(|p| p.power_at_limit).fold(0.0, f64::max);
             text.push_str(&format!(
-                "  {} OVERHEATS at {} of the speeds, from {} to {} rpm: at {} °C it still dissipates up to {most:.0} W.\n",
+                "  {} OVERHEATS at {} of the speeds, {}: at {} °C it still dissipates up to {most:.0} W.\n",
                 d.design,
                 over.len(),
-                first.speed_rpm,
-                last.speed_rpm,
+                if over.len() == 1 {
+                    format!("{} rpm", first.speed_rpm)
+                } else {
+                    format!("from {} to {} rpm", first.speed_rpm, last.speed_rpm)
+                },
                 d.limit
             ));
         }
@@ -94,7 +104,7 @@ fn row(d: &HeatOfDesign) -> Vec<String> {
         d.limit.to_string(),
         dash(largest.map(|p| significant(p.twist * DEG_PER_RAD, 4))),
         dash(largest.map(|p| p.speed_rpm.to_string())),
-        format!("{most:.0}"),
+        dash(hottest.map(|_| format!("{most:.0}"))),
     ]
 }
 
@@ -106,8 +116,9 @@ pub(super) fn temperatures(study: &Study, results: &Results) -> String {
         return String::new();
     }
     let unchanged = |d: &DesignResult| [Condition::Cold, Condition::Hot].iter().all(|c| c.changes_nothing(&d.absorbers));
+    let shown = results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
     let ideal = |d: &&DesignResult| !d.absorbers.is_empty() && unchanged(d);
-    let names: Vec<&str> = results.designs.iter().filter(ideal).map(|d| d.name.as_str()).collect();
+    let names: Vec<&str> = shown.filter(ideal).map(|d| d.name.as_str()).collect();
     let unchanged =
         if names.is_empty() { String::new() } else { format!("; taken to be the same at every temperature: {}", names.join(", ")) };
     format!("  {}{unchanged}\n", words.join(", "))

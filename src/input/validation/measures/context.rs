@@ -56,6 +56,8 @@ pub(crate) struct Context<'a> {
     pub absorbers: usize,
     /// Whether the study has a duty.
     pub has_duty: bool,
+    /// Whether a condition has cylinders that differ.
+    pub unequal: bool,
 }
 
 impl<'a> Context<'a> {

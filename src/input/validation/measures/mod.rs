@@ -23,6 +23,9 @@ fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
         if !of.has_duty {
             check.wrong(raw, "found a mean over the duty in a study without one, expected its points as `duty = [...]`");
         }
+        if of.unequal {
+            check.wrong(raw, "found a mean over the duty beside `misfire` or `unequal_cylinders`, expected one or the other: the duty is of cylinders that all fire");
+        }
         if measure.within != Within::default() {
             check.wrong(raw, "found speeds or a limit over speed beside `over = \"duty\"`, expected the points of the duty alone");
         }

@@ -7,7 +7,7 @@ use super::closed_forms::{EngineMode, viscous_damping};
 use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
-use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range};
+use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::{C64, imaginary_ln, imaginary_power};
 use std::sync::Arc;
 
@@ -26,29 +26,9 @@ pub struct Carreau {
     pub flow_index: f64,
 }
 
-const TRANSITION: Parameter = Parameter {
-    key: "transition_exponent",
-    label: "a",
-    range: Range::Within(0.05, 1.0),
-    extensive: false,
-    dissipative: false,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (0.05, 1.0),
-    typical: |_| 0.8,
-};
+const TRANSITION: Parameter = of_material(("transition_exponent", "a"), Range::Within(0.05, 1.0), |_| (0.05, 1.0), |_| 0.8);
 
-const FLOW_INDEX: Parameter = Parameter {
-    key: "flow_index",
-    label: "n",
-    range: Range::Within(0.0, 0.95),
-    extensive: false,
-    dissipative: false,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (0.0, 0.95),
-    typical: |_| 0.3,
-};
+const FLOW_INDEX: Parameter = of_material(("flow_index", "n"), Range::Within(0.0, 0.95), |_| (0.0, 0.95), |_| 0.3);
 
 /// Ring in silicone oil.
 pub static CARREAU: Declaration = Declaration {

@@ -6,7 +6,7 @@ use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
-use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
+use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::{C64, imaginary_ln, imaginary_power};
 use std::sync::Arc;
 
@@ -26,29 +26,9 @@ pub struct FractionalZener {
 }
 
 /// Power of the frequency that moduli rise with.
-pub(super) const EXPONENT: Parameter = Parameter {
-    key: "fractional_exponent",
-    label: "alpha",
-    range: Range::Within(0.05, 1.0),
-    extensive: false,
-    dissipative: false,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (0.05, 1.0),
-    typical: |_| 0.5,
-};
+pub(super) const EXPONENT: Parameter = of_material(("fractional_exponent", "alpha"), Range::Within(0.05, 1.0), |_| (0.05, 1.0), |_| 0.5);
 
-const GLASS_RATIO: Parameter = Parameter {
-    key: "glass_ratio",
-    label: "r",
-    range: Range::Above(1.0),
-    extensive: false,
-    dissipative: false,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (1.01, 1e4),
-    typical: |_| 20.0,
-};
+const GLASS_RATIO: Parameter = of_material(("glass_ratio", "r"), Range::Above(1.0), |_| (1.01, 1e4), |_| 20.0);
 
 /// Ring on rubber of four numbers.
 pub static FRACTIONAL_ZENER: Declaration = Declaration {

@@ -5,7 +5,7 @@
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
-use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range};
+use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::C64;
 use std::sync::Arc;
 
@@ -22,15 +22,8 @@ pub struct Maxwell {
 
 /// Relaxation time of a material, s.
 pub(super) const RELAXATION_TIME: Parameter = Parameter {
-    key: "relaxation_time_s",
-    label: "tau/s",
-    range: Range::NotNegative,
-    extensive: false,
-    dissipative: false,
-    material: true,
     follows: Follows::Factor,
-    bounds: |s| (0.0, 1e3 / s.typical()),
-    typical: |s| 1.0 / s.typical(),
+    ..of_material(("relaxation_time_s", "tau/s"), Range::NotNegative, |s| (0.0, 1e3 / s.typical()), |s| 1.0 / s.typical())
 };
 
 /// Ring in an oil of one relaxation time.

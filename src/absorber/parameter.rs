@@ -86,6 +86,16 @@ pub struct Parameter {
     pub typical: fn(&Surroundings) -> f64,
 }
 
+/// A property of a material that temperature leaves as it is.
+pub(super) const fn of_material(
+    (key, label): (&'static str, &'static str),
+    range: Range,
+    bounds: fn(&Surroundings) -> (f64, f64),
+    typical: fn(&Surroundings) -> f64,
+) -> Parameter {
+    Parameter { key, label, range, extensive: false, dissipative: false, material: true, follows: Follows::Nothing, bounds, typical }
+}
+
 /// Inertia of the ring; a study always gives its bounds.
 pub const RING_INERTIA: Parameter = Parameter {
     key: "ring_inertia_kg_m2",

@@ -7,7 +7,7 @@
 use super::closed_forms::{EngineMode, h_infinity_ring};
 use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
-use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
+use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::C64;
 use crate::units::HZ_PER_RAD_PER_S;
 use std::sync::Arc;
@@ -27,41 +27,20 @@ pub struct SpringPack {
     pub reference_frequency: f64,
 }
 
-const DAMPING_FACTOR: Parameter = Parameter {
-    key: "damping_factor",
-    label: "kappa",
-    range: Range::NotNegative,
-    extensive: false,
-    dissipative: true,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (0.0, 10.0),
-    typical: |_| 0.5,
-};
+const DAMPING_FACTOR: Parameter =
+    Parameter { dissipative: true, ..of_material(("damping_factor", "kappa"), Range::NotNegative, |_| (0.0, 10.0), |_| 0.5) };
 
-const DYNAMIC_RATIO: Parameter = Parameter {
-    key: "dynamic_ratio",
-    label: "ratio",
-    range: Range::Above(1.0),
-    extensive: false,
-    dissipative: false,
-    material: true,
-    follows: Follows::Nothing,
-    bounds: |_| (1.001, 100.0),
-    typical: |_| 1.5,
-};
+const DYNAMIC_RATIO: Parameter = of_material(("dynamic_ratio", "ratio"), Range::Above(1.0), |_| (1.001, 100.0), |_| 1.5);
 
 /// Where the oil is thicker, the figures are reached at a lower frequency.
 const REFERENCE_FREQUENCY: Parameter = Parameter {
-    key: "reference_frequency_hz",
-    label: "at/Hz",
-    range: Range::Positive,
-    extensive: false,
-    dissipative: false,
-    material: true,
     follows: Follows::Inverse,
-    bounds: |s| (0.01 * s.typical() * HZ_PER_RAD_PER_S, 100.0 * s.typical() * HZ_PER_RAD_PER_S),
-    typical: |s| s.typical() * HZ_PER_RAD_PER_S,
+    ..of_material(
+        ("reference_frequency_hz", "at/Hz"),
+        Range::Positive,
+        |s| (0.01 * s.typical() * HZ_PER_RAD_PER_S, 100.0 * s.typical() * HZ_PER_RAD_PER_S),
+        |s| s.typical() * HZ_PER_RAD_PER_S,
+    )
 };
 
 /// Ring on steel springs in oil.

@@ -2,7 +2,7 @@
 
 use super::duty::DutyLoad;
 use super::measure::{Measure, Over};
-use super::peak::{Peak, Place};
+use super::peak::Peak;
 use super::peak_search::PeakFinder;
 use crate::absorber::Mounted;
 use crate::numerics::ZERO;
@@ -34,17 +34,7 @@ impl<'a> PeakFinder<'a> {
             }
         }
         let (value, quantity) = most;
-        Ok((value > 0.0).then_some(Peak {
-            value,
-            weight: 1.0,
-            over: measure.over,
-            speed_rpm: 0.0,
-            order: 0,
-            order_value: 0.0,
-            quantity,
-            extremes: None,
-            place: Place::Nowhere,
-        }))
+        Ok((value > 0.0).then(|| Peak::nowhere(value, measure.over, quantity)))
     }
 
     fn extremes_at(&self, design: &[Mounted], quantity: Quantity, point: &'a DutyLoad, work: &mut Work) -> Result<Extremes, ResponseError> {

@@ -37,3 +37,11 @@ pub struct Peak {
     /// Where on the range.
     pub place: Place,
 }
+
+impl Peak {
+    /// A value at no speed.
+    pub(super) fn nowhere(value: f64, over: Over, quantity: Quantity) -> Self {
+        let (weight, speed_rpm, order, order_value, extremes) = (1.0, 0.0, 0, 0.0, None);
+        Self { value, weight, over, speed_rpm, order, order_value, quantity, extremes, place: Place::Nowhere }
+    }
+}

@@ -1,7 +1,7 @@
 //! Measures that a design has at no speed.
 
 use super::measure::{Measure, Over, Property};
-use super::peak::{Peak, Place};
+use super::peak::Peak;
 use super::peak_search::PeakFinder;
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{Absorber, Mounted};
@@ -29,17 +29,7 @@ impl PeakFinder<'_> {
     /// A property as the only peak of its measure; nothing where no absorber has it.
     pub(super) fn property(&self, design: &[Mounted], measure: &Measure, property: Property) -> Option<Peak> {
         let (value, quantity) = self.value_of(design, measure, property)?;
-        (value > 0.0).then_some(Peak {
-            value,
-            weight: 1.0,
-            over: Over::Property(property),
-            speed_rpm: 0.0,
-            order: 0,
-            order_value: 0.0,
-            quantity,
-            extremes: None,
-            place: Place::Nowhere,
-        })
+        (value > 0.0).then(|| Peak::nowhere(value, Over::Property(property), quantity))
     }
 
     /// The value, and the ring that has it.

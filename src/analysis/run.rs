@@ -21,7 +21,7 @@ use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
-use crate::objective::{Condition, PeakFinder};
+use crate::objective::{Condition, Over, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
@@ -118,7 +118,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         clock.timing.extend(probe.map_err(|error| of_design(d, error))?);
     }
     let forced_floor = match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist => Some(evaluate::floor(&finders[0], *q, study.objective.measure.over)),
+        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean => {
+            Some(evaluate::floor(&finders[0], *q, study.objective.measure.over))
+        }
         _ => None,
     };
     let appearing = appearing(&systems);

@@ -10,7 +10,7 @@ use super::{Progress, RunError};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
-use crate::objective::{Limit, Measure, PeakFinder};
+use crate::objective::{Limit, Measure, Over, PeakFinder};
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::{LoadCase, Optimum, Problem, Row, Slot, Space, front, largest, prices, scan, search, second_order, starts};
 use crate::response::{ResponseError, Work};
@@ -30,12 +30,23 @@ pub(crate) struct Searches<'a> {
     pub(super) load_cases: &'a [LoadCase<'a>],
     /// Each by itself, in SI units.
     objectives: Vec<Limit>,
+    /// Of each, where it is the mean of a twist over the duty: its terms with their shares; else none.
+    duty: Vec<(Vec<Limit>, Vec<f64>)>,
     /// Those that are combined, in units of their targets.
     combined: Vec<Limit>,
     pub(super) limits: Vec<Limit>,
     pub(super) modes: &'a [Vec<EngineMode>],
     wanted: &'a Wanted<'a>,
     pub(super) progress: &'a dyn Progress,
+}
+
+/// A mean over the duty as the sum of its points: a largest value has kinks where other angles of the cycle take over, which each point has for itself.
+fn terms(study: &Study, measure: &Measure) -> (Vec<Limit>, Vec<f64>) {
+    if measure.over != Over::Mean || measure.quantities.len() != 1 {
+        return (Vec::new(), Vec::new());
+    }
+    let term = |i: usize| Measure { over: Over::AtDuty(i), ..measure.clone() }.in_si();
+    ((0..study.duty.len()).map(term).collect(), study.duty.iter().map(|p| p.share).collect())
 }
 
 impl<'a> Searches<'a> {
@@ -50,11 +61,13 @@ impl<'a> Searches<'a> {
         let objectives = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| o.measure.in_si()).collect();
         let limits = study.limits.iter().map(LimitSpec::to_limit).collect();
         let combined = study.combined.iter().flat_map(|c| c.parts.iter().map(LimitSpec::to_limit)).collect();
-        Self { study, finders, load_cases, objectives, combined, limits, modes, wanted, progress }
+        let duty = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| terms(study, &o.measure)).collect();
+        Self { study, finders, load_cases, objectives, duty, combined, limits, modes, wanted, progress }
     }
 
     fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
         let (objectives, weights) = match (self.objectives.get(objective), &self.study.combined) {
+            (Some(_), _) if !self.duty[objective].0.is_empty() => (self.duty[objective].0.as_slice(), self.duty[objective].1.as_slice()),
             (None, Some(combined)) => (self.combined.as_slice(), combined.weights.as_slice()),
             _ => (std::slice::from_ref(&self.objectives[objective]), &[][..]),
         };

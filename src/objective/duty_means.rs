@@ -5,9 +5,12 @@ use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::PeakFinder;
 use crate::absorber::Mounted;
-use crate::numerics::ZERO;
 use crate::numerics::synthesis::Extremes;
+use crate::numerics::{C64, ZERO};
 use crate::response::{Direct, Quantity, ResponseError, Work};
+
+/// Share of a value within which other pairs of extremes in the cycle are rows of their own.
+const BRANCHES: f64 = 0.05;
 
 impl<'a> PeakFinder<'a> {
     fn at(&self, point: &'a DutyLoad) -> Direct<'a> {
@@ -60,13 +63,55 @@ impl<'a> PeakFinder<'a> {
             } else {
                 let extremes = self.extremes_at(design, quantity, point, work)?;
                 let changes = direct.sensitivity(design, index, quantity, 0..point.system.orders(), point.speed_rpm, work)?;
-                let parameters = changes.first().map_or(0, Vec::len);
-                let along = |p: usize| self.synthesiser.derivatives_of(&extremes, &changes.iter().map(|c| c[p]).collect::<Vec<_>>()).0;
-                (0..parameters).map(along).collect()
+                self.along(&extremes, &changes)
             };
             gradient.resize(own.len(), 0.0);
             gradient.iter_mut().zip(own).for_each(|(sum, own)| *sum += point.share * own);
         }
         Ok(gradient)
+    }
+
+    /// The value at one point of the duty, and the branches of the extremes over the cycle that come near it: each is smooth, their largest is not.
+    pub(super) fn at_duty(
+        &self,
+        design: &[Mounted],
+        measure: &Measure,
+        (point, keep): (usize, f64),
+        work: &mut Work,
+    ) -> Result<Vec<Peak>, ResponseError> {
+        let (Some(at), Some(&quantity)) = (self.duty.get(point), measure.quantities.first()) else { return Ok(Vec::new()) };
+        let mut y = vec![ZERO; at.system.orders()];
+        self.at(at).at(design, quantity, at.speed_rpm, &mut y, work)?;
+        work.syntheses += 1;
+        let peak = |extremes: Extremes| {
+            let nowhere = Peak::nowhere(extremes.half_peak_to_peak, measure.over, quantity);
+            Peak { extremes: Some(extremes), ..nowhere }
+        };
+        let mut peaks = vec![peak(self.synthesiser.extremes(&y))];
+        if keep < 1.0 {
+            peaks.extend(self.synthesiser.alternatives(&y, (1.0 - keep).min(BRANCHES)).into_iter().map(peak));
+        }
+        peaks.retain(|p| p.value > 0.0);
+        Ok(peaks)
+    }
+
+    /// Derivatives of the same by the parameters of absorber `index`, at fixed angles in the cycle.
+    pub(super) fn at_duty_gradient(
+        &self,
+        (design, index): (&[Mounted], usize),
+        peak: &Peak,
+        point: usize,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
+        let (Some(at), Some(extremes)) = (self.duty.get(point), &peak.extremes) else { return Ok(Vec::new()) };
+        let changes = self.at(at).sensitivity(design, index, peak.quantity, 0..at.system.orders(), at.speed_rpm, work)?;
+        Ok(self.along(extremes, &changes))
+    }
+
+    /// Derivatives of half the range of extremes by the changes of the orders.
+    fn along(&self, extremes: &Extremes, changes: &[Vec<C64>]) -> Vec<f64> {
+        let parameters = changes.first().map_or(0, Vec::len);
+        let along = |p: usize| self.synthesiser.derivatives_of(extremes, &changes.iter().map(|c| c[p]).collect::<Vec<_>>()).0;
+        (0..parameters).map(along).collect()
     }
 }

@@ -18,6 +18,8 @@ pub enum Over {
     Power,
     /// Mean over the duty of half peak-to-peak of all orders together.
     Mean,
+    /// Half peak-to-peak of all orders together at one point of the duty (an index): the terms that optimisers take a mean apart into.
+    AtDuty(usize),
     /// Mean over the duty of the power as above, W.
     MeanPower,
     /// What the design has at no speed.

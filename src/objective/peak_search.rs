@@ -159,13 +159,11 @@ impl<'a> PeakFinder<'a> {
         work.evaluations += 1;
         work.eigenproblems += u64::from(self.resonances.is_some());
         let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
-        if let Over::Property(property) = measure.over {
-            found.peaks.extend(self.property(design, measure, property));
-            return Ok(found.peaks);
-        }
-        if matches!(measure.over, Over::Mean | Over::MeanPower) {
-            found.peaks.extend(self.mean(design, measure, work)?);
-            return Ok(found.peaks);
+        match measure.over {
+            Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
+            Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
+            Over::AtDuty(point) => return self.at_duty(design, measure, (point, keep), work),
+            _ => {}
         }
         let speeds = self.speeds(design).with_kinks(measure.within.kinks());
         for pole in speeds.poles.iter().filter(|p| measure.within.holds(p.speed_rpm)) {
@@ -214,7 +212,7 @@ impl<'a> PeakFinder<'a> {
                     self.powers(design, measure, (speeds, part.start), &twists, &mut found, work)?;
                 }
             }
-            Over::Mean | Over::MeanPower | Over::Property(_) => {}
+            Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => {}
         }
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));

@@ -11,7 +11,7 @@ use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
-use crate::objective::{Condition, Peak, Place, holds};
+use crate::objective::{Condition, Over, Peak, Place, holds};
 use crate::optimise::Role;
 use crate::report::csv::in_unit;
 use crate::response::{Quantity, Work};
@@ -148,6 +148,9 @@ fn value_of(objective: &MeasureSpec, v: f64) -> String {
 }
 
 fn at_speed(p: &Peak) -> String {
+    if let Over::AtDuty(point) = p.over {
+        return format!(" at point {} of the duty", point + 1);
+    }
     if p.place == Place::Nowhere { String::new() } else { format!(" at {:.1} rpm", p.speed_rpm) }
 }
 

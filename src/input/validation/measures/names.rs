@@ -42,7 +42,7 @@ pub(super) fn spec(names: Names, (quantities, over, within): (Vec<Quantity>, Ove
         Over::Orders => ("largest order of ".to_owned(), "order_".to_owned()),
         Over::Order(order) => (format!("order {order} of "), format!("order_{order}_")),
         Over::Property(_) => (String::new(), String::new()),
-        Over::Mean | Over::MeanPower => ("mean over the duty of ".to_owned(), "mean_".to_owned()),
+        Over::Mean | Over::AtDuty(_) | Over::MeanPower => ("mean over the duty of ".to_owned(), "mean_".to_owned()),
         Over::Synthesis | Over::Margin(_) | Over::Power => ("peak ".to_owned(), String::new()),
     };
     let head = if matches!(over, Over::Mean | Over::MeanPower | Over::Property(_)) { "" } else { "peak_" };

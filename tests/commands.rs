@@ -87,6 +87,37 @@ fn threads_change_nothing() {
     }
 }
 
+/// The same of laws of real materials, held cold and hot, with their balance of heat, measured tables beside them.
+#[test]
+fn threads_change_nothing_in_materials() {
+    let folder = tempfile::tempdir().expect("folder");
+    let coarse = [
+        ("step = 20", "step = 100"),
+        (r#"types = ["fractional_zener", "carreau", "spring_pack"]"#, r#"types = ["fractional_zener", "carreau"]"#),
+    ];
+    let text = fs::read_to_string("studies/villalva_i6_materials.toml").expect("shipped");
+    let (head, springs) = text.split_once("# leaf springs").expect("the last material");
+    assert!(springs.contains("spring_pack"));
+    let engine = std::env::current_dir().expect("here").join("studies/engines/villalva_i6.toml");
+    let mut changed = head.replace("engines/villalva_i6.toml", &engine.display().to_string());
+    for (from, to) in coarse {
+        assert!(changed.contains(from), "{from}");
+        changed = changed.replace(from, to);
+    }
+    let study = folder.path().join("materials.toml");
+    fs::write(&study, changed).expect("written");
+    let out = |n: &str| folder.path().join(n);
+    for n in ["1", "2", "8"] {
+        hartog().arg("run").arg(&study).args(["--threads", n, "--out"]).arg(out(n)).assert().code(0);
+    }
+    for name in ["designs.csv", "absorbers.csv", "heat.csv", "optima.csv", "heat.png"] {
+        let first = fs::read(out("1").join(name)).expect(name);
+        for n in ["2", "8"] {
+            assert!(first == fs::read(out(n).join(name)).expect(name), "{name} differs at {n} threads");
+        }
+    }
+}
+
 /// A limit that no ring meets: exit code 1, said in words, and the files are there all the same.
 #[test]
 fn failing_limit_is_exit_code_one() {

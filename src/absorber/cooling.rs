@@ -1,4 +1,6 @@
 //! How the heat of an absorber leaves it: to the air, and to (or from) the crank that carries it.
+//!
+//! The coefficients of a disc are as they are commonly quoted, not checked against the print; the mean over a disc that is laminar inside and turbulent outside is derived from them.
 
 /// Temperatures round an absorber, and how well it is connected to them.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@
 //! beside a dashpot. The stiffness grows without bound at high frequency: `fractional_zener` ends it.
 
 use super::dynamic_stiffness::Operating;
-use super::fractional_zener::{EXPONENT, best};
+use super::fractional_zener::{EXPONENT, start};
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
@@ -34,7 +34,7 @@ pub static FRACTIONAL_KELVIN: Declaration = Declaration {
         every_mode: true,
         is_optimum: false,
         values: |ring, engine| {
-            let zener = best(ring, engine);
+            let zener = start(ring, engine);
             vec![zener[0], zener[1], zener[3], zener[4]]
         },
     }],

@@ -35,11 +35,11 @@ pub static FRACTIONAL_ZENER: Declaration = Declaration {
     name: "fractional_zener",
     parameters: &[RING_INERTIA, STIFFNESS, GLASS_RATIO, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
     build: |v| Arc::new(FractionalZener { ring_inertia: v[0], stiffness: v[1], glass_ratio: v[2], relaxation_time: v[3], exponent: v[4] }),
-    closed_forms: &[ClosedForm { name: "fractional_zener", every_mode: true, is_optimum: false, values: best }],
+    closed_forms: &[ClosedForm { name: "fractional_zener", every_mode: true, is_optimum: false, values: start }],
 };
 
 /// A start, no optimum: at the frequency of the best hysteretic ring the stiffness of that ring, by a springpot of exponent 0.5 a fifth as stiff as the spring, far from the glassy end.
-pub(super) fn best(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
+pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
     let omega = engine.omega / (1.0 + ring_inertia / engine.inertia);
     let time = 0.04 / omega;
     let z = C64::new(0.0, omega * time).sqrt();

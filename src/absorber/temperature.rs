@@ -1,4 +1,6 @@
 //! How a material follows temperature: the factor on its stiffness and loss, or on its relaxation time, against a reference.
+//!
+//! The numbers of WLF and of the silicone oil are as they are commonly quoted; neither was checked against the print.
 
 use crate::units::KELVIN_AT_0_C;
 

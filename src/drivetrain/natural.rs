@@ -18,6 +18,7 @@ const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
 /// Relative change at which screening ends, and steps of its differences.
 const SCREENED: f64 = 1e-9;
+const DIFFERENCE: f64 = 1e-5;
 /// Relative change of an own frequency that is good enough where the iteration is slow.
 const NEARLY: f64 = 1e-3;
 /// Frequencies closer than this are one.
@@ -25,7 +26,6 @@ const SAME: f64 = 1e-9;
 /// Rounds after which an iteration is given up that changes no less than this share of its last change.
 const PATIENCE: usize = 4;
 const SLOW: f64 = 0.9;
-const DIFFERENCE: f64 = 1e-5;
 
 /// Mass, damping and stiffness in the coordinates of the lowest modes of a chain.
 #[derive(Debug, Clone)]

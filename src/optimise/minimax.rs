@@ -281,7 +281,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
 }
 
 /// Further steps of the same model where decreases are already lost in rounding, kept while they lower the first-order residual and raise nothing: valleys of
-/// several absorbers are so flat that a decrease of 1e-12 still leaves their parameters uncertain in the seventh digit.
+/// several absorbers, and of some laws, are so flat that a decrease of 1e-12 still leaves their parameters uncertain in the seventh digit. A step that lowers nothing tells the model of the curvature.
 fn polished(problem: &Problem, mut best: Outcome, penalty: f64, work: &mut Work) -> Outcome {
     let bounds = problem.space.bounds();
     for _ in 0..MOST_POLISHING {

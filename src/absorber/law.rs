@@ -3,6 +3,7 @@
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::large_twist::LargeTwist;
 use super::material::Material;
 use super::parameter::{Follows, Parameter};
 use super::state::State;
@@ -49,6 +50,11 @@ pub trait Law: Debug + Send + Sync {
 
     /// What is known of its material; nothing where nothing is said of it.
     fn material(&self) -> Option<&Material> {
+        None
+    }
+
+    /// Its equations at large twist; nothing where S is all there is to the law.
+    fn large_twist(&self) -> Option<&dyn LargeTwist> {
         None
     }
 

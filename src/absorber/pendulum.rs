@@ -2,8 +2,8 @@
 //!
 //! N masses m with their centres R0 from the axis and a tuning order n move like a ring of inertia J = N m R0² with S = J n² Omega² + i omega c, c = J c_p/m for a damping c_p of the swing in N s/m
 //! \[Den Hartog 1956, section 5.7\]. A simple pendulum of length r on a pivot at R has n = sqrt(R/r) with R0 = R + r; the twist of that ring is the arc s over R0. Inertia of the masses about
-//! their own centres belongs to the ring where they turn with the swing and to the hub where they are hung on two rollers. Not modelled: gravity at low speed, pendulums out of step, and
-//! large swing, which detunes circular paths by about 1/16 of its square.
+//! their own centres belongs to the ring where they turn with the swing and to the hub where they are hung on two rollers. Large swing is that of pendulums
+//! on paths. Not modelled: gravity at low speed and pendulums out of step.
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::Operating;
@@ -23,7 +23,7 @@ pub struct Pendulum {
     pub damping: f64,
 }
 
-const TUNING_ORDER: Parameter = Parameter {
+pub(super) const TUNING_ORDER: Parameter = Parameter {
     key: "tuning_order",
     label: "tuned to",
     range: Range::Positive,
@@ -40,11 +40,13 @@ pub static PENDULUM: Declaration = Declaration {
     name: "pendulum",
     parameters: &[RING_INERTIA, TUNING_ORDER, DAMPING],
     build: |v| Arc::new(Pendulum { ring_inertia: v[0], tuning_order: v[1], damping: v[2] }),
-    closed_forms: &[
-        ClosedForm { name: "pendulum_order_3", every_mode: true, is_optimum: false, values: |ring, engine| start(ring, engine, 3.0) },
-        ClosedForm { name: "pendulum_order_6", every_mode: false, is_optimum: false, values: |ring, engine| start(ring, engine, 6.0) },
-    ],
+    closed_forms: &CLOSED_FORMS,
 };
+
+pub(super) static CLOSED_FORMS: [ClosedForm; 2] = [
+    ClosedForm { name: "pendulum_order_3", every_mode: true, is_optimum: false, values: |ring, engine| start(ring, engine, 3.0) },
+    ClosedForm { name: "pendulum_order_6", every_mode: false, is_optimum: false, values: |ring, engine| start(ring, engine, 6.0) },
+];
 
 /// Tuned to an order, with a hundredth of critical damping at the frequency of the mode: a start, no optimum.
 fn start(ring_inertia: f64, engine: EngineMode, order: f64) -> Vec<f64> {

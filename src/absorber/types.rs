@@ -3,9 +3,11 @@
 use super::carreau::CARREAU;
 use super::fractional_kelvin::FRACTIONAL_KELVIN;
 use super::fractional_zener::FRACTIONAL_ZENER;
+use super::hardening::HARDENING;
 use super::law::{ClosedForm, Declaration};
 use super::maxwell::MAXWELL;
 use super::pendulum::PENDULUM;
+use super::pendulum_paths::{CIRCULAR_PENDULUM, CYCLOIDAL_PENDULUM, TAUTOCHRONE_PENDULUM};
 use super::rubber::RUBBER;
 use super::spring_pack::SPRING_PACK;
 use super::tuned::TUNED;
@@ -13,8 +15,25 @@ use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 10] =
-    [&TUNED, &VISCOUS, &UNDAMPED, &RUBBER, &FRACTIONAL_KELVIN, &FRACTIONAL_ZENER, &MAXWELL, &CARREAU, &SPRING_PACK, &PENDULUM];
+pub static TYPES: [&Declaration; 14] = [
+    &TUNED,
+    &VISCOUS,
+    &UNDAMPED,
+    &RUBBER,
+    &FRACTIONAL_KELVIN,
+    &FRACTIONAL_ZENER,
+    &MAXWELL,
+    &CARREAU,
+    &SPRING_PACK,
+    &HARDENING,
+    &PENDULUM,
+    &CIRCULAR_PENDULUM,
+    &TAUTOCHRONE_PENDULUM,
+    &CYCLOIDAL_PENDULUM,
+];
+
+/// Types that are given only: searches are of small twists, where these are other types.
+pub(crate) static GIVEN_ONLY: [&Declaration; 1] = [&HARDENING];
 
 /// A type by its word.
 pub fn find(name: &str) -> Option<&'static Declaration> {

@@ -1,6 +1,7 @@
 //! A law with its material: in each state of that, the parameters are those of the reference state times a factor.
 
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::large_twist::LargeTwist;
 use super::law::{Declaration, Law};
 use super::material::Material;
 use super::state::State;
@@ -64,6 +65,9 @@ macro_rules! stands_in {
         }
         fn depends_on_speed(&self) -> bool {
             self.$now.depends_on_speed()
+        }
+        fn large_twist(&self) -> Option<&dyn LargeTwist> {
+            self.$now.large_twist()
         }
         fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
             self.$now.dynamic_stiffness_each(at, out);

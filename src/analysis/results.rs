@@ -6,6 +6,7 @@ use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
 use super::evaluate::{DesignResult, Nature};
 use super::heat::HeatOfDesign;
+use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
 use super::sensitivities::Sensitivity;
 use super::sweeps::Sweeps;
@@ -136,6 +137,8 @@ pub struct Results {
     pub duty: Vec<DutyOfDesign>,
     /// Temperatures of those whose material says what cools it.
     pub heat: Vec<HeatOfDesign>,
+    /// Motions of those with an absorber whose twist is not small.
+    pub large_twist: Vec<LargeTwistOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.

@@ -6,6 +6,7 @@ use super::diagram::{self, Diagram};
 use super::duty::{self, DutyOfDesign};
 use super::evaluate::{self, DesignResult};
 use super::heat::{self, HeatOfDesign};
+use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
@@ -110,7 +111,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat } = over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat, large_twist } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -147,6 +148,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         diagram,
         duty,
         heat,
+        large_twist,
         appearing,
         timing,
         system,
@@ -203,6 +205,7 @@ struct OverSpeed {
     diagram: Option<Diagram>,
     duty: Vec<DutyOfDesign>,
     heat: Vec<HeatOfDesign>,
+    large_twist: Vec<LargeTwistOfDesign>,
 }
 
 /// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
@@ -224,7 +227,8 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
     })?;
     let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty, heat })
+    let large_twist = large_twist::large_twist(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, large_twist })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

@@ -1,9 +1,9 @@
 //! What a law costs against a plain spring and damper, and what it would cost to take it for one.
 
-use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Absorber, Declaration, Mounted, Operating, TYPES, Tuned};
+use crate::absorber::closed_forms::{EngineMode, h_infinity_ring};
+use crate::absorber::{Absorber, Declaration, HARDENING, Mounted, Operating, TYPES, Tuned};
 use crate::analysis::timing::{Repeats, median_seconds};
-use crate::analysis::{RunError, audit, families};
+use crate::analysis::{RunError, audit, families, large_twist};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::Study;
@@ -51,7 +51,26 @@ pub fn measure(study: &Study) -> Result<Vec<LawCost>, RunError> {
         let ((seconds, value), (plain, taken)) = (timed(law)?, timed(constant)?);
         list.push(LawCost { name: declaration.name, seconds, plain, error: (taken / value - 1.0).abs() });
     }
+    if study.twist == quantity {
+        list.extend(balanced(study, &finder, (spec.station(0), ring), mode)?);
+    }
     Ok(list)
+}
+
+/// A spring that is stiffer by a fifth at the twist of its ring, by harmonic balance over the speeds of the study, against the refined peak of the same spring without that.
+fn balanced(study: &Study, finder: &PeakFinder, (station, ring): (usize, f64), mode: EngineMode) -> Result<Option<LawCost>, RunError> {
+    let failed = |error| RunError { what: format!("a ring of type `{}`", HARDENING.name), error };
+    let plain = h_infinity_ring(ring, mode);
+    let constant = [Mounted::on_station(station, Tuned { ring_inertia: ring, stiffness: plain.stiffness, damping: plain.damping })];
+    let twist = peak(finder, &constant, Quantity::RingTwist(0)).map_err(failed)?;
+    let values = [ring, plain.stiffness, plain.damping, 0.2 / (0.75 * twist * twist)];
+    let design = [Mounted::on_station(station, Absorber::Ring((HARDENING.build)(&values)))];
+    let balance = || large_twist::of_design(study, finder, ("", &design));
+    let Some(found) = balance().map_err(failed)?.and_then(|d| d.peak) else { return Ok(None) };
+    let seconds = median_seconds(REPEATS, || balance().map(|_| ())).map_err(failed)?;
+    let taken = peak(finder, &constant, study.twist).map_err(failed)?;
+    let plain = median_seconds(REPEATS, || peak(finder, &constant, study.twist).map(|_| ())).map_err(failed)?;
+    Ok(Some(LawCost { name: "hardening, by harmonic balance", seconds, plain, error: (taken / found.twist - 1.0).abs() }))
 }
 
 fn peak(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<f64, crate::response::ResponseError> {

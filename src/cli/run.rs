@@ -93,6 +93,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !heat.is_empty() {
         say(&format!("\n{heat}"));
     }
+    let large_twist = text::large_twist(study, results);
+    if !large_twist.is_empty() {
+        say(&format!("\n{large_twist}"));
+    }
     let conditions = text::conditions(study, results);
     if !conditions.is_empty() {
         say(&format!("\n{conditions}"));

@@ -5,6 +5,7 @@ use super::{Quantity, ResponseError, Work};
 use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::sparse::Sparse;
+use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -43,8 +44,13 @@ impl<'a> Factored<'a> {
     /// Assembles and factors at the frequency of an order at a speed.
     pub fn factor(&mut self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(), ResponseError> {
         let order = self.system.excitation.orders[order];
-        let omega = order.omega(speed_rpm);
-        let (chain, n) = (&self.system.chain, self.system.chain.len());
+        let at = Operating { omega: order.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
+        self.factor_at(design, at).map_err(|_| ResponseError::unbounded(order, speed_rpm))
+    }
+
+    /// The same at any frequency and speed.
+    pub(crate) fn factor_at(&mut self, design: &[Mounted], at: Operating) -> Result<(), Singular> {
+        let (omega, chain, n) = (at.omega, &self.system.chain, self.system.chain.len());
         self.omega = omega;
         for (i, diagonal) in self.matrix.diagonal().iter_mut().enumerate() {
             *diagonal = chain.ground_stiffness(i, omega);
@@ -58,7 +64,7 @@ impl<'a> Factored<'a> {
         }
         self.others.clear();
         self.scale.fill(C64::from(1.0));
-        self.condensed.set(design, Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+        self.condensed.set(design, at);
         for (hub, z) in self.condensed.hubs.iter().enumerate() {
             let h = z.station;
             // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
@@ -71,7 +77,7 @@ impl<'a> Factored<'a> {
             self.others.push(self.scale[h]);
             self.scale[h] *= z.denominator;
         }
-        self.matrix.factor().map_err(|_| ResponseError::unbounded(order, speed_rpm))
+        self.matrix.factor()
     }
 
     /// Solves for the torque of an order (an index) at a speed.

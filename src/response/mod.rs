@@ -14,6 +14,7 @@ pub mod grid;
 pub mod holzer;
 pub mod joint;
 mod kernel;
+pub mod large_twist;
 pub mod method;
 pub mod modal;
 pub mod newmark;

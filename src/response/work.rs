@@ -25,6 +25,8 @@ pub struct Work {
     pub dense_solves: u64,
     /// Steps in time.
     pub time_steps: u64,
+    /// Steps of Newton's method on harmonic balances.
+    pub harmonic_balances: u64,
 }
 
 impl std::ops::AddAssign for Work {
@@ -40,5 +42,6 @@ impl std::ops::AddAssign for Work {
         self.marches += w.marches;
         self.dense_solves += w.dense_solves;
         self.time_steps += w.time_steps;
+        self.harmonic_balances += w.harmonic_balances;
     }
 }

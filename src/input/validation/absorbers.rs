@@ -9,7 +9,7 @@ use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawSeeded, RawType};
 use crate::input::schema::material_states::RawCooling;
-use crate::input::schema::study::RawStudy;
+use crate::input::schema::study::{RawDesign, RawStudy};
 use crate::input::tables::measured_law;
 use std::collections::HashSet;
 use std::path::Path;
@@ -57,7 +57,10 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
         one_cooled(check, raw.absorber.iter().filter_map(|a| a.material.as_ref()?.get_ref().cooling.as_ref()));
         let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
-        let absorbers = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), of)).collect();
+        let absorbers: Vec<Mounted> = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), of)).collect();
+        if absorbers.len() == raw.absorber.len() {
+            one_of_large_twist(check, raw, &absorbers);
+        }
         designs.push(DesignSpec { name: name.clone(), absorbers });
     }
     designs
@@ -67,6 +70,21 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
 pub(super) fn one_cooled<'r>(check: &mut Check, mut cooled: impl Iterator<Item = &'r At<RawCooling>>) {
     if let (Some(_), Some(second)) = (cooled.next(), cooled.next()) {
         check.wrong(second, "found `cooling` of a second absorber of a design, expected one: temperatures are balanced for one at a time");
+    }
+}
+
+/// The balance of harmonics is that of one absorber, between the chain and nothing else.
+fn one_of_large_twist(check: &mut Check, raw: &RawDesign, absorbers: &[Mounted]) {
+    let large = |m: &Mounted| m.absorber.law().is_some_and(|law| law.large_twist().is_some());
+    let Some(first) = absorbers.iter().position(large) else { return };
+    let name = |i: usize| absorbers[i].absorber.type_name();
+    if let Some(second) = (first + 1..absorbers.len()).find(|i| large(&absorbers[*i])) {
+        let found = format!("found `{}` beside `{}` in one design, expected one absorber of large twist", name(second), name(first));
+        check.wrong(&raw.name, found);
+    }
+    if matches!(absorbers[first].on, Host::Ring(_)) || absorbers.iter().any(|m| m.on == Host::Ring(first)) {
+        let found = format!("found `{}` on a ring or with an absorber on its ring, expected it on a station, by itself", name(first));
+        check.wrong(&raw.name, found);
     }
 }
 

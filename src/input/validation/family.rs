@@ -3,6 +3,7 @@
 use super::absorbers::{engine_mode, value};
 use super::material_states::{MaterialSpec, Temperatures, material};
 use crate::absorber::geometry::ring_inertia;
+use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Host, Parameter, Range, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
@@ -75,6 +76,12 @@ pub(super) fn family(
         let declaration = kind.get_ref().0;
         if types.contains(&declaration) {
             check.wrong(kind, format!("found type `{}` a second time, expected each once", declaration.name));
+        }
+        if GIVEN_ONLY.contains(&declaration) {
+            check.wrong(
+                kind,
+                format!("found type `{}` in a family, expected it in a design: searches are of small twists", declaration.name),
+            );
         }
         types.push(declaration);
     }

@@ -10,6 +10,7 @@ mod excitation;
 pub mod fatigue;
 mod front;
 mod heat;
+mod large_twist;
 mod margin;
 pub mod models;
 mod pareto;
@@ -52,6 +53,7 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn(
         .collect();
     drawn.into_iter().collect::<Result<(), _>>()?;
     heat::draw(study, results, folder)?;
+    large_twist::draw(study, results, folder)?;
     front::draw(study, results, folder)?;
     results.tradeoffs.iter().for_each(|_| written());
     Ok(())

@@ -1,0 +1,196 @@
+//! Designs with an absorber whose twist is not small, over speed: all steady motions that are found, which of them last, and the largest of those.
+
+use super::DesignResult;
+use crate::absorber::Mounted;
+use crate::input::Study;
+use crate::numerics::maximise::maximise;
+use crate::numerics::synthesis::Synthesiser;
+use crate::objective::{Measure, Over, PeakFinder};
+use crate::response::large_twist::{Balance, Curve, CurvePoint, Stability, Steady};
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// A steady motion.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct LargePoint {
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Half peak-to-peak of the twist that the study reports, rad.
+    pub twist: f64,
+    /// Largest twist of the ring, from where it rests, rad.
+    pub ring_twist: f64,
+    /// Mean power that the absorber dissipates, W.
+    pub power: f64,
+    /// Whether it lasts; nothing where that cannot be told.
+    pub stable: Option<bool>,
+    /// Whether its speed is one of the study.
+    pub asked: bool,
+}
+
+/// A design over speed.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct LargeTwistOfDesign {
+    /// Its name.
+    pub design: String,
+    /// Index of the absorber.
+    pub absorber: usize,
+    /// Harmonics of the working cycle that were balanced.
+    pub harmonics: usize,
+    /// Relative change of the peak with twice as many.
+    pub change: f64,
+    /// Curves of motions that are connected over speed.
+    pub curves: Vec<Vec<LargePoint>>,
+    /// Whether every curve was followed to its ends.
+    pub whole: bool,
+    /// The largest twist of a motion that may last; nothing where there is none.
+    pub peak: Option<LargePoint>,
+    /// Where the absorber's travel ends, rad.
+    pub travel: Option<f64>,
+}
+
+/// With twice the harmonics the peak may change by the tolerance of the study; else they are doubled, so often at most.
+const DOUBLINGS: usize = 2;
+/// Halvings for the place where stability ends.
+const HALVINGS: usize = 20;
+
+/// Every design with an absorber whose law is one of large twist.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance of the chain, with the design.
+pub(crate) fn large_twist<'d>(
+    study: &Study,
+    finder: &PeakFinder,
+    shown: &[&'d DesignResult],
+) -> Result<Vec<LargeTwistOfDesign>, (&'d DesignResult, ResponseError)> {
+    let one = |d: &&'d DesignResult| of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
+    shown.par_iter().filter_map(one).collect()
+}
+
+/// A design; nothing where all its laws are of small twist.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance of the chain.
+pub(crate) fn of_design(
+    study: &Study,
+    finder: &PeakFinder,
+    (name, design): (&str, &[Mounted]),
+) -> Result<Option<LargeTwistOfDesign>, ResponseError> {
+    let highest = finder.system.excitation.harmonics.iter().max().map_or(1, |h| *h as usize);
+    let balance = |harmonics| Balance::new(finder.system, design, &[study.twist], harmonics);
+    let Some(mut own) = balance(highest) else { return Ok(None) };
+    let range = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let largest = finder.peak(design, &Measure::new(vec![study.twist], Over::Synthesis), &mut Work::default())?;
+    let mut known = largest.map_or(Ok(None), |p| own.at(p.speed_rpm))?;
+    for doubling in 0.. {
+        let Some(twice) = balance(2 * own.harmonics()) else { return Ok(None) };
+        let change = |steady: &Steady| -> Result<f64, ResponseError> {
+            let finer = own.refined(&twice, steady)?;
+            Ok(finer.map_or(f64::INFINITY, |finer| (Seen::new(&twice).value(&finer) / Seen::new(&own).value(steady) - 1.0).abs()))
+        };
+        // a motion near the peak tells of too few harmonics before all are found
+        if let Some(steady) = known.take()
+            && doubling < DOUBLINGS
+            && change(&steady)? > study.tolerance
+        {
+            known = twice.at(steady.speed_rpm)?;
+            own = twice;
+            continue;
+        }
+        let seen = Seen::new(&own);
+        let curves = own.curves(&study.speeds_rpm, &mut Work::default())?;
+        let peak = seen.peak(&own, &curves, range)?;
+        let change = peak.as_ref().map_or(Ok(0.0), |(peak, _)| change(peak))?;
+        if change > study.tolerance && doubling < DOUBLINGS {
+            own = twice;
+            continue;
+        }
+        let point = |p: &CurvePoint| seen.point(&p.steady, p.stability, p.asked);
+        return Ok(Some(LargeTwistOfDesign {
+            design: name.to_owned(),
+            absorber: own.index,
+            harmonics: own.harmonics(),
+            change,
+            whole: curves.iter().all(|c| c.whole),
+            curves: curves.iter().map(|c| c.points.iter().map(point).collect()).collect(),
+            peak: peak.map(|(steady, stability)| seen.point(&steady, stability, false)),
+            travel: own.law.large_twist().and_then(|l| l.largest_twist()),
+        }));
+    }
+    unreachable!("the last doubling returns")
+}
+
+/// What is seen of a motion with so many harmonics.
+struct Seen(Synthesiser);
+
+impl Seen {
+    fn new(balance: &Balance) -> Self {
+        let all: Vec<u32> = (1..).take(balance.harmonics()).collect();
+        Self(Synthesiser::new(&all))
+    }
+
+    fn value(&self, steady: &Steady) -> f64 {
+        self.0.extremes(&steady.quantities[0]).half_peak_to_peak
+    }
+
+    fn point(&self, steady: &Steady, stability: Stability, asked: bool) -> LargePoint {
+        let ring = self.0.extremes(&steady.twist);
+        let stable = match stability {
+            Stability::Stable(_) => Some(true),
+            Stability::Unstable(_) => Some(false),
+            Stability::Unknown => None,
+        };
+        LargePoint {
+            speed_rpm: steady.speed_rpm,
+            twist: self.value(steady),
+            ring_twist: ring.half_peak_to_peak + (ring.middle + steady.mean_twist).abs(),
+            power: steady.power,
+            stable,
+            asked,
+        }
+    }
+
+    /// The largest that may last: the best point, refined towards its neighbours, or to where stability ends.
+    fn peak(&self, balance: &Balance, curves: &[Curve], range: (f64, f64)) -> Result<Option<(Steady, Stability)>, ResponseError> {
+        let lasting = |(c, curve): (usize, &Curve)| -> Vec<(usize, usize)> {
+            (0..curve.points.len()).filter(|i| curve.points[*i].stability.may_last()).map(|i| (c, i)).collect()
+        };
+        let all = curves.iter().enumerate().flat_map(lasting);
+        let value = |(c, i): (usize, usize)| self.value(&curves[c].points[i].steady);
+        let Some((c, i)) = all.reduce(|m, p| if value(p) > value(m) { p } else { m }) else { return Ok(None) };
+        let points = &curves[c].points;
+        let mut best = (points[i].steady.clone(), points[i].stability);
+        for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
+            let at = |share: f64| balance.between((&points[i], &points[j]), share);
+            let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &at)? };
+            let mut top: Option<Steady> = None;
+            maximise(0.0, end, |share| {
+                let Some(found) = at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
+                let value = self.value(&found);
+                if top.as_ref().is_none_or(|t| value > self.value(t)) {
+                    top = Some(found);
+                }
+                Ok(value)
+            })?;
+            if let Some(top) = top.filter(|t| self.value(t) > self.value(&best.0)) {
+                let stability = balance.stability(&top);
+                if stability.may_last() {
+                    best = (top, stability);
+                }
+            }
+        }
+        Ok(Some(best))
+    }
+}
+
+/// Share of the way to an unstable neighbour up to which motions last.
+fn end_of_stability(balance: &Balance, at: &dyn Fn(f64) -> Result<Option<Steady>, ResponseError>) -> Result<f64, ResponseError> {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        match at(middle)? {
+            Some(steady) if balance.stability(&steady).may_last() => low = middle,
+            _ => high = middle,
+        }
+    }
+    Ok(low)
+}

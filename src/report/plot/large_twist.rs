@@ -1,0 +1,49 @@
+//! Steady motions of designs with an absorber whose twist is not small, over speed.
+
+use super::canvas::{self, COLOURS, fill, line, px, text};
+use crate::analysis::{LargePoint, Results};
+use crate::input::Study;
+use crate::report::files::{Folder, WriteError};
+use crate::units::DEG_PER_RAD;
+use plotters::prelude::*;
+
+/// `large_twist`: a line a design for motions that may last, dots for those that do not, a thin line for small twist.
+pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    let x = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    if results.large_twist.is_empty() || x.0 >= x.1 {
+        return folder.remove(&["large_twist.svg", "large_twist.png"]);
+    }
+    let small = |design: &str| -> Vec<f64> {
+        let sweep = results.sweeps.iter().find(|s| s.design == design);
+        sweep.and_then(|s| s.quantities.first()).map_or_else(Vec::new, |q| q.total.clone())
+    };
+    let motions = results.large_twist.iter().flat_map(|d| d.curves.iter().flatten().map(|p| p.twist * DEG_PER_RAD));
+    let high = motions.chain(results.large_twist.iter().flat_map(|d| small(&d.design))).fold(0.0, f64::max);
+    canvas::save(folder, "large_twist", (900, 480), |area| {
+        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(230));
+        let mut chart = ChartBuilder::on(&main)
+            .caption(format!("{}: twist at its own amplitude", study.engine.name), text(16))
+            .margin(px(8))
+            .x_label_area_size(px(40))
+            .y_label_area_size(px(56))
+            .build_cartesian_2d(x.0..x.1, 0.0..1.08 * high)?;
+        canvas::mesh!(chart, "speed / rpm", "twist / °", 9, 9);
+        let mut entries = Vec::new();
+        for (i, d) in results.large_twist.iter().enumerate() {
+            let colour = COLOURS[i % COLOURS.len()];
+            chart.draw_series(LineSeries::new(study.speeds_rpm.iter().copied().zip(small(&d.design)), line(colour, 6)))?;
+            for curve in &d.curves {
+                let inside = |p: &&LargePoint| (x.0..=x.1).contains(&p.speed_rpm);
+                let at = |p: &LargePoint| (p.speed_rpm, p.twist * DEG_PER_RAD);
+                for piece in curve.split(|p| p.stable == Some(false)).filter(|p| !p.is_empty()) {
+                    chart.draw_series(LineSeries::new(piece.iter().filter(inside).map(at), line(colour, 20)))?;
+                }
+                let fleeting = curve.iter().filter(|p| p.stable == Some(false)).filter(inside);
+                chart.draw_series(fleeting.map(|p| Circle::new(at(p), px(1), fill(colour, 1.0))))?;
+            }
+            entries.push((d.design.replace('_', " "), line(colour, 20)));
+            entries.push(("  if its twist were small".to_owned(), line(colour, 6)));
+        }
+        canvas::legend(&side, &entries)
+    })
+}

@@ -1,0 +1,89 @@
+//! Designs with an absorber whose twist is not small, in words.
+
+use super::table::{significant, table};
+use crate::analysis::{LargePoint, LargeTwistOfDesign, Results};
+use crate::input::Study;
+use crate::units::DEG_PER_RAD;
+
+/// The designs whose law is one of large twist; empty where there is none.
+pub(crate) fn large_twist(study: &Study, results: &Results) -> String {
+    if results.large_twist.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<Vec<String>> = results.large_twist.iter().map(|d| row(results, d)).collect();
+    let header = ["design", "small/°", "peak/°", "at/rpm", "ring/°", "heat/W", "harmonics"];
+    let mut text = format!(
+        "At their own amplitude, by harmonic balance (tables and plots elsewhere are of small twist; the peak is that of motions that last):\n{}",
+        table(&header, &rows)
+    );
+    for d in &results.large_twist {
+        remarks(&mut text, d, study.tolerance);
+    }
+    text
+}
+
+fn row(results: &Results, d: &LargeTwistOfDesign) -> Vec<String> {
+    let degrees = |x: f64| significant(x * DEG_PER_RAD, 4);
+    let shown = results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let small = shown.filter(|own| own.name == d.design).find_map(|own| own.twist);
+    let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
+    let of = |f: &dyn Fn(&LargePoint) -> f64| dash(d.peak.as_ref().map(|p| degrees(f(p))));
+    let largest = d.curves.iter().flatten().filter(|p| p.stable != Some(false)).map(|p| p.ring_twist).fold(0.0, f64::max);
+    let most = d.curves.iter().flatten().filter(|p| p.stable != Some(false)).map(|p| p.power).fold(0.0, f64::max);
+    vec![
+        d.design.clone(),
+        dash(small.map(|p| degrees(p.value))),
+        of(&|p| p.twist),
+        dash(d.peak.as_ref().map(|p| format!("{:.1}", p.speed_rpm))),
+        degrees(largest),
+        format!("{most:.0}"),
+        d.harmonics.to_string(),
+    ]
+}
+
+/// Speeds of the study at which so many motions are known, those that may last counted alone.
+fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f64> {
+    let mut all: Vec<f64> = d.curves.iter().flatten().filter(|p| p.asked).map(|p| p.speed_rpm).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    let of = |speed: f64| d.curves.iter().flatten().filter(move |p| p.asked && p.speed_rpm == speed);
+    all.retain(|s| asked(of(*s).count(), of(*s).filter(|p| p.stable != Some(false)).count()));
+    all
+}
+
+fn between(speeds: &[f64]) -> String {
+    match speeds {
+        [only] => format!("{only} rpm"),
+        [first, .., last] => format!("{} speeds from {first} to {last} rpm", speeds.len()),
+        [] => String::new(),
+    }
+}
+
+fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
+    let several = speeds(d, |_, lasting| lasting > 1);
+    if !several.is_empty() {
+        let at = between(&several);
+        text.push_str(&format!("  {}: several motions last at {at}; which one is met depends on what went before.\n", d.design));
+    }
+    let none = speeds(d, |_, lasting| lasting == 0);
+    if !none.is_empty() {
+        let at = between(&none);
+        text.push_str(&format!("  {}: no steady motion that is known lasts at {at}; the amplitude wanders there.\n", d.design));
+    }
+    if d.curves.iter().flatten().any(|p| p.stable.is_none()) {
+        text.push_str(&format!("  {}: stability cannot be told beside laws that are known by frequency only.\n", d.design));
+    }
+    if !d.whole {
+        text.push_str(&format!(
+            "  {}: NOT FOLLOWED to the end of the range: {}.\n",
+            d.design,
+            d.travel.map_or("no motion was found further on".to_owned(), |t| {
+                format!("the travel ends at {}° of ring twist, or no motion was found further on", significant(t * DEG_PER_RAD, 4))
+            })
+        ));
+    }
+    if d.change > tolerance {
+        let change = significant(100.0 * d.change, 2);
+        text.push_str(&format!("  {}: twice the harmonics still change the peak by {change} %.\n", d.design));
+    }
+}

@@ -1,0 +1,210 @@
+//! The curves of steady motions over speed.
+//!
+//! Speed by speed first, each motion started from those before it. Where that fails, where the determinant of the Jacobian changes sign, or where other starts meet other motions, the curves are followed
+//! along their arc instead, through folds.
+
+use super::arc::{Arc, Place};
+use super::balance::{Balance, Found, Linear, MOST_STEPS, Steady};
+use super::stability::Stability;
+use crate::response::{ResponseError, Work};
+use nalgebra::DVector;
+
+/// Speeds between other starts, and these as multiples of the motion at small twist.
+const STARTS_EVERY: usize = 10;
+const STARTS: [f64; 3] = [1.0, 0.0, 3.0];
+/// Newton's steps from a start nearby.
+const NEARBY: usize = 8;
+/// The torque grows by no less than this share.
+const LEAST_SHARE: f64 = 1e-3;
+/// Two motions are the same when they differ by this share.
+const SAME: f64 = 1e-6;
+/// Stability is looked at at every so many points, and between them where a multiplier might pass one.
+const STRIDE: usize = 8;
+
+/// A point of a curve.
+#[derive(Debug, Clone)]
+pub struct CurvePoint {
+    /// The motion.
+    pub steady: Steady,
+    /// Whether small disturbances die out.
+    pub stability: Stability,
+    /// Whether its speed is one of those asked for.
+    pub asked: bool,
+    unknowns: DVector<f64>,
+}
+
+/// A connected curve of motions.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// In the order of the curve.
+    pub points: Vec<CurvePoint>,
+    /// Whether it was followed to its ends: out of the range, or back to where it began.
+    pub whole: bool,
+}
+
+impl Balance<'_> {
+    /// All curves that are found, at least at the speeds asked for, which ascend.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
+    pub fn curves(&self, speeds_rpm: &[f64], work: &mut Work) -> Result<Vec<Curve>, ResponseError> {
+        let tables = speeds_rpm.iter().map(|speed| self.linear(*speed)).collect::<Result<Vec<_>, _>>()?;
+        let swept = self.swept(&tables, work);
+        let mut curves: Vec<Curve> = swept.into_iter().collect();
+        let mut found = self.others(&tables, &curves, work);
+        if !found.is_empty() || curves.is_empty() {
+            // several motions: each curve is followed as a whole
+            found = self.others(&tables, &[], work);
+            curves.clear();
+            for (i, x) in found {
+                if !curves.iter().any(|c| c.passes(tables[i].speed_rpm, &x)) {
+                    curves.push(self.along((&tables[i], x), speeds_rpm, work)?);
+                }
+            }
+        }
+        curves.iter_mut().for_each(|c| self.judge(&mut c.points));
+        Ok(curves)
+    }
+
+    /// A motion at a speed that nothing is known of: from the one at small twist, or from rest under a torque that grows.
+    fn first(&self, linear: &Linear, work: &mut Work) -> Option<Found> {
+        if let Some(found) = self.newton(linear, &self.small(linear), NEARBY, work) {
+            return Some(found);
+        }
+        let (mut share, mut step) = (0.0, 0.25);
+        let mut x = DVector::zeros(self.unknowns());
+        loop {
+            let next: f64 = f64::min(share + step, 1.0);
+            let start = if share > 0.0 { &x * (next / share) } else { self.small(&linear.under(next)) };
+            match self.newton(&linear.under(next), &start, NEARBY, work) {
+                Some(found) if next >= 1.0 => return Some(found),
+                Some(found) => (x, share, step) = (found.x, next, 1.5 * step),
+                None => step *= 0.5,
+            }
+            if step < LEAST_SHARE {
+                return None;
+            }
+        }
+    }
+
+    /// Motions speed by speed; nothing where one is not found or a fold is passed.
+    fn swept(&self, tables: &[Linear], work: &mut Work) -> Option<Curve> {
+        let mut found: Vec<Found> = Vec::with_capacity(tables.len());
+        for (i, linear) in tables.iter().enumerate() {
+            let next = match found.as_slice() {
+                [] => self.first(linear, work)?,
+                [only] => self.newton(linear, &only.x, NEARBY, work)?,
+                [.., a, b] => {
+                    let speed = |i: usize| tables[i].speed_rpm;
+                    let share = (speed(i) - speed(i - 1)) / (speed(i - 1) - speed(i - 2));
+                    self.newton(linear, &(&b.x + (&b.x - &a.x) * share), NEARBY, work)?
+                }
+            };
+            if found.last().is_some_and(|last| last.even != next.even) {
+                return None;
+            }
+            found.push(next);
+        }
+        let points = found.into_iter().zip(tables).map(|(found, linear)| self.point(linear, found.x, true)).collect::<Option<_>>()?;
+        Some(Curve { points, whole: true })
+    }
+
+    /// A motion at a speed; nothing where none is found from what is known of small twist.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
+    pub(crate) fn at(&self, speed_rpm: f64) -> Result<Option<Steady>, ResponseError> {
+        let linear = self.linear(speed_rpm)?;
+        Ok(self.first(&linear, &mut Work::default()).and_then(|found| self.steady(&linear, &found.x)))
+    }
+
+    /// Motions on none of the curves that Newton's method meets from other starts, with the indices of their speeds.
+    fn others(&self, tables: &[Linear], curves: &[Curve], work: &mut Work) -> Vec<(usize, DVector<f64>)> {
+        let mut list: Vec<(usize, DVector<f64>)> = Vec::new();
+        for (i, linear) in tables.iter().enumerate().filter(|(i, _)| i % STARTS_EVERY == 0 || i + 1 == tables.len()) {
+            let small = self.small(linear);
+            // the first is where the curves began
+            for factor in STARTS.into_iter().skip(usize::from(!curves.is_empty())) {
+                // without any other, a motion is worth more work
+                let found = self.newton(linear, &(&small * factor), MOST_STEPS, work);
+                let found = if found.is_none() && factor == STARTS[0] { self.first(linear, work) } else { found };
+                let Some(Found { x, .. }) = found else { continue };
+                let known = |(j, own): &(usize, DVector<f64>)| *j == i && (own - &x).amax() <= SAME * x.amax();
+                if !list.iter().any(known) && !curves.iter().any(|c| c.passes(linear.speed_rpm, &x)) {
+                    list.push((i, x));
+                }
+            }
+        }
+        list
+    }
+
+    /// The curve through a motion, both ways.
+    fn along(&self, (linear, x): (&Linear, DVector<f64>), speeds: &[f64], work: &mut Work) -> Result<Curve, ResponseError> {
+        let range = (speeds[0], speeds[speeds.len() - 1]);
+        let mut arc = Arc::new(self, range, &x, work);
+        let start = Place::new(x, linear.speed_rpm);
+        let ahead = arc.follow(&start, 1.0, speeds)?;
+        let behind = if ahead.closed { None } else { Some(arc.follow(&start, -1.0, speeds)?) };
+        let whole = ahead.whole && behind.as_ref().is_none_or(|b| b.whole);
+        let before = behind.into_iter().flat_map(|b| b.points.into_iter().rev());
+        let mut points = Vec::new();
+        for (place, asked) in before.chain([(start, true)]).chain(ahead.points) {
+            points.extend(self.point(&self.linear(place.speed_rpm)?, place.x, asked));
+        }
+        Ok(Curve { points, whole })
+    }
+
+    fn point(&self, linear: &Linear, unknowns: DVector<f64>, asked: bool) -> Option<CurvePoint> {
+        Some(CurvePoint { steady: self.steady(linear, &unknowns)?, stability: Stability::Unknown, asked, unknowns })
+    }
+
+    /// Stability of every point.
+    fn judge(&self, points: &mut [CurvePoint]) {
+        let Some(last) = points.len().checked_sub(1) else { return };
+        let mut ends: Vec<usize> = (0..last).step_by(STRIDE).collect();
+        ends.push(last);
+        ends.iter().for_each(|i| points[*i].stability = self.stability(&points[*i].steady));
+        ends.windows(2).for_each(|pair| self.judge_between(points, pair[0], pair[1]));
+    }
+
+    /// Of the points between two whose stability is known: that of both, where no multiplier comes near one.
+    fn judge_between(&self, points: &mut [CurvePoint], from: usize, to: usize) {
+        if to <= from + 1 {
+            return;
+        }
+        let far = match (points[from].stability, points[to].stability) {
+            (Stability::Stable(a), Stability::Stable(b)) => a.max(b) + 2.0 * (a - b).abs() < 1.0,
+            (Stability::Unstable(a), Stability::Unstable(b)) => a.min(b) - 2.0 * (a - b).abs() > 1.0,
+            (a, b) => a == b,
+        };
+        if far {
+            let known = points[to].stability;
+            points[from + 1..to].iter_mut().for_each(|p| p.stability = known);
+        } else {
+            let middle = (from + to) / 2;
+            points[middle].stability = self.stability(&points[middle].steady);
+            self.judge_between(points, from, middle);
+            self.judge_between(points, middle, to);
+        }
+    }
+
+    /// The motion at a share of the way between two points of a curve that follow each other; nothing where Newton's method does not find it. Its stability is not looked at.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
+    pub fn between(&self, (a, b): (&CurvePoint, &CurvePoint), share: f64) -> Result<Option<Steady>, ResponseError> {
+        let work = &mut Work::default();
+        let (p, q) = (a.steady.speed_rpm, b.steady.speed_rpm);
+        let mut arc = Arc::new(self, (p.min(q), p.max(q)), &a.unknowns, work);
+        let Some(place) = arc.between((&a.unknowns, p), (&b.unknowns, q), share)? else { return Ok(None) };
+        Ok(self.steady(&self.linear(place.speed_rpm)?, &place.x))
+    }
+}
+
+impl Curve {
+    /// Whether a motion at one of the speeds asked for is on it.
+    fn passes(&self, speed_rpm: f64, x: &DVector<f64>) -> bool {
+        let same = |p: &CurvePoint| p.steady.speed_rpm == speed_rpm && (&p.unknowns - x).amax() <= SAME * x.amax();
+        self.points.iter().any(same)
+    }
+}

@@ -1,0 +1,110 @@
+//! Stability of a steady motion by Floquet's theory: disturbances grow where a multiplier of the linearised motion over one cycle is larger than one.
+//!
+//! The equations of chain, rings and the one absorber are linearised about the motion, A(t) = A0 + V(t) with the mean A0, and V in the rows of that absorber and its hub only. Over one cycle their
+//! product is taken from steps exp(A0 dt/2) exp(V dt) exp(A0 dt/2) at the samples of the balance, exact in A0 and of second order in what changes, and extrapolated from
+//! twice that step. Where nothing holds the chain to the ground, angles are
+//! counted from the hub.
+
+use super::balance::{Balance, Steady};
+use super::in_time::{InTime, Rows, mean_slopes};
+use crate::absorber::Reaction;
+use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::DMatrix;
+use std::f64::consts::TAU;
+
+/// A multiplier is larger than one beyond this: rounding of the chain's free rotation.
+const LARGER: f64 = 1e-6;
+
+/// Whether small disturbances of a motion die out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stability {
+    /// They do; with the largest multiplier.
+    Stable(f64),
+    /// They grow by the largest multiplier in a cycle.
+    Unstable(f64),
+    /// The chain or another absorber has a law that is known by frequency only.
+    Unknown,
+}
+
+impl Stability {
+    /// Whether disturbances may die out.
+    pub fn may_last(self) -> bool {
+        !matches!(self, Self::Unstable(_))
+    }
+}
+
+impl Balance<'_> {
+    /// Of a motion.
+    pub fn stability(&self, steady: &Steady) -> Stability {
+        let Some(in_time) = &self.in_time else { return Stability::Unknown };
+        let reactions = self.reactions(steady.speed_rpm, (steady.mean_twist, &steady.twist), &steady.hub);
+        let shaft_speed = steady.speed_rpm * RAD_PER_S_PER_RPM;
+        let cycle_seconds = TAU / (self.order_of_cycle() * shaft_speed);
+        let whole = multiplier(in_time, &reactions, 1, cycle_seconds);
+        let halved = multiplier(in_time, &reactions, 2, cycle_seconds);
+        // the error is of second order in the step
+        let largest = whole + (whole - halved) / 3.0;
+        if largest > 1.0 + LARGER { Stability::Unstable(largest) } else { Stability::Stable(largest) }
+    }
+}
+
+/// The largest multiplier by steps of so many samples.
+fn multiplier(in_time: &InTime, reactions: &[(Reaction, Reaction)], stride: usize, cycle_seconds: f64) -> f64 {
+    let steps = reactions.len() / stride;
+    let dt = cycle_seconds / steps as f64;
+    let mean = mean_slopes(reactions);
+    let held = in_time.rows((&mean.0, &mean.1));
+    let half = (in_time.whole(&held) * (0.5 * dt)).exp();
+    let full = &half * &half;
+    let size = half.nrows();
+    let rows = [size / 2 + in_time.hub, size - 1];
+    let mut monodromy = half.clone();
+    let mut next = DMatrix::zeros(size, size);
+    for (j, (own, torque)) in reactions.iter().step_by(stride).enumerate() {
+        let mut change = in_time.rows((&own.by, &torque.by));
+        for (row, held) in change.iter_mut().zip(&held) {
+            row.iter_mut().zip(held).for_each(|(now, held)| *now = (*now - held) * dt);
+        }
+        kick(&mut monodromy, rows, &change);
+        if j + 1 < steps { &full } else { &half }.mul_to(&monodromy, &mut next);
+        std::mem::swap(&mut monodromy, &mut next);
+    }
+    largest_multiplier(&monodromy, in_time)
+}
+
+/// Multiplies from the left by exp of a matrix V of two rows: 1 + phi(V') V with V' the part of V in the columns of these rows, phi(x) = (e^x - 1)/x.
+fn kick(matrix: &mut DMatrix<f64>, rows: [usize; 2], change: &Rows) {
+    let own = [0, 1].map(|i| rows.map(|j: usize| change[i][j]));
+    let product = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| -> [[f64; 2]; 2] {
+        [0, 1].map(|i| [0, 1].map(|j: usize| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
+    };
+    let (mut phi, mut term) = ([[1.0, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, 1.0]]);
+    for k in 2..12 {
+        term = product(term, own).map(|r| r.map(|x| x / f64::from(k)));
+        for (sum, row) in phi.iter_mut().zip(term) {
+            sum.iter_mut().zip(row).for_each(|(sum, x)| *sum += x);
+        }
+    }
+    for mut column in matrix.column_iter_mut() {
+        let given = [0, 1].map(|r: usize| column.iter().zip(&change[r]).map(|(x, c)| x * c).sum::<f64>());
+        for (row, phi) in rows.into_iter().zip(phi) {
+            column[row] += phi[0] * given[0] + phi[1] * given[1];
+        }
+    }
+}
+
+/// The largest multiplier; in a chain that is free to turn, of angles from the hub.
+fn largest_multiplier(monodromy: &DMatrix<f64>, in_time: &InTime) -> f64 {
+    let mut matrix = monodromy.clone();
+    if in_time.free {
+        let hub = in_time.hub;
+        // all angles but the twist, the last: the column of the hub's angle is that of turning all, which changes nothing
+        for i in (0..in_time.angles() - 1).filter(|i| *i != hub) {
+            for j in 0..matrix.ncols() {
+                matrix[(i, j)] -= monodromy[(hub, j)];
+            }
+        }
+        matrix = matrix.remove_row(hub).remove_column(hub);
+    }
+    matrix.complex_eigenvalues().iter().map(|m| m.norm()).fold(0.0, f64::max)
+}

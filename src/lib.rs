@@ -98,6 +98,7 @@
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
 //! - \[Friswell et al. 2010\] M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees, *Dynamics of Rotating Machines*, chapter 9.
 //! - \[Keller 1977\] H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in *Applications of Bifurcation Theory*.
+//! - \[Kraus 1984\] G. Kraus, Mechanical losses in carbon-black-filled rubbers, *J. Appl. Polym. Sci.: Appl. Polym. Symp.* 39, 75.
 //! - \[Ker Wilson 1956\] W. Ker Wilson, *Practical Solution of Torsional Vibration Problems*, 3rd ed., vol. 1.
 //! - \[Nestorides 1958\] E. J. Nestorides, *A Handbook on Torsional Vibration*, BICERA, chapter 2.
 //! - \[Pasricha & Carnegie 1976\] M. S. Pasricha, W. D. Carnegie, Effects of variable inertia on the damped torsional vibrations of diesel engine

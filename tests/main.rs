@@ -39,6 +39,7 @@ mod shaft;
 mod shaft_rules;
 mod sized;
 mod sizing;
+mod strain;
 mod support;
 mod surface;
 mod trees;

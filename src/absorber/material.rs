@@ -2,6 +2,7 @@
 
 use super::cooling::Cooling;
 use super::geometry::Geometry;
+use super::kraus::Kraus;
 use super::state::State;
 use super::temperature::TemperatureLaw;
 
@@ -32,4 +33,6 @@ pub struct Material {
     pub thermal: Option<Thermal>,
     /// What of it is sheared.
     pub geometry: Option<Geometry>,
+    /// How it follows the amplitude of its strain, where the geometry tells that.
+    pub amplitude: Option<Kraus>,
 }

@@ -9,6 +9,7 @@ use super::heat::HeatOfDesign;
 use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
 use super::sensitivities::Sensitivity;
+use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
 use crate::absorber::Declaration;
@@ -137,6 +138,8 @@ pub struct Results {
     pub duty: Vec<DutyOfDesign>,
     /// Temperatures of those whose material says what cools it.
     pub heat: Vec<HeatOfDesign>,
+    /// Those whose material follows its strain, at the strain that they have, by each rule.
+    pub strain: Vec<StrainOfDesign>,
     /// Motions of those with an absorber whose twist is not small.
     pub large_twist: Vec<LargeTwistOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.

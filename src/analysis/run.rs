@@ -10,6 +10,7 @@ use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
+use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::Clock;
@@ -111,19 +112,14 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat, large_twist } = over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat, strain, large_twist } = over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
         let probe = cost::per_design(&finders[0], &d.absorbers, study.twist, &measures);
         clock.timing.extend(probe.map_err(|error| of_design(d, error))?);
     }
-    let forced_floor = match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean => {
-            Some(evaluate::floor(&finders[0], *q, study.objective.measure.over))
-        }
-        _ => None,
-    };
+    let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
     let method = methods[0].name();
     drop(load_cases);
@@ -148,11 +144,22 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         diagram,
         duty,
         heat,
+        strain,
         large_twist,
         appearing,
         timing,
         system,
     })
+}
+
+/// Largest value of the objective if nothing resonated, where it is a twist.
+fn forced_floor(study: &Study, finder: &PeakFinder) -> Option<f64> {
+    match study.objective.measure.quantities.as_slice() {
+        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean => {
+            Some(evaluate::floor(finder, *q, study.objective.measure.over))
+        }
+        _ => None,
+    }
 }
 
 fn of_design(d: &DesignResult, error: ResponseError) -> RunError {
@@ -205,6 +212,7 @@ struct OverSpeed {
     diagram: Option<Diagram>,
     duty: Vec<DutyOfDesign>,
     heat: Vec<HeatOfDesign>,
+    strain: Vec<StrainOfDesign>,
     large_twist: Vec<LargeTwistOfDesign>,
 }
 
@@ -228,7 +236,8 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
     let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let large_twist = large_twist::large_twist(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, large_twist })
+    let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, strain, large_twist })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

@@ -93,6 +93,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !heat.is_empty() {
         say(&format!("\n{heat}"));
     }
+    let strain = text::strain(results);
+    if !strain.is_empty() {
+        say(&format!("\n{strain}"));
+    }
     let large_twist = text::large_twist(study, results);
     if !large_twist.is_empty() {
         say(&format!("\n{large_twist}"));

@@ -31,6 +31,7 @@ pub(crate) fn write_run(
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
     csv::heat(results, folder)?;
+    csv::strain(results, folder)?;
     csv::large_twist(results, folder)?;
     if study.limits.is_empty() {
         folder.remove(&["limits.csv", "barred.csv"])?

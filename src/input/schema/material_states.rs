@@ -21,6 +21,7 @@ pub(crate) struct RawMaterialStates {
     pub ageing: Option<RawAgeing>,
     pub cooling: Option<At<RawCooling>>,
     pub geometry: Option<At<RawGeometry>>,
+    pub amplitude: Option<At<RawAmplitude>>,
     #[serde(default)]
     pub properties: BTreeMap<String, RawRange>,
 }
@@ -90,6 +91,23 @@ pub(crate) enum RawToAir {
 pub(crate) struct RawDisc {
     pub diameter_mm: At<f64>,
     pub width_mm: At<f64>,
+}
+
+/// How a material follows the amplitude of its strain.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawAmplitude {
+    Kraus(RawKraus),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawKraus {
+    pub storage_ratio: At<f64>,
+    pub loss_ratio: At<f64>,
+    pub critical_strain: At<f64>,
+    pub exponent: At<f64>,
+    pub reference_strain: At<f64>,
 }
 
 /// What of a material is sheared.

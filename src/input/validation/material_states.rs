@@ -1,9 +1,12 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
-use crate::absorber::{Cooling, Declaration, Factors, Follows, Geometry, Material, Range, State, TemperatureLaw, Thermal, ToAir};
+use crate::absorber::parameter::STIFFNESS;
+use crate::absorber::{Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, TemperatureLaw, Thermal, ToAir};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::RawType;
-use crate::input::schema::material_states::{RawCooling, RawGeometry, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir};
+use crate::input::schema::material_states::{
+    RawAmplitude, RawCooling, RawGeometry, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
+};
 use crate::input::schema::study::{RawCondition, RawStudy};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
 
@@ -27,6 +30,8 @@ pub struct MaterialSpec {
     pub cooling: Option<Cooling>,
     /// What of it is sheared.
     pub geometry: Option<Geometry>,
+    /// How it follows the amplitude of its strain.
+    pub amplitude: Option<Kraus>,
     /// Bounds of its properties by their keys.
     pub properties: Vec<(&'static str, (f64, f64))>,
 }
@@ -127,7 +132,8 @@ pub(super) fn material(
     });
     let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
     let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
-    MaterialSpec { temperature: law, ageing, cooling, geometry, properties: Vec::new() }
+    let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));
+    MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, properties: Vec::new() }
 }
 
 /// A parameter that may age: any but the ring, as long as no factor leads out of its range.
@@ -211,6 +217,26 @@ fn geometry(check: &mut Check, at: &At<RawGeometry>) -> Option<Geometry> {
     Some(found)
 }
 
+/// How the rubber of a type follows the amplitude of the strain that its geometry tells.
+fn amplitude(check: &mut Check, at: &At<RawAmplitude>, (declaration, geometry): (&Declaration, Option<Geometry>)) -> Kraus {
+    let RawAmplitude::Kraus(raw) = at.get_ref();
+    if declaration.index(STIFFNESS.key).is_none_or(|i| declaration.parameters[i].follows == Follows::Nothing) {
+        let found = format!("found how rubber follows its strain, expected it with a type that is rubber: `{}` is not", declaration.name);
+        check.wrong(at, found);
+    }
+    if geometry.is_none() {
+        check.wrong(at, "found how rubber follows its strain, expected `geometry` beside it, which tells the strain of a twist");
+    }
+    let of_strain = "a shear strain from 1e-6 to 10, 0.05 for 5 %";
+    Kraus {
+        storage_ratio: check.within(&raw.storage_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
+        loss_ratio: check.within(&raw.loss_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
+        strain: check.within(&raw.critical_strain, 1e-6..=10.0, of_strain),
+        exponent: check.within(&raw.exponent, 0.1..=2.0, "an exponent from 0.1 to 2"),
+        reference: check.within(&raw.reference_strain, 1e-6..=10.0, of_strain),
+    }
+}
+
 /// What cools an absorber whose material follows temperature by a law.
 fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) -> Option<Cooling> {
     let raw = at.get_ref();
@@ -251,6 +277,6 @@ impl MaterialSpec {
             states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| of(p.key)).collect() });
         }
         let thermal = self.temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling });
-        Material { states, thermal, geometry: self.geometry }
+        Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude }
     }
 }

@@ -18,6 +18,7 @@ mod pareto;
 mod response;
 mod sensitivities;
 pub mod sizing;
+mod strain;
 mod table;
 mod timing;
 
@@ -34,6 +35,7 @@ pub use optima::optima;
 pub use pareto::pareto;
 pub use response::response;
 pub use sensitivities::sensitivities;
+pub use strain::strain;
 pub(crate) use table::in_unit;
 pub use table::number;
 pub use timing::timing;

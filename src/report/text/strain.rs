@@ -1,0 +1,43 @@
+//! Absorbers whose rubber softens with its strain, in words.
+
+use super::table::{significant, table};
+use crate::analysis::{Results, StrainOfDesign};
+use crate::units::DEG_PER_RAD;
+
+/// The designs whose material follows its strain, a row each with both rules; empty where there is none.
+pub(crate) fn strain(results: &Results) -> String {
+    let pairs: Vec<&[StrainOfDesign]> = results.strain.chunks(2).collect();
+    let row = |pair: &&[StrainOfDesign]| {
+        let reference = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == pair[0].design);
+        let given = reference.and_then(|d| d.twist).map_or("-".into(), |p| significant(p.value * DEG_PER_RAD, 4));
+        let mut row = vec![pair[0].design.clone(), given];
+        for d in *pair {
+            row.push(significant(d.peak.twist * DEG_PER_RAD, 4));
+            row.push(format!("{:.0}", d.peak.speed_rpm));
+            row.push(d.peak.strains.first().map_or("-".into(), |s| format!("{:.1}", 100.0 * s)));
+        }
+        let values: Vec<f64> = pair.iter().map(|d| d.peak.twist).collect();
+        row.push(format!("{:.2}", 100.0 * (values[0] / values[values.len() - 1] - 1.0).abs()));
+        row
+    };
+    if pairs.is_empty() {
+        return String::new();
+    }
+    let header = ["design", "reference/°", "peak/°", "at/rpm", "strain/%", "rms rule/°", "at/rpm", "strain/%", "spread/%"];
+    let rows: Vec<Vec<String>> = pairs.iter().map(row).collect();
+    let mut text = format!(
+        "At the strain of their rubber, one for all orders of a speed: half peak-to-peak of the twist, and the sine of its mean square beside it\n{}",
+        table(&header, &rows)
+    );
+    for d in &results.strain {
+        let several = d.points.iter().filter(|p| p.strains.len() > 1).count();
+        if several > 0 {
+            text.push_str(&format!(
+                "  {}, {}: several strains agree with themselves at {several} speeds.\n",
+                d.design,
+                d.rule.name().replace('_', " ")
+            ));
+        }
+    }
+    text
+}

@@ -1,12 +1,13 @@
 //! `method = "auto"`: what it chooses, how often errors exceed their estimates, and that skipping changes nothing.
 
-use crate::support::{study, system};
+use crate::support::{assert_close, study, system};
+use hartog::absorber::{Absorber, MAXWELL, Mounted, Operating, Tuned};
 use hartog::analysis::choice::{self, Strategy};
 use hartog::analysis::{Silent, audit, calibrate, families};
 use hartog::benchmark::methods::Candidate;
 use hartog::benchmark::savings;
 use hartog::drivetrain::System;
-use hartog::input::Study;
+use hartog::input::{DesignSpec, Study};
 use hartog::objective::surrogate::{Scratch, Surrogate};
 use hartog::objective::{Measure, Over, PeakFinder};
 use hartog::response::{Grid, Method, Receptance, Work};
@@ -107,4 +108,27 @@ fn tables_know_what_they_cannot_answer() {
     let s = study("den_hartog");
     let sys = system(&s);
     with_tables(&s, &sys, |finder, _| assert!(!finder.is_smooth(), "an undamped chain"));
+}
+
+/// Law: what is said of a design whose law is taken for a constant spring and damper is the peak of that: oil that relaxes at once is a damper, oil that takes 3 ms is not.
+#[test]
+fn laws_are_taken_for_no_more_than_they_are() {
+    let mut s = study("villalva_i6_laws");
+    s.designs.clear();
+    let [quick, slow] = [1e-8, 3e-3].map(|time| (MAXWELL.build)(&[0.076, 250.0, time]));
+    for (name, law) in [("quick", &quick), ("slow", &slow)] {
+        let absorbers = vec![Mounted::on_station(0, Absorber::Ring(law.clone()))];
+        s.designs.push(DesignSpec { name: name.into(), absorbers });
+    }
+    s.conditions.clear();
+    let results = s.run().expect("damped");
+    let [quick, other] = results.simplest.as_slice() else { panic!("two laws") };
+    assert!(quick.error < 1e-5, "{}", quick.error);
+    let at = Operating { omega: std::f64::consts::TAU * other.hz, shaft_speed: 0.0 };
+    let stiffness = slow.dynamic_stiffness(at);
+    let constant = Tuned { ring_inertia: 0.076, stiffness: stiffness.re, damping: stiffness.im / at.omega };
+    let taken = s.evaluate("taken", vec![Mounted::on_station(0, constant)]).expect("damped");
+    let (taken, exact) = (taken.twist.expect("a peak").value, results.designs[1].twist.expect("a peak").value);
+    assert_close(other.error, (taken / exact - 1.0).abs(), 1e-9, 0.0, "slow");
+    assert!(other.error > 0.1);
 }

@@ -9,6 +9,7 @@ use super::heat::HeatOfDesign;
 use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
 use super::sensitivities::Sensitivity;
+use super::simplest::SimplestLaw;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
@@ -138,6 +139,8 @@ pub struct Results {
     pub duty: Vec<DutyOfDesign>,
     /// Temperatures of those whose material says what cools it.
     pub heat: Vec<HeatOfDesign>,
+    /// Those whose law is no constant spring and damper: what it would cost to take it for one.
+    pub simplest: Vec<SimplestLaw>,
     /// Those whose material follows its strain, at the strain that they have, by each rule.
     pub strain: Vec<StrainOfDesign>,
     /// Motions of those with an absorber whose twist is not small.

@@ -10,6 +10,7 @@ use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
 use super::searches::Searches;
+use super::simplest::{self, SimplestLaw};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Sweeps};
 use super::systems::{appearing, engines_in, systems};
@@ -112,7 +113,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat, strain, large_twist } = over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist } =
+        over_speed(study, &finders[0], &finders, &shown)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -144,6 +146,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         diagram,
         duty,
         heat,
+        simplest,
         strain,
         large_twist,
         appearing,
@@ -212,6 +215,7 @@ struct OverSpeed {
     diagram: Option<Diagram>,
     duty: Vec<DutyOfDesign>,
     heat: Vec<HeatOfDesign>,
+    simplest: Vec<SimplestLaw>,
     strain: Vec<StrainOfDesign>,
     large_twist: Vec<LargeTwistOfDesign>,
 }
@@ -236,8 +240,9 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
     let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let large_twist = large_twist::large_twist(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, strain, large_twist })
+    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

@@ -1,81 +1,16 @@
 //! The systems that methods are tried on, with what each pair is declared to come to.
 
-use super::stability::Outcome::{self, Refused, Right, Rough, Wrong};
-use super::stability::{RIGHT, Scenario};
+use super::law_scenarios::laws_on_six;
+use super::scenario_parts::{
+    ALONE, EXACT, NEAR, NOTHING, RECEPTANCE, TO_GROUND, UNCLOSED, UNSTABLE, harmonics, of_six, range, six, six_under, tuned, uniform,
+};
+use super::stability::Outcome::{Refused, Right, Rough, Wrong};
+use super::stability::Scenario;
 use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
 use crate::drivetrain::{Chain, Joint, Station, System};
-use crate::engine::HarmonicTable;
-use crate::engine::{Engine, Excitation, Layout, Order, Source};
 use crate::numerics::C64;
 use crate::response::Quantity;
 use crate::units::RAD_PER_S_PER_RPM;
-
-/// Receptance is exact, but near resonances of the chain alone it may cancel up to 1e5 roundings.
-const EXACT: Outcome = Right(1e-10);
-const RECEPTANCE: Outcome = Right(1e-9);
-const NEAR: Outcome = Right(RIGHT);
-/// 720 steps a cycle: 30 a period of the highest order, and more than the highest mode allows at the lowest speed.
-const UNSTABLE: Outcome = Refused("is unstable");
-const UNCLOSED: Outcome = Refused("does not close");
-const NOTHING: Outcome = Refused("resonance without damping");
-const ALONE: [Outcome; 8] = [EXACT, RECEPTANCE, Rough, Rough, Rough, NEAR, Rough, EXACT];
-const TO_GROUND: Quantity = Quantity::Twist { from: 0, to: None };
-
-fn uniform(n: usize, inertia: f64, stiffness: f64, damping_to_ground: f64) -> Chain {
-    let station = |i: usize| Station {
-        name: format!("s{i}"),
-        inertia,
-        stiffness_to_next: if i + 1 < n { stiffness } else { 0.0 },
-        damping_to_ground,
-        throws: if i == 0 { vec![0] } else { Vec::new() },
-        ..Station::default()
-    };
-    Chain { stations: (0..n).map(station).collect() }
-}
-
-/// One throw under given harmonics (order, torque amplitude) of a two-stroke.
-fn harmonics(list: &[(u32, f64)]) -> Excitation {
-    let table = HarmonicTable {
-        harmonics: list.iter().map(|(o, a)| (Order::from_twice(2 * o), C64::from(*a))).collect(),
-        ..HarmonicTable::default()
-    };
-    let layout = Layout { rods_per_throw: 1, firing_deg: vec![0.0], bank_angle_deg: None, split_pin_deg: 0.0 };
-    Excitation::new(&Engine { name: String::new(), strokes: 2, layout, source: Source::Harmonics(table) }, 200.0)
-}
-
-/// Speeds of a scenario.
-const SPEEDS: usize = 60;
-
-fn range(from: f64, to: f64) -> Vec<f64> {
-    (0..SPEEDS).map(|i| from + (to - from) * i as f64 / (SPEEDS - 1) as f64).collect()
-}
-
-/// The chain of the in-line six of \[Villalva 2014\], Table 4.7, with 9 N m s/rad on every throw, under three orders on throws that fire evenly.
-fn six() -> System {
-    six_under(&[(3, 900.0), (9, 600.0), (12, 300.0)])
-}
-
-/// The same under given harmonics (twice the order, torque amplitude).
-fn six_under(table: &[(u32, f64)]) -> System {
-    let inertia = [0.0527, 0.0334, 0.0125, 0.0326, 0.0326, 0.014, 0.0339, 1.165];
-    let stiffness = [808e3, 1.27e6, 1.27e6, 1.31e6, 1.27e6, 1.36e6, 2.1e6, 0.0];
-    let station = |i: usize| Station {
-        name: format!("s{i}"),
-        inertia: inertia[i],
-        stiffness_to_next: stiffness[i],
-        damping_to_ground: if (1..7).contains(&i) { 9.0 } else { 0.0 },
-        throws: if (1..7).contains(&i) { vec![i - 1] } else { Vec::new() },
-        ..Station::default()
-    };
-    let source = HarmonicTable {
-        harmonics: table.iter().map(|(twice, a)| (Order::from_twice(*twice), C64::from(*a))).collect(),
-        ..HarmonicTable::default()
-    };
-    let layout =
-        Layout { rods_per_throw: 1, firing_deg: vec![0.0, 480.0, 240.0, 600.0, 120.0, 360.0], bank_angle_deg: None, split_pin_deg: 0.0 };
-    let engine = Engine { name: String::new(), strokes: 4, layout, source: Source::Harmonics(source) };
-    System::new(Chain { stations: (0..8).map(station).collect() }, Excitation::new(&engine, 12.0))
-}
 
 /// Angle of the first of `n` equal inertias in a row (inertia, stiffness between, damping to ground), per torque on it: cosh(mu (n - 1/2))/(2 k sinh(mu n) sinh(mu/2)),
 /// with 2 cosh(mu) = 2 + (i w c - w² J)/k. Written with decaying exponentials.
@@ -87,25 +22,6 @@ fn first_of_uniform(n: usize, (inertia, stiffness, damping): (f64, f64, f64), om
     let n = n as f64;
     let (one, decay) = (C64::from(1.0), |x: f64| (-mu * x).exp());
     torque * decay(0.5) * (one + decay(2.0 * n - 1.0)) / (2.0 * stiffness * (0.5 * mu).sinh() * (one - decay(2.0 * n)))
-}
-
-/// The absorber of the thesis on the first station.
-fn tuned() -> Mounted {
-    Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 158e3, damping: 34.2 })
-}
-
-/// A scenario on the in-line six.
-fn of_six(name: &'static str, system: System, design: Vec<Mounted>, declared: [Outcome; 8]) -> Scenario {
-    Scenario {
-        name,
-        system,
-        design,
-        quantity: Quantity::Twist { from: 0, to: Some(7) },
-        speeds: range(600.0, 3200.0),
-        known: None,
-        declared,
-        in_time: [Rough, UNSTABLE, UNSTABLE, NEAR],
-    }
 }
 
 /// The in-line six with another chain.
@@ -138,7 +54,7 @@ fn branched() -> System {
 
 /// All scenarios.
 pub fn scenarios() -> Vec<Scenario> {
-    [absorbers_of_six(), changed_chains(), trees(), small_and_long_chains()].concat()
+    [absorbers_of_six(), laws_on_six(), changed_chains(), trees(), small_and_long_chains()].concat()
 }
 
 /// The in-line six with absorbers of every kind.

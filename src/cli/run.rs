@@ -85,6 +85,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !duty.is_empty() {
         say(&format!("\n{duty}"));
     }
+    let simplest = text::simplest(study, results);
+    if !simplest.is_empty() {
+        say(&format!("\n{simplest}"));
+    }
     let made_of = text::made_of(results);
     if !made_of.is_empty() {
         say(&format!("\n{made_of}"));

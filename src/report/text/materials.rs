@@ -1,7 +1,7 @@
 //! Temperatures and materials of absorbers, in words.
 
 use super::table::{significant, table};
-use crate::analysis::{DesignResult, HeatAt, HeatOfDesign, Results};
+use crate::analysis::{DesignResult, HeatAt, HeatOfDesign, Results, SimplestLaw};
 use crate::input::Study;
 use crate::objective::Condition;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
@@ -45,6 +45,24 @@ pub(crate) fn heat(results: &Results) -> String {
                     format!("from {} to {} rpm", first.speed_rpm, last.speed_rpm)
                 },
                 d.limit
+            ));
+        }
+    }
+    text
+}
+
+/// Whether laws have to be as they are; empty where all are constant springs and dampers.
+pub(crate) fn simplest(study: &Study, results: &Results) -> String {
+    let tolerance = format!("{} %", significant(100.0 * study.tolerance, 2));
+    let word = |d: &SimplestLaw| format!("{} ({} % at {:.0} Hz)", d.design, significant(100.0 * d.error, 2), d.hz);
+    let (does, differs): (Vec<_>, Vec<_>) = results.simplest.iter().partition(|d| d.error <= study.tolerance);
+    let mut text = String::new();
+    for (list, verdict) in [(does, "is enough"), (differs, "is NOT enough")] {
+        if !list.is_empty() {
+            let words: Vec<String> = list.into_iter().map(word).collect();
+            text.push_str(&format!(
+                "Laws: within {tolerance} of the peak, a constant spring and damper {verdict} for {}.\n",
+                words.join(", ")
             ));
         }
     }

@@ -19,7 +19,7 @@ mod strain;
 mod table;
 pub use curves::curves;
 pub(crate) use large_twist::large_twist;
-pub(crate) use materials::{heat, made_of};
+pub(crate) use materials::{heat, made_of, simplest};
 pub(crate) use model::{crank_pressure, duty, reciprocating};
 pub(crate) use run::summary;
 pub use run::{choice, conditions, designs, optimum};

@@ -134,3 +134,28 @@ fn random_starts_reach_the_optima() {
         assert!(found.value() <= o.optimum.value() * (1.0 + 1e-6), "{name} {}: no random start arrives", o.design.name);
     });
 }
+
+/// The README's table of materials: the best of rubber, silicone oil and leaf springs at each temperature alone and at all, to its printed digits; the same numbers from its rows.
+#[test]
+#[ignore = "half a minute"]
+fn materials_at_each_temperature() {
+    let readme = std::fs::read_to_string("README.md").expect("text");
+    let rows = readme.lines().skip_while(|l| !l.starts_with("| peak twist, six |")).skip(2).take_while(|l| l.starts_with('|'));
+    let number = |cell: &str| cell.trim().strip_suffix('°').and_then(|x| x.parse::<f64>().ok());
+    let printed: Vec<Vec<f64>> = rows.map(|l| l.split('|').filter_map(number).collect()).collect();
+    assert_eq!(printed.len(), 6);
+    for (e, name) in ["villalva_i6_materials", "villalva_v10_materials"].into_iter().enumerate() {
+        let alone = [Condition::Cold, Condition::Firing, Condition::Hot].map(|c| vec![c]);
+        let all = vec![Condition::Cold, Condition::Firing, Condition::Hot];
+        for (c, conditions) in alone.into_iter().chain([all]).enumerate() {
+            let mut s = study(name);
+            s.designs.clear();
+            s.optimise.as_mut().expect("optimises").conditions = conditions;
+            let results = analysis::run(&s, &Silent).expect("damped");
+            for (o, row) in results.optima.iter().zip(&printed[3 * e..]) {
+                let found = o.optimum.value().to_degrees();
+                assert!((found - row[c]).abs() < 6e-4, "{}, {}, column {c}: {found} against {}", name, o.design.name, row[c]);
+            }
+        }
+    }
+}

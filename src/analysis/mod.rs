@@ -5,6 +5,7 @@ pub mod audit;
 pub mod barred;
 pub mod bearings;
 pub mod calibrate;
+mod catalogue;
 pub mod choice;
 pub mod conditions;
 pub mod cost;
@@ -35,6 +36,7 @@ pub mod wanted;
 
 pub use barred::{BarredRange, StillBroken};
 pub use calibrate::{Calibration, calibrate};
+pub use catalogue::Ranked;
 pub use conditions::ConditionResult;
 pub(crate) use duty::points as duty_points;
 pub use duty::{DutyOfDesign, DutyResult};

@@ -1,6 +1,7 @@
 //! Everything a study gives.
 
 use super::calibrate::Calibration;
+use super::catalogue::Ranked;
 use super::choice::Choice;
 use super::diagram::Diagram;
 use super::duty::DutyOfDesign;
@@ -116,7 +117,9 @@ pub struct Results {
     pub method: &'static str,
     /// What searches evaluate designs by, where the method is `auto`.
     pub choice: Option<Choice>,
-    /// Given designs.
+    /// Absorbers of catalogues, the best first.
+    pub catalogue: Vec<Ranked>,
+    /// Given designs, and the best of catalogues.
     pub designs: Vec<DesignResult>,
     /// Optima.
     pub optima: Vec<OptimumResult>,

@@ -1,6 +1,7 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
 use super::audit::highest_frequency_hz;
+use super::catalogue;
 use super::choice::{self, Choice, Strategy};
 use super::diagram::{self, Diagram};
 use super::duty::{self, DutyOfDesign};
@@ -67,6 +68,7 @@ impl Study {
         (study.optimise, study.front) = (None, None);
         study.more_objectives.clear();
         study.combined = None;
+        study.catalogues.clear();
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
     }
@@ -106,7 +108,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     }
     let measures = margins::measures(study);
     let wanted = Wanted::new(study, &measures);
-    let designs = designs(study, &finders, &wanted, progress, &mut clock)?;
+    let (catalogue, best) = catalogue::ranked(study, &finders, &wanted)?;
+    let given: Vec<&DesignSpec> = study.designs.iter().chain(&best).collect();
+    let designs = designs(&given, &finders, &wanted, progress, &mut clock)?;
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
@@ -135,6 +139,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         calibration: None,
         method,
         choice,
+        catalogue,
         designs,
         optima,
         fronts,
@@ -190,16 +195,16 @@ fn methods<'a>(study: &Study, systems: &'a [System], grid: &'a Grid, progress: &
 
 /// The given designs.
 fn designs(
-    study: &Study,
+    given: &[&DesignSpec],
     finders: &[PeakFinder],
     wanted: &Wanted,
     progress: &dyn Progress,
     clock: &mut Clock,
 ) -> Result<Vec<DesignResult>, RunError> {
-    progress.stage("designs", study.designs.len());
+    progress.stage("designs", given.len());
     let mut work = Work::default();
     let mut designs = Vec::new();
-    for d in &study.designs {
+    for d in given {
         let result = evaluate::evaluate(finders, &d.name, &d.absorbers, wanted, &mut work);
         designs.push(result.map_err(|e| RunError { what: format!("design `{}`{}", d.name, &e.what[d.name.len()..]), ..e })?);
         progress.step();

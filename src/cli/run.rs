@@ -85,6 +85,10 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
     if !duty.is_empty() {
         say(&format!("\n{duty}"));
     }
+    let catalogue = text::catalogue(study, results);
+    if !catalogue.is_empty() {
+        say(&format!("\n{catalogue}"));
+    }
     let simplest = text::simplest(study, results);
     if !simplest.is_empty() {
         say(&format!("\n{simplest}"));

@@ -11,8 +11,8 @@ pub use error::InputError;
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating, ResponseMethod, Size,
-    SizedAbsorber, SizedChain, SizingStudy, Study,
+    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating,
+    ResponseMethod, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
 };
 
 use error::Source;

@@ -28,6 +28,7 @@ pub(crate) fn write_run(
 ) -> Result<(), WriteError> {
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
+    csv::catalogue(study, results, folder)?;
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
     csv::heat(results, folder)?;

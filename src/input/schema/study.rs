@@ -26,6 +26,8 @@ pub(crate) struct RawStudy {
     #[serde(default)]
     pub design: Vec<RawDesign>,
     #[serde(default)]
+    pub catalogue: Vec<RawCatalogue>,
+    #[serde(default)]
     pub objective: Vec<At<RawMeasure>>,
     #[serde(default)]
     pub constraint: Vec<At<RawMeasure>>,
@@ -102,6 +104,20 @@ pub(crate) struct RawDesign {
     pub name: At<String>,
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawOnStation {
+    pub station: At<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawCatalogue {
+    pub file: At<String>,
+    pub on: RawOnStation,
+    pub best: At<i64>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,4 +1,5 @@
 //! Tables with a header row: cells with their places, for errors with row and column.
+mod catalogue;
 mod cycle;
 mod history;
 mod mass_elastic;
@@ -11,6 +12,7 @@ mod superposed;
 mod table;
 mod torque;
 mod unit_loads;
+pub(crate) use catalogue::catalogue;
 pub(crate) use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;

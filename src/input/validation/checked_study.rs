@@ -2,6 +2,7 @@
 
 use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
+use super::catalogue::CatalogueSpec;
 use super::inputs::Input;
 use super::load::DutyPoint;
 use super::material_states::Temperatures;
@@ -70,6 +71,8 @@ pub struct Study {
     pub refine_peaks: bool,
     /// Given designs.
     pub designs: Vec<DesignSpec>,
+    /// Catalogues of absorbers.
+    pub catalogues: Vec<CatalogueSpec>,
     /// Station whose amplitude is reported.
     pub hub: usize,
     /// Twist that is reported.

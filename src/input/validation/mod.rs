@@ -2,6 +2,7 @@
 
 mod absorbers;
 mod calibrate;
+mod catalogue;
 mod chain;
 mod checked_study;
 mod crank;
@@ -25,6 +26,7 @@ mod tree;
 pub use absorbers::DesignSpec;
 use absorbers::Reaches;
 pub use calibrate::{CalibrateSpec, FreeInput};
+pub use catalogue::CatalogueSpec;
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};
 pub use inputs::Input;
@@ -173,12 +175,13 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let modes = Modes::new(&base.chain);
     let temperatures = material_states::of_conditions(check, study);
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
+    let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
     let optimise = study.optimise.as_ref();
     let optimise = optimise.and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
     let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {
         (Some(o), _) => o.station(0),
         (None, Some(d)) => station_of(&d.absorbers, 0),
-        (None, None) => 0,
+        (None, None) => catalogues.iter().flat_map(|c| &c.designs).map(|d| station_of(&d.absorbers, 0)).next().unwrap_or(0),
     };
     let fatigue = judge(files, check, in_engine, &base);
     let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
@@ -209,8 +212,8 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
     let scatter = optimise::scatter(check, study, &base.engine, &conditions);
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
-    if study.design.is_empty() && study.optimise.is_none() {
-        check.wrong(&study.engine, "found neither a design nor [optimise], expected at least one of them in a study");
+    if study.design.is_empty() && study.catalogue.is_empty() && study.optimise.is_none() {
+        check.wrong(&study.engine, "found neither a design nor a catalogue nor [optimise], expected at least one of them in a study");
     }
     let twist = match objective.measure.quantities.as_slice() {
         [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
@@ -231,6 +234,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         tolerance,
         refine_peaks: study.response.refine_peaks.unwrap_or(true),
         designs,
+        catalogues,
         hub,
         twist,
         objective,

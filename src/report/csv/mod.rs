@@ -2,6 +2,7 @@
 
 mod absorbers;
 mod barred;
+mod catalogue;
 pub mod chart;
 mod comparison;
 pub mod curves;
@@ -24,6 +25,7 @@ mod timing;
 
 pub use absorbers::absorbers;
 pub use barred::barred;
+pub use catalogue::catalogue;
 pub use comparison::{calibration, comparison};
 pub use designs::designs;
 pub use duty::duty;

@@ -1,5 +1,6 @@
 //! What is printed: tables that line up, and sentences.
 pub mod calibration;
+mod catalogue;
 mod certificate;
 pub mod chart;
 pub mod check;
@@ -17,6 +18,7 @@ mod run;
 mod sizing;
 mod strain;
 mod table;
+pub(crate) use catalogue::catalogue;
 pub use curves::curves;
 pub(crate) use large_twist::large_twist;
 pub(crate) use materials::{heat, made_of, simplest};

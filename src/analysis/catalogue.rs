@@ -1,0 +1,69 @@
+//! Absorbers of catalogues in the order of the study's objective.
+
+use super::RunError;
+use super::systems::engines_in;
+use super::wanted::{Wanted, asked};
+use crate::input::{DesignSpec, Study};
+use crate::objective::{PeakFinder, holds};
+use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
+
+/// An absorber of a catalogue.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Ranked {
+    /// The catalogue, as the study names it.
+    pub file: String,
+    /// The absorber.
+    pub design: String,
+    /// Its place in its catalogue, from 1.
+    pub place: usize,
+    /// The study's objective, the largest over the conditions that an optimum is to hold in; nothing where nothing damps a resonance.
+    pub objective: Option<f64>,
+    /// Largest limited measure over its limit; zero without limits.
+    pub over_limit: f64,
+    /// Whether it is among the best, which are reported like given designs.
+    pub shown: bool,
+}
+
+/// Every absorber of every catalogue, those within all limits before the others, then by the objective; and the best of each as designs.
+pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Vec<DesignSpec>), RunError> {
+    let (mut list, mut best) = (Vec::new(), Vec::new());
+    for catalogue in &study.catalogues {
+        let judged: Vec<Result<(f64, f64), ResponseError>> = catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).collect();
+        let mut order: Vec<(usize, Option<(f64, f64)>)> = judged.into_iter().map(Result::ok).enumerate().collect();
+        // stable: equals keep the order of the file
+        let key = |judged: &Option<(f64, f64)>| {
+            judged.map_or((2, f64::INFINITY), |(value, over)| if holds(over) { (0, value) } else { (1, over) })
+        };
+        order.sort_by(|a, b| key(&a.1).0.cmp(&key(&b.1).0).then(key(&a.1).1.total_cmp(&key(&b.1).1)));
+        for (place, (i, judged)) in order.into_iter().enumerate() {
+            let design = &catalogue.designs[i];
+            let shown = place < catalogue.best && judged.is_some();
+            if shown {
+                best.push(design.clone());
+            }
+            list.push(Ranked {
+                file: catalogue.file.clone(),
+                design: design.name.clone(),
+                place: place + 1,
+                objective: judged.map(|j| j.0),
+                over_limit: judged.map_or(f64::INFINITY, |j| j.1),
+                shown,
+            });
+        }
+    }
+    Ok((list, best))
+}
+
+/// Objective, and the largest limited measure over its limit.
+fn judge(finders: &[PeakFinder], wanted: &Wanted, design: &DesignSpec) -> Result<(f64, f64), ResponseError> {
+    let (mut value, mut over) = (0.0f64, 0.0f64);
+    for condition in wanted.held {
+        for finder in engines_in(*condition, finders) {
+            let (objective, limits) = asked(finder, &condition.absorbers(&design.absorbers), wanted, &mut Work::default())?;
+            value = value.max(objective);
+            over = limits.into_iter().fold(over, f64::max);
+        }
+    }
+    Ok((value, over))
+}

@@ -1,0 +1,31 @@
+//! `catalogue.csv`: absorbers of catalogues, the best first.
+
+use super::table::{Table, number, optional};
+use crate::analysis::Results;
+use crate::input::Study;
+use crate::objective::holds;
+use crate::report::files::{Folder, WriteError};
+
+/// `catalogue.csv`: a row an absorber; without a value where nothing damps a resonance. None where the study has no catalogue.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn catalogue(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    if results.catalogue.is_empty() {
+        return folder.remove(&["catalogue.csv"]);
+    }
+    let unit = study.objective.unit;
+    let mut table = Table::new(&["catalogue", "design", "place", "objective", "value", "unit", "limits_hold"]);
+    for r in &results.catalogue {
+        table.row([
+            r.file.clone(),
+            r.design.clone(),
+            number(r.place as f64),
+            study.objective.key.to_owned(),
+            optional(r.objective.map(|v| unit.shown(v))),
+            unit.symbol().to_owned(),
+            (r.objective.is_some() && holds(r.over_limit)).to_string(),
+        ]);
+    }
+    table.save(folder, "catalogue.csv")
+}

@@ -1,0 +1,34 @@
+//! Absorbers of catalogues, in words.
+
+use super::table::{significant, table};
+use crate::analysis::Results;
+use crate::input::Study;
+use crate::objective::holds;
+
+/// The best of each catalogue by the objective; empty where the study has none.
+pub(crate) fn catalogue(study: &Study, results: &Results) -> String {
+    let mut text = String::new();
+    let unit = study.objective.unit;
+    for spec in &study.catalogues {
+        let all: Vec<_> = results.catalogue.iter().filter(|r| r.file == spec.file).collect();
+        let within = all.iter().filter(|r| r.objective.is_some() && holds(r.over_limit)).count();
+        let limits = if study.limits.is_empty() { String::new() } else { format!(", {within} within all limits") };
+        let row = |r: &&&crate::analysis::Ranked| {
+            let value = r.objective.map_or("-".into(), |v| significant(unit.shown(v), 5));
+            let held = if holds(r.over_limit) { "hold" } else { "FAIL" };
+            let mut row = vec![r.place.to_string(), r.design.clone(), value];
+            row.extend((!study.limits.is_empty()).then(|| held.to_owned()));
+            row
+        };
+        let rows: Vec<Vec<String>> = all.iter().filter(|r| r.shown).map(|r| row(&r)).collect();
+        let value = format!("{}/{}", study.objective.key, unit.symbol());
+        let header: Vec<&str> =
+            ["place", "design", &value, "limits"].into_iter().take(if study.limits.is_empty() { 3 } else { 4 }).collect();
+        text.push_str(&format!("Catalogue {}: {} absorbers{limits}; the best:\n{}", spec.file, all.len(), table(&header, &rows)));
+        let endless = all.iter().filter(|r| r.objective.is_none()).count();
+        if endless > 0 {
+            text.push_str(&format!("  {endless} of them leave a resonance that nothing damps.\n"));
+        }
+    }
+    text
+}

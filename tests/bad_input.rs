@@ -199,6 +199,16 @@ fn sizing_files() {
     }
 }
 
+/// Catalogues: `catalogue/*.csv` for `catalogue_study.toml`.
+#[test]
+fn catalogues() {
+    let (study, engine) = (read(&folder().join("catalogue_study.toml")), read(&folder().join("engine.toml")));
+    for case in cases("catalogue", "csv") {
+        let files = [("study.toml", &study), ("engine.toml", &engine), ("dampers.csv", &read(&case))];
+        compare(&case, &error(&files.map(|(name, text)| (name, text.as_bytes()))));
+    }
+}
+
 /// Tables of measured absorbers: `measured/*.csv` for `measured_study.toml`.
 #[test]
 fn measured_absorbers() {

@@ -132,3 +132,27 @@ fn laws_are_taken_for_no_more_than_they_are() {
     assert_close(other.error, (taken / exact - 1.0).abs(), 1e-9, 0.0, "slow");
     assert!(other.error > 0.1);
 }
+
+/// Law: a catalogue is ordered by what each of its absorbers gives by itself, those within all limits first; the best are reported like given designs.
+#[test]
+fn the_best_of_a_catalogue() {
+    let mut s = study("villalva_i6_catalogue");
+    let designs = std::mem::take(&mut s.catalogues[0].designs);
+    // a part of it, in another order
+    s.catalogues[0].designs = designs.into_iter().rev().step_by(5).collect();
+    let results = s.run().expect("damped");
+    let mut expected: Vec<(bool, f64, String)> = Vec::new();
+    for d in &s.catalogues[0].designs {
+        let own = s.evaluate(&d.name, d.absorbers.clone()).expect("damped");
+        expected.push((own.limits[0] > 1.0, own.objective.expect("a twist"), d.name.clone()));
+    }
+    expected.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    assert!(expected[0].0 != expected[expected.len() - 1].0, "some break the limit");
+    assert_eq!(results.catalogue.len(), expected.len());
+    for (i, (found, (breaks, value, name))) in results.catalogue.iter().zip(&expected).enumerate() {
+        assert_eq!((&found.design, found.place, found.over_limit > 1.0, found.shown), (name, i + 1, *breaks, i < 5));
+        assert_eq!(found.objective, Some(*value));
+    }
+    let shown: Vec<&str> = results.designs.iter().skip(1).map(|d| d.name.as_str()).collect();
+    assert_eq!(shown, expected[..5].iter().map(|e| e.2.as_str()).collect::<Vec<_>>());
+}

@@ -32,9 +32,7 @@ pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> 
         let judged: Vec<Result<(f64, f64), ResponseError>> = catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).collect();
         let mut order: Vec<(usize, Option<(f64, f64)>)> = judged.into_iter().map(Result::ok).enumerate().collect();
         // stable: equals keep the order of the file
-        let key = |judged: &Option<(f64, f64)>| {
-            judged.map_or((2, f64::INFINITY), |(value, over)| if holds(over) { (0, value) } else { (1, over) })
-        };
+        let key = |judged: &Option<(f64, f64)>| judged.map_or((true, f64::INFINITY), |(value, over)| (!holds(over), value));
         order.sort_by(|a, b| key(&a.1).0.cmp(&key(&b.1).0).then(key(&a.1).1.total_cmp(&key(&b.1).1)));
         for (place, (i, judged)) in order.into_iter().enumerate() {
             let design = &catalogue.designs[i];

@@ -109,8 +109,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let measures = margins::measures(study);
     let wanted = Wanted::new(study, &measures);
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted)?;
-    let given: Vec<&DesignSpec> = study.designs.iter().chain(&best).collect();
-    let designs = designs(&given, &finders, &wanted, progress, &mut clock)?;
+    let designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
@@ -194,14 +193,14 @@ fn methods<'a>(study: &Study, systems: &'a [System], grid: &'a Grid, progress: &
 }
 
 /// The given designs.
-fn designs(
-    given: &[&DesignSpec],
+fn designs<'d>(
+    given: impl Iterator<Item = &'d DesignSpec> + Clone,
     finders: &[PeakFinder],
     wanted: &Wanted,
     progress: &dyn Progress,
     clock: &mut Clock,
 ) -> Result<Vec<DesignResult>, RunError> {
-    progress.stage("designs", given.len());
+    progress.stage("designs", given.clone().count());
     let mut work = Work::default();
     let mut designs = Vec::new();
     for d in given {

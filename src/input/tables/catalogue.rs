@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// An absorber of a catalogue.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CatalogueRow {
+pub(crate) struct CatalogueRow {
     /// Its name: letters, digits, `_`, `-` and `.`.
     pub name: String,
     /// Its type.

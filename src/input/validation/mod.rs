@@ -169,6 +169,15 @@ fn comparison(
     (published, calibrate)
 }
 
+/// The twist that is reported: that of the objective, else the one from the hub through the chain.
+fn reported_twist(objective: &MeasureSpec, chain: &Chain, hub: usize) -> Quantity {
+    match objective.measure.quantities.as_slice() {
+        [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
+        [twist @ Quantity::Twist { to: None, .. }] if chain.len() == 1 || objective.is_twist => *twist,
+        _ => measures::default_twist(chain, hub),
+    }
+}
+
 /// Everything of a study but its engine and ranges.
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
@@ -178,10 +187,10 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
     let optimise = study.optimise.as_ref();
     let optimise = optimise.and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
-    let hub = match (&optimise, designs.iter().find(|d| !d.absorbers.is_empty())) {
+    let hub = match (&optimise, designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).find(|d| !d.absorbers.is_empty())) {
         (Some(o), _) => o.station(0),
         (None, Some(d)) => station_of(&d.absorbers, 0),
-        (None, None) => catalogues.iter().flat_map(|c| &c.designs).map(|d| station_of(&d.absorbers, 0)).next().unwrap_or(0),
+        (None, None) => 0,
     };
     let fatigue = judge(files, check, in_engine, &base);
     let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
@@ -215,11 +224,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     if study.design.is_empty() && study.catalogue.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor a catalogue nor [optimise], expected at least one of them in a study");
     }
-    let twist = match objective.measure.quantities.as_slice() {
-        [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
-        [twist @ Quantity::Twist { to: None, .. }] if base.chain.len() == 1 || objective.is_twist => *twist,
-        _ => measures::default_twist(&base.chain, hub),
-    };
+    let twist = reported_twist(&objective, &base.chain, hub);
     Some(Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
         crank_engine: brake_curve.then(|| base.engine.of_brake_curve()),

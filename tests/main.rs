@@ -17,6 +17,7 @@ mod engines;
 mod examples;
 mod fatigue;
 mod forces;
+mod hostile;
 mod large_twist;
 mod laws;
 mod layering;

@@ -42,7 +42,7 @@ pub fn chart(arguments: &Arguments) -> u8 {
             Ok(chart) => chart,
             Err(error) => return fail(&format!("error: {error}")),
         };
-        if let Err(error) = write_chart(&chart, &folder) {
+        if let Err(error) = write_chart(&chart, &folder).and_then(|()| folder.complete()) {
             return fail(&error);
         }
         print(&chart);

@@ -67,7 +67,8 @@ pub fn compare(arguments: &Arguments) -> u8 {
             Ok(page) => page,
             Err(error) => return fail(&format!("error: {error}")),
         };
-        if let Err(error) = write_comparison(&page.study, page.calibration.as_ref(), &page.comparison, &page.results, &folder) {
+        let written = write_comparison(&page.study, page.calibration.as_ref(), &page.comparison, &page.results, &folder);
+        if let Err(error) = written.and_then(|()| folder.complete()) {
             return fail(&error);
         }
         print(&page, &folder);
@@ -91,7 +92,7 @@ fn sizing(study: &SizingStudy, root: &Path) -> Result<(), u8> {
     let folder = Folder::create(&root.join(&study.name)).map_err(|e| fail(&e))?;
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
-    write_rounds(&rows, &folder).map_err(|e| fail(&e))?;
+    write_rounds(&rows, &folder).and_then(|()| folder.complete()).map_err(|e| fail(&e))?;
     say(&format!("{}\n\n{}  {} files written to {}\n\n", study.title, text::rounds(&rows), folder.written(), folder.path().display()));
     Ok(())
 }

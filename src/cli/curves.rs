@@ -60,7 +60,7 @@ pub fn curves(arguments: &Arguments) -> u8 {
         Ok(curves) => curves,
         Err(error) => return fail(&format!("error: {error}")),
     };
-    if let Err(error) = write_curves(&figures, &holzer, &folder) {
+    if let Err(error) = write_curves(&figures, &holzer, &folder).and_then(|()| folder.complete()) {
         return fail(&error);
     }
     say(&text::curves(&figures, &holzer));

@@ -10,11 +10,24 @@ pub(crate) const FAILED: u8 = 1;
 /// Exit code: bad input or numerical failure.
 pub(crate) const BAD_INPUT: u8 = 2;
 
+/// Text for a terminal: what would move its cursor, turn its direction or hide stands in it as `\u{…}`, whatever file it came from.
+fn printable(text: &str) -> String {
+    let hidden = |c: char| {
+        c.is_control() && c != '\n' && c != '\t'
+            || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
+    };
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if hidden(c) { out.extend(c.escape_unicode()) } else { out.push(c) }
+    }
+    out
+}
+
 /// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped. Any other loss of output ends the
 /// program with the code of bad input.
 pub fn say(text: &str) {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(printable(text).as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
             fail(&format!("error: standard output cannot be written: {e}"));
             std::process::exit(i32::from(BAD_INPUT));
@@ -26,7 +39,7 @@ pub fn say(text: &str) {
 /// Prints an error and gives the exit code of bad input.
 pub fn fail(error: &dyn Display) -> u8 {
     let text = error.to_string();
-    let _closed = writeln!(std::io::stderr(), "{}", text.trim_end());
+    let _closed = writeln!(std::io::stderr(), "{}", printable(text.trim_end()));
     BAD_INPUT
 }
 

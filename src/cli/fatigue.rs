@@ -155,7 +155,7 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
         }
     }
     drop(bar);
-    let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder));
+    let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder)).and_then(|()| folder.complete());
     if let Err(error) = written {
         return fail(&error);
     }

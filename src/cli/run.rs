@@ -61,7 +61,7 @@ pub fn run(arguments: &Arguments) -> u8 {
     let mut timing = results.timing.clone();
     timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
-    if let Err(error) = csv::timing(&timing, &folder) {
+    if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.complete()) {
         return fail(&error);
     }
     print(study, calibration, &results, &folder, &timing);

@@ -44,7 +44,7 @@ pub fn size(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&format!("error: {}: {error}", arguments.sizing.display())),
     };
     let published = study.published.as_ref().map_or_else(Vec::new, |p| rounds(&study.specification, &results.sized.rounds, p));
-    if let Err(error) = write_sizing(&study, &results, &published, &folder) {
+    if let Err(error) = write_sizing(&study, &results, &published, &folder).and_then(|()| folder.complete()) {
         return fail(&error);
     }
     say(&text::sizing(&study, &results, &published));

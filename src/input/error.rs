@@ -1,5 +1,6 @@
 //! Mistakes in input files, each with its place, what was found and what was expected.
 
+use super::excerpt::{shortened, window};
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -60,7 +61,7 @@ pub struct InputError {
 
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "error: {}", self.message)?;
+        writeln!(f, "error: {}", shortened(&self.message))?;
         match &self.place {
             Place::File(path) => writeln!(f, "  --> {}", path.display())?,
             Place::Cell { path, row, column } => writeln!(f, "  --> {}, row {row}, column `{column}`", path.display())?,
@@ -68,14 +69,15 @@ impl fmt::Display for Mistake {
                 let gutter = " ".repeat(line.to_string().len());
                 writeln!(f, "{gutter} --> {}:{line}:{column}", path.display())?;
                 writeln!(f, "{gutter} |")?;
+                let (text, before, length) = window(text, column - 1, *length);
                 writeln!(f, "{line} | {text}")?;
                 // tabs keep their width, so that the underline sits below the value
-                let indent: String = text.chars().take(column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-                writeln!(f, "{gutter} | {indent}{}", "^".repeat(*length))?;
+                let indent: String = text.chars().take(before).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+                writeln!(f, "{gutter} | {indent}{}", "^".repeat(length))?;
             }
         }
         if let Some(help) = &self.help {
-            writeln!(f, "  = help: {help}")?;
+            writeln!(f, "  = help: {}", shortened(help))?;
         }
         Ok(())
     }

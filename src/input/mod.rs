@@ -1,6 +1,7 @@
 //! The only place that reads files: a study in TOML, the engine file and tables it names.
 
 pub mod error;
+mod excerpt;
 pub mod measure;
 pub mod published;
 mod schema;

@@ -1,5 +1,6 @@
-//! Whole files or none: each is written under a temporary name and renamed.
+//! Whole files or none: each is written under a temporary name and renamed. One run at a time writes to a folder, and tells in `summary.json`, its last file, that all are there and of one run.
 
+use std::fs::{File, TryLockError};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -21,7 +22,16 @@ pub struct Folder {
     path: PathBuf,
     /// Names of the files written.
     written: Mutex<Vec<String>>,
+    /// Held as long as the folder is written to.
+    _lock: Option<File>,
 }
+
+/// The file that tells of the others.
+const SUMMARY: &str = "summary.json";
+/// Differs from run to run.
+const TIMES: &str = "timing.csv";
+/// What temporary names begin with.
+const TEMPORARY: &str = ".hartog";
 
 impl Folder {
     /// Makes the folder where it is missing, and tries whether it can be written to, so that a long run does not fail at its end.
@@ -30,9 +40,56 @@ impl Folder {
     /// [`WriteError`] where that fails.
     pub(crate) fn create(path: &Path) -> Result<Self, WriteError> {
         let failed = |e: std::io::Error| WriteError { path: path.to_path_buf(), reason: reason(&e) };
+        if path.is_symlink() && !path.exists() {
+            return Err(WriteError { path: path.to_path_buf(), reason: "it is a link to something that is not there".into() });
+        }
         std::fs::create_dir_all(path).map_err(failed)?;
-        tempfile::Builder::new().prefix(".hartog").tempfile_in(path).map_err(failed)?;
-        Ok(Self { path: path.to_path_buf(), written: Mutex::default() })
+        let lock = lock(path)?;
+        tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(path).map_err(failed)?;
+        let folder = Self { path: path.to_path_buf(), written: Mutex::default(), _lock: lock };
+        if folder._lock.is_some() {
+            folder.remove_temporary().map_err(failed)?;
+        }
+        Ok(folder)
+    }
+
+    /// Removes what runs that were killed have left: none is at work here.
+    fn remove_temporary(&self) -> std::io::Result<()> {
+        for entry in std::fs::read_dir(&self.path)? {
+            let entry = entry?;
+            if entry.file_name().to_string_lossy().starts_with(TEMPORARY) && entry.file_type()?.is_file() {
+                std::fs::remove_file(entry.path())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Files of this run begin to take the place of others: as long as both are there nothing says that they belong together.
+    fn begin(&self) -> Result<(), WriteError> {
+        let path = self.path.join(SUMMARY);
+        match std::fs::remove_file(&path) {
+            Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(WriteError { reason: reason(&e), path }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes `summary.json` when all else is written: the program, and name, size and checksum (CRC-32) of every file but that of times.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub(crate) fn complete(&self) -> Result<(), WriteError> {
+        let mut names = self.written.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        names.sort();
+        names.dedup();
+        let mut files = Vec::new();
+        for name in names.into_iter().filter(|n| n != TIMES) {
+            let path = self.path.join(&name);
+            let bytes = std::fs::read(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
+            files.push(serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32fast::hash(&bytes)) }));
+        }
+        let summary = serde_json::json!({ "program": concat!("hartog ", env!("CARGO_PKG_VERSION")), "files": files });
+        let text = format!("{summary:#}\n");
+        self.write(SUMMARY, text.as_bytes())
     }
 
     /// Where it is.
@@ -40,9 +97,9 @@ impl Folder {
         &self.path
     }
 
-    /// How many files were written.
+    /// How many files were written, besides the one that tells of them.
     pub fn written(&self) -> usize {
-        self.written.lock().unwrap_or_else(PoisonError::into_inner).len()
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).iter().filter(|n| *n != SUMMARY).count()
     }
 
     /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.
@@ -53,6 +110,7 @@ impl Folder {
         for name in names {
             let path = self.path.join(name);
             if path.is_file() {
+                self.begin()?;
                 std::fs::remove_file(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
             }
         }
@@ -82,7 +140,7 @@ impl Folder {
     /// [`WriteError`] where that fails.
     pub(crate) fn stream(&self) -> Result<Stream, WriteError> {
         let failed = |e: std::io::Error| WriteError { path: self.path.clone(), reason: reason(&e) };
-        let file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
+        let file = tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(&self.path).map_err(failed)?;
         Ok(Stream(BufWriter::new(file)))
     }
 
@@ -104,7 +162,7 @@ impl Folder {
     pub fn write(&self, name: &str, content: &[u8]) -> Result<(), WriteError> {
         let target = self.path.join(name);
         let failed = |e: std::io::Error| WriteError { path: target.clone(), reason: reason(&e) };
-        let mut file = tempfile::Builder::new().prefix(".hartog").tempfile_in(&self.path).map_err(failed)?;
+        let mut file = tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(&self.path).map_err(failed)?;
         file.write_all(content).map_err(failed)?;
         self.named(file, name)
     }
@@ -118,9 +176,21 @@ impl Folder {
             // temporary files are private; results are as readable as any other file
             file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644)).map_err(failed)?;
         }
+        self.begin()?;
         file.persist(&target).map_err(|e| failed(e.error))?;
         self.written.lock().unwrap_or_else(PoisonError::into_inner).push(name.to_owned());
         Ok(())
+    }
+}
+
+/// The folder, locked against other runs; nothing where that is not possible.
+fn lock(path: &Path) -> Result<Option<File>, WriteError> {
+    // a folder can be opened as a file on Unix only
+    let Ok(folder) = File::open(path) else { return Ok(None) };
+    match folder.try_lock() {
+        Ok(()) => Ok(Some(folder)),
+        Err(TryLockError::WouldBlock) => Err(WriteError { path: path.to_path_buf(), reason: "another run is writing to it".into() }),
+        Err(TryLockError::Error(_)) => Ok(None),
     }
 }
 

@@ -10,6 +10,9 @@ use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
+/// Samples of one point: a tenth of a degree of two turns is 7200.
+const MOST_SAMPLES: usize = 100_000;
+
 /// The stress of one point over a cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointHistory {
@@ -81,6 +84,10 @@ impl HistoryReader {
             if row.name != name {
                 self.waiting = Some(row);
                 break;
+            }
+            if angles.len() == MOST_SAMPLES {
+                let words = format!("found more than {MOST_SAMPLES} samples of point `{}`, expected at most so many", shown(&name));
+                return Err(self.at(row.line, 1, words));
             }
             self.check_angle(&angles, &row)?;
             angles.push(row.angle);

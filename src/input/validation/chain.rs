@@ -17,11 +17,19 @@ pub(super) fn reciprocating(raw: &RawEngine) -> Reciprocating {
     Reciprocating { mean: stated.unwrap_or(default) == RawReciprocating::Mean, stated: stated.is_some() }
 }
 
+/// Modes of longer chains would take minutes, and no shaft needs them.
+const MOST_STATIONS: usize = 500;
+
 /// The chain, or nothing where a mistake leaves none. The engine is nothing where it is unknown.
 pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine>, crank: Option<&Crank>) -> Option<Chain> {
     let throws = engine.map_or(0, |e| e.layout.throws());
     if raw.station.is_empty() {
         check.wrong(&raw.strokes, "found no [[station]], expected at least one in an engine file");
+        return None;
+    }
+    if raw.station.len() > MOST_STATIONS {
+        let found = format!("found station {} of {}, expected at most {MOST_STATIONS}", MOST_STATIONS + 1, raw.station.len());
+        check.wrong(&raw.station[MOST_STATIONS].name, found);
         return None;
     }
     let mut names = HashSet::new();

@@ -99,6 +99,8 @@ fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base>
     let study = files.study;
     let speeds_rpm = ranges::speeds(check, study);
     let order_limit = study.order_limit.as_ref().map_or(12.0, |o| check.within(o, 0.5..=200.0, "an order from 0.5 to 200"));
+    // a mistake must not make what follows build a list of all orders up to it
+    let order_limit = if order_limit <= 200.0 { order_limit } else { 200.0 };
     if speeds_rpm.len() as f64 * order_limit * 2.0 > MOST_POINTS {
         let found = speeds_rpm.len();
         check.wrong(

@@ -1,0 +1,87 @@
+//! Hostile use: folders that others write to, text that moves a cursor, counts that ask for all memory.
+
+use assert_cmd::Command;
+use assert_cmd::assert::Assert;
+use std::fs;
+
+fn hartog(arguments: &[&str]) -> Assert {
+    let mut c = Command::cargo_bin("hartog").expect("built");
+    c.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments).assert()
+}
+
+/// One run at a time writes to a folder; `summary.json`, written last, has the checksum of every file but that of times; what a killed run left is cleared, and a folder whose run did not end has none.
+#[cfg(unix)]
+#[test]
+fn a_folder_belongs_to_one_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = || hartog(&["run", "studies/den_hartog.toml", "--out", &folder.path().to_string_lossy()]);
+    fs::write(folder.path().join(".hartogdead"), "half").expect("written");
+    fs::write(folder.path().join("heat.csv"), "of another run").expect("written");
+    run().success();
+    assert!(!folder.path().join(".hartogdead").exists() && !folder.path().join("heat.csv").exists());
+    let summary = fs::read_to_string(folder.path().join("summary.json")).expect("a summary");
+    let names: Vec<String> =
+        fs::read_dir(folder.path()).expect("a folder").map(|e| e.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    for name in names.iter().filter(|n| !["summary.json", "timing.csv"].contains(&n.as_str())) {
+        let bytes = fs::read(folder.path().join(name)).expect("bytes");
+        let entry = format!("\"bytes\": {},\n      \"crc32\": \"{:08x}\",\n      \"name\": \"{name}\"", bytes.len(), crc32(&bytes));
+        assert!(summary.contains(&entry), "{entry} in {summary}");
+    }
+    let held = fs::File::open(folder.path()).expect("a folder");
+    held.lock().expect("a lock");
+    let refused = run().code(2);
+    let text = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(text.contains("another run is writing to it"), "{text}");
+}
+
+/// CRC-32 of a text, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    let step = |c: u32| if c & 1 == 1 { (c >> 1) ^ 0xedb8_8320 } else { c >> 1 };
+    !bytes.iter().fold(!0, |c, b| (0..8).fold(c ^ u32::from(*b), |c, _| step(c)))
+}
+
+/// What files say is printed, whatever it does to a terminal: control characters, changed directions and characters without width stand as `\u{…}`; a word of a hundred thousand letters is cut, a line,
+/// too, and the mistake is still underlined.
+#[test]
+fn nothing_from_a_file_moves_the_cursor() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let study = folder.path().join("study.toml");
+    let long = "x".repeat(100_000);
+    let checked = |text: String| {
+        fs::write(&study, text).expect("written");
+        let output = hartog(&["check", &study.to_string_lossy()]).code(2);
+        String::from_utf8_lossy(&output.get_output().stderr).into_owned()
+    };
+    let text = checked("engine = \"a\\u001b]0;title\\u0007\\u202e\\u200b.toml\"\nspeed_rpm = { from = 1, to = 2, step = 1 }\n".into());
+    assert!(text.contains("\\u{1b}") && text.contains("\\u{202e}"), "{text}");
+    assert!(text.chars().all(|c| c == '\n' || !c.is_control()) && !text.contains(['\u{202e}', '\u{200b}']), "{text:?}");
+    let text = checked(format!("engine = \"{long}\"\nspeed_rpm = {{ from = 1, to = 2, step = 1 }}\n{long} = 3\n"));
+    assert!(text.len() < 3000 && text.contains("(100000 characters)") && text.contains('^'), "{} characters", text.len());
+}
+
+/// Counts are bounded before anything is built from them: a huge `order_limit` is refused at once, a chain of more stations than any shaft has, and more samples than any cycle needs.
+#[test]
+fn counts_are_bounded() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let engine = root.join("studies/engines/villalva_i6.toml");
+    let study = folder.path().join("study.toml");
+    let speeds = "speed_rpm = { from = 600, to = 3200, step = 100 }\n[[design]]\nname = \"none\"\n";
+    let refused = |study: &std::path::Path| {
+        let output = hartog(&["check", &study.to_string_lossy()]).code(2);
+        String::from_utf8_lossy(&output.get_output().stderr).into_owned()
+    };
+    for limit in ["1e9", "1e300", "inf", "nan"] {
+        fs::write(&study, format!("engine = {:?}\norder_limit = {limit}\n{speeds}", engine)).expect("written");
+        let text = refused(&study);
+        assert!(text.contains("expected an order from 0.5 to 200"), "{text}");
+    }
+    let more: String = (0..2000)
+        .map(|i| format!("\n[[station]]\nname = \"extra{i}\"\ninertia_kg_m2 = 1e-3\nstiffness_to_next_n_m_per_rad = 1e6\n"))
+        .collect();
+    let long = fs::read_to_string(&engine).expect("an engine") + &more;
+    fs::write(folder.path().join("long.toml"), long).expect("written");
+    fs::write(&study, format!("engine = \"long.toml\"\n{speeds}")).expect("written");
+    let text = refused(&study);
+    assert!(text.contains("expected at most 500"), "{text}");
+}

@@ -85,3 +85,39 @@ fn counts_are_bounded() {
     let text = refused(&study);
     assert!(text.contains("expected at most 500"), "{text}");
 }
+
+/// A whole number that is too large is told of in words; a station that a mode does not move has no inertia there, not an infinite one; a link to nothing is no folder.
+#[test]
+fn words_for_what_has_no_number() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("study.toml");
+    let given = |text: &str| fs::write(&path, text).expect("written");
+    let family = "[optimise]\nseed = 9223372036854775808\n[[optimise.absorber]]\non.station = \"a\"\ntypes = [\"tuned\"]\n";
+    let size = "size.ring_inertia_kg_m2.fixed = 0.1\n";
+    let speeds = "engine = \"engine.toml\"\nspeed_rpm = { from = 600, to = 700, step = 100 }\norder_limit = 2\n";
+    given(&format!("{speeds}{family}{size}"));
+    let path = path.to_string_lossy().into_owned();
+    let text = String::from_utf8_lossy(&hartog(&["check", &path]).code(2).get_output().stderr).into_owned();
+    assert!(text.contains("expected a whole number from") && !text.contains("i64"), "{text}");
+    // three equal masses in a row: the first elastic mode does not move the one in the middle
+    let station =
+        |name: &str, more: &str| format!("[[station]]\nname = \"{name}\"\ninertia_kg_m2 = 1\nstiffness_to_next_n_m_per_rad = 1e6\n{more}");
+    let engine = fs::read_to_string("studies/engines/den_hartog.toml").expect("an engine");
+    let head = engine.split("[[station]]").next().expect("a head").replace("den_hartog_harmonics", "harmonics");
+    fs::copy("studies/engines/den_hartog_harmonics.csv", folder.path().join("harmonics.csv")).expect("copied");
+    let chain = station("a", "throws = [1]\n") + &station("b", "") + &station("c", "").replace("stiffness_to_next_n_m_per_rad = 1e6\n", "");
+    fs::write(folder.path().join("engine.toml"), head + &chain).expect("written");
+    let design = "[[design]]\nname = \"d\"\n[[design.absorber]]\non.station = \"b\"\ntype.viscous = { ring_inertia_kg_m2 = 0.1, damping_n_m_s_per_rad = 1 }\n";
+    fs::write(&path, format!("{speeds}{design}")).expect("written");
+    let found = hartog(&["check", &path]).code(0);
+    let text = String::from_utf8_lossy(&found.get_output().stdout).into_owned();
+    assert!(text.contains("does not move"), "{text}");
+    #[cfg(unix)]
+    {
+        let link = folder.path().join("link");
+        std::os::unix::fs::symlink("/nowhere/at/all", &link).expect("a link");
+        let refused = hartog(&["run", "studies/den_hartog.toml", "--out", &link.to_string_lossy()]).code(2);
+        let text = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(text.contains("a link to something that is not there"), "{text}");
+    }
+}

@@ -246,6 +246,10 @@ fn reword(message: &str) -> (String, Option<String>) {
         let found = found.replace("map", "a table").replace("sequence", "a list").replace(" as i128", "");
         return (format!("found {found}, expected {}", plain_type(expected)), None);
     }
+    if let Some((found, expected)) = message.strip_prefix("invalid value: ").and_then(|m| m.split_once(", expected ")) {
+        let most = if found.starts_with("integer ") { format!(" from {} to {}", i64::MIN, i64::MAX) } else { String::new() };
+        return (format!("found {found}, expected {}{most}", plain_type(expected)), None);
+    }
     if let Some((found, expected)) = message.strip_prefix("invalid length ").and_then(|m| m.split_once(", expected ")) {
         return (format!("found {found} values, expected {}", plain_type(expected)), None);
     }

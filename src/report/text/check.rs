@@ -172,7 +172,10 @@ fn modes(study: &Study, excitation: &Excitation) -> String {
                 format!("{}", i + 1),
                 format!("{:.2}", study.modes.frequencies_hz()[i]),
                 format!("{:.4}", study.modes.damping_ratio(mode)),
-                significant(study.modes.equivalent_inertia(mode, study.hub), 5),
+                // rounding leaves a trace of motion where there is none
+                Some(study.modes.equivalent_inertia(mode, study.hub))
+                    .filter(|j| *j < 1e6 * study.chain.total_inertia())
+                    .map_or("does not move".into(), |j| significant(j, 5)),
                 if shown.is_empty() { "none in range".into() } else { shown },
             ]
         })

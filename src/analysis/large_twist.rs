@@ -1,6 +1,6 @@
 //! Designs with an absorber whose twist is not small, over speed: all steady motions that are found, which of them last, and the largest of those.
 
-use super::DesignResult;
+use super::{DesignResult, Progress};
 use crate::absorber::Mounted;
 use crate::input::Study;
 use crate::numerics::maximise::maximise;
@@ -48,6 +48,8 @@ pub struct LargeTwistOfDesign {
     pub travel: Option<f64>,
 }
 
+/// Harmonics that are balanced at least: those of a few orders make others.
+const LEAST: usize = 8;
 /// With twice the harmonics the peak may change by the tolerance of the study; else they are doubled, so often at most.
 const DOUBLINGS: usize = 2;
 /// Halvings for the place where stability ends.
@@ -61,9 +63,18 @@ pub(crate) fn large_twist<'d>(
     study: &Study,
     finder: &PeakFinder,
     shown: &[&'d DesignResult],
+    progress: &dyn Progress,
 ) -> Result<Vec<LargeTwistOfDesign>, (&'d DesignResult, ResponseError)> {
-    let one = |d: &&'d DesignResult| of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
-    shown.par_iter().filter_map(one).collect()
+    let followed: Vec<&&DesignResult> = shown.iter().filter(|d| Balance::new(finder.system, &d.absorbers, &[], 1).is_some()).collect();
+    if !followed.is_empty() {
+        progress.stage("motions at their own amplitude", followed.len());
+    }
+    let one = |d: &&&'d DesignResult| {
+        let found = of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (**d, error)).transpose();
+        progress.step();
+        found
+    };
+    followed.par_iter().filter_map(one).collect()
 }
 
 /// A design; nothing where all its laws are of small twist.
@@ -75,7 +86,7 @@ pub(crate) fn of_design(
     finder: &PeakFinder,
     (name, design): (&str, &[Mounted]),
 ) -> Result<Option<LargeTwistOfDesign>, ResponseError> {
-    let highest = finder.system.excitation.harmonics.iter().max().map_or(1, |h| *h as usize);
+    let highest = finder.system.excitation.harmonics.iter().max().map_or(LEAST, |h| LEAST.max(*h as usize));
     let balance = |harmonics| Balance::new(finder.system, design, &[study.twist], harmonics);
     let Some(mut own) = balance(highest) else { return Ok(None) };
     let range = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
@@ -100,7 +111,7 @@ pub(crate) fn of_design(
         let curves = own.curves(&study.speeds_rpm, &mut Work::default())?;
         let peak = seen.peak(&own, &curves, range)?;
         let change = peak.as_ref().map_or(Ok(0.0), |(peak, _)| change(peak))?;
-        if change > study.tolerance && doubling < DOUBLINGS {
+        if change > study.tolerance && doubling < DOUBLINGS && curves.iter().all(|c| c.whole) {
             own = twice;
             continue;
         }

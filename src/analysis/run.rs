@@ -116,8 +116,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist } =
-        over_speed(study, &finders[0], &finders, &shown)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist } = over_speed(study, &finders, &shown, progress)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -225,7 +224,8 @@ struct OverSpeed {
 }
 
 /// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
-fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown: &[&DesignResult]) -> Result<OverSpeed, RunError> {
+fn over_speed(study: &Study, finders: &[PeakFinder], shown: &[&DesignResult], progress: &dyn Progress) -> Result<OverSpeed, RunError> {
+    let firing = &finders[0];
     let own = Grid::new(&study.speeds_rpm, &[]);
     let sweeps = shown
         .par_iter()
@@ -243,7 +243,7 @@ fn over_speed(study: &Study, firing: &PeakFinder, finders: &[PeakFinder], shown:
     })?;
     let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    let large_twist = large_twist::large_twist(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist })

@@ -74,12 +74,11 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
         text.push_str(&format!("  {}: stability cannot be told beside laws that are known by frequency only.\n", d.design));
     }
     if !d.whole {
+        let travel =
+            d.travel.map_or_else(String::new, |t| format!("; its travel ends at {}° of ring twist", significant(t * DEG_PER_RAD, 4)));
         text.push_str(&format!(
-            "  {}: NOT FOLLOWED to the end of the range: {}.\n",
-            d.design,
-            d.travel.map_or("no motion was found further on".to_owned(), |t| {
-                format!("the travel ends at {}° of ring twist, or no motion was found further on", significant(t * DEG_PER_RAD, 4))
-            })
+            "  {}: NOT FOLLOWED to the end of every curve: no motion was found further on, or too many steps were needed{travel}.\n",
+            d.design
         ));
     }
     if d.change > tolerance {

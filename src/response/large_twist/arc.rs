@@ -13,8 +13,6 @@ const LAST_STEP: f64 = 1e-11;
 /// Steps of Newton's method: more are given up, fewer lengthen the next step.
 const MOST: usize = 9;
 const FEW: usize = 4;
-/// Points of a curve: it is given up after so many.
-const MOST_POINTS: usize = 20_000;
 /// Share of the speed for a difference.
 const DIFFERENCE: f64 = 1e-7;
 
@@ -76,7 +74,7 @@ impl<'w, 'a> Arc<'w, 'a> {
             Some(tangent) => place.tangent = tangent,
             None => return piece(points, false, false),
         }
-        while points.len() < MOST_POINTS {
+        while !self.balance.is_spent(self.work) {
             let Some((next, steps)) = self.step(&place, length)? else {
                 length *= 0.5;
                 if length < SHORTEST {

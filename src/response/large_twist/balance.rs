@@ -13,6 +13,8 @@ use std::sync::Arc;
 
 /// A step of Newton's method is the last when it is this share of the motion: the error it leaves is about the square of that.
 const LAST_STEP: f64 = 1e-8;
+/// Steps of Newton's method times the cube of the unknowns: some ten seconds.
+const MOST_WORK: f64 = 6e10;
 /// Most steps from a start that may be far.
 pub(super) const MOST_STEPS: usize = 30;
 
@@ -118,6 +120,11 @@ impl<'a> Balance<'a> {
     pub(super) fn unknowns(&self) -> usize {
         let h = self.harmonics();
         if self.equations().is_ring() { 2 * h + 1 } else { 4 * h + 1 }
+    }
+
+    /// Whether no more work is to be spent: each step of Newton's method costs about the cube of the unknowns.
+    pub(super) fn is_spent(&self, work: &Work) -> bool {
+        work.harmonic_balances as f64 * (self.unknowns() as f64).powi(3) > MOST_WORK
     }
 
     /// Orders per harmonic of the cycle.

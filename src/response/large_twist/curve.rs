@@ -125,6 +125,9 @@ impl Balance<'_> {
             let small = self.small(linear);
             // the first is where the curves began
             for factor in STARTS.into_iter().skip(usize::from(!curves.is_empty())) {
+                if self.is_spent(work) {
+                    return list;
+                }
                 // without any other, a motion is worth more work
                 let found = self.newton(linear, &(&small * factor), MOST_STEPS, work);
                 let found = if found.is_none() && factor == STARTS[0] { self.first(linear, work) } else { found };

@@ -40,7 +40,7 @@ fn of_design(study: &Study, finder: &PeakFinder, d: &DesignResult) -> Result<Opt
     let omega = finder.system.excitation.orders[peak.order].omega(peak.speed_rpm);
     let at = Operating { omega, shaft_speed: peak.speed_rpm * RAD_PER_S_PER_RPM };
     let constant = |m: &Mounted| -> Option<Absorber> {
-        let law = m.absorber.law().filter(|law| law.spring_and_damper().is_none())?;
+        let law = m.absorber.law().filter(|law| law.spring_and_damper().is_none() && law.large_twist().is_none())?;
         let s = law.dynamic_stiffness(at);
         // a spring below zero is none: such a law is no spring and damper at any frequency
         let (stiffness, damping) = (s.re.max(0.0), s.im / omega);

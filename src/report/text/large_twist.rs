@@ -13,7 +13,7 @@ pub(crate) fn large_twist(study: &Study, results: &Results) -> String {
     let rows: Vec<Vec<String>> = results.large_twist.iter().map(|d| row(results, d)).collect();
     let header = ["design", "small/°", "peak/°", "at/rpm", "ring/°", "heat/W", "harmonics"];
     let mut text = format!(
-        "At their own amplitude, by harmonic balance (tables and plots elsewhere are of small twist; the peak is that of motions that last):\n{}",
+        "At their own amplitude, by harmonic balance (limits, conditions, optima and other tables are of small twist; the peak is the largest found that may last):\n{}",
         table(&header, &rows)
     );
     for d in &results.large_twist {
@@ -72,6 +72,9 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
     }
     if d.curves.iter().flatten().any(|p| p.stable.is_none()) {
         text.push_str(&format!("  {}: stability cannot be told beside laws that are known by frequency only.\n", d.design));
+    }
+    if d.curves.iter().all(Vec::is_empty) {
+        text.push_str(&format!("  {}: NO MOTION was found at any speed.\n", d.design));
     }
     if !d.whole {
         let travel =

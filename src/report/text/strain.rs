@@ -26,7 +26,7 @@ pub(crate) fn strain(results: &Results) -> String {
     let header = ["design", "reference/°", "peak/°", "at/rpm", "strain/%", "rms rule/°", "at/rpm", "strain/%", "spread/%"];
     let rows: Vec<Vec<String>> = pairs.iter().map(row).collect();
     let mut text = format!(
-        "At the strain of their rubber, one for all orders of a speed: half peak-to-peak of the twist, and the sine of its mean square beside it\n{}",
+        "At the strain of their rubber, one for all orders of a speed: half peak-to-peak of the twist, and the sine of its mean square beside it; the lowest where several agree with\nthemselves. Limits, conditions and optima are of the reference strain, and of the first such absorber of a design\n{}",
         table(&header, &rows)
     );
     for d in &results.strain {

@@ -13,8 +13,8 @@ use std::sync::Arc;
 
 /// A step of Newton's method is the last when it is this share of the motion: the error it leaves is about the square of that.
 const LAST_STEP: f64 = 1e-8;
-/// Steps of Newton's method times the cube of the unknowns: some ten seconds.
-const MOST_WORK: f64 = 6e10;
+/// Steps of Newton's method times the cube of the unknowns: some seconds.
+const MOST_WORK: f64 = 1e10;
 /// Most steps from a start that may be far.
 pub(super) const MOST_STEPS: usize = 30;
 

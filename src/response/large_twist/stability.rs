@@ -9,11 +9,14 @@ use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
 use crate::units::RAD_PER_S_PER_RPM;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
 
 /// A multiplier is larger than one beyond this: rounding of the chain's free rotation.
 const LARGER: f64 = 1e-6;
+
+/// Sweeps for the multipliers.
+const MOST_SWEEPS: usize = 10_000;
 
 /// Whether small disturbances of a motion die out.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +46,7 @@ impl Balance<'_> {
         let whole = multiplier(in_time, &reactions, 1, cycle_seconds);
         let halved = multiplier(in_time, &reactions, 2, cycle_seconds);
         // the error is of second order in the step
-        let largest = whole + (whole - halved) / 3.0;
+        let largest = if whole.is_finite() && halved.is_finite() { whole + (whole - halved) / 3.0 } else { f64::INFINITY };
         if largest > 1.0 + LARGER { Stability::Unstable(largest) } else { Stability::Stable(largest) }
     }
 }
@@ -106,5 +109,8 @@ fn largest_multiplier(monodromy: &DMatrix<f64>, in_time: &InTime) -> f64 {
         }
         matrix = matrix.remove_row(hub).remove_column(hub);
     }
-    matrix.complex_eigenvalues().iter().map(|m| m.norm()).fold(0.0, f64::max)
+    // growth beyond numbers is growth; the iteration must not go on for ever on what rounding makes of it
+    let finite = matrix.iter().all(|x| x.is_finite());
+    let schur = if finite { Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS) } else { None };
+    schur.map_or(f64::INFINITY, |s| s.complex_eigenvalues().iter().map(|m| m.norm()).fold(0.0, f64::max))
 }

@@ -79,7 +79,7 @@
 //! - \[Bhandari 2010\] V. B. Bhandari, *Design of Machine Elements*, 3rd ed., chapter 25.
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
-//! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., sections 3.2, 3.3 and 5.7.
+//! - \[Den Hartog 1956\] J. P. Den Hartog, *Mechanical Vibrations*, 4th ed., chapters 3, 5 and 8.
 //! - \[Cameron & Griffin 1989\] T. M. Cameron, J. H. Griffin, An alternating frequency/time domain method for calculating the steady-state response of
 //!   nonlinear dynamic systems, *J. Appl. Mech.* 56, 149.
 //! - \[Denman 1992\] H. H. Denman, Tautochronic bifilar pendulum torsion absorbers for reciprocating engines, *J. Sound Vib.* 159, 251.
@@ -98,8 +98,8 @@
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
 //! - \[Friswell et al. 2010\] M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees, *Dynamics of Rotating Machines*, chapter 9.
 //! - \[Keller 1977\] H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in *Applications of Bifurcation Theory*.
-//! - \[Kraus 1984\] G. Kraus, Mechanical losses in carbon-black-filled rubbers, *J. Appl. Polym. Sci.: Appl. Polym. Symp.* 39, 75.
 //! - \[Ker Wilson 1956\] W. Ker Wilson, *Practical Solution of Torsional Vibration Problems*, 3rd ed., vol. 1.
+//! - \[Kraus 1984\] G. Kraus, Mechanical losses in carbon-black-filled rubbers, *J. Appl. Polym. Sci.: Appl. Polym. Symp.* 39, 75.
 //! - \[Nestorides 1958\] E. J. Nestorides, *A Handbook on Torsional Vibration*, BICERA, chapter 2.
 //! - \[Pasricha & Carnegie 1976\] M. S. Pasricha, W. D. Carnegie, Effects of variable inertia on the damped torsional vibrations of diesel engine
 //!   systems, *J. Sound Vib.* 46, 339.

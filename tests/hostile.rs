@@ -84,6 +84,14 @@ fn counts_are_bounded() {
     fs::write(&study, format!("engine = \"long.toml\"\n{speeds}")).expect("written");
     let text = refused(&study);
     assert!(text.contains("expected at most 500"), "{text}");
+    let row = |i: u32| format!("a,{},0,0,0,50,0,0\n", f64::from(i) * 720.0 / 100_001.0);
+    let history =
+        "point,crank_deg,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,syz_mpa,szx_mpa\n".to_owned() + &(0..100_001).map(row).collect::<String>();
+    let (csv, material) = (folder.path().join("history.csv"), root.join("tests/bad_input/material.toml"));
+    fs::write(&csv, history).expect("written");
+    let output = hartog(&["fatigue", &csv.to_string_lossy(), "--material", &material.to_string_lossy()]).code(2);
+    let text = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert!(text.contains("found more than 100000 samples of point `a`"), "{text}");
 }
 
 /// A whole number that is too large is told of in words; a station that a mode does not move has no inertia there, not an infinite one; a link to nothing is no folder.

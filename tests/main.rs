@@ -18,6 +18,7 @@ mod examples;
 mod fatigue;
 mod forces;
 mod hostile;
+mod in_operation;
 mod large_twist;
 mod laws;
 mod layering;

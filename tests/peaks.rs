@@ -110,7 +110,7 @@ fn numbers(sys: &System, design: &[Mounted], (low, high, step): (f64, f64, f64))
     let each = quantities.iter().flat_map(|q| [measure(*q, Over::Synthesis), measure(*q, Over::Orders)]);
     let mut list: Vec<f64> = each.map(|m| finder.peak(design, &m, &mut Work::default()).expect("damped").expect("excited").value).collect();
     let measure = measure(twist, Over::Synthesis);
-    let wanted = Wanted { twist, hub: 0, objective: &measure, limits: &[], margins: &[], conditions: &[], held: &[] };
+    let wanted = Wanted { twist, hub: 0, objective: &measure, limits: &[], margins: &[], conditions: vec![], held: &[] };
     let whole = evaluate(std::slice::from_ref(&finder), "d", design, &wanted, &mut Work::default()).expect("damped");
     list.extend([whole.power, whole.torque.map(|p| p.value), whole.ring_twist].into_iter().flatten());
     list

@@ -1,6 +1,6 @@
 //! Ring on a spring that stiffens with its twist, with a viscous damper beside it: torque k (delta + a delta³) + c delta'.
 //!
-//! At small twist it is a ring on a spring and a damper; at the amplitude A of a single frequency its spring is one of k (1 + 3/4 a A²) \[Den Hartog 1956, section 8.7\].
+//! At small twist it is a ring on a spring and a damper; at the amplitude A of a single frequency its spring is one of k (1 + 3/4 a A²) \[Den Hartog 1956, chapter 8\].
 
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::{Instant, LargeTwist, Reaction};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Hardening {
     /// kg m².
     pub ring_inertia: f64,
-    /// k of small twists, N m/rad, not negative.
+    /// k of small twists, N m/rad, positive: without it nothing decides the mean twist.
     pub stiffness: f64,
     /// N m s/rad, not negative.
     pub damping: f64,
@@ -24,10 +24,13 @@ pub struct Hardening {
 
 const STIFFENING: Parameter = of_material(("stiffening_per_rad2", "stiffening/1/rad²"), Range::NotNegative, |_| (1.0, 1e6), |_| 1e3);
 
+/// A spring that leaves no doubt of the mean twist.
+const HELD: Parameter = Parameter { range: Range::Positive, ..STIFFNESS };
+
 /// Ring on a spring that stiffens.
 pub static HARDENING: Declaration = Declaration {
     name: "hardening",
-    parameters: &[RING_INERTIA, STIFFNESS, DAMPING, STIFFENING],
+    parameters: &[RING_INERTIA, HELD, DAMPING, STIFFENING],
     build: |v| Arc::new(Hardening { ring_inertia: v[0], stiffness: v[1], damping: v[2], stiffening: v[3] }),
     closed_forms: &[],
 };

@@ -36,3 +36,10 @@ pub struct Material {
     /// How it follows the amplitude of its strain, where the geometry tells that.
     pub amplitude: Option<Kraus>,
 }
+
+impl Material {
+    /// Whether it says that its state follows from the motion: by heat, or by strain.
+    pub(crate) fn follows_motion(&self) -> bool {
+        self.thermal.is_some() || self.amplitude.is_some()
+    }
+}

@@ -27,6 +27,7 @@ pub mod temperature;
 pub mod tuned;
 pub mod types;
 pub mod undamped;
+mod varying;
 pub mod viscous;
 pub mod with_material;
 
@@ -55,6 +56,7 @@ pub use temperature::TemperatureLaw;
 pub use tuned::{TUNED, Tuned};
 pub use types::TYPES;
 pub use undamped::{UNDAMPED, Undamped};
+pub(crate) use varying::varying;
 pub use viscous::{VISCOUS, Viscous};
 pub use with_material::WithMaterial;
 pub(crate) use with_material::at_temperature;

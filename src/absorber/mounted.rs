@@ -1,6 +1,7 @@
 //! Absorbers and where they sit: on stations of the chain, or on the ring of another absorber.
 
 use super::law::{Declaration, Law};
+use super::material::Material;
 use super::state::State;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
@@ -69,6 +70,11 @@ impl Absorber {
     /// The same in a state of its material; nothing where that changes nothing.
     pub(crate) fn in_state(&self, state: State) -> Option<Self> {
         self.law()?.in_state(state).map(Self::Ring)
+    }
+
+    /// Whether its material says how its state follows from the motion.
+    pub(crate) fn follows_motion(&self) -> bool {
+        self.law().and_then(|law| law.material()).is_some_and(Material::follows_motion)
     }
 
     /// The type, where the ring moves.
@@ -148,6 +154,15 @@ impl Mounted {
     pub fn with_hub(self, hub_inertia: f64) -> Self {
         Self { hub_inertia, ..self }
     }
+}
+
+/// A design with the law of one absorber changed; the same where that is locked.
+pub(crate) fn with_law(design: &[Mounted], index: usize, change: impl FnOnce(&Arc<dyn Law>) -> Arc<dyn Law>) -> Vec<Mounted> {
+    let mut changed = design.to_vec();
+    if let Absorber::Ring(law) = &design[index].absorber {
+        changed[index].absorber = Absorber::Ring(change(law));
+    }
+    changed
 }
 
 /// Station that carries an absorber of a design, through the rings between.

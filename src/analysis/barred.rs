@@ -1,5 +1,6 @@
 //! Ranges of speed that a society's rule bars: round each critical speed at which a design breaks its limit.
 
+use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::Wanted;
 use crate::absorber::Mounted;
@@ -60,15 +61,15 @@ pub(crate) fn still_broken(
     let mut list = Vec::new();
     for (index, (limit, _)) in wanted.limits.iter().zip(ratios).enumerate().filter(|(_, (l, r))| l.rated_rpm.is_some() && !holds(**r)) {
         let mut worst: Option<StillBroken> = None;
-        for condition in wanted.held {
-            for finder in engines_in(*condition, finders) {
+        for condition in wanted.judged_in(design) {
+            for finder in engines_in(condition, finders) {
                 let mut outside = limit.of.measure.clone();
-                let own = barred.iter().filter(|b| (b.limit, b.condition) == (index, *condition));
+                let own = barred.iter().filter(|b| (b.limit, b.condition) == (index, condition));
                 outside.within.ranges = without(&outside.within.ranges, &finder.grid.speed_rpm, own);
                 if outside.within.ranges.is_empty() {
                     continue;
                 }
-                let Some(peak) = finder.peak(&condition.absorbers(design), &outside, &mut Work::default())? else { continue };
+                let Some(peak) = finder.peak(&absorbers(condition, finder, design)?, &outside, &mut Work::default())? else { continue };
                 let ratio = peak.value / limit.limit;
                 if !holds(ratio) && worst.is_none_or(|w| ratio > w.ratio) {
                     worst = Some(StillBroken { limit: index, ratio, speed_rpm: peak.speed_rpm });
@@ -104,9 +105,9 @@ pub(crate) fn ranges(
     let mut list: Vec<BarredRange> = Vec::new();
     for (index, (limit, ratio)) in wanted.limits.iter().zip(ratios).enumerate() {
         let Some(rated) = limit.rated_rpm.filter(|_| !holds(*ratio)) else { continue };
-        for condition in wanted.held {
-            for finder in engines_in(*condition, finders) {
-                let mounted = condition.absorbers(design);
+        for condition in wanted.judged_in(design) {
+            for finder in engines_in(condition, finders) {
+                let mounted = absorbers(condition, finder, design)?;
                 for peak in finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())? {
                     let (own, critical_rpm) = (peak.value / limit.limit, peak.speed_rpm);
                     // where the limit has a corner no order resonates
@@ -115,18 +116,18 @@ pub(crate) fn ranges(
                         continue;
                     }
                     let (from_rpm, to_rpm) = barred(critical_rpm, rated);
-                    let mut range =
-                        BarredRange { limit: index, condition: *condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed: true };
+                    let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed: true };
                     // ranges that meet are one, round the critical speed that breaks the limit most
                     list.retain(|r| {
                         let meets =
-                            (r.limit, r.condition) == (index, *condition) && r.from_rpm <= range.to_rpm && range.from_rpm <= r.to_rpm;
+                            (r.limit, r.condition) == (index, condition) && r.from_rpm <= range.to_rpm && range.from_rpm <= r.to_rpm;
                         if meets {
                             range.absorb(r);
                         }
                         !meets
                     });
-                    range.allowed = *condition != Condition::Firing || range.to_rpm <= HIGHEST_BARRED * rated;
+                    range.allowed =
+                        !matches!(condition, Condition::Firing | Condition::InOperation) || range.to_rpm <= HIGHEST_BARRED * rated;
                     list.push(range);
                 }
             }

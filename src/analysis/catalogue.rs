@@ -1,6 +1,7 @@
 //! Absorbers of catalogues in the order of the study's objective.
 
 use super::RunError;
+use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked};
 use crate::input::{DesignSpec, Study};
@@ -56,9 +57,9 @@ pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> 
 /// Objective, and the largest limited measure over its limit.
 fn judge(finders: &[PeakFinder], wanted: &Wanted, design: &DesignSpec) -> Result<(f64, f64), ResponseError> {
     let (mut value, mut over) = (0.0f64, 0.0f64);
-    for condition in wanted.held {
-        for finder in engines_in(*condition, finders) {
-            let (objective, limits) = asked(finder, &condition.absorbers(&design.absorbers), wanted, &mut Work::default())?;
+    for condition in wanted.judged_in(&design.absorbers) {
+        for finder in engines_in(condition, finders) {
+            let (objective, limits) = asked(finder, &absorbers(condition, finder, &design.absorbers)?, wanted, &mut Work::default())?;
             value = value.max(objective);
             over = limits.into_iter().fold(over, f64::max);
         }

@@ -1,6 +1,7 @@
 //! A design in a load case with a fault: a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
 
 use super::RunError;
+use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked, shafts};
 use crate::absorber::Mounted;
@@ -40,7 +41,7 @@ pub(crate) fn in_conditions(
     let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };
     let one = |condition: Condition, finder: &PeakFinder| -> Result<(ConditionResult, Work), ResponseError> {
         let cylinder = finder.system.excitation.units.misfiring();
-        let (design, mut work) = (condition.absorbers(design), Work::default());
+        let (design, mut work) = (absorbers(condition, finder, design)?, Work::default());
         let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure::new(quantities, Over::Synthesis), &mut work);
         let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
         let torque = if shafts.is_empty() { None } else { peak(shafts)? };
@@ -48,7 +49,7 @@ pub(crate) fn in_conditions(
         Ok((ConditionResult { condition, cylinder, twist, torque, objective, limits }, work))
     };
     let mut results = Vec::new();
-    for &condition in wanted.conditions {
+    for &condition in &wanted.conditions {
         let found: Vec<(ConditionResult, Work)> = match condition {
             Condition::Firing => continue,
             _ if condition.changes_nothing(design) => continue,

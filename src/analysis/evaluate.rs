@@ -189,9 +189,10 @@ pub fn evaluate(
     let conditions = conditions::in_conditions(finders, name, design, wanted, work)?;
     let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
     // a condition that makes no difference to the design is that of firing
-    asked.extend(conditions.iter().filter(|c| wanted.held.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
+    let judged_in = wanted.judged_in(design);
+    asked.extend(conditions.iter().filter(|c| judged_in.contains(&c.condition)).map(|c| (c.objective, &c.limits)));
     let differs = |held: &Condition| conditions.iter().any(|c| c.condition == *held);
-    if wanted.held.iter().all(differs) {
+    if judged_in.iter().all(differs) {
         asked.remove(0);
     }
     result.objective = Some(asked.iter().map(|a| a.0).fold(0.0, f64::max));

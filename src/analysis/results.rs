@@ -155,6 +155,13 @@ pub struct Results {
 }
 
 impl Results {
+    /// Conditions that some design is reported in.
+    pub(crate) fn conditions(&self) -> impl Iterator<Item = Condition> {
+        let all = self.designs.iter().chain(self.optima.iter().map(|o| &o.design));
+        let in_operation = all.flat_map(|d| &d.conditions).any(|c| c.condition == Condition::InOperation);
+        self.study.conditions.iter().copied().chain(in_operation.then_some(Condition::InOperation))
+    }
+
     /// Whether a name is that of an optimum.
     pub(crate) fn is_optimum(&self, name: &str) -> bool {
         self.optima.iter().any(|o| o.design.name == name)

@@ -1,39 +1,16 @@
 //! Absorbers whose rubber softens with its strain, at the strain that they have: one amplitude for all orders of a speed, by two rules.
 //!
 //! A law in frequency knows one amplitude; a ring under several orders has many. Its strain is taken as half the peak-to-peak of the synthesised twist, or as the root of twice its mean square: the truth
-//! of a law in time is not known to lie between, but where the two agree the choice does not matter.
+//! of a law in time is not known to lie between, but where the two agree the choice does not matter. Where something cools the absorber, its temperature is the one reached from cold.
 
 use super::DesignResult;
-use crate::absorber::{Absorber, Mounted, at_strain};
+use super::in_operation::{AtSpeed, Rule};
+use crate::absorber::Mounted;
 use crate::input::Study;
-use crate::numerics::C64;
 use crate::numerics::maximise::maximise;
-use crate::numerics::roots::roots;
 use crate::objective::PeakFinder;
-use crate::response::{Quantity, ResponseError, Work};
+use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
-
-/// What is taken for the amplitude of several orders together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-pub enum Rule {
-    /// Half the peak-to-peak of their sum.
-    HalfPeakToPeak,
-    /// The amplitude of a sine of the same mean square.
-    RootMeanSquare,
-}
-
-impl Rule {
-    /// Both.
-    pub(crate) const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
-
-    /// The word used in tables.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::HalfPeakToPeak => "half_peak_to_peak",
-            Self::RootMeanSquare => "root_mean_square",
-        }
-    }
-}
 
 /// A design at one speed.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -60,11 +37,6 @@ pub struct StrainOfDesign {
     /// Refined between the speeds.
     pub peak: StrainAt,
 }
-
-/// Strains looked at, by their logarithm.
-const LEAST: f64 = 1e-6;
-const MOST: f64 = 10.0;
-const SAMPLES: usize = 40;
 
 /// Every design with an absorber that says how it follows its strain, by both rules.
 ///
@@ -98,15 +70,6 @@ fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (index, rule): 
     Ok(StrainOfDesign { design: d.name.clone(), absorber: index, rule, points, peak })
 }
 
-/// The design with one absorber at an amplitude of strain.
-fn strained(design: &[Mounted], index: usize, strain: f64) -> Vec<Mounted> {
-    let mut other = design.to_vec();
-    if let Absorber::Ring(law) = &design[index].absorber {
-        other[index].absorber = Absorber::Ring(at_strain(law, strain));
-    }
-    other
-}
-
 fn at(
     study: &Study,
     finder: &PeakFinder,
@@ -114,21 +77,9 @@ fn at(
     rule: Rule,
     speed_rpm: f64,
 ) -> Result<StrainAt, ResponseError> {
-    let law = design[index].absorber.law();
-    let per_twist = law.and_then(|l| l.material()).and_then(|m| m.geometry).map_or(0.0, |g| g.strain_per_twist());
-    let phasors = |strain: f64, quantity: Quantity| -> Result<Vec<C64>, ResponseError> {
-        let design = strained(design, index, strain);
-        Ok(finder.direct.at_each(&design, &[quantity], &[speed_rpm], &mut Work::default())?.swap_remove(0))
-    };
-    let mut excess = |x: f64| -> Result<f64, ResponseError> {
-        let ring = phasors(x.exp(), Quantity::RingTwist(index))?;
-        let twist = match rule {
-            Rule::HalfPeakToPeak => finder.synthesis(&ring)[0],
-            Rule::RootMeanSquare => ring.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt(),
-        };
-        Ok(x - (per_twist * twist).max(LEAST).ln())
-    };
-    let strains: Vec<f64> = roots(LEAST.ln(), MOST.ln(), SAMPLES, &mut excess)?.into_iter().map(f64::exp).collect();
-    let twist = finder.synthesis(&phasors(strains.first().copied().unwrap_or(MOST), study.twist)?)[0];
-    Ok(StrainAt { speed_rpm, strains, twist })
+    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), (design, index), rule, speed_rpm).expect("a law that follows its strain");
+    let celsius = own.celsius()?;
+    let strains = own.strains(celsius)?;
+    let phasors = finder.direct.at_each(&own.with(&own.at(celsius)?), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);
+    Ok(StrainAt { speed_rpm, strains, twist: finder.synthesis(&phasors)[0] })
 }

@@ -1,6 +1,7 @@
 //! Response of a design over the speeds of the study, for tables and plots.
 
 use super::ConditionResult;
+use super::in_operation::absorbers;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
 use crate::engine::Units;
@@ -81,7 +82,7 @@ pub fn sweeps(
     for c in conditions {
         let finder = finder_of(finders, c);
         let mut phasors = Vec::new();
-        Direct::new(finder.system, grid).sweep(&c.condition.absorbers(design), twist, &mut phasors, work)?;
+        Direct::new(finder.system, grid).sweep(&absorbers(c.condition, finder, design)?, twist, &mut phasors, work)?;
         let total = finder.synthesis(&phasors).iter().map(|v| v * degrees).collect();
         let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
         // cylinders that differ bring orders of their own

@@ -18,9 +18,9 @@ pub struct Wanted<'a> {
     pub limits: &'a [LimitSpec],
     /// Margins of the crank.
     pub margins: &'a [Measure],
-    /// Conditions besides firing.
-    pub conditions: &'a [Condition],
-    /// Conditions an optimum is to hold in.
+    /// Conditions besides firing; in operation every design is reported that differs then.
+    pub conditions: Vec<Condition>,
+    /// Conditions that an optimum is to hold in.
     pub held: &'a [Condition],
 }
 
@@ -33,9 +33,15 @@ impl<'a> Wanted<'a> {
             objective: &study.objective.measure,
             limits: &study.limits,
             margins,
-            conditions: &study.conditions,
+            conditions: study.conditions.iter().copied().chain([Condition::InOperation]).collect(),
             held: study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions),
         }
+    }
+
+    /// Conditions that a design is judged in: those that an optimum is to hold in, and in operation where that differs.
+    pub(crate) fn judged_in(&self, design: &[Mounted]) -> Vec<Condition> {
+        let in_operation = Some(Condition::InOperation).filter(|c| !c.changes_nothing(design));
+        self.held.iter().copied().chain(in_operation).collect()
     }
 }
 

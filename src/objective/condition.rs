@@ -19,6 +19,8 @@ pub enum Condition {
     Hot,
     /// They are aged.
     Aged,
+    /// They are at the temperature and strain that the motion gives them, where a material says how.
+    InOperation,
     /// The rings turn with their hubs: a seized damper, or a spring far too stiff.
     AbsorberLocked,
     /// The rings are gone; the hubs stay.
@@ -35,6 +37,7 @@ impl Condition {
             Self::Cold => "cold",
             Self::Hot => "hot",
             Self::Aged => "aged",
+            Self::InOperation => "in_operation",
             Self::AbsorberLocked => "absorber_locked",
             Self::AbsorberLost => "absorber_lost",
         }
@@ -45,7 +48,9 @@ impl Condition {
         match self {
             Self::Misfire => matches!(units, Units::Misfiring(_)),
             Self::UnequalCylinders => units == Units::Unequal,
-            Self::Firing | Self::Cold | Self::Hot | Self::Aged | Self::AbsorberLocked | Self::AbsorberLost => units == Units::Equal,
+            Self::Firing | Self::Cold | Self::Hot | Self::Aged | Self::InOperation | Self::AbsorberLocked | Self::AbsorberLost => {
+                units == Units::Equal
+            }
         }
     }
 
@@ -64,13 +69,14 @@ impl Condition {
         match self {
             Self::Firing | Self::Misfire | Self::UnequalCylinders => false,
             Self::AbsorberLocked | Self::AbsorberLost => design.is_empty(),
+            Self::InOperation => !design.iter().any(|m| m.absorber.follows_motion()),
             Self::Cold | Self::Hot | Self::Aged => {
                 self.material().is_some_and(|state| design.iter().all(|m| m.absorber.in_state(state).is_none()))
             }
         }
     }
 
-    /// The absorbers of a design in this condition. What sat on a lost ring is lost with it.
+    /// The absorbers of a design in this condition; in operation those of the reference, as their state is another one at every speed. What sat on a lost ring is lost with it.
     pub fn absorbers(self, design: &[Mounted]) -> Vec<Mounted> {
         let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked { ring_inertia }, ..m.clone() };
         let lost = |m: &Mounted| match m.on {
@@ -78,7 +84,7 @@ impl Condition {
             Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },
         };
         match self {
-            Self::Firing | Self::Misfire | Self::UnequalCylinders => design.to_vec(),
+            Self::Firing | Self::Misfire | Self::UnequalCylinders | Self::InOperation => design.to_vec(),
             Self::Cold | Self::Hot | Self::Aged => {
                 let state = |m: &Mounted| self.material().and_then(|state| m.absorber.in_state(state));
                 design.iter().map(|m| state(m).map_or_else(|| m.clone(), |absorber| Mounted { absorber, ..m.clone() })).collect()

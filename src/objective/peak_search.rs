@@ -37,7 +37,8 @@ pub struct PeakFinder<'a> {
     /// Whether peaks are refined between grid speeds.
     pub refine: bool,
     resonances: Option<Resonances>,
-    pub(super) synthesiser: Synthesiser,
+    /// Extremes of sums of orders.
+    pub(crate) synthesiser: Synthesiser,
     /// The crank, for measures of its margin.
     pub margin: Option<&'a Margin>,
     /// For means over a duty.

@@ -8,7 +8,7 @@ use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithMaterial, t
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawSeeded, RawType};
-use crate::input::schema::material_states::RawCooling;
+use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::study::{RawDesign, RawStudy};
 use crate::input::tables::measured_law;
 use std::collections::HashSet;
@@ -55,7 +55,7 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
             );
         }
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
-        one_cooled(check, raw.absorber.iter().filter_map(|a| a.material.as_ref()?.get_ref().cooling.as_ref()));
+        only_one_follows(check, raw.absorber.iter().map(|a| a.material.iter().map(At::get_ref).collect()));
         let place = |i: usize| Some((*hosts.get(i)?.as_ref()?, root(&hosts, i)?));
         let absorbers: Vec<Mounted> = raw.absorber.iter().enumerate().filter_map(|(i, a)| absorber(check, a, place(i), of)).collect();
         if absorbers.len() == raw.absorber.len() {
@@ -66,10 +66,15 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
     designs
 }
 
-/// The balance of heat is that of one absorber.
-pub(super) fn one_cooled<'r>(check: &mut Check, mut cooled: impl Iterator<Item = &'r At<RawCooling>>) {
-    if let (Some(_), Some(second)) = (cooled.next(), cooled.next()) {
-        check.wrong(second, "found `cooling` of a second absorber of a design, expected one: temperatures are balanced for one at a time");
+/// Temperature and strain that agree with themselves are sought of one absorber of a design; given are the materials of each.
+pub(super) fn only_one_follows<'r>(check: &mut Check, absorbers: impl Iterator<Item = Vec<&'r RawMaterialStates>>) {
+    for material in absorbers.filter_map(|a| a.into_iter().find(|m| m.cooling.is_some() || m.amplitude.is_some())).skip(1) {
+        let what = "of a second absorber of a design, expected one absorber with `cooling` or `amplitude`: temperature and strain are balanced for one at a time";
+        match (&material.cooling, &material.amplitude) {
+            (Some(cooling), _) => check.wrong(cooling, format!("found `cooling` {what}")),
+            (None, Some(amplitude)) => check.wrong(amplitude, format!("found `amplitude` {what}")),
+            (None, None) => {}
+        }
     }
 }
 

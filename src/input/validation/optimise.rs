@@ -1,6 +1,6 @@
 //! What is to be optimised, and the front.
 
-use super::absorbers::{engine_mode, hosts, one_cooled, root};
+use super::absorbers::{engine_mode, hosts, only_one_follows, root};
 use super::family::{AbsorberSpec, family, ordered};
 use super::material_states::Temperatures;
 use crate::absorber::Host;
@@ -133,7 +133,7 @@ pub(crate) fn resolve(
     let hosts = hosts(check, chain, &list.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
     let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes), temperatures));
     let absorbers: Vec<Option<AbsorberSpec>> = absorbers.collect();
-    one_cooled(check, list.iter().filter_map(|a| a.material.values().find_map(|m| m.get_ref().cooling.as_ref())));
+    only_one_follows(check, list.iter().map(|a| a.material.values().map(At::get_ref).collect()));
     let optima = absorbers.iter().flatten().map(AbsorberSpec::choices).fold(1, usize::saturating_mul);
     if optima > MOST_OPTIMA {
         check.wrong(&raw.absorber, format!("found {optima} combinations of types and sizes, expected at most {MOST_OPTIMA}"));

@@ -100,7 +100,7 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult) -> Vec<String>
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn designs(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let others: Vec<Condition> = study.conditions.iter().copied().filter(|c| *c != Condition::Firing).collect();
+    let others: Vec<Condition> = results.conditions().filter(|c| *c != Condition::Firing).collect();
     let mut header: Vec<String> = DESIGN_COLUMNS.map(str::to_owned).to_vec();
     for condition in &others {
         if *condition == Condition::Misfire {

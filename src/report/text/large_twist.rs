@@ -1,6 +1,6 @@
 //! Designs with an absorber whose twist is not small, in words.
 
-use super::table::{significant, table};
+use super::table::{between, significant, table};
 use crate::analysis::{LargePoint, LargeTwistOfDesign, Results};
 use crate::input::Study;
 use crate::units::DEG_PER_RAD;
@@ -51,26 +51,19 @@ fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f
     all
 }
 
-fn between(speeds: &[f64]) -> String {
-    match speeds {
-        [only] => format!("{only} rpm"),
-        [first, .., last] => format!("{} speeds from {first} to {last} rpm", speeds.len()),
-        [] => String::new(),
-    }
-}
-
 fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
-    let several = speeds(d, |_, lasting| lasting > 1);
+    let unknown = d.curves.iter().flatten().any(|p| p.stable.is_none());
+    let several = speeds(d, |all, lasting| if unknown { all > 1 } else { lasting > 1 });
     if !several.is_empty() {
-        let at = between(&several);
-        text.push_str(&format!("  {}: several motions last at {at}; which one is met depends on what went before.\n", d.design));
+        let (at, verb) = (between(&several), if unknown { "are possible" } else { "last" });
+        text.push_str(&format!("  {}: several motions {verb} at {at}; which one is met depends on what went before.\n", d.design));
     }
     let none = speeds(d, |_, lasting| lasting == 0);
     if !none.is_empty() {
         let at = between(&none);
         text.push_str(&format!("  {}: no steady motion that is known lasts at {at}; the amplitude wanders there.\n", d.design));
     }
-    if d.curves.iter().flatten().any(|p| p.stable.is_none()) {
+    if unknown {
         text.push_str(&format!("  {}: stability cannot be told beside laws that are known by frequency only.\n", d.design));
     }
     if d.curves.iter().all(Vec::is_empty) {

@@ -21,7 +21,8 @@ fn value(limit: &LimitSpec, inside: f64) -> String {
 /// A line for each limit, then those that cannot hold together.
 pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
-    let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len());
+    let in_operation = o.design.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
+    let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len()) + in_operation;
     let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
     for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };

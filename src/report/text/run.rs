@@ -179,11 +179,11 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     let worst = o.design.conditions.iter().max_by(|a, b| a.objective.total_cmp(&b.objective));
     let own = o.design.objective.filter(|_| o.objective == 0);
     if let (Some(all), Some(c)) = (own.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
-        put(format!(
-            "  {}: {}, whatever the spring and damper; the rest is optimised",
-            c.condition.name().replace('_', " "),
-            value(study, all)
-        ));
+        let why = match c.condition {
+            Condition::InOperation => "at its own temperature and strain; searches are at the reference of its material",
+            _ => "whatever the spring and damper; the rest is optimised",
+        };
+        put(format!("  {}: {}, {why}", c.condition.name().replace('_', " "), value(study, all)));
     }
     for ((row, nature), load_case) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.load_cases) {
         let p = &row.peak;
@@ -294,8 +294,10 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
             own.design.name,
             value(study, objective(&own.design))
         );
-        if held.len() > 1 || !held.contains(&Condition::Firing) {
-            let names: Vec<String> = held.iter().map(|c| c.name().replace('_', " ")).collect();
+        let in_operation = results.conditions().filter(|c| *c == Condition::InOperation);
+        let judged_in: Vec<Condition> = held.iter().copied().chain(in_operation).collect();
+        if judged_in != [Condition::Firing] {
+            let names: Vec<String> = judged_in.iter().map(|c| c.name().replace('_', " ")).collect();
             let _ = writeln!(text, "  (each at its worst of: {})", names.join(", "));
         }
     }

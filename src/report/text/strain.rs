@@ -1,7 +1,7 @@
 //! Absorbers whose rubber softens with its strain, in words.
 
-use super::table::{significant, table};
-use crate::analysis::{Results, StrainOfDesign};
+use super::table::{between, significant, table};
+use crate::analysis::{MOST_STRAIN, Results, StrainOfDesign};
 use crate::units::DEG_PER_RAD;
 
 /// The designs whose material follows its strain, a row each with both rules; empty where there is none.
@@ -26,16 +26,25 @@ pub(crate) fn strain(results: &Results) -> String {
     let header = ["design", "reference/°", "peak/°", "at/rpm", "strain/%", "rms rule/°", "at/rpm", "strain/%", "spread/%"];
     let rows: Vec<Vec<String>> = pairs.iter().map(row).collect();
     let mut text = format!(
-        "At the strain of their rubber, one for all orders of a speed: half peak-to-peak of the twist, and the sine of its mean square beside it; the lowest where several agree with\nthemselves. Limits, conditions and optima are of the reference strain, and of the first such absorber of a design\n{}",
+        "At the strain of their rubber, one for all orders of a speed: half peak-to-peak of the twist, and the sine of its mean square beside it; the lowest where several agree with\nthemselves. Searches, and conditions but `in operation`, are of the reference strain; limits are judged at both\n{}",
         table(&header, &rows)
     );
     for d in &results.strain {
-        let several = d.points.iter().filter(|p| p.strains.len() > 1).count();
-        if several > 0 {
+        let rule = d.rule.name().replace('_', " ");
+        let at = |wanted: &dyn Fn(usize) -> bool| -> Vec<f64> {
+            d.points.iter().filter(|p| wanted(p.strains.len())).map(|p| p.speed_rpm).collect()
+        };
+        let several = at(&|count| count > 1);
+        if !several.is_empty() {
+            text.push_str(&format!("  {}, {rule}: several strains agree with themselves at {}.\n", d.design, between(&several)));
+        }
+        let none = at(&|count| count == 0);
+        if !none.is_empty() {
+            let most = significant(MOST_STRAIN, 2);
             text.push_str(&format!(
-                "  {}, {}: several strains agree with themselves at {several} speeds.\n",
+                "  {}, {rule}: NO STRAIN up to {most} agrees with itself at {}; it is shown at that.\n",
                 d.design,
-                d.rule.name().replace('_', " ")
+                between(&none)
             ));
         }
     }

@@ -31,3 +31,12 @@ pub(crate) fn significant(x: f64, digits: i32) -> String {
 pub(crate) fn dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| "-".into())
 }
+
+/// Speeds in words: how many, from which to which.
+pub(super) fn between(speeds: &[f64]) -> String {
+    match speeds {
+        [only] => format!("{only} rpm"),
+        [first, .., last] => format!("{} speeds from {first} to {last} rpm", speeds.len()),
+        [] => String::new(),
+    }
+}

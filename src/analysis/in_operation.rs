@@ -1,0 +1,210 @@
+//! An absorber at the temperature and strain that it has in operation: both depend on its motion, which depends on them.
+//!
+//! Temperature: F(T) = T - T0 - R P(T) = 0 with the temperature T0 of what surrounds the absorber and its resistance R to heat. F is negative at T0; a balance is stable where F rises through zero
+//! (R dP/dT < 1), and from cold the lowest one is reached. Three are possible where heating moves the ring's resonance into an order. Strain: that at which the material's own twist makes it, one
+//! for all orders of a speed. Where a material follows both, the power at each temperature is that at its lowest strain.
+
+use crate::absorber::{Absorber, Law, Mounted, at_strain, at_temperature, varying};
+use crate::drivetrain::System;
+use crate::numerics::roots::roots;
+use crate::numerics::synthesis::Synthesiser;
+use crate::objective::{Condition, PeakFinder};
+use crate::response::{Direct, Grid, OpenLaw, ResponseError};
+use crate::units::RAD_PER_S_PER_RPM;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// What is taken for the amplitude of several orders together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub enum Rule {
+    /// Half the peak-to-peak of their sum.
+    HalfPeakToPeak,
+    /// The amplitude of a sine of the same mean square.
+    RootMeanSquare,
+}
+
+impl Rule {
+    /// Both.
+    pub(crate) const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
+
+    /// The word used in tables.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::HalfPeakToPeak => "half_peak_to_peak",
+            Self::RootMeanSquare => "root_mean_square",
+        }
+    }
+}
+
+/// A temperature in balance.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Balance {
+    /// °C.
+    pub celsius: f64,
+    /// W.
+    pub power: f64,
+    /// Whether the absorber returns to it.
+    pub stable: bool,
+}
+
+/// Temperatures and strains of a scan; strains by their logarithm.
+const SAMPLES: usize = 40;
+const LEAST_STRAIN: f64 = 1e-6;
+pub(crate) const MOST_STRAIN: f64 = 10.0;
+
+/// Index of the absorber of a design that says what cools it or how it follows its strain.
+pub(crate) fn follower(design: &[Mounted]) -> Option<usize> {
+    design.iter().position(|m| m.absorber.follows_motion())
+}
+
+/// Such an absorber at one speed.
+pub(crate) struct AtSpeed<'a> {
+    open: OpenLaw<'a>,
+    synthesiser: &'a Synthesiser,
+    law: Arc<dyn Law>,
+    speed_rpm: f64,
+    rule: Rule,
+}
+
+impl<'a> AtSpeed<'a> {
+    /// Absorber `index` of a design at a speed; nothing where its ring is locked.
+    pub fn new(
+        (direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser),
+        (design, index): (&'a [Mounted], usize),
+        rule: Rule,
+        speed_rpm: f64,
+    ) -> Option<Self> {
+        let law = design[index].absorber.law()?.clone();
+        Some(Self { open: OpenLaw::new(direct, (design, index), speed_rpm), synthesiser, law, speed_rpm, rule })
+    }
+
+    /// All strains between the least and the most that agree with themselves at a temperature (°C; where nothing is known of that, the reference), ascending; the lowest is met from rest.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn strains(&self, celsius: Option<f64>) -> Result<Vec<f64>, ResponseError> {
+        let law = self.warmed(celsius);
+        let per_twist = self.law.material().and_then(|m| m.geometry).map_or(0.0, |g| g.strain_per_twist());
+        let mut excess = |x: f64| -> Result<f64, ResponseError> {
+            let ring = self.open.ring_twist(&at_strain(&law, x.exp()))?;
+            let twist = match self.rule {
+                Rule::HalfPeakToPeak => self.synthesiser.extremes(&ring).half_peak_to_peak,
+                Rule::RootMeanSquare => ring.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt(),
+            };
+            Ok(x - (per_twist * twist).max(LEAST_STRAIN).ln())
+        };
+        Ok(roots(LEAST_STRAIN.ln(), MOST_STRAIN.ln(), SAMPLES, &mut excess)?.into_iter().map(f64::exp).collect())
+    }
+
+    /// All temperatures in balance up to the limit, ascending: none where it overheats, or where nothing cools it.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn balances(&self) -> Result<Vec<Balance>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(Vec::new()) };
+        let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
+        let mut missing = |celsius: f64| Ok(celsius - base - resistance * self.power_at(celsius)?);
+        let found = roots(base, thermal.cooling.limit, SAMPLES, &mut missing)?;
+        // F rises through every other zero, the first among them
+        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: self.power_at(celsius)?, stable: i % 2 == 0 });
+        found.into_iter().enumerate().map(balance).collect()
+    }
+
+    /// Power at a temperature, W.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub(crate) fn power_at(&self, celsius: f64) -> Result<f64, ResponseError> {
+        let law = self.at(Some(celsius))?;
+        Ok(self.open.power(&law, &self.open.ring_twist(&law)?))
+    }
+
+    /// Temperature that is reached from cold, °C: the limit where it overheats, nothing where nothing cools it.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn celsius(&self) -> Result<Option<f64>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
+        Ok(Some(self.balances()?.first().map_or(thermal.cooling.limit, |b| b.celsius)))
+    }
+
+    /// The law at a temperature and the lowest strain there.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn at(&self, celsius: Option<f64>) -> Result<Arc<dyn Law>, ResponseError> {
+        let law = self.warmed(celsius);
+        if self.law.material().is_none_or(|m| m.amplitude.is_none()) {
+            return Ok(law);
+        }
+        Ok(at_strain(&law, self.strains(celsius)?.first().copied().unwrap_or(MOST_STRAIN)))
+    }
+
+    /// The whole design with a law for this absorber.
+    pub fn with(&self, law: &Arc<dyn Law>) -> Vec<Mounted> {
+        self.open.with(law)
+    }
+
+    fn warmed(&self, celsius: Option<f64>) -> Arc<dyn Law> {
+        celsius.map_or_else(|| self.law.clone(), |celsius| at_temperature(&self.law, celsius))
+    }
+}
+
+/// What the law of an absorber in operation needs to find its state at any speed.
+struct InOperation {
+    system: System,
+    grid: Grid,
+    synthesiser: Synthesiser,
+    design: Vec<Mounted>,
+    index: usize,
+    known: Mutex<HashMap<u64, Arc<dyn Law>>>,
+}
+
+impl InOperation {
+    fn find(&self, speed_rpm: f64) -> Result<Arc<dyn Law>, ResponseError> {
+        let direct = Direct::new(&self.system, &self.grid);
+        let of = (self.design.as_slice(), self.index);
+        let at = AtSpeed::new((&direct, &self.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm).expect("a follower has a law");
+        at.at(at.celsius()?)
+    }
+
+    /// The law at a speed, found once. Where nothing damps a resonance it is that of the reference, whose response says so.
+    fn law(&self, shaft_speed: f64) -> Arc<dyn Law> {
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(law) = known().get(&shaft_speed.to_bits()) {
+            return law.clone();
+        }
+        let law = self
+            .find(shaft_speed / RAD_PER_S_PER_RPM)
+            .unwrap_or_else(|_| self.design[self.index].absorber.law().expect("a follower has a law").clone());
+        known().insert(shaft_speed.to_bits(), law.clone());
+        law
+    }
+}
+
+/// The absorbers of a design in a condition; in operation, each speed has its own temperature and strain.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub(crate) fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
+    let (Condition::InOperation, Some(index)) = (condition, follower(design)) else { return Ok(condition.absorbers(design)) };
+    let own = InOperation {
+        system: finder.system.clone(),
+        grid: finder.grid.clone(),
+        synthesiser: finder.synthesiser.clone(),
+        design: design.to_vec(),
+        index,
+        known: Mutex::default(),
+    };
+    let speeds = &finder.grid.speed_rpm;
+    let laws = speeds.par_iter().map(|speed| own.find(*speed)).collect::<Result<Vec<_>, _>>()?;
+    let keys = speeds.iter().map(|speed| (speed * RAD_PER_S_PER_RPM).to_bits());
+    *own.known.lock().unwrap_or_else(PoisonError::into_inner) = keys.zip(laws).collect();
+    let mut design = design.to_vec();
+    if let Absorber::Ring(law) = &design[index].absorber {
+        let law = law.clone();
+        design[index].absorber = Absorber::Ring(varying(law, move |shaft_speed| own.law(shaft_speed)));
+    }
+    Ok(design)
+}

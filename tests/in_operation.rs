@@ -1,0 +1,122 @@
+//! Rubber at the temperature and strain of its own motion, both at once: what a design comes to then, and whether its limits hold.
+
+use crate::limits::{TwoMasses, What, with};
+use crate::support::assert_close;
+use hartog::absorber::{Absorber, Cooling, Geometry, Kraus, Material, Mounted, RUBBER, TemperatureLaw, Thermal, ToAir, WithMaterial};
+use hartog::input::{DesignSpec, LimitSpec, Study};
+use hartog::numerics::{C64, I};
+use hartog::objective::Condition;
+use std::f64::consts::PI;
+
+const MASSES: TwoMasses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
+const KRAUS: Kraus = Kraus { storage_ratio: 2.5, loss_ratio: 1.4, strain: 0.05, exponent: 0.6, reference: 0.05 };
+const PER_TWIST: f64 = 250.0;
+const AIR: f64 = 20.0;
+/// Per kelvin, and the temperature that the rubber bears, °C.
+const SOFTENING: f64 = 0.01;
+const LIMIT: f64 = 120.0;
+/// Power of the absorber per kelvin, W/K.
+const CONDUCTANCE: f64 = 3e-4;
+const STIFFNESS: f64 = 1000.0;
+const LOSS: f64 = 0.15;
+
+fn study_of(thermal: bool, amplitude: bool) -> Study {
+    let mut s = with(MASSES, What::Twist, &[]);
+    s.optimise = None;
+    let law = TemperatureLaw::Exponential { per_k: SOFTENING, reference: AIR, between: (AIR, LIMIT) };
+    let cooling = Cooling { air: AIR, hub: AIR, to_air: ToAir::Given(CONDUCTANCE), to_hub: 0.0, limit: LIMIT };
+    let geometry = Geometry::Wedges { inner: 0.08, outer: 0.11, slope: 1.0 / PER_TWIST, count: 1.0 };
+    let material = Material {
+        geometry: Some(geometry),
+        thermal: thermal.then_some(Thermal { law, cooling }),
+        amplitude: amplitude.then_some(KRAUS),
+        ..Material::default()
+    };
+    let rubber = WithMaterial::of((RUBBER.build)(&[MASSES.ring, STIFFNESS, LOSS]), &material.into());
+    s.designs = vec![DesignSpec { name: "ring".into(), absorbers: vec![Mounted::on_station(0, Absorber::Ring(rubber))] }];
+    s
+}
+
+/// Angle of the mass under 1 N m, and twist of the ring, by formulas of two masses.
+fn motion(omega: f64, celsius: f64, strain: f64) -> (f64, f64, C64) {
+    let soft = (-SOFTENING * (celsius - AIR)).exp();
+    let (storage, loss) = KRAUS.factors(strain);
+    let stiffness = STIFFNESS * soft * C64::new(storage, LOSS * soft * loss);
+    let ring = C64::from(-MASSES.ring * omega * omega);
+    let own = 1e4 - omega * omega + I * omega * 2.0 * MASSES.damping_ratio * 100.0;
+    let theta = 1.0 / (own + stiffness * ring / (stiffness + ring));
+    (theta.norm(), (ring / (stiffness + ring) * theta).norm(), stiffness)
+}
+
+/// The lowest strain that its own twist makes at a temperature, by a fine scan and bisection.
+fn own_strain(omega: f64, celsius: f64) -> f64 {
+    let excess = |x: f64| x - (PER_TWIST * motion(omega, celsius, x.exp()).1).ln();
+    lowest((1e-6f64.ln(), 10f64.ln()), 4000, &excess).exp()
+}
+
+/// The lowest zero of a function that is negative at first.
+fn lowest((low, high): (f64, f64), n: usize, f: &dyn Fn(f64) -> f64) -> f64 {
+    let at = |i: usize| low + (high - low) * i as f64 / n as f64;
+    let i = (0..n).find(|i| f(at(i + 1)) > 0.0).expect("a zero");
+    let (mut a, mut b) = (at(i), at(i + 1));
+    for _ in 0..50 {
+        let c = 0.5 * (a + b);
+        if f(c) > 0.0 { b = c } else { a = c }
+    }
+    0.5 * (a + b)
+}
+
+/// Law: in operation, heat leaves as fast as it is made at the strain that the twist makes, both at once. Each temperature and strain of the tables is that of nested fine scans of formulas of two masses, to
+/// 1e-6; the twist of the condition is the largest of theirs, and a limit between it and the twist of the reference is broken though the reference keeps it.
+#[test]
+fn heat_and_strain_agree_at_once() {
+    let s = study_of(true, true);
+    let results = s.run().expect("damped");
+    let (heat, strain) = (&results.heat[0], &results.strain[0]);
+    let mut largest: f64 = 0.0;
+    for (h, p) in heat.points.iter().zip(&strain.points).step_by(12) {
+        let omega = h.speed_rpm * PI / 30.0;
+        let missing = |celsius: f64| {
+            let (_, twist, stiffness) = motion(omega, celsius, own_strain(omega, celsius));
+            celsius - AIR - 0.5 * omega * stiffness.im * twist * twist / CONDUCTANCE
+        };
+        let celsius = lowest((AIR, LIMIT), 60, &missing);
+        let expected = own_strain(omega, celsius);
+        let what = format!("{} rpm", h.speed_rpm);
+        assert_close(h.balances[0].celsius, celsius, 1e-6, 0.0, &what);
+        assert_close(p.strains[0], expected, 1e-6, 0.0, &what);
+        let twist = motion(omega, celsius, expected).0;
+        assert_close(p.twist, twist, 1e-6, 0.0, &what);
+        assert_close(h.twist, twist, 1e-6, 0.0, &what);
+        largest = largest.max(celsius);
+    }
+    assert!(largest > AIR + 5.0, "it warms to {largest}");
+}
+
+/// The twist in operation is the largest of the table's, refined between its speeds; so are the objective and the verdict on a limit, which the reference alone would keep. What cools it or tells its strain alone is
+/// enough to be judged so, and a ring of which neither is known is not.
+#[test]
+fn limits_are_judged_in_operation() {
+    for (thermal, amplitude) in [(true, false), (false, true), (true, true)] {
+        let mut s = study_of(thermal, amplitude);
+        let free = s.run().expect("damped");
+        let d = &free.designs[0];
+        let [own] = d.conditions.as_slice() else { panic!("one condition") };
+        assert_eq!(own.condition, Condition::InOperation);
+        let (reference, twist) = (d.twist.expect("a peak").value, own.twist.expect("a peak").value);
+        let table = free.strain.first().map_or_else(
+            || free.heat[0].points.iter().map(|p| p.twist).fold(0.0, f64::max),
+            |own| own.points.iter().map(|p| p.twist).fold(0.0, f64::max),
+        );
+        assert!(twist >= table && twist < 1.01 * table, "{twist} against {table}");
+        assert!((twist / reference - 1.0).abs() > 0.02, "{twist} against {reference}");
+        assert_eq!(d.objective, Some(twist.max(reference)));
+        let limit = 0.5 * (twist + reference);
+        s.limits = vec![LimitSpec { of: s.objective.clone(), words: "twist".into(), limit, rated_rpm: None }];
+        let judged = &s.run().expect("damped").designs[0];
+        assert_close(judged.limits[0], twist.max(reference) / limit, 1e-12, 0.0, "the worse of both");
+        assert!(judged.limits[0] > 1.0);
+    }
+    let plain = study_of(false, false).run().expect("damped");
+    assert!(plain.designs[0].conditions.is_empty() && plain.heat.is_empty() && plain.strain.is_empty());
+}

@@ -4,9 +4,13 @@ use crate::support::{assert_close, one_throw, study, system, uniform_chain};
 use hartog::absorber::{
     Absorber, CIRCULAR_PENDULUM, CYCLOIDAL_PENDULUM, HARDENING, Instant, LargeTwist, Law, Mounted, Reaction, TAUTOCHRONE_PENDULUM,
 };
+use hartog::analysis::LargePoint;
 use hartog::drivetrain::{Chain, System};
+use hartog::engine::Order;
+use hartog::input::{LimitSpec, MeasureSpec};
 use hartog::numerics::C64;
 use hartog::numerics::harmonics::analyse;
+use hartog::objective::{Measure, Over, Property};
 use hartog::response::bodies::Bodies;
 use hartog::response::large_twist::{Balance, Curve, Stability, Steady};
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
@@ -304,4 +308,43 @@ fn paths_of_pendulums() {
             }
         }
     }
+}
+
+/// A limit that small twist keeps and the fold breaks is broken; the objective is that of the own amplitude. What harmonic balance does not tell (power over the duty, properties) stays at small twist, by name.
+#[test]
+fn limits_at_own_amplitude() {
+    let mut s = study("villalva_i6_large_twist");
+    s.designs.retain(|d| d.name == "hardening_more");
+    s.speeds_rpm.retain(|speed| (1500.0..=2000.0).contains(speed));
+    let limit = 0.6f64.to_radians();
+    let of = |quantity, over| MeasureSpec { measure: Measure::new(vec![quantity], over), ..s.objective.clone() };
+    let ring = Quantity::RingTwist(0);
+    let measures = [
+        (s.objective.clone(), limit),
+        (of(ring, Over::Synthesis), limit),
+        (of(ring, Over::Power), 200.0),
+        (of(s.twist, Over::Order(Order::from_twice(9))), limit),
+        (of(ring, Over::Property(Property::RingInertia)), 1.0),
+    ];
+    s.limits = measures.map(|(of, limit)| LimitSpec { of, words: String::new(), limit, rated_rpm: None }).to_vec();
+    let results = s.run().expect("damped");
+    let (d, own) = (&results.designs[0], &results.large_twist[0]);
+    let (small, peak) = (d.twist.expect("a peak").value, own.peak.expect("a peak").twist);
+    assert!(small < limit && peak > limit, "{small} and {peak} round {limit}");
+    assert_close(d.limits[0], peak / limit, 1e-9, 0.0, "twist");
+    assert_eq!(d.objective, Some(peak));
+    let lasting = || own.curves.iter().flatten().filter(|p| p.stable == Some(true));
+    let largest = |of: &dyn Fn(&LargePoint) -> f64| lasting().map(of).fold(0.0, f64::max);
+    for (i, most) in [(1, largest(&|p| p.ring_twist) / limit), (2, largest(&|p| p.power) / 200.0)] {
+        let found = own.at_large_twist.limits[i].expect("told");
+        assert!(found >= most && found < 1.02 * most, "limit {i}: {found} against {most} of the points");
+        assert_eq!(d.limits[i], found);
+    }
+    // between the folds, where small twist leads to the lower branch alone: equivalent linearisation leads to the upper one
+    s.speeds_rpm.retain(|speed| (1760.0..=1800.0).contains(speed));
+    let narrow = s.run().expect("damped").large_twist[0].peak.expect("a peak").twist;
+    assert_close(narrow, peak, 1e-7, 0.0, "the fold seen from inside");
+    let order = own.at_large_twist.limits[3].expect("told");
+    assert!(order > 0.0 && order < peak / limit);
+    assert_eq!((own.at_large_twist.limits[4], d.limits[4]), (None, 0.076));
 }

@@ -1,8 +1,9 @@
 //! Designs with an absorber whose twist is not small, over speed: all steady motions that are found, which of them last, and the largest of those.
 
+use super::large_twist_measures::{AtLargeTwist, Told, largest_from_rest, synthesiser};
 use super::{DesignResult, Progress};
 use crate::absorber::Mounted;
-use crate::input::Study;
+use crate::input::{LimitSpec, Study};
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Measure, Over, PeakFinder};
@@ -44,6 +45,8 @@ pub struct LargeTwistOfDesign {
     pub whole: bool,
     /// The largest twist of a motion that may last; nothing where there is none.
     pub peak: Option<LargePoint>,
+    /// Objective and limits at its own amplitude.
+    pub at_large_twist: AtLargeTwist,
     /// Where the absorber's travel ends, rad.
     pub travel: Option<f64>,
 }
@@ -87,7 +90,12 @@ pub(crate) fn of_design(
     (name, design): (&str, &[Mounted]),
 ) -> Result<Option<LargeTwistOfDesign>, ResponseError> {
     let highest = finder.system.excitation.harmonics.iter().max().map_or(LEAST, |h| LEAST.max(*h as usize));
-    let balance = |harmonics| Balance::new(finder.system, design, &[study.twist], harmonics);
+    let mut quantities = vec![study.twist];
+    let Some(index) = Balance::new(finder.system, design, &[], 1).map(|b| b.index) else { return Ok(None) };
+    let mut told = |measure| Told::new(measure, index, finder.system, &mut quantities);
+    let objective = told(&study.objective.measure);
+    let limits: Vec<Option<Told>> = study.limits.iter().map(|l| told(&l.of.measure)).collect();
+    let balance = |harmonics| Balance::new(finder.system, design, &quantities, harmonics);
     let Some(mut own) = balance(highest) else { return Ok(None) };
     let range = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let largest = finder.peak(design, &Measure::new(vec![study.twist], Over::Synthesis), &mut Work::default())?;
@@ -109,12 +117,24 @@ pub(crate) fn of_design(
         }
         let seen = Seen::new(&own);
         let curves = own.curves(&study.speeds_rpm, &mut Work::default())?;
-        let peak = seen.peak(&own, &curves, range)?;
+        let largest = |value: &dyn Fn(&Steady) -> f64| seen.peak(&own, &curves, range, value);
+        let peak = largest(&|steady| seen.value(steady))?;
         let change = peak.as_ref().map_or(Ok(0.0), |(peak, _)| change(peak))?;
         if change > study.tolerance && doubling < DOUBLINGS && curves.iter().all(|c| c.whole) {
             own = twice;
             continue;
         }
+        let most = |told: &Told| -> Result<Option<f64>, ResponseError> {
+            let value = |steady: &Steady| told.value(&seen.0, steady);
+            Ok(largest(&value)?.map(|(steady, _)| value(&steady)))
+        };
+        let over_limit = |(told, limit): (&Option<Told>, &LimitSpec)| -> Result<Option<f64>, ResponseError> {
+            Ok(told.as_ref().map_or(Ok(None), &most)?.map(|value| value / limit.limit))
+        };
+        let at_large_twist = AtLargeTwist {
+            objective: objective.as_ref().map_or(Ok(None), &most)?,
+            limits: limits.iter().zip(&study.limits).map(over_limit).collect::<Result<_, _>>()?,
+        };
         let point = |p: &CurvePoint| seen.point(&p.steady, p.stability, p.asked);
         return Ok(Some(LargeTwistOfDesign {
             design: name.to_owned(),
@@ -124,6 +144,7 @@ pub(crate) fn of_design(
             whole: curves.iter().all(|c| c.whole),
             curves: curves.iter().map(|c| c.points.iter().map(point).collect()).collect(),
             peak: peak.map(|(steady, stability)| seen.point(&steady, stability, false)),
+            at_large_twist,
             travel: own.law.large_twist().and_then(|l| l.largest_twist()),
         }));
     }
@@ -135,8 +156,7 @@ struct Seen(Synthesiser);
 
 impl Seen {
     fn new(balance: &Balance) -> Self {
-        let all: Vec<u32> = (1..).take(balance.harmonics()).collect();
-        Self(Synthesiser::new(&all))
+        Self(synthesiser(balance))
     }
 
     fn value(&self, steady: &Steady) -> f64 {
@@ -144,7 +164,6 @@ impl Seen {
     }
 
     fn point(&self, steady: &Steady, stability: Stability, asked: bool) -> LargePoint {
-        let ring = self.0.extremes(&steady.twist);
         let stable = match stability {
             Stability::Stable(_) => Some(true),
             Stability::Unstable(_) => Some(false),
@@ -153,7 +172,7 @@ impl Seen {
         LargePoint {
             speed_rpm: steady.speed_rpm,
             twist: self.value(steady),
-            ring_twist: ring.half_peak_to_peak + (ring.middle + steady.mean_twist).abs(),
+            ring_twist: largest_from_rest(&self.0, steady),
             power: steady.power,
             stable,
             asked,
@@ -161,13 +180,19 @@ impl Seen {
     }
 
     /// The largest that may last: the best point, refined towards its neighbours, or to where stability ends.
-    fn peak(&self, balance: &Balance, curves: &[Curve], range: (f64, f64)) -> Result<Option<(Steady, Stability)>, ResponseError> {
+    fn peak(
+        &self,
+        balance: &Balance,
+        curves: &[Curve],
+        range: (f64, f64),
+        value: &dyn Fn(&Steady) -> f64,
+    ) -> Result<Option<(Steady, Stability)>, ResponseError> {
         let lasting = |(c, curve): (usize, &Curve)| -> Vec<(usize, usize)> {
             (0..curve.points.len()).filter(|i| curve.points[*i].stability.may_last()).map(|i| (c, i)).collect()
         };
         let all = curves.iter().enumerate().flat_map(lasting);
-        let value = |(c, i): (usize, usize)| self.value(&curves[c].points[i].steady);
-        let Some((c, i)) = all.reduce(|m, p| if value(p) > value(m) { p } else { m }) else { return Ok(None) };
+        let at = |(c, i): (usize, usize)| value(&curves[c].points[i].steady);
+        let Some((c, i)) = all.reduce(|m, p| if at(p) > at(m) { p } else { m }) else { return Ok(None) };
         let points = &curves[c].points;
         let mut best = (points[i].steady.clone(), points[i].stability);
         for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
@@ -176,13 +201,13 @@ impl Seen {
             let mut top: Option<Steady> = None;
             maximise(0.0, end, |share| {
                 let Some(found) = at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
-                let value = self.value(&found);
-                if top.as_ref().is_none_or(|t| value > self.value(t)) {
+                let own = value(&found);
+                if top.as_ref().is_none_or(|t| own > value(t)) {
                     top = Some(found);
                 }
-                Ok(value)
+                Ok(own)
             })?;
-            if let Some(top) = top.filter(|t| self.value(t) > self.value(&best.0)) {
+            if let Some(top) = top.filter(|t| value(t) > value(&best.0)) {
                 let stability = balance.stability(&top);
                 if stability.may_last() {
                     best = (top, stability);

@@ -13,11 +13,11 @@ pub(crate) fn large_twist(study: &Study, results: &Results) -> String {
     let rows: Vec<Vec<String>> = results.large_twist.iter().map(|d| row(results, d)).collect();
     let header = ["design", "small/°", "peak/°", "at/rpm", "ring/°", "heat/W", "harmonics"];
     let mut text = format!(
-        "At their own amplitude, by harmonic balance (limits, conditions, optima and other tables are of small twist; the peak is the largest found that may last):\n{}",
+        "At their own amplitude, by harmonic balance (objective and limits of a design are the worse of this and of small twist, other\ntables are of small twist; the peak is the largest found that may last):\n{}",
         table(&header, &rows)
     );
     for d in &results.large_twist {
-        remarks(&mut text, d, study.tolerance);
+        remarks(&mut text, d, study);
     }
     text
 }
@@ -51,7 +51,7 @@ fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f
     all
 }
 
-fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
+fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     let unknown = d.curves.iter().flatten().any(|p| p.stable.is_none());
     let several = speeds(d, |all, lasting| if unknown { all > 1 } else { lasting > 1 });
     if !several.is_empty() {
@@ -77,7 +77,13 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, tolerance: f64) {
             d.design
         ));
     }
-    if d.change > tolerance {
+    let limits = study.limits.iter().zip(&d.at_large_twist.limits).filter(|(_, own)| own.is_none()).map(|(l, _)| l.words.as_str());
+    let objective = d.at_large_twist.objective.is_none().then_some(study.objective.label.as_str());
+    let untold: Vec<&str> = objective.into_iter().chain(limits).collect();
+    if !untold.is_empty() {
+        text.push_str(&format!("  {}: judged at small twist alone: {}.\n", d.design, untold.join("; ")));
+    }
+    if d.change > study.tolerance {
         let change = significant(100.0 * d.change, 2);
         text.push_str(&format!("  {}: twice the harmonics still change the peak by {change} %.\n", d.design));
     }

@@ -172,11 +172,16 @@ impl<'a> Balance<'a> {
 
     /// The motion that the law of small twists gives: where Newton's method starts.
     pub(super) fn small(&self, linear: &Linear) -> DVector<f64> {
+        self.linear_motion(linear, 0.0)
+    }
+
+    /// The motion of that law with a spring beside it, N m/rad.
+    pub(super) fn linear_motion(&self, linear: &Linear, spring: f64) -> DVector<f64> {
         let mut x = DVector::zeros(self.unknowns());
         let h = self.harmonics();
         for k in 0..h {
             let omega = linear.omega[k];
-            let s = self.law.dynamic_stiffness(Operating { omega, shaft_speed: linear.speed_rpm * RAD_PER_S_PER_RPM });
+            let s = spring + self.law.dynamic_stiffness(Operating { omega, shaft_speed: linear.speed_rpm * RAD_PER_S_PER_RPM });
             let inertia = C64::from(self.law.ring_inertia() * omega * omega);
             let (u0, receptance) = linear.hub[k];
             // z = -w² J S/(S - w² J); the hub moves by u0/(1 + z H), the ring against it by w² J/(S - w² J) of that

@@ -123,14 +123,15 @@ impl Balance<'_> {
         let mut list: Vec<(usize, DVector<f64>)> = Vec::new();
         for (i, linear) in tables.iter().enumerate().filter(|(i, _)| i % STARTS_EVERY == 0 || i + 1 == tables.len()) {
             let small = self.small(linear);
+            let starts = STARTS.into_iter().map(|factor| &small * factor).chain(self.equivalent(linear)).enumerate();
             // the first is where the curves began
-            for factor in STARTS.into_iter().skip(usize::from(!curves.is_empty())) {
+            for (number, start) in starts.skip(usize::from(!curves.is_empty())) {
                 if self.is_spent(work) {
                     return list;
                 }
                 // without any other, a motion is worth more work
-                let found = self.newton(linear, &(&small * factor), MOST_STEPS, work);
-                let found = if found.is_none() && factor == STARTS[0] { self.first(linear, work) } else { found };
+                let found = self.newton(linear, &start, MOST_STEPS, work);
+                let found = if found.is_none() && number == 0 { self.first(linear, work) } else { found };
                 let Some(Found { x, .. }) = found else { continue };
                 let known = |(j, own): &(usize, DVector<f64>)| *j == i && (own - &x).amax() <= SAME * x.amax();
                 if !list.iter().any(known) && !curves.iter().any(|c| c.passes(linear.speed_rpm, &x)) {

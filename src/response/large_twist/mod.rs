@@ -6,6 +6,7 @@
 mod arc;
 pub mod balance;
 pub mod curve;
+mod equivalent;
 mod harmonic_matrix;
 mod in_time;
 pub mod stability;

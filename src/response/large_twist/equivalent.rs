@@ -1,0 +1,43 @@
+//! Where motions of large amplitude may be: those of a ring whose spring is replaced by its mean over a sine of the motion's own amplitude (equivalent linearisation). They are starts for Newton's method, no
+//! results.
+
+use super::balance::{Balance, Linear};
+use crate::absorber::Instant;
+use crate::numerics::C64;
+use crate::numerics::roots::roots;
+use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::DVector;
+use std::convert::Infallible;
+use std::f64::consts::TAU;
+
+/// Amplitudes looked at, rad, by their logarithm; samples of a sine.
+const LEAST: f64 = 1e-6;
+const MOST: f64 = 10.0;
+const AMPLITUDES: usize = 60;
+const SAMPLES: usize = 32;
+
+impl Balance<'_> {
+    /// Motions at amplitudes that agree with themselves, where several do; none of laws that are no ring on a spring.
+    pub(super) fn equivalent(&self, linear: &Linear) -> Vec<DVector<f64>> {
+        if !self.equations().is_ring() {
+            return Vec::new();
+        }
+        let at = |amplitude: f64| {
+            self.linear_motion(linear, self.mean_stiffness(amplitude, linear.speed_rpm) - self.mean_stiffness(LEAST, linear.speed_rpm))
+        };
+        let own =
+            |x: &DVector<f64>| x.as_slice()[1..].as_chunks::<2>().0.iter().map(|c| C64::new(c[0], c[1]).norm_sqr()).sum::<f64>().sqrt();
+        let mut excess = |x: f64| Ok::<f64, Infallible>(x - own(&at(x.exp())).max(LEAST).ln());
+        let most = self.equations().largest_twist().unwrap_or(MOST);
+        let Ok(found) = roots(LEAST.ln(), most.ln(), AMPLITUDES, &mut excess);
+        if found.len() < 2 { Vec::new() } else { found.into_iter().map(|x| at(x.exp())).collect() }
+    }
+
+    /// Mean stiffness of the spring over a sine of this amplitude (rad): 1/(pi A) times the integral of T(A cos phi) cos phi over a period, N m/rad.
+    fn mean_stiffness(&self, amplitude: f64, speed_rpm: f64) -> f64 {
+        let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
+        let torque = |twist: f64| self.equations().reactions(&Instant { twist, shaft_speed, ..Instant::default() }).0.value;
+        let sample = |i: usize| (TAU * i as f64 / SAMPLES as f64).cos();
+        (0..SAMPLES).map(sample).map(|cos| torque(amplitude * cos) * cos).sum::<f64>() * 2.0 / (SAMPLES as f64 * amplitude)
+    }
+}

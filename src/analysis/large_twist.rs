@@ -80,6 +80,15 @@ pub(crate) fn large_twist<'d>(
     followed.par_iter().filter_map(one).collect()
 }
 
+/// Judges designs by the worse of small twist and of their own amplitude.
+pub(crate) fn judge(designs: &mut [DesignResult], found: &[LargeTwistOfDesign]) {
+    for design in designs {
+        if let Some(own) = found.iter().find(|own| own.design == design.name) {
+            own.at_large_twist.judge(design);
+        }
+    }
+}
+
 /// A design; nothing where all its laws are of small twist.
 ///
 /// # Errors

@@ -118,16 +118,12 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist } = over_speed(study, &finders, &shown, progress)?;
     clock.lap("response", Work::default());
-    let amplitude = |d: &DesignResult| large_twist.iter().find(|own| own.design == d.name).map(|own| own.at_large_twist.clone());
-    let judged: Vec<_> = designs.iter().map(amplitude).collect();
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
         let probe = cost::per_design(&finders[0], &d.absorbers, study.twist, &measures);
         clock.timing.extend(probe.map_err(|error| of_design(d, error))?);
     }
-    for (design, own) in designs.iter_mut().zip(judged) {
-        own.into_iter().for_each(|own| own.judge(design));
-    }
+    large_twist::judge(&mut designs, &large_twist);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
     let method = methods[0].name();

@@ -37,6 +37,7 @@ mod peaks;
 mod planes;
 mod real_absorbers;
 mod responses;
+mod robust;
 mod shaft;
 mod shaft_rules;
 mod sized;

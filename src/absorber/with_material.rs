@@ -25,9 +25,14 @@ impl WithMaterial {
 /// A law with its material at a temperature, °C: itself where nothing is said of how it follows that.
 pub(crate) fn at_temperature(law: &Arc<dyn Law>, celsius: f64) -> Arc<dyn Law> {
     match law.material().and_then(|m| m.thermal) {
-        Some(thermal) => Arc::new(Changed::new(law.clone(), law.declaration().followed(thermal.law.factor(celsius)))),
+        Some(thermal) => changed(law, law.declaration().followed(thermal.law.factor(celsius))),
         None => law.clone(),
     }
+}
+
+/// A law with its parameters times factors; its values stay those of the law.
+pub(super) fn changed(law: &Arc<dyn Law>, factors: Vec<f64>) -> Arc<dyn Law> {
+    Arc::new(Changed::new(law.clone(), factors))
 }
 
 /// A law whose parameters are those of another times factors; its values are those of the other.

@@ -9,12 +9,13 @@ use super::evaluate::{DesignResult, Nature};
 use super::heat::HeatOfDesign;
 use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
+use super::robust::RobustOfDesign;
 use super::sensitivities::Sensitivity;
 use super::simplest::SimplestLaw;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
-use crate::absorber::Declaration;
+use crate::absorber::{Declaration, Deviation};
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::Order;
@@ -53,15 +54,19 @@ pub struct OptimumResult {
     pub on_bounds: Vec<OnBound>,
     /// The limits that no design of its family holds together.
     pub conflict: Option<Conflict>,
+    /// Whether its worst within the tolerances of the study is least.
+    pub robust: bool,
 }
 
 /// Load case of a row of an optimum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct RowCase {
     /// The condition.
     pub condition: Condition,
     /// The cylinder (from 0) that misfires.
     pub cylinder: Option<usize>,
+    /// How the absorbers deviate from what was drawn.
+    pub deviation: Option<Deviation>,
 }
 
 /// The front of one type.
@@ -148,6 +153,8 @@ pub struct Results {
     pub strain: Vec<StrainOfDesign>,
     /// Motions of those with an absorber whose twist is not small.
     pub large_twist: Vec<LargeTwistOfDesign>,
+    /// The same designs within the tolerances of the study, where it has some.
+    pub robust: Vec<RobustOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Times.

@@ -10,6 +10,7 @@ use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
+use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
 use super::simplest::{self, SimplestLaw};
 use super::strain::{self, StrainOfDesign};
@@ -69,6 +70,7 @@ impl Study {
         study.more_objectives.clear();
         study.combined = None;
         study.catalogues.clear();
+        study.robust = None;
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
     }
@@ -97,10 +99,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         if i == 0 { finder.with_duty(&duty_points) } else { finder }
     };
     let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
-    let modes = study
-        .optimise
-        .as_ref()
-        .map_or_else(Vec::new, |o| families::engine_modes(study, o, highest_frequency_hz(study, &systems[0].excitation.orders)));
+    let modes = modes(study, &systems[0]);
     let choice = choice(study, &modes, &finders[0]);
     let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogate(study, choice.as_ref(), finder)).collect();
     if choice.is_some() {
@@ -116,7 +115,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist } = over_speed(study, &finders, &shown, progress)?;
+    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } =
+        over_speed(study, (&finders, &load_cases), &shown, progress)?;
     clock.lap("response", Work::default());
     // what one evaluation costs, apart from the stages
     if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
@@ -153,10 +153,17 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         simplest,
         strain,
         large_twist,
+        robust,
         appearing,
         timing,
         system,
     })
+}
+
+/// Modes that each absorber to be optimised can be tuned to.
+fn modes(study: &Study, system: &System) -> Vec<Vec<EngineMode>> {
+    let highest = highest_frequency_hz(study, &system.excitation.orders);
+    study.optimise.as_ref().map_or_else(Vec::new, |o| families::engine_modes(study, o, highest))
 }
 
 /// Largest value of the objective if nothing resonated, where it is a twist.
@@ -222,10 +229,16 @@ struct OverSpeed {
     simplest: Vec<SimplestLaw>,
     strain: Vec<StrainOfDesign>,
     large_twist: Vec<LargeTwistOfDesign>,
+    robust: Vec<RobustOfDesign>,
 }
 
 /// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
-fn over_speed(study: &Study, finders: &[PeakFinder], shown: &[&DesignResult], progress: &dyn Progress) -> Result<OverSpeed, RunError> {
+fn over_speed(
+    study: &Study,
+    (finders, load_cases): (&[PeakFinder], &[LoadCase]),
+    shown: &[&DesignResult],
+    progress: &dyn Progress,
+) -> Result<OverSpeed, RunError> {
     let firing = &finders[0];
     let own = Grid::new(&study.speeds_rpm, &[]);
     let sweeps = shown
@@ -247,12 +260,14 @@ fn over_speed(study: &Study, finders: &[PeakFinder], shown: &[&DesignResult], pr
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist })
+    let robust = robust::robust(study, (firing, load_cases), shown).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.
 fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
-    let load_case = |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder };
+    let load_case =
+        |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder, deviation: None };
     engines_in(condition, finders).map(load_case).collect()
 }
 

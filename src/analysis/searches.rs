@@ -12,7 +12,10 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::objective::{Limit, Measure, Over, PeakFinder};
 use crate::optimise::conflict::{self, Conflict, Verdict};
-use crate::optimise::{LoadCase, Optimum, Problem, Row, Slot, Space, front, largest, prices, scan, search, second_order, starts};
+use crate::optimise::search::Recorder;
+use crate::optimise::{
+    LoadCase, Optimum, Problem, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search, second_order, starts,
+};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -22,6 +25,15 @@ const SCANNED: usize = 24;
 const FIRST_ORDER: f64 = 1e-4;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
+
+/// An optimum that is sought.
+struct Sought {
+    family: Family,
+    /// Index of the objective.
+    objective: usize,
+    /// Tolerances within which the worst counts.
+    within: Option<Tolerances>,
+}
 
 /// What all searches of a study share.
 pub(crate) struct Searches<'a> {
@@ -111,70 +123,12 @@ impl<'a> Searches<'a> {
     /// # Errors
     /// [`RunError`] where none of the starts of one has a finite response.
     pub fn optima(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<OptimumResult>, RunError> {
-        let mut families: Vec<(Family, usize)> = families::wanted(spec, self.modes).into_iter().map(|family| (family, 0)).collect();
-        // the main size of each type once more for every other objective
-        let others = self.study.more_objectives.iter().map(|o| format!("by_{}", o.word));
-        for (i, suffix) in others.chain(self.study.combined.iter().map(|_| "combined".to_owned())).enumerate() {
-            let main: Vec<Family> = families.iter().filter(|f| f.0.is_main && f.1 == 0).map(|f| f.0.clone()).collect();
-            families.extend(main.into_iter().map(|f| (Family { name: format!("{}_{suffix}", f.name), ..f }, i + 1)));
-        }
-        let count = families.iter().map(|f| self.starts(spec, &f.0.space).len()).sum();
+        let families = self.sought(spec);
+        let count = families.iter().map(|f| self.starts(spec, &f.family.space).len()).sum();
         self.progress.stage("optima", count);
         let step = || self.progress.step();
-        let found = families
-            .into_par_iter()
-            .map(|(Family { name, family, space, is_main: main }, objective)| {
-                let failed = |error: ResponseError| RunError { what: name.clone(), error };
-                let problem = self.problem(space, objective);
-                let starts = self.starts(spec, &problem.space);
-                let mut optimum = search::optimise(&problem, &starts, search::Finish::All, &step).map_err(failed)?;
-                let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-                let scan = scan::scan(&problem, &mut optimum, &lines);
-                let nearby = scan::nearby(&problem, &mut optimum, spec.seed);
-                let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
-                let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
-                // of the nearest design nothing is an optimum but its violation
-                let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
-                let second_order = if conflict.is_some() || !first_order {
-                    None
-                } else {
-                    second_order::second_order(&problem, &optimum.outcome, &mut Work::default())
-                };
-                let mounted = optimum.design.as_slice();
-                let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
-                let classifier = Classifier::new(self.finders[0].system, self.study.twist);
-                let nature = |r: &Row| {
-                    let load_case = &self.load_cases[r.load_case];
-                    classifier.nature(load_case.finder, &load_case.condition.absorbers(mounted), &r.peak)
-                };
-                let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
-                let sensitivities =
-                    sensitivities(self.load_cases, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
-                let load_case = |r: &Row| {
-                    let load_case = &self.load_cases[r.load_case];
-                    RowCase { condition: load_case.condition, cylinder: load_case.cylinder }
-                };
-                let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
-                let (prices, on_bounds) =
-                    (prices::prices(&optimum.outcome, self.limits.len()), prices::on_bounds(&problem.space, &optimum.outcome));
-                Ok(OptimumResult {
-                    design: design?,
-                    optimum,
-                    natures,
-                    load_cases,
-                    main,
-                    family,
-                    objective,
-                    prices,
-                    scan,
-                    nearby,
-                    second_order,
-                    sensitivities,
-                    on_bounds,
-                    conflict,
-                })
-            })
-            .collect::<Result<Vec<OptimumResult>, RunError>>()?;
+        let found =
+            families.into_par_iter().map(|sought| self.optimum(spec, sought, &step)).collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();
         for stages in found.iter().map(|o| o.optimum.stages) {
             work += stages.seeds;
@@ -185,6 +139,86 @@ impl<'a> Searches<'a> {
             clock.lap("optima", work);
         }
         Ok(found)
+    }
+
+    /// One of them.
+    fn optimum(&self, spec: &OptimiseSpec, sought: Sought, step: Recorder) -> Result<OptimumResult, RunError> {
+        let Sought { family: Family { name, family, space, is_main: main }, objective, within } = sought;
+        let failed = |error: ResponseError| RunError { what: name.clone(), error };
+        let problem = self.problem(space, objective);
+        let starts = self.starts(spec, &problem.space);
+        let found = match &within {
+            Some(tolerances) => robust::optimise(&problem, tolerances, &starts, spec.seed, step),
+            None => search::optimise(&problem, &starts, search::Finish::All, step).map(|optimum| (Vec::new(), optimum)),
+        };
+        let (deviations, mut optimum) = found.map_err(failed)?;
+        let scenarios = robust::scenarios(self.load_cases, &deviations);
+        let problem = Problem { load_cases: &scenarios, ..problem };
+        let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
+        let scan = scan::scan(&problem, &mut optimum, &lines);
+        let nearby = scan::nearby(&problem, &mut optimum, spec.seed);
+        let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
+        let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
+        // of the nearest design nothing is an optimum but its violation
+        let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
+        let second_order = if conflict.is_some() || !first_order {
+            None
+        } else {
+            second_order::second_order(&problem, &optimum.outcome, &mut Work::default())
+        };
+        let mounted = optimum.design.as_slice();
+        let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
+        let classifier = Classifier::new(self.finders[0].system, self.study.twist);
+        let nature = |r: &Row| {
+            let load_case = &scenarios[r.load_case];
+            classifier.nature(load_case.finder, &load_case.absorbers(mounted), &r.peak)
+        };
+        let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
+        let sensitivities = sensitivities(&scenarios, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
+        let load_case = |r: &Row| {
+            let load_case = &scenarios[r.load_case];
+            RowCase { condition: load_case.condition, cylinder: load_case.cylinder, deviation: load_case.deviation.cloned() }
+        };
+        let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
+        let (prices, on_bounds) =
+            (prices::prices(&optimum.outcome, self.limits.len()), prices::on_bounds(&problem.space, &optimum.outcome));
+        Ok(OptimumResult {
+            design: design?,
+            optimum,
+            natures,
+            load_cases,
+            main,
+            family,
+            objective,
+            prices,
+            scan,
+            nearby,
+            second_order,
+            sensitivities,
+            on_bounds,
+            conflict,
+            robust: within.is_some(),
+        })
+    }
+
+    /// What is sought: every family by the first objective; the main size of each type once more by every other objective, and within tolerances.
+    fn sought(&self, spec: &OptimiseSpec) -> Vec<Sought> {
+        let mut families: Vec<Sought> =
+            families::wanted(spec, self.modes).into_iter().map(|family| Sought { family, objective: 0, within: None }).collect();
+        let others = self.study.more_objectives.iter().map(|o| format!("by_{}", o.word));
+        let main: Vec<Family> = families.iter().filter(|f| f.family.is_main).map(|f| f.family.clone()).collect();
+        let again =
+            |suffix: &str| -> Vec<Family> { main.iter().map(|f| Family { name: format!("{}_{suffix}", f.name), ..f.clone() }).collect() };
+        for (i, suffix) in others.chain(self.study.combined.iter().map(|_| "combined".to_owned())).enumerate() {
+            families.extend(again(&suffix).into_iter().map(|family| Sought { family, objective: i + 1, within: None }));
+        }
+        if let Some(robust) = &self.study.robust {
+            let tolerances =
+                |f: &Family| Tolerances::new(&f.space.slots.iter().map(|s| Some(s.declaration)).collect::<Vec<_>>(), &robust.shares);
+            let within = again("robust").into_iter().map(|family| (tolerances(&family), family)).filter(|f| f.0.edges() > 0);
+            families.extend(within.map(|(t, family)| Sought { family, objective: 0, within: Some(t) }));
+        }
+        families
     }
 
     /// The study's other objectives for a design, at their worst in the load cases.

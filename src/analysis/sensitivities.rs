@@ -46,7 +46,7 @@ pub(crate) fn sensitivities(
     for (spec, limit) in of {
         let mut level: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
         for case in load_cases {
-            let mounted = case.condition.absorbers(design);
+            let mounted = case.absorbers(design);
             let mut work = Work::default();
             for peak in case.finder.peaks(&mounted, &spec.measure, 1.0 - LEVEL, &mut work)? {
                 let gradient = |i: usize| case.finder.gradient(&mounted, i, &spec.measure, &peak, &mut Work::default());

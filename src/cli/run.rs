@@ -77,42 +77,19 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
         say(&format!("{}\n", text::calibration::calibration(study, calibration)));
     }
     say(&text::designs(study, results));
-    let margins = text::margin::margins(study, results);
-    if !margins.is_empty() {
-        say(&format!("\n{margins}"));
-    }
-    let duty = text::duty(results);
-    if !duty.is_empty() {
-        say(&format!("\n{duty}"));
-    }
-    let catalogue = text::catalogue(study, results);
-    if !catalogue.is_empty() {
-        say(&format!("\n{catalogue}"));
-    }
-    let simplest = text::simplest(study, results);
-    if !simplest.is_empty() {
-        say(&format!("\n{simplest}"));
-    }
-    let made_of = text::made_of(results);
-    if !made_of.is_empty() {
-        say(&format!("\n{made_of}"));
-    }
-    let heat = text::heat(results);
-    if !heat.is_empty() {
-        say(&format!("\n{heat}"));
-    }
-    let strain = text::strain(results);
-    if !strain.is_empty() {
-        say(&format!("\n{strain}"));
-    }
-    let large_twist = text::large_twist(study, results);
-    if !large_twist.is_empty() {
-        say(&format!("\n{large_twist}"));
-    }
-    let conditions = text::conditions(study, results);
-    if !conditions.is_empty() {
-        say(&format!("\n{conditions}"));
-    }
+    let sections = [
+        text::margin::margins(study, results),
+        text::duty(results),
+        text::catalogue(study, results),
+        text::simplest(study, results),
+        text::made_of(results),
+        text::heat(results),
+        text::strain(results),
+        text::large_twist(study, results),
+        text::conditions(study, results),
+        text::robust(study, results),
+    ];
+    sections.iter().filter(|section| !section.is_empty()).for_each(|section| say(&format!("\n{section}")));
     for optimum in results.optima.iter().filter(|o| o.main) {
         say(&format!("\n{}", text::optimum(study, results, optimum)));
     }

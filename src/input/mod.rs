@@ -13,7 +13,7 @@ pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use validation::{
     AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating,
-    ResponseMethod, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
+    ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
 };
 
 use error::Source;

@@ -1,7 +1,7 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
 use super::variables::Space;
-use crate::absorber::Mounted;
+use crate::absorber::{Deviation, Mounted};
 use crate::objective::condition::Condition;
 use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
@@ -27,9 +27,28 @@ pub struct LoadCase<'a> {
     pub cylinder: Option<usize>,
     /// Finds the peaks of the engine in this condition.
     pub finder: &'a PeakFinder<'a>,
+    /// How absorbers deviate from what was drawn.
+    pub deviation: Option<&'a Deviation>,
 }
 
 impl LoadCase<'_> {
+    /// The absorbers of a design as they are here.
+    pub fn absorbers(&self, design: &[Mounted]) -> Vec<Mounted> {
+        let own = self.condition.absorbers(design);
+        match self.deviation {
+            Some(deviation) => deviation.of(&own),
+            None => own,
+        }
+    }
+
+    /// The largest value of a measure of a design here; nothing of it is zero.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
+        Ok(self.finder.peak(&self.absorbers(design), measure, work)?.map_or(0.0, |p| p.value))
+    }
+
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
     fn steers(&self, space: &Space) -> bool {
         match self.condition {
@@ -50,10 +69,7 @@ pub(crate) fn largest<'a>(
     measure: &Measure,
     work: &mut Work,
 ) -> Result<f64, ResponseError> {
-    load_cases.try_fold(0.0, |worst, case| {
-        let peak = case.finder.peak(&case.condition.absorbers(design), measure, work)?;
-        Ok(f64::max(worst, peak.map_or(0.0, |p| p.value)))
-    })
+    load_cases.try_fold(0.0, |worst, case| Ok(f64::max(worst, case.peak(design, measure, work)?)))
 }
 
 /// What a row is of.
@@ -175,7 +191,7 @@ impl Problem<'_> {
         let own = self.space.design(w);
         let (mut values, mut excess) = (vec![0.0_f64; self.objectives.len()], 0.0_f64);
         for (_, load_case) in self.steering() {
-            let design = load_case.condition.absorbers(&own);
+            let design = load_case.absorbers(&own);
             for (value, objective) in values.iter_mut().zip(self.objectives) {
                 *value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
             }
@@ -213,7 +229,7 @@ impl Problem<'_> {
             let share = if matches!(measure.over, Over::Margin(_)) { share.max(ROW_SHARE_OF_MARGIN) } else { share };
             let mut found: Vec<(usize, Peak)> = Vec::new();
             for (load_case, s) in self.steering() {
-                let peaks = s.finder.peaks(&s.condition.absorbers(&own), measure, share, work)?;
+                let peaks = s.finder.peaks(&s.absorbers(&own), measure, share, work)?;
                 found.extend(peaks.into_iter().map(|p| (load_case, p)));
             }
             // peaks that are large in their own load case may be small among all
@@ -222,7 +238,7 @@ impl Problem<'_> {
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
             for (load_case, peak) in found {
                 let s = &self.load_cases[load_case];
-                let design = s.condition.absorbers(&own);
+                let design = s.absorbers(&own);
                 let of_absorber = |i: usize, work: &mut Work| {
                     if self.space.varies(i) { s.finder.gradient(&design, i, measure, &peak, work) } else { Ok(Vec::new()) }
                 };

@@ -34,6 +34,7 @@ pub(crate) fn write_run(
     csv::heat(results, folder)?;
     csv::strain(results, folder)?;
     csv::large_twist(results, folder)?;
+    csv::robust(study, results, folder)?;
     if study.limits.is_empty() {
         folder.remove(&["limits.csv", "barred.csv"])?
     } else {

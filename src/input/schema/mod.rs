@@ -8,6 +8,7 @@ pub mod material;
 pub mod material_states;
 pub mod measure;
 pub mod range;
+pub mod robust;
 pub mod sizing;
 pub mod study;
 mod word;

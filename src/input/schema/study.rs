@@ -5,6 +5,7 @@ use super::fatigue::RawFatigue;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
 use super::range::RawRange;
+use super::robust::RawRobust;
 use crate::input::error::At;
 use serde::Deserialize;
 
@@ -32,6 +33,7 @@ pub(crate) struct RawStudy {
     #[serde(default)]
     pub constraint: Vec<At<RawMeasure>>,
     pub optimise: Option<RawOptimise>,
+    pub robust: Option<At<RawRobust>>,
     pub pareto: Option<At<RawPareto>>,
     pub published: Option<At<RawPublished>>,
     pub calibrate: Option<At<RawCalibrate>>,

@@ -7,6 +7,7 @@ use super::inputs::Input;
 use super::load::DutyPoint;
 use super::material_states::Temperatures;
 use super::optimise::{FrontSpec, OptimiseSpec};
+use super::robust::RobustSpec;
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::Engine;
@@ -87,6 +88,8 @@ pub struct Study {
     pub limits: Vec<LimitSpec>,
     /// What to optimise.
     pub optimise: Option<OptimiseSpec>,
+    /// Tolerances that designs are judged, and optima of the main size sought, within.
+    pub robust: Option<RobustSpec>,
     /// Front to follow.
     pub front: Option<FrontSpec>,
     /// Conditions every design is evaluated in; firing always is.

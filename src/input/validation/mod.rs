@@ -20,6 +20,7 @@ mod named;
 mod optimise;
 mod published;
 mod ranges;
+mod robust;
 pub(super) mod sizing;
 mod tree;
 
@@ -39,6 +40,7 @@ pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 use named::folder_of;
 pub(super) use named::table;
 pub use optimise::{FrontSpec, OptimiseSpec};
+pub use robust::{RobustSpec, Sampling};
 
 use super::error::{At, Check, InputError, Source};
 use super::measure::MeasureSpec;
@@ -218,6 +220,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
     let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
     let combined = measures::combined(check, study, (&known, &limits), of);
+    let robust = study.robust.as_ref().and_then(|r| robust::resolve(check, r, optimise.as_ref(), &designs));
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, &base.engine));
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
@@ -249,6 +252,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         combined,
         limits,
         optimise,
+        robust,
         front,
         conditions,
         temperatures,

@@ -15,6 +15,7 @@ mod margin;
 pub mod models;
 mod pareto;
 mod response;
+mod robust;
 
 use super::files::{Folder, WriteError};
 use crate::analysis::Results;
@@ -54,6 +55,7 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn(
     drawn.into_iter().collect::<Result<(), _>>()?;
     heat::draw(study, results, folder)?;
     large_twist::draw(study, results, folder)?;
+    robust::draw(study, results, folder)?;
     front::draw(study, results, folder)?;
     results.tradeoffs.iter().for_each(|_| written());
     Ok(())

@@ -5,11 +5,12 @@ use super::limits::{barred, limits};
 use super::margin::factor;
 use super::materials::temperatures;
 use super::parameters::parameters;
+use super::robust::during;
 use super::table::{dash, significant, table};
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
-use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results, RowCase};
+use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Peak, Place, holds};
 use crate::optimise::Role;
@@ -175,7 +176,8 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         let _ = writeln!(text, "{line}");
     };
     let objective = study.objective_of(o.objective);
-    put(format!("{}: {} {}", o.design.name, objective.label, value_of(objective, best)));
+    let at_worst = if o.robust { " at worst within the tolerances" } else { "" };
+    put(format!("{}: {}{at_worst} {}", o.design.name, objective.label, value_of(objective, best)));
     let worst = o.design.conditions.iter().max_by(|a, b| a.objective.total_cmp(&b.objective));
     let own = o.design.objective.filter(|_| o.objective == 0);
     if let (Some(all), Some(c)) = (own.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
@@ -187,11 +189,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     }
     for ((row, nature), load_case) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.load_cases) {
         let p = &row.peak;
-        let during = match load_case {
-            RowCase { condition: Condition::Firing, .. } => String::new(),
-            RowCase { condition, cylinder: None } => format!(", {}", condition.name().replace('_', " ")),
-            RowCase { condition, cylinder: Some(cylinder) } => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
-        };
+        let during = during(&o.optimum.design, load_case);
         match row.role {
             Role::Objective(i) if outcome.rows.is_largest(row, 1e-5) => {
                 let parts = study.combined.as_ref().filter(|_| o.objective > study.more_objectives.len());

@@ -1,0 +1,85 @@
+//! Tolerances that a design is to hold within.
+
+use super::absorbers::DesignSpec;
+use super::optimise::OptimiseSpec;
+use crate::absorber::Declaration;
+use crate::input::error::{At, Check};
+use crate::input::schema::robust::{RawDistribution, RawRobust};
+
+/// Tolerances of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobustSpec {
+    /// Shares by which parameters may be larger or smaller, by their keys.
+    pub shares: Vec<(&'static str, f64)>,
+    /// Random designs.
+    pub sampling: Option<Sampling>,
+}
+
+/// Random designs within the tolerances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Per cent of the designs that are to be better than the value reported.
+    pub percentile: f64,
+    /// Number of designs.
+    pub samples: usize,
+    /// Normal, the tolerance being three standard deviations beyond which nothing is delivered; else uniform.
+    pub normal: bool,
+}
+
+/// Most parameters of one design with a tolerance: the box of deviations has two to that many corners.
+const MOST_TOLERANCES: usize = 6;
+const MOST_SAMPLES: i64 = 1_000_000;
+
+pub(super) fn resolve(
+    check: &mut Check,
+    raw: &At<RawRobust>,
+    optimise: Option<&OptimiseSpec>,
+    designs: &[DesignSpec],
+) -> Option<RobustSpec> {
+    let raw = raw.get_ref();
+    let lists = types_of(optimise, designs);
+    let types: Vec<&'static Declaration> = lists.iter().flatten().flatten().copied().collect();
+    let mut shares = Vec::new();
+    for (key, share) in raw.tolerance.get_ref() {
+        let Some(known) = types.iter().flat_map(|t| t.parameters).map(|p| p.key).find(|known| known == key) else {
+            let mut keys: Vec<&str> = types.iter().flat_map(|t| t.parameters).map(|p| p.key).collect();
+            keys.sort_unstable();
+            keys.dedup();
+            check.wrong(share, format!("found a tolerance of `{key}`, which no absorber here has, expected one of {}", keys.join(", ")));
+            continue;
+        };
+        shares.push((known, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));
+    }
+    if raw.tolerance.get_ref().is_empty() {
+        check.wrong(&raw.tolerance, "found no tolerance, expected at least one parameter with its share");
+    }
+    let of_type = |t: &&'static Declaration| shares.iter().filter(|s| t.index(s.0).is_some()).count();
+    let edges =
+        |design: &Vec<Vec<&'static Declaration>>| design.iter().map(|types| types.iter().map(of_type).max().unwrap_or(0)).sum::<usize>();
+    if let Some(most) = lists.iter().map(edges).max().filter(|most| *most > MOST_TOLERANCES) {
+        check.wrong(
+            &raw.tolerance,
+            format!(
+                "found tolerances of {most} parameters of one design, expected at most {MOST_TOLERANCES}: all their corners are looked at"
+            ),
+        );
+    }
+    let sampling = raw.sampling.as_ref().map(|s| {
+        let samples = *s.samples.get_ref();
+        if !(100..=MOST_SAMPLES).contains(&samples) {
+            check.wrong(&s.samples, format!("found {samples}, expected a whole number of designs from 100 to {MOST_SAMPLES}"));
+        }
+        Sampling {
+            percentile: check.within(&s.percentile, 1.0..=99.9, "per cent of the designs from 1 to 99.9"),
+            samples: samples.clamp(1, MOST_SAMPLES) as usize,
+            normal: matches!(s.distribution, RawDistribution::Normal),
+        }
+    });
+    (!shares.is_empty()).then_some(RobustSpec { shares, sampling })
+}
+
+/// Types that each absorber may have, of every given design and of what is optimised.
+fn types_of(optimise: Option<&OptimiseSpec>, designs: &[DesignSpec]) -> Vec<Vec<Vec<&'static Declaration>>> {
+    let given = |d: &DesignSpec| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect();
+    designs.iter().map(given).chain(optimise.map(|o| o.absorbers.iter().map(|a| a.types.clone()).collect())).collect()
+}

@@ -1,0 +1,175 @@
+//! Designs that hold within tolerances: the largest objective over a box of deviations is minimised.
+//!
+//! The worst of a box is a minimax problem of its own. Its corners are scenarios from the start; at the optimum of those the box is searched for a worse deviation inside, which joins them until there is none.
+
+use super::search::{self, Finish, Optimum, Recorder};
+use super::{LoadCase, Problem, minimax};
+use crate::absorber::{Declaration, Deviation, Mounted};
+use crate::numerics::maximise::maximise;
+use crate::objective::Measure;
+use crate::response::{ResponseError, Work};
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use std::convert::Infallible;
+use std::f64::consts::TAU;
+
+/// A deviation is worse where it is by this share.
+const WORSE: f64 = 1e-9;
+/// Most searches of the inside of the box.
+const MOST_INSIDE: usize = 8;
+/// Random deviations of a search of the box, per edge; the best so many are searched from; rounds of one edge after the other.
+const RANDOM: usize = 16;
+const SEARCHED: usize = 3;
+const ROUNDS: usize = 6;
+
+/// Shares by which parameters of the absorbers of a design may deviate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tolerances {
+    /// Parameters of each absorber.
+    counts: Vec<usize>,
+    /// Absorber, parameter, share.
+    edges: Vec<(usize, usize, f64)>,
+}
+
+impl Tolerances {
+    /// Those of some types (nothing for an absorber without one) by the keys of their parameters.
+    pub fn new(types: &[Option<&'static Declaration>], shares: &[(&'static str, f64)]) -> Self {
+        let counts = types.iter().map(|t| t.map_or(0, |t| t.parameters.len())).collect();
+        let own = |(i, t): (usize, &Option<&'static Declaration>)| -> Vec<(usize, usize, f64)> {
+            let place = |(key, share): &(&'static str, f64)| Some((i, t.as_ref()?.index(key)?, *share));
+            shares.iter().filter_map(place).collect()
+        };
+        Self { counts, edges: types.iter().enumerate().flat_map(own).collect() }
+    }
+
+    /// Of a design.
+    pub(crate) fn of(design: &[Mounted], shares: &[(&'static str, f64)]) -> Self {
+        Self::new(&design.iter().map(|m| m.absorber.declaration()).collect::<Vec<_>>(), shares)
+    }
+
+    /// Number of edges of the box.
+    pub fn edges(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// The deviation at a point of the box: each edge from -1 to 1.
+    pub fn at(&self, point: &[f64]) -> Deviation {
+        let mut factors: Vec<Vec<f64>> = self.counts.iter().map(|n| vec![1.0; *n]).collect();
+        for ((absorber, parameter, share), x) in self.edges.iter().zip(point) {
+            factors[*absorber][*parameter] = 1.0 + share * x;
+        }
+        Deviation { factors }
+    }
+
+    /// All corners.
+    pub fn corners(&self) -> Vec<Vec<f64>> {
+        let corner = |bits: usize| (0..self.edges()).map(|i| if bits >> i & 1 == 1 { 1.0 } else { -1.0 }).collect();
+        (0..1usize << self.edges()).map(corner).collect()
+    }
+
+    /// The largest value over the box that a search of it finds, and where: corners, the middle of every edge's range, and random points, the best followed along one edge after the other.
+    pub fn worst(&self, value: impl Fn(&[f64]) -> f64, seed: u64) -> (Vec<f64>, f64) {
+        let d = self.edges();
+        let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut points = self.corners();
+        points.push(vec![0.0; d]);
+        points.extend((0..RANDOM * d).map(|_| (0..d).map(|_| generator.random_range(-1.0..=1.0)).collect::<Vec<f64>>()));
+        let mut valued: Vec<(Vec<f64>, f64)> = points.into_iter().map(|p| (value(&p), p)).map(|(v, p)| (p, v)).collect();
+        valued.sort_by(|a, b| b.1.total_cmp(&a.1));
+        valued.truncate(SEARCHED);
+        for (point, own) in &mut valued {
+            let mut reach = 1.0;
+            for _ in 0..ROUNDS {
+                let before = *own;
+                for i in 0..d {
+                    let (low, high) = (f64::max(point[i] - reach, -1.0), f64::min(point[i] + reach, 1.0));
+                    let mut moved = point.clone();
+                    let along = |x: f64| {
+                        moved[i] = x;
+                        Ok::<f64, Infallible>(value(&moved))
+                    };
+                    let Ok((x, found)) = maximise(low, high, along);
+                    if found > *own {
+                        (point[i], *own) = (x, found);
+                    }
+                }
+                if *own <= before * (1.0 + WORSE) {
+                    break;
+                }
+                reach *= 0.5;
+            }
+        }
+        valued.into_iter().reduce(|m, p| if p.1 > m.1 { p } else { m }).expect("a box has corners")
+    }
+
+    /// A random point of the box; normal: the share is three standard deviations, and what is farther is not delivered.
+    pub fn sample(&self, normal: bool, generator: &mut impl Rng) -> Vec<f64> {
+        let mut next = || generator.random::<f64>();
+        let mut one = || loop {
+            // Box and Muller
+            let x = if normal { (-2.0 * (1.0 - next()).ln()).sqrt() * (TAU * next()).cos() / 3.0 } else { 2.0 * next() - 1.0 };
+            if x.abs() <= 1.0 {
+                return x;
+            }
+        };
+        (0..self.edges()).map(|_| one()).collect()
+    }
+}
+
+/// Load cases as they are, and each with every deviation.
+pub(crate) fn scenarios<'a>(cases: &[LoadCase<'a>], deviations: &'a [Deviation]) -> Vec<LoadCase<'a>> {
+    let with = |deviation: &'a Deviation| cases.iter().map(move |case| LoadCase { deviation: Some(deviation), ..*case });
+    cases.iter().copied().chain(deviations.iter().flat_map(with)).collect()
+}
+
+/// The largest value of a measure of a design over load cases with a deviation; infinite where nothing damps a resonance.
+pub(crate) fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Deviation, measure: &Measure) -> f64 {
+    let cases = cases.iter().map(|case| LoadCase { deviation: Some(deviation), ..*case });
+    cases
+        .map(|case| case.peak(design, measure, &mut Work::default()))
+        .try_fold(0.0, |m, peak| peak.map(|p| f64::max(m, p)))
+        .unwrap_or(f64::INFINITY)
+}
+
+/// The design whose worst objective over the box is least, and the deviations that it is held against.
+///
+/// # Errors
+/// The error of the first start, where no start has a finite response.
+pub(crate) fn optimise(
+    problem: &Problem,
+    tolerances: &Tolerances,
+    starts: &[(String, Vec<f64>)],
+    seed: u64,
+    recorder: Recorder,
+) -> Result<(Vec<Deviation>, Optimum), ResponseError> {
+    let mut deviations: Vec<Deviation> = tolerances.corners().iter().map(|c| tolerances.at(c)).collect();
+    let mut found: Option<Optimum> = None;
+    for inside in 0.. {
+        let cases = scenarios(problem.load_cases, &deviations);
+        let of_corners = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
+        let optimum = match found.take() {
+            None => search::optimise(&of_corners, starts, Finish::Distinct, recorder)?,
+            Some(mut before) => {
+                let outcome = minimax::minimise(&of_corners, &before.outcome.point, &mut before.stages.minimax)?;
+                Optimum { design: problem.space.design(&outcome.point), outcome, ..before }
+            }
+        };
+        let at = |point: &[f64]| {
+            let deviation = tolerances.at(point);
+            let cases: Vec<LoadCase> = problem.load_cases.iter().map(|case| LoadCase { deviation: Some(&deviation), ..*case }).collect();
+            let built = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
+            built.exactly(&optimum.outcome.point, &mut Work::default()).unwrap_or((f64::INFINITY, f64::INFINITY))
+        };
+        let worst = tolerances.worst(|point| at(point).0, seed);
+        let excess = tolerances.worst(|point| at(point).1, seed);
+        let worse = [(&worst.0, worst.1 > optimum.value() * (1.0 + WORSE)), (&excess.0, excess.1 > optimum.outcome.rows.excess() + WORSE)];
+        let new: Vec<Deviation> =
+            worse.into_iter().filter(|w| w.1).map(|w| tolerances.at(w.0)).filter(|d| !deviations.contains(d)).collect();
+        if new.is_empty() || inside == MOST_INSIDE {
+            return Ok((deviations, optimum));
+        }
+        deviations.extend(new);
+        found = Some(optimum);
+    }
+    unreachable!("the last round returns")
+}

@@ -1,0 +1,86 @@
+//! Designs within tolerances, in words.
+
+use super::table::{significant, table};
+use crate::absorber::{Deviation, Mounted};
+use crate::analysis::{Results, RowCase};
+use crate::input::{MeasureSpec, Study, UnitOf};
+use crate::objective::{Condition, holds};
+
+/// What is deviated, in words: "k +10 %, c -30 %"; of several absorbers each with its number.
+pub(crate) fn deviation(design: &[Mounted], deviation: &Deviation) -> String {
+    let mut words = Vec::new();
+    for (i, (m, factors)) in design.iter().zip(&deviation.factors).enumerate() {
+        let Some(declaration) = m.absorber.declaration() else { continue };
+        for (p, factor) in declaration.parameters.iter().zip(factors).filter(|(_, f)| **f != 1.0) {
+            let symbol = p.label.split('/').next().unwrap_or(p.label);
+            let which = if design.len() > 1 { format!(" of {}", i + 1) } else { String::new() };
+            let percent = format!("{:+.1}", 100.0 * (factor - 1.0));
+            words.push(format!("{symbol}{which} {} %", percent.trim_end_matches(".0")));
+        }
+    }
+    if words.is_empty() { "as drawn".into() } else { words.join(", ") }
+}
+
+/// The condition and deviation of a row, after a comma.
+pub(super) fn during(design: &[Mounted], case: &RowCase) -> String {
+    let condition = match (case.condition, case.cylinder) {
+        (Condition::Firing, _) => String::new(),
+        (condition, None) => format!(", {}", condition.name().replace('_', " ")),
+        (condition, Some(cylinder)) => format!(", {} of cylinder {}", condition.name(), cylinder + 1),
+    };
+    let deviated = case.deviation.as_ref().map_or_else(String::new, |d| format!(", {}", deviation(design, d)));
+    condition + &deviated
+}
+
+/// A row a design with nominal and worst value; empty where the study has no tolerances.
+pub(crate) fn robust(study: &Study, results: &Results) -> String {
+    let Some(spec) = study.robust.as_ref().filter(|_| !results.robust.is_empty()) else { return String::new() };
+    let of = &study.objective;
+    let unit = match of.unit {
+        UnitOf::Angle => "°",
+        UnitOf::Margin => "",
+        unit => unit.symbol(),
+    };
+    let column = |word: &str| if unit.is_empty() { word.to_owned() } else { format!("{word}/{unit}") };
+    let mut header = vec!["design".to_owned(), column("nominal"), column("worst"), "rise/%".into(), "where it is worst".into()];
+    if let Some(s) = spec.sampling {
+        header.extend([column(&format!("{} % of designs", s.percentile)), column("from"), column("to")]);
+    }
+    let absorbers = |name: &str| {
+        let all = results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+        all.into_iter().find(|d| d.name == name).map_or(&[][..], |d| &d.absorbers)
+    };
+    let mut rows = Vec::new();
+    for d in &results.robust {
+        let mut row = vec![d.design.clone(), shown(of, d.nominal), shown(of, d.worst.value)];
+        row.push(format!("{:.1}", 100.0 * (d.worst.value / d.nominal - 1.0)));
+        row.push(deviation(absorbers(&d.design), &d.worst.deviation));
+        row.extend(d.percentile.iter().flat_map(|p| [p.value, p.between.0, p.between.1]).map(|v| shown(of, v)));
+        rows.push(row);
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let shares: Vec<String> = spec.shares.iter().map(|(key, share)| format!("{key} ±{} %", significant(100.0 * share, 3))).collect();
+    let mut text = format!("Within tolerances ({}), {}:\n{}", shares.join(", "), of.label, table(&header, &rows));
+    if let Some(s) = spec.sampling {
+        let how = if s.normal { "normal, the tolerance being three standard deviations" } else { "uniform" };
+        text.push_str(&format!("  {} random designs, {how}; from and to: 95 % confidence interval of the percentile\n", s.samples));
+    }
+    for d in &results.robust {
+        for (limit, worst) in study.limits.iter().zip(&d.limits).filter(|(_, worst)| !holds(worst.value)) {
+            let at = deviation(absorbers(&d.design), &worst.deviation);
+            text.push_str(&format!("  {}: limit {} is broken at {at} ({:.0} % of it)\n", d.design, limit.words, 100.0 * worst.value));
+        }
+    }
+    text
+}
+
+/// A value of the objective in its unit.
+fn shown(of: &MeasureSpec, value: f64) -> String {
+    if !value.is_finite() {
+        return "unbounded".into();
+    }
+    match of.unit {
+        UnitOf::Margin => significant(1.0 / value, 4),
+        unit => significant(unit.shown(value), 4),
+    }
+}

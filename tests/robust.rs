@@ -1,0 +1,99 @@
+//! Tolerances: the worst of the box, the design whose worst is least, percentiles of random designs.
+
+use crate::limits::{TwoMasses, What, with};
+use crate::support::{assert_close, study};
+use hartog::absorber::{Deviation, TUNED, VISCOUS};
+use hartog::analysis::Results;
+use hartog::input::{RobustSpec, Sampling};
+use hartog::optimise::Tolerances;
+
+const SHARES: [(&str, f64); 2] = [("stiffness_n_m_per_rad", 0.1), ("damping_n_m_s_per_rad", 0.3)];
+
+fn spec(sampling: Option<Sampling>) -> Option<RobustSpec> {
+    Some(RobustSpec { shares: SHARES.to_vec(), sampling })
+}
+
+/// Nominal and worst value of a design of a run.
+fn values(results: &Results, name: &str) -> (f64, f64) {
+    let d = results.robust.iter().find(|d| d.design == name).unwrap_or_else(|| panic!("{name}"));
+    (d.nominal, d.worst.value)
+}
+
+/// Law: the least worst case of stiffness ±10 % and damping ±30 % on two masses is that of golden sections within golden sections over the largest of a grid of the box, to 1e-6; no deviation of a finer grid is
+/// worse; the robust design is worse as drawn and better at worst than the exact optimum.
+#[test]
+fn worst_case_of_two_masses() {
+    for (damping_ratio, ring) in [(0.0, 0.1), (0.05, 0.3)] {
+        let masses = TwoMasses { damping_ratio, ring };
+        let mut s = with(masses, What::Twist, &[]);
+        s.robust = spec(None);
+        let results = s.run().expect("damped");
+        let worst_of = |(k, c): (f64, f64), n: usize| {
+            let at = |share: f64, i: usize| 1.0 + share * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
+            let all = (0..n * n).map(|i| masses.peak((k * at(0.1, i / n), c * at(0.3, i % n)), What::Twist));
+            all.fold(0.0, f64::max)
+        };
+        let (_, expected) = masses.minimise(&|p| worst_of(p, 3));
+        let found = results.optima.iter().find(|o| o.robust).expect("a robust optimum");
+        assert_close(found.optimum.value(), expected, 1e-6, 0.0, &format!("damping ratio {damping_ratio}, ring {ring}"));
+        let own = &found.optimum.design[0].absorber;
+        let point = (own.stiffness().expect("k"), own.damping().expect("c"));
+        assert!(worst_of(point, 41) <= expected * (1.0 + 1e-6), "inside the box");
+        let ((drawn, at_worst), (robust, robust_at_worst)) = (values(&results, "optimum_tuned"), values(&results, "optimum_tuned_robust"));
+        assert_close(robust_at_worst, expected, 1e-6, 0.0, "as reported");
+        assert!(drawn < robust && robust_at_worst < at_worst * 0.999, "{drawn} {robust}, {at_worst} {robust_at_worst}");
+    }
+}
+
+/// Both engines: worse as drawn, better at worst; a worst deviation inside the box is met (V10, tuned).
+#[test]
+fn robust_optima_of_both_engines() {
+    let mut inside = 0;
+    for name in ["villalva_i6_robust", "villalva_v10_robust"] {
+        let mut s = study(name);
+        s.robust.as_mut().expect("tolerances").sampling = None;
+        let results = s.run().expect("damped");
+        for kind in ["tuned", "viscous"] {
+            let (drawn, at_worst) = values(&results, &format!("optimum_{kind}"));
+            let (robust, robust_at_worst) = values(&results, &format!("optimum_{kind}_robust"));
+            assert!(drawn < robust && robust_at_worst < at_worst, "{name}, {kind}: {drawn} {robust}, {at_worst} {robust_at_worst}");
+        }
+        let of = |d: &Deviation, edge: usize, share: f64| (d.factors[0][edge] - 1.0).abs() < 0.999 * share;
+        inside += results.robust.iter().filter(|d| d.design == "optimum_tuned" && of(&d.worst.deviation, 1, 0.1)).count();
+    }
+    assert!(inside > 0);
+}
+
+/// The largest of a function over the box, wherever it is: at a corner, on an edge, inside.
+#[test]
+fn worst_of_a_box() {
+    let tolerances = Tolerances::new(&[Some(&TUNED)], &SHARES);
+    assert_eq!((tolerances.edges(), tolerances.corners().len()), (2, 4));
+    for peak in [[0.3, -0.2], [1.0, 0.4], [-1.0, -1.0]] {
+        let f = |p: &[f64]| 2.0 - p.iter().zip(peak).map(|(x, at)| (x - at) * (x - at)).sum::<f64>();
+        let (point, value) = tolerances.worst(f, 1);
+        assert_close(value, 2.0, 1e-9, 0.0, "largest");
+        assert!(point.iter().zip(peak).all(|(x, at)| (x - at).abs() < 1e-4), "{point:?}");
+    }
+    // k and c of the first, c of the second: the key of a parameter that a type does not have is none of its edges
+    let two = Tolerances::new(&[Some(&TUNED), Some(&VISCOUS)], &SHARES);
+    assert_eq!(two.at(&[1.0, -1.0, 1.0]).factors, [vec![1.0, 1.1, 0.7], vec![1.0, 1.3]]);
+}
+
+/// The percentile of random designs lies within its interval and below the worst; more designs make the interval narrower; normal ones are nearer the drawing than uniform ones.
+#[test]
+fn percentiles_of_random_designs() {
+    let masses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
+    let of = |samples: usize, normal: bool| {
+        let mut s = with(masses, What::Twist, &[]);
+        s.robust = spec(Some(Sampling { percentile: 90.0, samples, normal }));
+        let d = s.run().expect("damped").robust.remove(0);
+        let p = d.percentile.expect("sampled");
+        assert!(p.between.0 <= p.value && p.value <= p.between.1 && p.between.1 <= d.worst.value, "{p:?}");
+        p
+    };
+    let (few, many, normal) = (of(200, false), of(5000, false), of(5000, true));
+    assert!(many.between.1 - many.between.0 < few.between.1 - few.between.0);
+    assert!(few.between.0 <= many.value && many.value <= few.between.1, "{few:?} {many:?}");
+    assert!(normal.value < many.value);
+}

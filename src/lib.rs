@@ -76,6 +76,7 @@
 //! - \[Andrew 1979\] A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, *Inf. Process. Lett.* 9, 216.
 //! - \[Asami 2017\] T. Asami, Optimal design of double-mass dynamic vibration absorbers arranged in series or in parallel, *J. Vib. Acoust.* 139,
 //!   011015.
+//! - \[Al-Mohy & Higham 2009\] A. H. Al-Mohy, N. J. Higham, A new scaling and squaring algorithm for the matrix exponential, *SIAM J. Matrix Anal. Appl.* 31, 970.
 //! - \[Bhandari 2010\] V. B. Bhandari, *Design of Machine Elements*, 3rd ed., chapter 25.
 //! - \[Brent 1973\] R. P. Brent, *Algorithms for Minimization without Derivatives*, chapter 5.
 //! - \[Brock 1946\] J. E. Brock, A note on the damped vibration absorber, *J. Appl. Mech.* 13, A-284.
@@ -97,6 +98,7 @@
 //!   *J. Vib. Acoust.* 124, 576.
 //! - \[Nocedal & Wright 2006\] J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed.
 //! - \[Friswell et al. 2010\] M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees, *Dynamics of Rotating Machines*, chapter 9.
+//! - \[Higham 2005\] N. J. Higham, The scaling and squaring method for the matrix exponential revisited, *SIAM J. Matrix Anal. Appl.* 26, 1179.
 //! - \[Keller 1977\] H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in *Applications of Bifurcation Theory*.
 //! - \[Ker Wilson 1956\] W. Ker Wilson, *Practical Solution of Torsional Vibration Problems*, 3rd ed., vol. 1.
 //! - \[Kraus 1984\] G. Kraus, Mechanical losses in carbon-black-filled rubbers, *J. Appl. Polym. Sci.: Appl. Polym. Symp.* 39, 75.

@@ -10,6 +10,9 @@ use hartog::objective::{Condition, Limit, PeakFinder};
 use hartog::optimise::{LoadCase, Problem, minimax, search, starts};
 use hartog::response::{Grid, Method, Receptance, Work};
 use rayon::prelude::*;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 fn with_scenes(study: &Study, f: impl FnOnce(&[LoadCase], &[Vec<EngineMode>])) {
     let sys = system(study);
@@ -160,5 +163,43 @@ fn materials_at_each_temperature() {
                 assert!((found - row[c]).abs() < 6e-4, "{}, {}, column {c}: {found} against {}", name, o.design.name, row[c]);
             }
         }
+    }
+}
+
+/// Files do not depend on the instructions of the processor: a program that makes no choice of them at run time, under a C library that is told of none beyond the oldest, writes the same, byte for byte.
+#[test]
+#[ignore = "builds the program a second time, about five minutes"]
+fn files_do_not_depend_on_the_processor() {
+    let place = tempfile::tempdir().expect("a folder");
+    let folder = |name: &str| place.path().join(name);
+    let build = folder("target");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let root = env!("CARGO_MANIFEST_DIR");
+    let built = Command::new(cargo)
+        .args(["build", "--release", "--features", "baseline", "--bin", "hartog", "--target-dir"])
+        .arg(&build)
+        .current_dir(root)
+        .status();
+    assert!(built.expect("cargo").success());
+    let usual = assert_cmd::cargo::cargo_bin("hartog");
+    for study in ["den_hartog", "villalva_i6", "villalva_i6_laws", "villalva_i6_large_twist", "villalva_i6_robust", "minucci_i4"] {
+        let run = |program: &Path, out: &Path, tunables: &str| {
+            let path = format!("studies/{study}.toml");
+            let mut command = Command::new(program);
+            command.current_dir(root).args(["run", &path, "--out"]).arg(out).env("GLIBC_TUNABLES", tunables);
+            assert!(command.output().expect("runs").status.success(), "{study}");
+        };
+        let (one, other) = (folder(&format!("{study}_one")), folder(&format!("{study}_other")));
+        run(&usual, &one, "");
+        run(&build.join("release/hartog"), &other, "glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-FMA,-FMA4");
+        let mut compared = 0;
+        for entry in fs::read_dir(&one).expect("files").map(|e| e.expect("a file")) {
+            if entry.file_name() != "timing.csv" {
+                let own = fs::read(entry.path()).expect("bytes");
+                assert!(own == fs::read(other.join(entry.file_name())).expect("bytes"), "{study}: {:?}", entry.file_name());
+                compared += 1;
+            }
+        }
+        assert!(compared > 10, "{study}: {compared} files");
     }
 }

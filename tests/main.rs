@@ -1,4 +1,5 @@
 //! All tests of hartog, one binary. "Equals itself" and "equals the literature" are told apart in each test's first line.
+#![expect(clippy::disallowed_methods, reason = "tests hold results against the elementary functions of the standard library")]
 
 mod absorbers;
 mod bad_input;

@@ -1,6 +1,8 @@
 //! Mathematics against independent methods.
 
 use crate::support::assert_close;
+use hartog::numerics::elementary::{ComplexElementary, Elementary};
+use hartog::numerics::matrix_exponential::matrix_exponential;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::numerics::tridiagonal::Tridiagonal;
 use hartog::numerics::{C64, eigen, harmonics, maximise};
@@ -130,4 +132,63 @@ fn quadratic_eigenvalues_of_one_mass() {
     let (one, zero) = (DMatrix::from_element(1, 1, 1.0), DMatrix::zeros(1, 1));
     assert_eq!(eigen::quadratic(&one, &zero, &zero), Some(vec![C64::default(); 2]));
     assert_eq!(eigen::quadratic(&one, &zero, &DMatrix::from_element(1, 1, f64::NAN)), None);
+}
+
+/// Law: elementary functions are those of the standard library to two roundings, over twelve decades and both signs; complex ones obey exp ln z = z, (z^a)^(1/a) = z near the positive axis and w² = z with Re w >= 0.
+#[test]
+fn elementary_functions() {
+    let mut x = 1e-6;
+    while x < 1e6 {
+        for v in [x, -x] {
+            let small: f64 = v / 1e6;
+            let pairs = [
+                (v.sine(), v.sin()),
+                (v.cosine(), v.cos()),
+                (v.sine_cosine().0, v.sin_cos().0),
+                (v.sine_cosine().1, v.sin_cos().1),
+                (small.tangent(), small.tan()),
+                (small.arcsine(), small.asin()),
+                (small.arccosine(), small.acos()),
+                (v.arctangent(3.0), v.atan2(3.0)),
+                ((v / 1e4).exponential(), (v / 1e4).exp()),
+                (x.logarithm(), x.ln()),
+                (x.decimal_logarithm(), x.log10()),
+                (x.power(0.37), x.powf(0.37)),
+                (x.power(-2.9), x.powf(-2.9)),
+                ((v / 1e4).hyperbolic_sine(), (v / 1e4).sinh()),
+                (v.area_hyperbolic_sine(), v.asinh()),
+                (v.cube_root(), v.cbrt()),
+                (v.hypotenuse(2.0), v.hypot(2.0)),
+            ];
+            for (i, (own, known)) in pairs.into_iter().enumerate() {
+                assert!((own - known).abs() <= 4.0 * f64::EPSILON * known.abs(), "function {i} at {v}: {own:e} against {known:e}");
+            }
+        }
+        x *= 1.37;
+    }
+    for (re, im) in [(2.0, 3.0), (2.0, -3.0), (-2.0, 3.0), (-2.0, -3.0), (0.0, 1e-9), (-4.0, 0.0), (5e-9, 2.0), (0.0, 0.0)] {
+        let z = C64::new(re, im);
+        let root = z.square_root();
+        assert!((root * root - z).norm() <= 1e-15 * z.norm() && root.re >= 0.0, "{z}: {root}");
+        if z.norm() > 0.0 {
+            assert!((z.logarithm().exponential() - z).norm() <= 4e-15 * z.norm(), "{z}");
+            assert!((z.power(0.5) - root).norm() <= 4e-15 * root.norm(), "{z}");
+        }
+    }
+}
+
+/// Law: exp of a rotation, of a nilpotent and of a diagonal matrix are known; exp A exp(-A) is one, with squaring, too.
+#[test]
+fn exponentials_of_matrices() {
+    let turned = matrix_exponential(&DMatrix::from_row_slice(2, 2, &[0.0, -40.0, 40.0, 0.0]));
+    let expected = DMatrix::from_row_slice(2, 2, &[40f64.cos(), -40f64.sin(), 40f64.sin(), 40f64.cos()]);
+    assert!((turned - expected).amax() < 1e-12);
+    let nilpotent = matrix_exponential(&DMatrix::from_row_slice(3, 3, &[0.0, 2.0, 3.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]));
+    assert!((nilpotent - DMatrix::from_row_slice(3, 3, &[1.0, 2.0, 8.0, 0.0, 1.0, 5.0, 0.0, 0.0, 1.0])).amax() < 1e-14);
+    let diagonal = matrix_exponential(&DMatrix::from_diagonal(&DVector::from_row_slice(&[-700.0, 0.1, 3.0])));
+    for (i, x) in [-700.0f64, 0.1, 3.0].into_iter().enumerate() {
+        assert!((diagonal[(i, i)] / x.exp() - 1.0).abs() < 1e-12, "{x}");
+    }
+    let a = DMatrix::from_fn(6, 6, |i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0);
+    assert!((matrix_exponential(&a) * matrix_exponential(&-&a) - DMatrix::identity(6, 6)).amax() < 1e-6);
 }

@@ -8,6 +8,7 @@ use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
+use crate::numerics::elementary::ComplexElementary;
 use crate::numerics::{C64, imaginary_ln, imaginary_power};
 use std::sync::Arc;
 
@@ -68,19 +69,20 @@ impl Law for Carreau {
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         let z = self.power(at.omega);
-        C64::new(0.0, at.omega * self.damping) * (1.0 + z).powf((self.flow_index - 1.0) / self.transition)
+        C64::new(0.0, at.omega * self.damping) * (1.0 + z).power((self.flow_index - 1.0) / self.transition)
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (a, n) = (self.transition, self.flow_index);
         let z = self.power(at.omega);
-        let falls = (1.0 + z).powf((n - 1.0) / a);
+        let falls = (1.0 + z).power((n - 1.0) / a);
         let newtonian = C64::new(0.0, at.omega);
         let s = newtonian * self.damping * falls;
         // d ln S/d ln tau = (n - 1) z/(1 + z)
         let by_log_time = s * (z / (1.0 + z)) * (n - 1.0);
         let by_transition = s
-            * ((1.0 + z).ln() * ((1.0 - n) / (a * a)) + (z / (1.0 + z)) * imaginary_ln(at.omega * self.relaxation_time) * ((n - 1.0) / a));
-        let by_index = s * (1.0 + z).ln() / a;
+            * ((1.0 + z).logarithm() * ((1.0 - n) / (a * a))
+                + (z / (1.0 + z)) * imaginary_ln(at.omega * self.relaxation_time) * ((n - 1.0) / a));
+        let by_index = s * (1.0 + z).logarithm() / a;
         vec![C64::default(), newtonian * falls, by_log_time / self.relaxation_time, by_transition, by_index]
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! The coefficients of a disc are as they are commonly quoted, not checked against the print; the mean over a disc that is laminar inside and turbulent outside is derived from them.
 
+use crate::numerics::elementary::Elementary;
+
 /// Temperatures round an absorber, and how well it is connected to them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cooling {
@@ -47,7 +49,7 @@ impl ToAir {
             Self::Disc { radius, width } => {
                 let reynolds = shaft_speed * radius * radius / VISCOSITY;
                 let laminar = (TURBULENT / reynolds).sqrt().min(1.0);
-                let nusselt = 0.36 * reynolds.sqrt() * laminar * laminar + 0.015 * reynolds.powf(0.8) * (1.0 - laminar.powf(2.6));
+                let nusselt = 0.36 * reynolds.sqrt() * laminar * laminar + 0.015 * reynolds.power(0.8) * (1.0 - laminar.power(2.6));
                 let area = 2.0 * std::f64::consts::PI * radius * (radius + width);
                 nusselt * CONDUCTIVITY / radius * area
             }

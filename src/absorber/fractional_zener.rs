@@ -7,6 +7,7 @@ use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
+use crate::numerics::elementary::ComplexElementary;
 use crate::numerics::{C64, imaginary_ln, imaginary_power};
 use std::sync::Arc;
 
@@ -42,7 +43,7 @@ pub static FRACTIONAL_ZENER: Declaration = Declaration {
 pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
     let omega = engine.omega / (1.0 + ring_inertia / engine.inertia);
     let time = 0.04 / omega;
-    let z = C64::new(0.0, omega * time).sqrt();
+    let z = C64::new(0.0, omega * time).square_root();
     vec![ring_inertia, ring_inertia * omega * omega / (1.0 + z.re), 1e3, time, 0.5]
 }
 

@@ -1,5 +1,7 @@
 //! Filled rubber softens with the amplitude of its strain (Payne's effect): Kraus's model \[Kraus 1984\].
 
+use crate::numerics::elementary::Elementary;
+
 /// G'(g) = G'inf (1 + (r - 1)/(1 + y²)), G''(g) = G''inf (1 + 2 (q - 1) y/(1 + y²)) with y = (g/g_c)^m, g the amplitude of shear strain, zero to peak. Known to the author from quotations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kraus {
@@ -19,7 +21,7 @@ impl Kraus {
     /// Storage and loss modulus at an amplitude of strain over those at the reference.
     pub fn factors(&self, strain: f64) -> (f64, f64) {
         let of = |strain: f64| {
-            let y = (strain / self.strain).powf(self.exponent);
+            let y = (strain / self.strain).power(self.exponent);
             let share = 1.0 / (1.0 + y * y);
             // y share, without infinity over infinity
             let slope = if y > 1.0 { 1.0 / (y + 1.0 / y) } else { y * share };

@@ -8,6 +8,7 @@ use super::law::{Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range};
 use super::state::State;
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use std::sync::Arc;
 
 /// A table of measurements on a grid.
@@ -36,15 +37,15 @@ impl MeasuredTable {
         let (t, share) = place(&self.temperatures_c, celsius);
         let i = self.frequencies_hz.partition_point(|f| *f <= hz).clamp(1, self.frequencies_hz.len() - 1) - 1;
         let ends = [self.frequencies_hz[i], self.frequencies_hz[i + 1]];
-        let along = ((hz.max(f64::MIN_POSITIVE) / ends[0]).ln() / (ends[1] / ends[0]).ln()).clamp(0.0, 1.0);
+        let along = ((hz.max(f64::MIN_POSITIVE) / ends[0]).logarithm() / (ends[1] / ends[0]).logarithm()).clamp(0.0, 1.0);
         let row = |t: usize| {
             let (a, b) = (self.stiffness[t][i], self.stiffness[t][i + 1]);
-            let between = |a: f64, b: f64| a.ln() + along * (b / a).ln();
+            let between = |a: f64, b: f64| a.logarithm() + along * (b / a).logarithm();
             (between(a.0, b.0), between(a.1, b.1))
         };
         let low = row(t);
         let high = if share > 0.0 { row(t + 1) } else { low };
-        C64::new((low.0 + share * (high.0 - low.0)).exp(), (low.1 + share * (high.1 - low.1)).exp())
+        C64::new((low.0 + share * (high.0 - low.0)).exponential(), (low.1 + share * (high.1 - low.1)).exponential())
     }
 }
 

@@ -17,6 +17,7 @@ use super::law::{Declaration, Law};
 use super::parameter::{DAMPING, RING_INERTIA};
 use super::pendulum::{CLOSED_FORMS, Pendulum, TUNING_ORDER};
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -89,17 +90,17 @@ impl PathPendulum {
         let rho = (rho0 * rho0 - lambda * lambda * arc * arc).sqrt();
         let (phi, x, fallen) = if lambda == 0.0 {
             let phi = arc / rho0;
-            (phi, rho0 * phi.sin(), rho0 * (1.0 - phi.cos()))
+            (phi, rho0 * phi.sine(), rho0 * (1.0 - phi.cosine()))
         } else {
-            let psi = (lambda * arc / rho0).asin();
+            let psi = (lambda * arc / rho0).arcsine();
             let (sum, difference) = (1.0 / lambda + 1.0, 1.0 / lambda - 1.0);
             // sin(a psi)/a and (1 - cos(a psi))/a, with their limits where a is zero
-            let sine = |a: f64| if a == 0.0 { psi } else { (a * psi).sin() / a };
-            let versine = |a: f64| if a == 0.0 { 0.0 } else { 2.0 * (0.5 * a * psi).sin().powi(2) / a };
+            let sine = |a: f64| if a == 0.0 { psi } else { (a * psi).sine() / a };
+            let versine = |a: f64| if a == 0.0 { 0.0 } else { 2.0 * (0.5 * a * psi).sine().powi(2) / a };
             let half = 0.5 * rho0 / lambda;
             (psi / lambda, half * (sine(sum) + sine(difference)), half * (versine(sum) + versine(difference)))
         };
-        let (y, sin, cos) = (1.0 - fallen, phi.sin(), phi.cos());
+        let (y, sin, cos) = (1.0 - fallen, phi.sine(), phi.cosine());
         let (curvature, curvature_by) = (1.0 / rho, lambda * lambda * arc / rho.powi(3));
         let (slope, gamma) = (2.0 * (x * cos - y * sin), x * sin + y * cos);
         let slope_by = 2.0 * (1.0 - gamma * curvature);

@@ -2,6 +2,7 @@
 //!
 //! The numbers of WLF and of the silicone oil are as they are commonly quoted; neither was checked against the print.
 
+use crate::numerics::elementary::Elementary;
 use crate::units::KELVIN_AT_0_C;
 
 /// A law of temperature.
@@ -71,12 +72,12 @@ impl TemperatureLaw {
     /// The factor at a temperature, °C: one at the reference.
     pub fn factor(&self, celsius: f64) -> f64 {
         match *self {
-            Self::Wlf { c1, c2, reference } => 10f64.powf(-c1 * (celsius - reference) / (c2 + celsius - reference)),
+            Self::Wlf { c1, c2, reference } => 10f64.power(-c1 * (celsius - reference) / (c2 + celsius - reference)),
             Self::Arrhenius { activation, reference } => {
-                (activation / GAS_CONSTANT * (1.0 / (celsius + KELVIN_AT_0_C) - 1.0 / (reference + KELVIN_AT_0_C))).exp()
+                (activation / GAS_CONSTANT * (1.0 / (celsius + KELVIN_AT_0_C) - 1.0 / (reference + KELVIN_AT_0_C))).exponential()
             }
-            Self::Exponential { per_k, reference, .. } => (-per_k * (celsius - reference)).exp(),
-            Self::SiliconeOil { reference } => 10f64.powf(763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference)),
+            Self::Exponential { per_k, reference, .. } => (-per_k * (celsius - reference)).exponential(),
+            Self::SiliconeOil { reference } => 10f64.power(763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference)),
         }
     }
 }

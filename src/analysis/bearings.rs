@@ -3,6 +3,7 @@
 use crate::crankshaft::loads::CrankModel;
 use crate::engine::cycle::crank_fixed;
 use crate::input::Study;
+use crate::numerics::elementary::Elementary;
 
 /// Load of a main bearing over the working cycle, the crank a continuous beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +29,7 @@ pub(crate) fn bearing_loads(study: &Study) -> Option<Vec<BearingLoad>> {
     let n = loads.theta.len();
     let forces: Vec<Vec<[f64; 2]>> = (0..n).map(|j| loads.bearing_forces(j)).collect();
     let load = |(i, number): (usize, usize)| {
-        let size = |j: usize| forces[j][i][0].hypot(forces[j][i][1]);
+        let size = |j: usize| forces[j][i][0].hypotenuse(forces[j][i][1]);
         let worst = (0..n).fold(0, |m, j| if size(j) > size(m) { j } else { m });
         let [x, y] = forces[worst][i];
         // what turns with the crank stays in the mean of crank-fixed axes
@@ -37,8 +38,8 @@ pub(crate) fn bearing_loads(study: &Study) -> Option<Vec<BearingLoad>> {
             number: number + 1,
             largest: size(worst),
             theta: loads.theta[worst],
-            towards: y.atan2(x),
-            turning: turning[0].hypot(turning[1]) / n as f64,
+            towards: y.arctangent(x),
+            turning: turning[0].hypotenuse(turning[1]) / n as f64,
         }
     };
     Some(numbers.enumerate().map(load).collect())

@@ -7,6 +7,7 @@ use super::families;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Host, Mounted, Surroundings};
 use crate::input::{FrontSpec, Size, Study};
+use crate::numerics::elementary::Elementary;
 use crate::objective::PeakFinder;
 use crate::objective::surrogate::{Scratch, Surrogate};
 use crate::response::{Quantity, Receptance, Response, Work};
@@ -97,14 +98,14 @@ pub fn random_absorbers(study: &Study, modes: &[Vec<EngineMode>], count: usize, 
     }
     let one = |i: usize| {
         let declaration = absorber.types[i % absorber.types.len()];
-        let ring = low * (high / low).powf(generator.random_range(0.0..=1.0));
+        let ring = low * (high / low).power(generator.random_range(0.0..=1.0));
         let surroundings = Surroundings { modes: own_modes, ring_inertia: ring };
         let mut values = match declaration.closed_forms.iter().rfind(|f| f.every_mode) {
             Some(form) => (form.values)(ring, *engine),
             None => declaration.parameters.iter().map(|p| (p.typical)(&surroundings)).collect(),
         };
         for value in values.iter_mut().skip(1) {
-            *value *= generator.random_range(-SPREAD..=SPREAD).exp();
+            *value *= generator.random_range(-SPREAD..=SPREAD).exponential();
         }
         let choice = families::Choice { types: vec![declaration], rings: vec![Some(ring)] };
         let space = families::family(spec, &choice, modes);

@@ -5,7 +5,8 @@ use crate::absorber::Mounted;
 use crate::crankshaft::Margin;
 use crate::crankshaft::loads::{CrankModel, InPlanes};
 use crate::input::Study;
-use crate::numerics::{C64, ZERO};
+use crate::numerics::ZERO;
+use crate::numerics::elementary::turn;
 use crate::objective::PeakFinder;
 use crate::response::{Quantity, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
@@ -76,7 +77,7 @@ pub fn diagram(
         let mean = model.mean_torque(smallest.speed_rpm);
         let torque = |shaft: usize| -> f64 {
             let harmonics = &finder.system.excitation.harmonics;
-            let sum: f64 = harmonics.iter().zip(&phasors[shaft]).map(|(&h, y)| (y * C64::cis(f64::from(h) * cycle_angle)).re).sum();
+            let sum: f64 = harmonics.iter().zip(&phasors[shaft]).map(|(&h, y)| (y * turn(f64::from(h) * cycle_angle)).re).sum();
             sum + mean[shaft]
         };
         // before the first pin, then behind each

@@ -3,6 +3,7 @@
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Material, Surroundings};
 use crate::input::{AbsorberSpec, OptimiseSpec, Size, Study};
+use crate::numerics::elementary::Elementary;
 use crate::optimise::{Slot, Space, Variable, starts};
 use crate::units::HZ_PER_RAD_PER_S;
 use std::sync::Arc;
@@ -152,7 +153,7 @@ fn suffix(spec: &AbsorberSpec, ring: Option<f64>) -> String {
 
 /// An inertia in a name: six digits are enough to tell sizes apart.
 fn shown(j: f64) -> String {
-    let digits = (5 - j.abs().log10().floor() as i32).max(0) as usize;
+    let digits = (5 - j.abs().decimal_logarithm().floor() as i32).max(0) as usize;
     let text = format!("{j:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

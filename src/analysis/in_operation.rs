@@ -6,6 +6,7 @@
 
 use crate::absorber::{Absorber, Law, Mounted, at_strain, at_temperature, varying};
 use crate::drivetrain::System;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::roots::roots;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Condition, PeakFinder};
@@ -87,14 +88,14 @@ impl<'a> AtSpeed<'a> {
         let law = self.warmed(celsius);
         let per_twist = self.law.material().and_then(|m| m.geometry).map_or(0.0, |g| g.strain_per_twist());
         let mut excess = |x: f64| -> Result<f64, ResponseError> {
-            let ring = self.open.ring_twist(&at_strain(&law, x.exp()))?;
+            let ring = self.open.ring_twist(&at_strain(&law, x.exponential()))?;
             let twist = match self.rule {
                 Rule::HalfPeakToPeak => self.synthesiser.extremes(&ring).half_peak_to_peak,
                 Rule::RootMeanSquare => ring.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt(),
             };
-            Ok(x - (per_twist * twist).max(LEAST_STRAIN).ln())
+            Ok(x - (per_twist * twist).max(LEAST_STRAIN).logarithm())
         };
-        Ok(roots(LEAST_STRAIN.ln(), MOST_STRAIN.ln(), SAMPLES, &mut excess)?.into_iter().map(f64::exp).collect())
+        Ok(roots(LEAST_STRAIN.logarithm(), MOST_STRAIN.logarithm(), SAMPLES, &mut excess)?.into_iter().map(f64::exponential).collect())
     }
 
     /// All temperatures in balance up to the limit, ascending: none where it overheats, or where nothing cools it.

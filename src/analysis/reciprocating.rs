@@ -8,6 +8,7 @@ use crate::drivetrain::System;
 use crate::engine::{Order, varying_inertia};
 use crate::input::Study;
 use crate::numerics::C64;
+use crate::numerics::elementary::turn;
 use crate::response::{Dense, Grid, Quantity};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
@@ -105,11 +106,11 @@ fn secondary_torque(study: &Study, system: &System, (from, to): (usize, Order), 
     let up = to.value() > n;
     // on the right of the equation of motion
     let size = -varying_inertia::secondary_torque(variation, shaft_speed, n, up);
-    let turn = if up { -2.0 } else { 2.0 };
+    let twice = if up { -2.0 } else { 2.0 };
     let (_, theta) = Dense::new(system, &Grid::new(&[speed_rpm], &[])).angles(&[], from, speed_rpm).ok()?;
     let on = |i: usize| {
         let cylinders = system.chain.stations[i].throws.iter().flat_map(|t| study.engine.layout.firing_on_throw(*t));
-        let turned: C64 = cylinders.map(|deg| C64::cis(turn * deg * RAD_PER_DEG)).sum();
+        let turned: C64 = cylinders.map(|deg| turn(twice * deg * RAD_PER_DEG)).sum();
         turned * theta[i] * size
     };
     Some((0..system.chain.len()).map(on).collect())

@@ -10,6 +10,7 @@ use super::{Progress, RunError};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
+use crate::numerics::elementary::Elementary;
 use crate::objective::{Limit, Measure, Over, PeakFinder};
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::search::Recorder;
@@ -115,7 +116,7 @@ impl<'a> Searches<'a> {
         let speeds = &self.study.speeds_rpm;
         let (Some(first), Some(last)) = (orders.first(), orders.last()) else { return Vec::new() };
         let (low, high) = (first.omega(speeds[0]), last.omega(speeds[speeds.len() - 1]));
-        (0..SCANNED).map(|i| low * (high / low).powf(i as f64 / (SCANNED - 1) as f64)).collect()
+        (0..SCANNED).map(|i| low * (high / low).power(i as f64 / (SCANNED - 1) as f64)).collect()
     }
 
     /// All optima that the study asks for.

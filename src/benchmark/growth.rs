@@ -8,6 +8,7 @@ use crate::analysis::timing::median_seconds;
 use crate::drivetrain::{Chain, Joint, Station, System};
 use crate::engine::Excitation;
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use crate::response::{Grid, Quantity, Work};
 
 /// Cost against a size.
@@ -131,8 +132,8 @@ fn sweep_seconds(candidate: Candidate, system: &System, speeds: usize) -> Option
 
 /// Slope of the logarithms, by least squares over the upper half of the points: small sizes pay for what does not grow.
 fn exponent(points: &[(f64, f64)]) -> f64 {
-    let upper: Vec<(f64, f64)> = points[points.len() / 2..].iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let upper = if upper.len() < 2 { points.iter().map(|(x, y)| (x.ln(), y.ln())).collect() } else { upper };
+    let upper: Vec<(f64, f64)> = points[points.len() / 2..].iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect();
+    let upper = if upper.len() < 2 { points.iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect() } else { upper };
     let n = upper.len() as f64;
     let (mx, my) = (upper.iter().map(|p| p.0).sum::<f64>() / n, upper.iter().map(|p| p.1).sum::<f64>() / n);
     let (sxy, sxx) = upper.iter().fold((0.0, 0.0), |(a, b), p| (a + (p.0 - mx) * (p.1 - my), b + (p.0 - mx).powi(2)));

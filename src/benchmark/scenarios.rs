@@ -9,19 +9,21 @@ use super::stability::Scenario;
 use crate::absorber::{Mounted, Tuned, Undamped, Viscous};
 use crate::drivetrain::{Chain, Joint, Station, System};
 use crate::numerics::C64;
+use crate::numerics::elementary::ComplexElementary;
 use crate::response::Quantity;
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// Angle of the first of `n` equal inertias in a row (inertia, stiffness between, damping to ground), per torque on it: cosh(mu (n - 1/2))/(2 k sinh(mu n) sinh(mu/2)),
 /// with 2 cosh(mu) = 2 + (i w c - w² J)/k. Written with decaying exponentials.
 fn first_of_uniform(n: usize, (inertia, stiffness, damping): (f64, f64, f64), omega: f64, torque: f64) -> C64 {
-    let half = (C64::new(-omega * omega * inertia, omega * damping) / (4.0 * stiffness)).sqrt();
+    let half = (C64::new(-omega * omega * inertia, omega * damping) / (4.0 * stiffness)).square_root();
     // sinh(mu/2) = half, and the branch that decays along the chain
-    let mu = 2.0 * (half + (half * half + 1.0).sqrt()).ln();
+    let mu = 2.0 * (half + (half * half + 1.0).square_root()).logarithm();
     let mu = if mu.re < 0.0 { -mu } else { mu };
     let n = n as f64;
-    let (one, decay) = (C64::from(1.0), |x: f64| (-mu * x).exp());
-    torque * decay(0.5) * (one + decay(2.0 * n - 1.0)) / (2.0 * stiffness * (0.5 * mu).sinh() * (one - decay(2.0 * n)))
+    let (one, decay) = (C64::from(1.0), |x: f64| (-mu * x).exponential());
+    torque * decay(0.5) * (one + decay(2.0 * n - 1.0))
+        / (stiffness * ((0.5 * mu).exponential() - (-0.5 * mu).exponential()) * (one - decay(2.0 * n)))
 }
 
 /// The in-line six with another chain.

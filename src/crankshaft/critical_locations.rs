@@ -6,6 +6,7 @@ use super::unit_loads::UnitLoads;
 use super::{Concentration, Crank, Place, section};
 use crate::drivetrain::Chain;
 use crate::fatigue::endurance;
+use crate::numerics::elementary::Elementary;
 
 /// A fillet (or oil bore) of one web.
 #[derive(Debug, Clone, PartialEq)]
@@ -144,7 +145,7 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
         places.push((Place::Journal, all.journal, [web, 0.0], crank.journal_diameter, crank.journal_fillet));
         if let (Some(factors), Some(bore)) = (all.oil_bore, crank.oil_bore) {
             let pin = section::bending(crank.pin_diameter, crank.pin_bore);
-            let planes = [pin * bore.angle.cos(), pin * bore.angle.sin()];
+            let planes = [pin * bore.angle.cosine(), pin * bore.angle.sine()];
             places.push((Place::OilBore, factors, planes, crank.pin_diameter, 0.5 * bore.diameter));
         }
         for throw in 0..crank.throws() {

@@ -4,6 +4,7 @@ use super::beam::Reactions;
 use super::{Beam, Crank, elements, singularity};
 use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
+use crate::numerics::elementary::Elementary;
 use crate::units::RAD_PER_S_PER_RPM;
 use multiversion::multiversion;
 
@@ -62,7 +63,7 @@ impl<'a> CrankModel<'a> {
         let webs = (0..crank.throws()).map(|t| [section(crank.places(t)[0]), section(crank.places(t)[2])]).collect();
         let cycle = Cycle::new(engine)?;
         let theta = cycle.theta(STRIDE);
-        let turns = pin_angles(engine).iter().map(|angle| theta.iter().map(|theta| (theta + angle).sin_cos()).collect()).collect();
+        let turns = pin_angles(engine).iter().map(|angle| theta.iter().map(|theta| (theta + angle).sine_cosine()).collect()).collect();
         Some(Self { cycle, crank, turns, beam, reactions, webs })
     }
 
@@ -158,7 +159,7 @@ impl CrankLoads<'_> {
         let resultant = |at: &f64| {
             let influence = model.beam.moment_at(&model.reactions, *at);
             let sum = |axis: usize| -> f64 { influence.iter().zip(&self.forces).map(|(i, f)| i * f[j][axis]).sum() };
-            sum(0).hypot(sum(1))
+            sum(0).hypotenuse(sum(1))
         };
         let pins: Vec<f64> = (0..model.crank.throws()).map(|t| model.crank.places(t)[1]).collect();
         pins.iter().map(resultant).collect()

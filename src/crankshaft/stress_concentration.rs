@@ -4,6 +4,8 @@
 //! appendix has `1,1495e` for 1.1495 w, lacks a parenthesis before s², starts f_F(d_H) with 1.0012 for 1.0022, calls R0/Dc the overlap s, which is
 //! ((Dc + Dj)/2 - R0)/Dc, and exchanges the bores: d_H is that of the crankpin (Hubzapfen), d_G that of the journal (Grundzapfen). Bending factors belong to the section of the web, B W²/6, whatever the cylinder.
 
+use crate::numerics::elementary::Elementary;
+
 /// Dimensions that the factors depend on, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Geometry {
@@ -119,20 +121,20 @@ impl Concentration {
         let pin_bending = 2.6914
             * pin_overlap(limited, w)
             * 2.1790
-            * w.powf(0.7171)
+            * w.power(0.7171)
             * polynomial(b, &[0.6840, -0.0077, 0.1473])
             * 0.2081
-            * r_pin.powf(-0.5231)
+            * r_pin.power(-0.5231)
             * polynomial(d_journal, &[0.9993, 0.27, -1.0211, 0.5306])
             * polynomial(d_pin, &[0.9978, 0.3145, -1.5241, 2.4147])
             * recess;
         let journal_bending = 2.7146
             * journal_overlap(limited, w)
             * 2.2422
-            * w.powf(0.7548)
+            * w.power(0.7548)
             * polynomial(b, &[0.5616, 0.1197, 0.1176])
             * 0.1908
-            * r_journal.powf(-0.5568)
+            * r_journal.power(-0.5568)
             * polynomial(d_journal, &[1.0012, -0.6441, 1.2265])
             * polynomial(d_pin, &[1.0022, -0.1903, 0.0073])
             * recess;
@@ -141,14 +143,14 @@ impl Concentration {
             * (w / (0.0637 + 0.9369 * w))
             * (b - 0.5)
             * 0.5331
-            * r_journal.powf(-0.2038)
+            * r_journal.power(-0.2038)
             * polynomial(d_pin, &[0.9937, -1.1949, 1.7373])
             * recess;
         let level = match formulas {
-            Formulas::IacsM53 => 0.8 * w.powf(-0.145),
+            Formulas::IacsM53 => 0.8 * w.power(-0.145),
             Formulas::Fvv1973 => 0.9230,
         };
-        let torsion = |r: f64| level * r.powf(-0.2205 - 0.1015 * limited) * polynomial(b, &[7.8955, -10.654, 5.3482, -0.857]);
+        let torsion = |r: f64| level * r.power(-0.2205 - 0.1015 * limited) * polynomial(b, &[7.8955, -10.654, 5.3482, -0.857]);
         let bore = |x: f64| {
             let d = g.relative(x);
             Factors { bending: polynomial(d, &[3.0, -5.88, 34.6]), radial: 0.0, torsion: polynomial(d, &[4.0, -6.0, 30.0]) }

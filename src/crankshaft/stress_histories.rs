@@ -11,6 +11,7 @@ use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::Invariants;
 use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate, papadopoulos};
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::periodic_sums::PeriodicSums;
 use rayon::prelude::*;
 
@@ -168,7 +169,7 @@ impl Histories {
         let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
         let within = Within {
             // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
-            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypot(twisted) } else { bent + twisted },
+            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypotenuse(twisted) } else { bent + twisted },
             mean_shear: match &location.1.unit_loads {
                 None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
                 // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square

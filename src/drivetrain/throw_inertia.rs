@@ -1,6 +1,7 @@
 //! Polar inertia of a crank throw about the axis of the crank, from its dimensions.
 
 use super::throw_stiffness::{Step, Throw};
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// A sector of a ring about the axis: a counterweight on one web.
@@ -58,6 +59,7 @@ pub fn throw_unbalance(throw: &Throw, masses: &Masses) -> f64 {
     let density = masses.density;
     let web = density * throw.web_thickness * throw.web_breadth * masses.web_height * masses.web_centre;
     // first moment of a sector: 2/3 sin(angle/2) (R³ - r³) thickness
-    let sector = |s: &Sector| density * s.thickness * 2.0 / 3.0 * (0.5 * s.angle).sin() * (s.outer_radius.powi(3) - s.inner_radius.powi(3));
+    let sector =
+        |s: &Sector| density * s.thickness * 2.0 / 3.0 * (0.5 * s.angle).sine() * (s.outer_radius.powi(3) - s.inner_radius.powi(3));
     mass(&throw.pin, density) * throw.radius + 2.0 * (web - masses.counterweight.as_ref().map_or(0.0, sector))
 }

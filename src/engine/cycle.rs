@@ -3,6 +3,7 @@
 use super::forces::{Moment, UnitForces, unit_forces};
 use super::pressure::{sample_angle, samples};
 use super::{Engine, Geometry, Source};
+use crate::numerics::elementary::Elementary;
 use crate::numerics::nearest;
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
@@ -53,7 +54,7 @@ impl<'a> Cycle<'a> {
             let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
             for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
                 let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
-                let (sine, cosine) = axis.sin_cos();
+                let (sine, cosine) = axis.sine_cosine();
                 let mut own = Vec::with_capacity(n);
                 for j in 0..n {
                     let UnitForces { torque, big_end: [x, y], .. } = unit[(j + n - shift % n) % n];
@@ -93,7 +94,7 @@ pub fn pin_angles(engine: &Engine) -> Vec<f64> {
 
 /// A force in axes of the engine as (radial, tangential) on a pin at `angle`: outwards, and in the direction of rotation.
 pub fn crank_fixed([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sine, cosine) = angle.sin_cos();
+    let (sine, cosine) = angle.sine_cosine();
     [x * cosine + y * sine, y * cosine - x * sine]
 }
 

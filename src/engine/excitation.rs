@@ -3,6 +3,7 @@
 use super::forces::{Moment, friction_torque, gas_torque, inertia_torque_per_omega2};
 use super::pressure::{sample_angle, samples};
 use super::{Engine, Geometry, HarmonicTable, Order, Source};
+use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
 use crate::numerics::{C64, ZERO, nearest};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
@@ -278,7 +279,7 @@ fn phases(firing_deg: &[f64], orders: &[Order]) -> Vec<C64> {
     orders
         .iter()
         .map(|o| {
-            let sum: C64 = firing_deg.iter().map(|deg| C64::cis(-o.value() * deg * RAD_PER_DEG)).sum();
+            let sum: C64 = firing_deg.iter().map(|deg| turn(-o.value() * deg * RAD_PER_DEG)).sum();
             // units that cancel leave nothing but rounding: an exact zero keeps such orders out of every result
             if sum.norm() < 1e-12 { ZERO } else { sum }
         })

@@ -1,5 +1,7 @@
 //! Motion of the piston of a centric slider-crank.
 
+use crate::numerics::elementary::Elementary;
+
 /// Which law relates piston travel to crank angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kinematics {
@@ -45,19 +47,19 @@ pub struct Lean {
 impl SliderCrank {
     /// Lean of the rod, exact. `theta` in rad from firing dead centre.
     pub fn lean(&self, theta: f64) -> Lean {
-        let (sine, cosine) = theta.sin_cos();
+        let (sine, cosine) = theta.sine_cosine();
         let ratio = self.crank_radius / self.rod_length;
         let sin_beta = ratio * sine;
         let cos_beta = (1.0 - sin_beta * sin_beta).sqrt();
         let slope = ratio * cosine / cos_beta;
-        Lean { angle: sin_beta.asin(), slope, curvature: sin_beta / cos_beta * (slope * slope - 1.0) }
+        Lean { angle: sin_beta.arcsine(), slope, curvature: sin_beta / cos_beta * (slope * slope - 1.0) }
     }
 
     /// Travel x = r (1 - cos theta) + L (1 - cos beta) with L sin beta = r sin theta, and its exact derivatives; or the truncated series with
     /// its own derivatives. `theta` in rad from firing dead centre.
     pub fn motion(&self, theta: f64) -> PistonMotion {
         let (r, l) = (self.crank_radius, self.rod_length);
-        let (sine, cosine) = theta.sin_cos();
+        let (sine, cosine) = theta.sine_cosine();
         match self.kinematics {
             Kinematics::Exact => {
                 let ratio = r / l;
@@ -75,7 +77,7 @@ impl SliderCrank {
             }
             Kinematics::Truncated => {
                 let ratio = r / l;
-                let (sine2, cosine2) = (2.0 * theta).sin_cos();
+                let (sine2, cosine2) = (2.0 * theta).sine_cosine();
                 PistonMotion {
                     travel: r * (1.0 - cosine) + 0.25 * r * ratio * (1.0 - cosine2),
                     slope: r * (sine + 0.5 * ratio * sine2),

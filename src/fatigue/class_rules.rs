@@ -3,6 +3,7 @@
 //! For solid forged and cast steel cranks with one throw between main bearings. Surface hardening is outside the rule's own formulas: a hardened fillet bears
 //! more than they say.
 
+use crate::numerics::elementary::Elementary;
 use crate::units::{M_PER_MM, PA_PER_MPA};
 
 /// How the crank is made: factor K of section 6.
@@ -49,7 +50,7 @@ impl ClassRule {
         };
         let radius = if is_bore { radius } else { radius.max(LEAST_RADIUS) };
         let (s, d, r) = (self.tensile / PA_PER_MPA, diameter / M_PER_MM, radius / M_PER_MM);
-        let shape = 0.264 + 1.073 * d.powf(-0.2) + (785.0 - s) / 4900.0 + 196.0 / s * (1.0 / r).sqrt();
+        let shape = 0.264 + 1.073 * d.power(-0.2) + (785.0 - s) / 4900.0 + 196.0 / s * (1.0 / r).sqrt();
         k * (0.42 * s + 39.3) * shape * PA_PER_MPA
     }
 

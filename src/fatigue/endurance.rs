@@ -1,5 +1,6 @@
 //! From the fatigue limit of a polished specimen to that of a part \[Fialho & Almeida 2019\] eqs. (37) to (44), after \[Norton 2013\] chapter 6.
 
+use crate::numerics::elementary::Elementary;
 use crate::units::{M_PER_IN, M_PER_MM, PA_PER_KPSI, PA_PER_MPA};
 
 /// How the part is loaded.
@@ -56,7 +57,7 @@ impl Endurance {
         // Norton: no reduction below 8 mm, 0.6 above 250 mm
         let size = match d {
             _ if d <= 8.0 => 1.0,
-            _ if d <= 250.0 => 1.189 * d.powf(-0.097),
+            _ if d <= 250.0 => 1.189 * d.power(-0.097),
             _ => 0.6,
         };
         let (a, b) = match self.surface {
@@ -65,7 +66,7 @@ impl Endurance {
             Surface::HotRolled => (57.7, -0.718),
             Surface::Forged => (272.0, -0.995),
         };
-        let surface = (a * (tensile / PA_PER_MPA).powf(b)).min(1.0);
+        let surface = (a * (tensile / PA_PER_MPA).power(b)).min(1.0);
         let temperature = 1.0 - 0.0058 * (self.temperature_c - 450.0).max(0.0);
         let reliability = RELIABILITIES.iter().position(|r| *r == self.reliability_percent).map_or(1.0, |i| RELIABILITY_FACTORS[i]);
         [load, size, surface, temperature, reliability]

@@ -11,6 +11,8 @@
 //!
 //! All hold for means from zero to the tensile (or yield) strength. A mean below zero does not help: it counts as none, which is on the safe side.
 
+use crate::numerics::elementary::Elementary;
+
 /// A cycle of (equivalent) stress, Pa.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Cycle {
@@ -87,7 +89,7 @@ impl Criterion {
             }
             Self::AsmeElliptic => {
                 let y = mean / yielding;
-                let u = a.hypot(y);
+                let u = a.hypotenuse(y);
                 if u == 0.0 { (u, 1.0 / limit, pulling / yielding) } else { (u, a / (u * limit), y / (u * yielding)) }
             }
             Self::Langer => ((cycle.amplitude + mean) / yielding, 1.0 / yielding, pulling / yielding),

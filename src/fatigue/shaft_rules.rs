@@ -1,5 +1,6 @@
 //! The classification societies' limits of torsional vibration: of propulsion shafts \[IACS UR M68\], and of crankshafts \[KR Pt 5 Ch 4\].
 
+use crate::numerics::elementary::Elementary;
 use crate::units::{M_PER_MM, PA_PER_MPA};
 
 /// A limit of nominal shear stress over the ratio of speed to rated speed.
@@ -37,7 +38,7 @@ impl ShaftRule {
     pub fn continuous(self, ratio: f64) -> f64 {
         match self {
             Self::Propulsion { tensile, stress_factor, diameter } => {
-                let size = 0.35 + 0.93 * (diameter / M_PER_MM).powf(-0.2);
+                let size = 0.35 + 0.93 * (diameter / M_PER_MM).power(-0.2);
                 let speed = 3.0 - 2.0 * ratio.min(0.9).powi(2);
                 (tensile / PA_PER_MPA + 160.0) / 18.0 * stress_factor * size * speed * PA_PER_MPA
             }

@@ -1,6 +1,7 @@
 //! Harmonic analysis of a sampled period.
 
 use super::C64;
+use crate::numerics::elementary::turn;
 use std::f64::consts::TAU;
 
 /// Analyses functions sampled at the same points; the angles of all samples and harmonics are computed once.
@@ -14,7 +15,7 @@ pub(crate) struct Analyser<'a> {
 impl<'a> Analyser<'a> {
     /// For `samples` equidistant points of a period.
     pub fn new(samples: usize, harmonics: &'a [u32]) -> Self {
-        Self { turn: (0..samples).map(|j| C64::cis(-TAU * j as f64 / samples as f64)).collect(), harmonics }
+        Self { turn: (0..samples).map(|j| turn(-TAU * j as f64 / samples as f64)).collect(), harmonics }
     }
 
     /// Complex amplitudes C_h of a periodic function given at the points psi_j = 2 pi j / N of one period,

@@ -1,5 +1,6 @@
 //! Convex hull of points in a plane.
 
+use crate::numerics::elementary::Elementary;
 use multiversion::multiversion;
 
 /// Directions in which extreme points are looked for, round half a turn: with their opposites a polygon of twice as many sides.
@@ -49,7 +50,7 @@ fn polygon(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
     };
     let (sx, sy) = (spread(x), spread(y));
     let directions: [[f64; 2]; DIRECTIONS] = std::array::from_fn(|d| {
-        let (sine, cosine) = (std::f64::consts::PI * d as f64 / DIRECTIONS as f64).sin_cos();
+        let (sine, cosine) = (std::f64::consts::PI * d as f64 / DIRECTIONS as f64).sine_cosine();
         [cosine * sx, sine * sy]
     });
     let most = ranges(x, y, &directions);

@@ -3,6 +3,7 @@
 //! Where residuals stay large at the minimum and curve, Gauss and Newton's matrix alone converges slowly or swings about it: the rest of the
 //! curvature is learnt from the steps, by the secant update of \[Dennis, Gay & Welsch 1981\].
 
+use crate::numerics::elementary::Elementary;
 use argmin::core::{CostFunction, Error, Executor, Gradient, Hessian};
 use argmin::solver::trustregion::{Steihaug, TrustRegion};
 use nalgebra::{DMatrix, DVector};
@@ -53,12 +54,12 @@ pub struct Range {
 impl Range {
     /// asinh(x/scale): linear below the scale, logarithmic above.
     pub fn coordinate(&self, x: f64) -> f64 {
-        (x / self.scale).asinh()
+        (x / self.scale).area_hyperbolic_sine()
     }
 
     /// The parameter of a coordinate, between the bounds.
     pub fn value(&self, z: f64) -> f64 {
-        (self.scale * z.sinh()).clamp(self.lower, self.upper)
+        (self.scale * z.hyperbolic_sine()).clamp(self.lower, self.upper)
     }
 
     /// Bounds of the coordinate.
@@ -68,13 +69,13 @@ impl Range {
 
     /// What a step of one in the coordinate is in the parameter.
     pub fn size(&self, x: f64) -> f64 {
-        x.hypot(self.scale)
+        x.hypotenuse(self.scale)
     }
 
     /// Coordinate of an angle: z = middle + half width sin(u) stays between the ends for every u.
     fn folded(&self, u: f64) -> f64 {
         let (low, high) = self.ends();
-        0.5 * (low + high) + 0.5 * (high - low) * u.sin()
+        0.5 * (low + high) + 0.5 * (high - low) * u.sine()
     }
 }
 
@@ -167,7 +168,7 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
         let mut jacobian = fit.jacobian.clone();
         for (j, (u, range)) in u.iter().zip(&self.ranges).enumerate() {
             let (low, high) = range.ends();
-            jacobian.column_mut(j).scale_mut(0.5 * (high - low) * u.cos() * range.size(fit.point[j]));
+            jacobian.column_mut(j).scale_mut(0.5 * (high - low) * u.cosine() * range.size(fit.point[j]));
         }
         jacobian
     }
@@ -225,7 +226,7 @@ where
 {
     let angle = |(x, range): (&f64, &Range)| {
         let (low, high) = range.ends();
-        (2.0 * (range.coordinate(*x) - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).asin()
+        (2.0 * (range.coordinate(*x) - low) / (high - low) - 1.0).clamp(INSIDE - 1.0, 1.0 - INSIDE).arcsine()
     };
     let first: Vec<f64> = start.iter().zip(ranges).map(angle).collect();
     let state = State {

@@ -1,10 +1,12 @@
 //! Physics-free mathematics.
 
 pub mod eigen;
+pub mod elementary;
 pub mod enclosing;
 pub mod harmonics;
 pub mod hull;
 pub mod least_squares;
+pub mod matrix_exponential;
 pub mod maximise;
 pub mod nearest;
 pub(crate) mod periodic_sums;
@@ -15,6 +17,8 @@ pub mod synthesis;
 mod tree;
 pub mod tridiagonal;
 
+use elementary::Elementary;
+
 /// A complex number.
 pub type C64 = nalgebra::Complex<f64>;
 /// The imaginary unit.
@@ -24,11 +28,11 @@ pub const ZERO: C64 = C64::new(0.0, 0.0);
 
 /// (i y)^a for y >= 0, on the principal branch.
 pub(crate) fn imaginary_power(y: f64, a: f64) -> C64 {
-    let (sin, cos) = (a * std::f64::consts::FRAC_PI_2).sin_cos();
-    C64::new(cos, sin) * y.powf(a)
+    let (sin, cos) = (a * std::f64::consts::FRAC_PI_2).sine_cosine();
+    C64::new(cos, sin) * y.power(a)
 }
 
 /// ln(i y) for y > 0, on the principal branch.
 pub(crate) fn imaginary_ln(y: f64) -> C64 {
-    C64::new(y.ln(), std::f64::consts::FRAC_PI_2)
+    C64::new(y.logarithm(), std::f64::consts::FRAC_PI_2)
 }

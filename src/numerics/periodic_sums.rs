@@ -1,6 +1,7 @@
 //! Values of a sum of harmonics at equidistant samples of its period.
 
 use super::C64;
+use crate::numerics::elementary::Elementary;
 use multiversion::multiversion;
 use std::f64::consts::TAU;
 
@@ -39,7 +40,7 @@ impl PeriodicSums {
             let block = |b: usize| sorted.iter().flat_map(move |&i| (b * LANES..(b + 1) * LANES).map(move |j| at(harmonics[i], j)));
             (0..columns.div_ceil(LANES)).flat_map(block).collect()
         };
-        let (cosine, sine) = (table(f64::cos), table(f64::sin));
+        let (cosine, sine) = (table(f64::cosine), table(f64::sine));
         Self { samples, quarter, sorted, evens, columns, cosine, sine }
     }
 

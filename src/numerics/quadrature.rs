@@ -1,11 +1,12 @@
 //! Gauss and Legendre's rule.
 
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Nodes and weights on [-1, 1], exact for polynomials up to degree 2n - 1.
 pub(crate) fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let node = |i: usize| {
-        let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
+        let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cosine();
         let mut slope = 1.0;
         // Newton's method from a good start settles in a few steps
         for _ in 0..20 {

@@ -2,6 +2,7 @@
 
 use super::maximise::maximise;
 use super::{C64, ZERO};
+use crate::numerics::elementary::{ComplexElementary, Elementary, turn};
 use multiversion::multiversion;
 use std::f64::consts::TAU;
 
@@ -82,7 +83,7 @@ impl Synthesiser {
             let block = |b: usize| sorted.iter().flat_map(move |&i| (b * BLOCK..(b + 1) * BLOCK).map(move |j| at(harmonics[i], j)));
             (0..quarter / BLOCK).flat_map(block).collect()
         };
-        let (cosine, sine) = (table(f64::cos), table(f64::sin));
+        let (cosine, sine) = (table(f64::cosine), table(f64::sine));
         Self { harmonics: harmonics.to_vec(), sorted, evens, quarter, cosine, sine }
     }
 
@@ -183,7 +184,7 @@ impl Synthesiser {
 
     fn single(&self, phasor: C64) -> Extremes {
         let h = f64::from(self.harmonics[0]);
-        let angle = (-phasor.arg() / h).rem_euclid(TAU);
+        let angle = (-phasor.angle() / h).rem_euclid(TAU);
         Extremes { half_peak_to_peak: phasor.norm(), middle: 0.0, angle_max: angle, angle_min: angle + 0.5 * TAU / h }
     }
 
@@ -305,7 +306,7 @@ impl Synthesiser {
     fn derivatives(&self, phasors: &[C64], psi: f64) -> (f64, f64, f64) {
         let mut sums = (0.0, 0.0, 0.0);
         // powers by products: neighbouring harmonics are one factor apart. Two chains, odd and even, since each product waits for the last.
-        let one = C64::cis(psi);
+        let one = turn(psi);
         let step = one * one;
         let mut turns = [(C64::from(1.0), 0), (one, 1)];
         for (&h, y) in self.harmonics.iter().zip(phasors) {
@@ -327,7 +328,7 @@ impl Synthesiser {
     /// d(half peak-to-peak) and d(middle) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
     /// stationary in the angle).
     pub(crate) fn derivatives_of(&self, extremes: &Extremes, change: &[C64]) -> (f64, f64) {
-        let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * C64::cis(f64::from(h) * psi)).re).sum() };
+        let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * turn(f64::from(h) * psi)).re).sum() };
         let (high, low) = (sum(extremes.angle_max), sum(extremes.angle_min));
         (0.5 * (high - low), 0.5 * (high + low))
     }

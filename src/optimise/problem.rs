@@ -2,6 +2,7 @@
 
 use super::variables::Space;
 use crate::absorber::{Deviation, Mounted};
+use crate::numerics::elementary::Elementary;
 use crate::objective::condition::Condition;
 use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
@@ -196,7 +197,7 @@ impl Problem<'_> {
                 *value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
             }
             for limit in self.limits {
-                excess = excess.max((of(load_case.finder, &design, &limit.measure)? / limit.limit).ln());
+                excess = excess.max((of(load_case.finder, &design, &limit.measure)? / limit.limit).logarithm());
             }
         }
         let value = match self.weights {
@@ -244,7 +245,8 @@ impl Problem<'_> {
                 };
                 let gradient: Vec<Vec<f64>> = (0..design.len()).map(|i| of_absorber(i, work)).collect::<Result<_, _>>()?;
                 // the logarithm keeps limits that are missed by far of a size with the objective
-                let (value, unit) = if role.is_limit() { ((peak.value / unit).ln(), peak.value) } else { (peak.value / unit, *unit) };
+                let (value, unit) =
+                    if role.is_limit() { ((peak.value / unit).logarithm(), peak.value) } else { (peak.value / unit, *unit) };
                 let gradient = self.space.chain_rule(w, &gradient).iter().map(|g| g / unit).collect();
                 rows.push(Row { load_case, role, value, gradient, peak });
             }

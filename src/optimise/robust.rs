@@ -5,6 +5,7 @@
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
 use crate::absorber::{Declaration, Deviation, Mounted};
+use crate::numerics::elementary::Elementary;
 use crate::numerics::maximise::maximise;
 use crate::objective::Measure;
 use crate::response::{ResponseError, Work};
@@ -107,7 +108,7 @@ impl Tolerances {
         let mut next = || generator.random::<f64>();
         let mut one = || loop {
             // Box and Muller
-            let x = if normal { (-2.0 * (1.0 - next()).ln()).sqrt() * (TAU * next()).cos() / 3.0 } else { 2.0 * next() - 1.0 };
+            let x = if normal { (-2.0 * (1.0 - next()).logarithm()).sqrt() * (TAU * next()).cosine() / 3.0 } else { 2.0 * next() - 1.0 };
             if x.abs() <= 1.0 {
                 return x;
             }

@@ -4,6 +4,7 @@ use super::minimax::{self, Outcome};
 use super::problem::UNBOUNDED_COST;
 use super::search::cost;
 use super::{Optimum, Problem};
+use crate::numerics::elementary::Elementary;
 use crate::objective::HELD;
 use crate::response::Work;
 use rand::{Rng, SeedableRng};
@@ -44,7 +45,7 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
     let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
     let points: Vec<Vec<f64>> = (0..NEAR)
         .map(|i| {
-            let size = FARTHEST * 10f64.powf(-DECADES * i as f64 / (NEAR - 1) as f64);
+            let size = FARTHEST * 10f64.power(-DECADES * i as f64 / (NEAR - 1) as f64);
             let near = optimum.outcome.point.iter().zip(&bounds);
             near.map(|(w, (low, high))| (w + size * random.random_range(-1.0..1.0)).clamp(*low, *high)).collect()
         })

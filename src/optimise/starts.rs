@@ -4,6 +4,7 @@ use super::variables::{Space, Variable};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{Host, Operating, Parameter};
+use crate::numerics::elementary::Elementary;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -143,7 +144,7 @@ fn apart(space: &Space, index: usize, mut values: Vec<f64>, same_mode: &dyn Fn(u
     let alike = |j: usize| matches!(own.on, Host::Station(_)) && space.slots[j].on == own.on && same_mode(j);
     let (before, all) = ((0..index).filter(|j| alike(*j)).count(), (0..space.slots.len()).filter(|j| alike(*j)).count().max(1));
     let place = before as f64 - 0.5 * (all - 1) as f64;
-    let factor = APART.powf(if turned { -place } else { place });
+    let factor = APART.power(if turned { -place } else { place });
     for (value, p) in values.iter_mut().zip(own.declaration.parameters).skip(1) {
         if p.extensive && !p.dissipative {
             *value *= factor;

@@ -9,6 +9,7 @@ use super::search::{self, Finish, Recorder};
 use super::starts::NamedPoint;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
+use crate::numerics::elementary::Elementary;
 use crate::objective::{HELD, Limit};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -306,7 +307,7 @@ fn gaps(levels: &[Level], count: usize) -> Vec<usize> {
     let ranges = [range(0), range(1)];
     let length = |i: usize| {
         let along = |k: usize| (levels[i + 1].values[k] - levels[i].values[k]) / ranges[k];
-        along(0).hypot(along(1))
+        along(0).hypotenuse(along(1))
     };
     let total: f64 = (0..levels.len() - 1).map(length).sum();
     let wanted = total / (count - 1) as f64;

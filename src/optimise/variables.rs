@@ -1,6 +1,7 @@
 //! What may vary in the absorbers of a design, and the coordinates an optimiser sees.
 
 use crate::absorber::{Absorber, Declaration, Host, Material, Mounted, WithMaterial};
+use crate::numerics::elementary::Elementary;
 use std::sync::Arc;
 
 /// A parameter free between bounds.
@@ -21,17 +22,17 @@ pub struct Variable {
 impl Variable {
     /// Coordinate of a value: asinh(x/scale). Logarithmic over the decades that matter, and zero stays within reach.
     pub fn coordinate(&self, x: f64) -> f64 {
-        (x / self.scale).asinh()
+        (x / self.scale).area_hyperbolic_sine()
     }
 
     /// Value of a coordinate, kept within the bounds.
     pub fn value(&self, w: f64) -> f64 {
-        (self.scale * w.sinh()).clamp(self.lower, self.upper)
+        (self.scale * w.hyperbolic_sine()).clamp(self.lower, self.upper)
     }
 
     /// d value / d coordinate.
     pub fn slope(&self, x: f64) -> f64 {
-        x.hypot(self.scale)
+        x.hypotenuse(self.scale)
     }
 }
 

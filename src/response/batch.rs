@@ -13,7 +13,6 @@
 use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
 use crate::drivetrain::{Chain, Station};
 use crate::numerics::C64;
-use multiversion::multiversion;
 
 /// Points solved together.
 pub(crate) const LANES: usize = 8;
@@ -187,7 +186,7 @@ impl Block {
 }
 
 /// Adds absorbers to what ties their stations to inertial space.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn rings(b: &mut Block, design: &[Mounted]) {
     let omega = b.omega;
     let mut worst = [0.0; LANES];
@@ -290,21 +289,21 @@ fn substitution<const ROW: bool>(b: &mut Block, stations: &[Station]) {
 }
 
 /// A row of stations, without gears.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn along_row(b: &mut Block, stations: &[Station]) {
     elimination::<true>(b, stations);
     substitution::<true>(b, stations);
 }
 
 /// A tree, with gears.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn along_tree(b: &mut Block, stations: &[Station]) {
     elimination::<false>(b, stations);
     substitution::<false>(b, stations);
 }
 
 /// Twist of every ring.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn twists(b: &mut Block, design: &[Mounted]) {
     let omega = b.omega;
     for ((ring, m), s) in b.ring.iter_mut().zip(design).zip(&b.spring) {

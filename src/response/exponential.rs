@@ -10,6 +10,7 @@ use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::numerics::C64;
+use crate::numerics::matrix_exponential::matrix_exponential;
 use nalgebra::DMatrix;
 
 /// Places and weights of Gauss's rule with five points on a unit step.
@@ -90,7 +91,7 @@ fn step(bodies: &Bodies, dt: f64) -> Step {
         whole[(n + i, 2 * n + i)] = dt / bodies.inertia[i];
         whole[(2 * n + i, 3 * n + i)] = 1.0;
     }
-    let exact = whole.exp();
+    let exact = matrix_exponential(&whole);
     let block = |from: usize, width: usize| exact.view((0, from), (2 * n, width)).into_owned();
     let (held, ramp) = (block(2 * n, n), block(3 * n, n));
     Step { state: block(0, 2 * n), now: held - &ramp, next: ramp }

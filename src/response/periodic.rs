@@ -9,6 +9,7 @@ use super::power::Power;
 use super::{Quantity, ResponseError};
 use crate::drivetrain::System;
 use crate::numerics::C64;
+use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
@@ -194,7 +195,7 @@ fn torques(system: &System, bodies: usize, speed_rpm: f64, steps: usize) -> Vec<
     for (n, row) in orders.iter_mut().enumerate() {
         system.torque(n, speed_rpm, row);
     }
-    let turn: Vec<C64> = (0..steps).map(|j| C64::cis(std::f64::consts::TAU * j as f64 / steps as f64)).collect();
+    let turn: Vec<C64> = (0..steps).map(|j| turn(std::f64::consts::TAU * j as f64 / steps as f64)).collect();
     let at = |j: usize, station: usize| -> f64 {
         orders.iter().zip(&system.excitation.harmonics).map(|(row, h)| (row[station] * turn[(j * *h as usize) % steps]).re).sum()
     };

@@ -12,6 +12,7 @@ use super::specification::{Bearings, Bending, Sizes, TorqueCase};
 use crate::crankshaft::beam::{Beam, Support};
 use crate::crankshaft::elements::reactions;
 use crate::numerics::C64;
+use crate::numerics::elementary::{Elementary, turn};
 use crate::numerics::harmonics::Analyser;
 use std::f64::consts::TAU;
 
@@ -64,7 +65,7 @@ pub(super) struct Orders<'a> {
 impl<'a> Orders<'a> {
     /// Of histories of `n` samples.
     pub(super) fn new(harmonics: &'a [u32], n: usize) -> Self {
-        let turn = |harmonic: u32, j: usize| C64::cis(TAU * f64::from(harmonic) * j as f64 / n as f64);
+        let turn = |harmonic: u32, j: usize| turn(TAU * f64::from(harmonic) * j as f64 / n as f64);
         Self { analyser: Analyser::new(n, harmonics), turns: harmonics.iter().map(|h| (0..n).map(|j| turn(*h, j)).collect()).collect() }
     }
 
@@ -135,7 +136,7 @@ pub(super) fn bending(throws: &[ThrowLoads], throw: usize, at: f64, (bearings, b
             continue;
         }
         // turned from the axes of the other throw to its own, by what lies between their crankpins
-        let (sine, cosine) = (own.firing_deg - other.firing_deg).to_radians().sin_cos();
+        let (sine, cosine) = (own.firing_deg - other.firing_deg).to_radians().sine_cosine();
         let sums = radial.iter_mut().zip(tangential.iter_mut());
         for ((in_plane, across), (r, t)) in sums.zip(other.radial.iter().zip(&other.tangential)) {
             *in_plane += arm * (r * cosine - t * sine);
@@ -224,8 +225,8 @@ pub fn journals(throws: &[ThrowLoads], throw: usize, supported: (&Bearings, Bend
 /// At the flywheel's seat: its weight and the belt bend the shaft while it turns.
 pub fn seat(torque: &[f64], bearings: &Bearings) -> Moments {
     let span = bearings.before_flywheel + bearings.after_flywheel;
-    let force = bearings.flywheel_weight.hypot(bearings.belt_tension) * bearings.before_flywheel / span;
+    let force = bearings.flywheel_weight.hypotenuse(bearings.belt_tension) * bearings.before_flywheel / span;
     let rotating = force * bearings.after_flywheel;
-    let largest = torque.iter().map(|t| t.hypot(rotating)).fold(0.0, f64::max);
+    let largest = torque.iter().map(|t| t.hypotenuse(rotating)).fold(0.0, f64::max);
     Moments { bending: [Swing::default(); 2], rotating, torsion: Swing::of(torque.iter().copied()), largest }
 }

@@ -3,6 +3,7 @@
 use crate::engine::forces::{Moment, unit_forces};
 use crate::engine::pressure::{sample_angle, samples};
 use crate::engine::{Geometry, Pressure};
+use crate::numerics::elementary::Elementary;
 use crate::numerics::nearest;
 use crate::units::{DEG_PER_RAD, RAD_PER_S_PER_RPM};
 
@@ -80,8 +81,8 @@ impl Cycle {
         for (j, &pressure) in trace.iter().enumerate().step_by(STRIDE) {
             let theta = sample_angle(j);
             let forces = unit_forces(geometry, Moment { pressure, theta, omega });
-            let (sin_beta, cos_beta) = geometry.slider_crank.lean(theta).angle.sin_cos();
-            let (sine, cosine) = theta.sin_cos();
+            let (sin_beta, cos_beta) = geometry.slider_crank.lean(theta).angle.sine_cosine();
+            let (sine, cosine) = theta.sine_cosine();
             let ([px, py], [qx, qy]) = (forces.small_end, forces.big_end);
             cycle.crank_deg.push(theta * DEG_PER_RAD);
             // the rod points from the crankpin to the piston along (cos beta, -sin beta)

@@ -5,6 +5,7 @@
 //! radius of the section's middle, r_n = h/ln(r_o/r_i) that of its neutral line, h = r_o - r_i. The bore is stressed most:
 //! F/(2 h b) + M (r_n - r_i)/(h b e r_i), with e = R - r_n and b the width.
 
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Smallest and largest ratio of outer to inner diameter for which the beam theory is used.
@@ -14,7 +15,7 @@ pub(crate) const RATIOS: (f64, f64) = (1.02, 4.0);
 pub fn stress_concentration(ratio: f64) -> f64 {
     let (inner, outer) = (1.0, ratio);
     let (h, middle) = (outer - inner, 0.5 * (outer + inner));
-    let neutral = h / (outer / inner).ln();
+    let neutral = h / (outer / inner).logarithm();
     let eccentricity = middle - neutral;
     let moment = 0.5 * middle - 4.0 / (PI * PI) * neutral;
     1.0 + 2.0 * moment * (neutral - inner) / (eccentricity * inner)

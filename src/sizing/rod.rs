@@ -4,6 +4,7 @@ use super::cycle::Cycle;
 use super::section::Swing;
 use super::specification::Material;
 use crate::fatigue::endurance::Loading;
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Height over t.
@@ -51,7 +52,7 @@ pub fn buckling_thickness(load: f64, yield_strength: f64, length: f64) -> f64 {
         let slender = RANKINE * length * length / gyration2;
         let crushing = AREA * yield_strength;
         let rankine = ((load + (load * load + 4.0 * crushing * load * slender).sqrt()) / (2.0 * crushing)).sqrt();
-        rankine.max((load * length * length / (PI * PI * YOUNG_MODULUS * AREA * gyration2)).powf(0.25))
+        rankine.max((load * length * length / (PI * PI * YOUNG_MODULUS * AREA * gyration2)).power(0.25))
     };
     needed(length, GYRATION2_IN_PLANE).max(needed(0.5 * length, GYRATION2_ACROSS))
 }

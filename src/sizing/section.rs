@@ -1,5 +1,6 @@
 //! A round section in bending and torsion: static by the largest shear, for infinite life by Goodman's line.
 
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Mean and amplitude of a load over the cycle.
@@ -61,20 +62,20 @@ impl Moments {
     /// Equivalent moments for amplitude and mean, N m: sqrt((K M)² + 3/4 (K_s T)²), by von Mises.
     fn equivalent(&self, notch: Notch) -> (f64, f64) {
         let [a, b] = self.bending;
-        let combine = |m: f64, t: f64| (notch.bending * m).hypot(0.75f64.sqrt() * notch.torsion * t);
-        let amplitude = a.amplitude.hypot(b.amplitude) + self.rotating.abs();
-        (combine(amplitude, self.torsion.amplitude), combine(a.mean.hypot(b.mean), self.torsion.mean))
+        let combine = |m: f64, t: f64| (notch.bending * m).hypotenuse(0.75f64.sqrt() * notch.torsion * t);
+        let amplitude = a.amplitude.hypotenuse(b.amplitude) + self.rotating.abs();
+        (combine(amplitude, self.torsion.amplitude), combine(a.mean.hypotenuse(b.mean), self.torsion.mean))
     }
 
     /// Diameter for infinite life, m: d³ = 32 n/pi (M_a/S_e + M_m/S_ut) of the equivalent moments \[Norton 2013\] eq. (10.8).
     pub fn fatigue_diameter(&self, strength: &Strength, notch: Notch, factor: f64) -> f64 {
         let (amplitude, mean) = self.equivalent(notch);
-        (32.0 * factor / PI * (amplitude / strength.fatigue_limit + mean / strength.tensile)).cbrt()
+        (32.0 * factor / PI * (amplitude / strength.fatigue_limit + mean / strength.tensile)).cube_root()
     }
 
     /// Diameter that does not yield, m: d³ = 16 n sqrt(M² + T²)/(pi S_sy), by the largest shear \[Bhandari 2010\] chapter 25.
     pub fn static_diameter(&self, strength: &Strength, factor: f64) -> f64 {
-        (16.0 * factor * self.largest / (PI * strength.shear_yield)).cbrt()
+        (16.0 * factor * self.largest / (PI * strength.shear_yield)).cube_root()
     }
 
     /// Margins of a diameter: static, and for infinite life.

@@ -1,5 +1,7 @@
 //! Stress concentration at the fillet of a stepped round shaft, as fitted formulas K_t = A (r/d)^b \[Norton 2013\] figures C-2 and C-3, after Peterson.
 
+use crate::numerics::elementary::Elementary;
+
 /// D/d, A and b in bending.
 const BENDING: [(f64, f64, f64); 11] = [
     (1.01, 0.919_38, -0.170_32),
@@ -25,7 +27,7 @@ pub const LARGEST_RADIUS: f64 = 0.3;
 /// Linear in D/d between the rows and from one at D = d to the first; beyond the last row as there.
 fn factor(rows: &[(f64, f64, f64)], radius: f64, ratio: f64) -> f64 {
     let radius = radius.min(LARGEST_RADIUS);
-    let at = |row: &(f64, f64, f64)| (row.1 * radius.powf(row.2)).max(1.0);
+    let at = |row: &(f64, f64, f64)| (row.1 * radius.power(row.2)).max(1.0);
     let last = rows[rows.len() - 1];
     if ratio >= last.0 {
         return at(&last);

@@ -2,6 +2,7 @@
 
 use super::figure::{Axis, Curve, Figure, Panel, curve};
 use crate::absorber::closed_forms::{brock_unity, den_hartog_brock, h_infinity, viscous_untuned};
+use crate::numerics::elementary::Elementary;
 
 const RATIO: Axis = Axis { column: "inertia_ratio", label: "inertia ratio" };
 const TUNING: Axis = Axis { column: "tuning", label: "tuning, absorber over engine" };
@@ -13,7 +14,7 @@ const RATIOS: (f64, f64) = (0.01, 1.0);
 
 /// Tuning, damping and peak \[Villalva 2014\] chapter 6; the peaks are those at the fixed points, sqrt(1 + 2/mu) tuned by Den Hartog, 1 + 2/mu for a viscous one.
 pub(super) fn absorber_chart() -> Figure {
-    let ratio = |i: usize| RATIOS.0 * (RATIOS.1 / RATIOS.0).powf(i as f64 / (POINTS - 1) as f64);
+    let ratio = |i: usize| RATIOS.0 * (RATIOS.1 / RATIOS.0).power(i as f64 / (POINTS - 1) as f64);
     let of = |label: &str, f: &dyn Fn(f64) -> f64| -> Curve { curve(label, (0..POINTS).map(ratio), (0..POINTS).map(|i| f(ratio(i)))) };
     let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: RATIO, y, curves, y_top: None };
     Figure {

@@ -5,6 +5,7 @@ use super::figure::{CRANK_DEG, FORCE, Figure, MOMENT, Panel, curve};
 use crate::engine::cycle::{axes, pin_angles};
 use crate::engine::pressure::{sample_angle, samples};
 use crate::input::Study;
+use crate::numerics::elementary::Elementary;
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// Below this share of what one cylinder makes, a sum is rounding.
@@ -38,8 +39,8 @@ pub(super) fn balance(study: &Study, speed_rpm: f64) -> Option<Figure> {
         for [axis, firing, pin, place] in &units {
             let oscillating = geometry.oscillating_mass() * geometry.slider_crank.motion(theta - firing).curvature * omega2;
             let (turned, outward) = (theta + pin, rotating * omega2);
-            let x = oscillating * axis.cos() + outward * turned.cos();
-            let y = oscillating * axis.sin() + outward * turned.sin();
+            let x = oscillating * axis.cosine() + outward * turned.cosine();
+            let y = oscillating * axis.sine() + outward * turned.sine();
             for (s, v) in sum.iter_mut().zip([x, y, x * place, y * place]) {
                 *s += v;
             }

@@ -4,6 +4,7 @@ use super::cylinder::STRIDE;
 use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, curve};
 use crate::crankshaft::loads::{self, CrankModel};
 use crate::input::Study;
+use crate::numerics::elementary::Elementary;
 use crate::units::DEG_PER_RAD;
 
 const PLACE: Axis = Axis { column: "place_mm", label: "place along the crank / mm" };
@@ -17,7 +18,7 @@ pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let loads = model.at(speed_rpm);
     let size = |t: usize, j: usize| {
         let [x, y] = loads.on_throw(t, j);
-        x.hypot(y)
+        x.hypotenuse(y)
     };
     let worst = |t: usize| (0..loads.theta.len()).fold(0, |m, j| if size(t, j) > size(t, m) { j } else { m });
     let (mut shear, mut moment, mut across, mut torque) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -66,7 +67,7 @@ pub(super) fn bearings(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let angles = || loaded.theta.iter().step_by(every).map(|t| t * DEG_PER_RAD);
     let forces: Vec<Vec<[f64; 2]>> = (0..loaded.theta.len()).step_by(every).map(|j| loaded.bearing_forces(j)).collect();
     let numbers = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
-    let size = |i: usize, b: usize| curve(format!("bearing {}", b + 1), angles(), forces.iter().map(move |f| f[i][0].hypot(f[i][1])));
+    let size = |i: usize, b: usize| curve(format!("bearing {}", b + 1), angles(), forces.iter().map(move |f| f[i][0].hypotenuse(f[i][1])));
     let curves = numbers.enumerate().map(|(i, b)| size(i, b)).collect();
     Some(Figure {
         name: format!("bearings_{speed_rpm}"),

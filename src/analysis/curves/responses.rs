@@ -5,6 +5,7 @@ use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::input::{DesignSpec, Study};
 use crate::numerics::C64;
+use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::Synthesiser;
 use crate::response::{Direct, Grid, Quantity, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
@@ -113,7 +114,7 @@ fn over_cycle(system: &System, phasors: &[C64], scale: f64) -> Vec<(f64, f64)> {
     (0..=POINTS)
         .map(|j| {
             let share = std::f64::consts::TAU * j as f64 / POINTS as f64;
-            let sum: f64 = harmonics.iter().zip(phasors).map(|(h, y)| (y * C64::cis(f64::from(*h) * share)).re).sum();
+            let sum: f64 = harmonics.iter().zip(phasors).map(|(h, y)| (y * turn(f64::from(*h) * share)).re).sum();
             (whole * j as f64 / POINTS as f64, sum * scale)
         })
         .collect()

@@ -8,6 +8,7 @@ use crate::analysis::{DesignResult, Progress, RunError, Silent};
 use crate::drivetrain::System;
 use crate::input::{SizedAbsorber, SizingStudy};
 use crate::numerics::C64;
+use crate::numerics::elementary::turn;
 use crate::response::{Direct, Grid, Quantity, Work};
 use crate::sizing::cycle::samples_of_cycle;
 use crate::sizing::{Round, Sized, SizingError, TorqueCase, fit};
@@ -41,7 +42,7 @@ fn torque_cases(study: &SizingStudy, system: &System, speeds: &[f64], design: &[
     let orders: Vec<f64> = system.excitation.orders.iter().map(|o| o.value()).collect();
     let (n, cycle) = (samples_of_cycle(study.specification.strokes), PI * f64::from(study.specification.strokes));
     // e^{i n theta} of each order at each sample
-    let turns: Vec<Vec<C64>> = orders.iter().map(|o| (0..n).map(|j| C64::cis(o * cycle * j as f64 / n as f64)).collect()).collect();
+    let turns: Vec<Vec<C64>> = orders.iter().map(|o| (0..n).map(|j| turn(o * cycle * j as f64 / n as f64)).collect()).collect();
     let history = |phasors: &[C64]| -> Vec<f64> {
         let mut sum = vec![0.0; n];
         for (y, turns) in phasors.iter().zip(&turns) {

@@ -1,6 +1,7 @@
 //! What both methods share: the forces of a moment, the gas, the liner's friction, the torque of a force on the crankpin.
 
 use crate::engine::Geometry;
+use crate::numerics::elementary::Elementary;
 
 /// A moment of the cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +51,6 @@ pub(crate) fn gas_force(geometry: &Geometry, pressure: f64) -> f64 {
 
 /// Torque of a force on the crankpin, N m.
 pub(crate) fn torque_of(geometry: &Geometry, theta: f64, big_end: [f64; 2]) -> f64 {
-    let (sine, cosine) = theta.sin_cos();
+    let (sine, cosine) = theta.sine_cosine();
     geometry.slider_crank.crank_radius * (cosine * big_end[1] - sine * big_end[0])
 }

@@ -6,15 +6,16 @@
 
 use super::balance::{Moment, UnitForces, gas_force, torque_of, with_friction};
 use crate::engine::Geometry;
+use crate::numerics::elementary::Elementary;
 
 /// Forces with the rod as a rigid body; exact kinematics.
 pub fn newton_euler(geometry: &Geometry, at: Moment) -> UnitForces {
     let crank = &geometry.slider_crank;
     let (r, l, a) = (crank.crank_radius, crank.rod_length, geometry.rod_centre());
     let inertia = geometry.two_mass_inertia() + geometry.excess_inertia();
-    let (sine, cosine) = at.theta.sin_cos();
+    let (sine, cosine) = at.theta.sine_cosine();
     let lean = crank.lean(at.theta);
-    let (sin_beta, cos_beta) = lean.angle.sin_cos();
+    let (sin_beta, cos_beta) = lean.angle.sine_cosine();
     let speed2 = at.omega * at.omega;
     let (rate2, turning) = (lean.slope * lean.slope * speed2, lean.curvature * speed2);
     let centre = [
@@ -26,8 +27,8 @@ pub fn newton_euler(geometry: &Geometry, at: Moment) -> UnitForces {
     let wanted = gas_force(geometry, at.pressure) - geometry.piston_mass * motion.curvature * speed2;
     let bending = (inertia * turning - a * m * (cos_beta * centre[1] + sin_beta * centre[0])) / (l * cos_beta);
     // the liner presses with tan beta S_x - bending
-    let piston = with_friction(geometry, motion.slope, wanted, (lean.angle.tan(), -bending));
-    let across = bending - lean.angle.tan() * piston;
+    let piston = with_friction(geometry, motion.slope, wanted, (lean.angle.tangent(), -bending));
+    let across = bending - lean.angle.tangent() * piston;
     let big_end = [-(m * centre[0] + piston), -(m * centre[1] + across)];
     let torque = torque_of(geometry, at.theta, big_end);
     UnitForces { small_end: [piston, across], big_end, liner: -across, friction: wanted - piston, torque }

@@ -2,6 +2,7 @@
 
 use super::sampling::{closed_part_deg, sample_angle, samples};
 use crate::engine::Geometry;
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Heat at constant volume, isentropes between the dead centres, gas exchange at inlet pressure \[Villalva 2014\] eqs. (3.1) to (3.7).
@@ -33,8 +34,8 @@ impl Otto {
         let (rc, k) = (self.compression_ratio, self.heat_capacity_ratio);
         let mean = self.pressure_scale * self.scale_over_speed[index] * self.brake_mean_pressure(index, geometry, strokes, cylinders);
         // The area of the cycle is clearance volume / (k - 1) (p3 - p2) (1 - rc^(1 - k)); displaced = clearance (rc - 1).
-        let rise = mean * (rc - 1.0) * (k - 1.0) / (1.0 - rc.powf(1.0 - k));
-        self.isentropes(geometry, strokes, self.inlet_pressure + rise * rc.powf(-k))
+        let rise = mean * (rc - 1.0) * (k - 1.0) / (1.0 - rc.power(1.0 - k));
+        self.isentropes(geometry, strokes, self.inlet_pressure + rise * rc.power(-k))
     }
 
     /// Without heat: expansion along the compression line.
@@ -52,8 +53,8 @@ impl Otto {
                 let ratio = rc * clearance / (clearance + geometry.slider_crank.motion(sample_angle(j)).travel);
                 match closed_part_deg(j, n) {
                     // heat comes and goes at dead centre, where the lever is zero: which side holds there does not matter
-                    Some(deg) if deg < 0.0 => self.inlet_pressure * ratio.powf(k),
-                    Some(_) => after * ratio.powf(k),
+                    Some(deg) if deg < 0.0 => self.inlet_pressure * ratio.power(k),
+                    Some(_) => after * ratio.power(k),
                     None => self.inlet_pressure,
                 }
             })

@@ -2,6 +2,7 @@
 
 use super::sampling::{SAMPLE_DEG, closed_part_deg, sample_angle, samples};
 use crate::engine::Geometry;
+use crate::numerics::elementary::Elementary;
 
 /// Compression from boost pressure at bottom dead centre, heat release x = 1 - exp(-a y^(m + 1)) over the burn \[Heywood 1988\] eq. (9.12),
 /// expansion to bottom dead centre, gas exchange at boost pressure. The wall takes no heat.
@@ -32,13 +33,13 @@ impl Wiebe {
     /// Fraction of the heat released at `deg` from firing dead centre.
     fn burnt(&self, deg: f64) -> f64 {
         let y = ((deg - self.burn_start_deg) / self.burn_duration_deg).clamp(0.0, 1.0);
-        1.0 - (-EFFICIENCY * y.powf(self.shape + 1.0)).exp()
+        1.0 - (-EFFICIENCY * y.power(self.shape + 1.0)).exponential()
     }
 
     /// Without heat: compression and expansion along one line.
     pub(super) fn motored(&self, geometry: &Geometry, strokes: u32) -> Vec<f64> {
         let (heights, _) = self.heights(geometry, strokes);
-        let isentrope: Vec<f64> = heights.iter().map(|h| h.powf(-self.heat_capacity_ratio)).collect();
+        let isentrope: Vec<f64> = heights.iter().map(|h| h.power(-self.heat_capacity_ratio)).collect();
         self.compressed(geometry, &isentrope)
     }
 
@@ -56,7 +57,7 @@ impl Wiebe {
 
     /// Boost pressure compressed and expanded where the valves are closed; `isentrope`: height^-k.
     fn compressed(&self, geometry: &Geometry, isentrope: &[f64]) -> Vec<f64> {
-        let constant = (self.compression_ratio * self.clearance(geometry)).powf(self.heat_capacity_ratio);
+        let constant = (self.compression_ratio * self.clearance(geometry)).power(self.heat_capacity_ratio);
         let n = isentrope.len();
         let at = |(j, i): (usize, &f64)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * i } else { 1.0 };
         isentrope.iter().enumerate().map(at).collect()
@@ -68,7 +69,7 @@ impl Wiebe {
         let k = self.heat_capacity_ratio;
         let (heights, slopes) = self.heights(geometry, strokes);
         let n = heights.len();
-        let isentrope: Vec<f64> = heights.iter().map(|h| h.powf(-k)).collect();
+        let isentrope: Vec<f64> = heights.iter().map(|h| h.power(-k)).collect();
         let motored = self.compressed(geometry, &isentrope);
         let mut unit = vec![0.0; n];
         let mut released = 0.0;
@@ -78,7 +79,7 @@ impl Wiebe {
             let deg = step as f64 * SAMPLE_DEG - 180.0;
             let share = self.burnt(deg + SAMPLE_DEG) - self.burnt(deg);
             if share > 0.0 {
-                released += share * (0.5 * (heights[j] + heights[next])).powf(k - 1.0);
+                released += share * (0.5 * (heights[j] + heights[next])).power(k - 1.0);
             }
             if closed_part_deg(next, n).is_some() {
                 unit[next] = released * isentrope[next];

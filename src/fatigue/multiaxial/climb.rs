@@ -5,6 +5,7 @@
 
 use super::history::History;
 use super::plane::{Amplitude, Plane, PlaneStress, Scratch, resolved};
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// What is to be large.
@@ -105,7 +106,7 @@ impl Slope<'_> {
     fn choose(&self, (plane, plane_stress): &(Plane, PlaneStress), chosen: &mut [bool]) {
         let Some(circle) = self.scratch.last() else { return };
         let [u, v] = self.scratch.path();
-        let out = |j: usize| (u[j] - circle.centre[0]).hypot(v[j] - circle.centre[1]);
+        let out = |j: usize| (u[j] - circle.centre[0]).hypotenuse(v[j] - circle.centre[1]);
         let near = if self.amplitude == Amplitude::Chord { OF_CHORD } else { NEAR };
         let far = (1.0 - near) * circle.radius;
         for (j, chosen) in chosen.iter_mut().enumerate() {
@@ -134,7 +135,7 @@ impl Slope<'_> {
         let sought = self.sought;
         let mut here = summit;
         for radius in RINGS {
-            let angles = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sin_cos());
+            let angles = (0..ON_RING).map(|i| (2.0 * PI * i as f64 / ON_RING as f64).sine_cosine());
             let ring: Vec<(Plane, PlaneStress)> = angles
                 .map(|(sine, cosine)| here.0.moved(radius * cosine, radius * sine))
                 .map(|next| (next, self.plane_stress(&next)))
@@ -161,7 +162,7 @@ impl Slope<'_> {
         while step > last {
             let mut best: Option<(Plane, PlaneStress)> = None;
             for i in 0..DIRECTIONS {
-                let (sine, cosine) = (turn + 2.0 * PI * i as f64 / DIRECTIONS as f64).sin_cos();
+                let (sine, cosine) = (turn + 2.0 * PI * i as f64 / DIRECTIONS as f64).sine_cosine();
                 let next = here.0.moved(step * cosine, step * sine);
                 let there = self.plane_stress(&next);
                 if sought.value(&there) > sought.value(&best.as_ref().unwrap_or(&here).1) {

@@ -1,6 +1,7 @@
 //! Invariants of a history: amplitude of sqrt(J2) and hydrostatic stress.
 
 use super::history::History;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::smallest_ball;
 
 /// How the amplitude of the deviator's path is taken.
@@ -81,13 +82,13 @@ fn tresca([s1, s2, s3, s4, s5]: [f64; 5]) -> f64 {
         return 0.0;
     }
     let j3 = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx);
-    let cosine = (1.5 * root * j3 / j2.powf(1.5)).clamp(-1.0, 1.0);
+    let cosine = (1.5 * root * j3 / j2.power(1.5)).clamp(-1.0, 1.0);
     // principal stresses are 2 sqrt(J2/3) cos(angle + 2 pi k/3)
-    let angle = cosine.acos() / 3.0;
+    let angle = cosine.arccosine() / 3.0;
     j2.sqrt() * lode(angle)
 }
 
 /// Half the difference of the extreme principal stresses over sqrt(J2): (cos a - cos(a + 2 pi/3))/sqrt 3.
 fn lode(angle: f64) -> f64 {
-    (angle.cos() - (angle + 2.0 * std::f64::consts::FRAC_PI_3).cos()) / 3f64.sqrt()
+    (angle.cosine() - (angle + 2.0 * std::f64::consts::FRAC_PI_3).cosine()) / 3f64.sqrt()
 }

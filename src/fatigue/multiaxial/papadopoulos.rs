@@ -2,6 +2,7 @@
 //! direction on a plane. For proportional stress it is the amplitude of sqrt(J2).
 
 use super::history::{History, Weights};
+use crate::numerics::elementary::Elementary;
 use crate::numerics::quadrature::gauss_legendre;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -16,12 +17,12 @@ const DIRECTIONS: usize = 7;
 static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
     let mut rule = Vec::new();
     for (x, weight) in gauss_legendre(HEIGHTS) {
-        let phi = (0.5 * (x + 1.0)).acos();
+        let phi = (0.5 * (x + 1.0)).arccosine();
         for i in 0..ROUND {
             let plane = crate::fatigue::multiaxial::Plane { theta: 2.0 * PI * (i as f64 + 0.5) / ROUND as f64, phi };
             let [u, v] = plane.directions();
             for k in 0..DIRECTIONS {
-                let (sine, cosine) = (PI * (k as f64 + 0.5) / DIRECTIONS as f64).sin_cos();
+                let (sine, cosine) = (PI * (k as f64 + 0.5) / DIRECTIONS as f64).sine_cosine();
                 let m = [0, 1, 2].map(|d| cosine * u[d] + sine * v[d]);
                 rule.push((crate::fatigue::multiaxial::plane::resolved(&plane.normal(), &m), 0.5 * weight / (ROUND * DIRECTIONS) as f64));
             }
@@ -44,7 +45,7 @@ pub(crate) fn directions() -> &'static Directions {
         // a direction and its opposite are one
         let upper = |w: &Weights| if (w[3], w[0]) < (0.0, 0.0) { [-w[0], -w[3]] } else { [w[0], w[3]] };
         let mut list: Vec<([f64; 2], f64)> = RULE.iter().map(|(w, share)| (upper(w), *share)).collect();
-        list.sort_by(|a, b| a.0[1].atan2(a.0[0]).total_cmp(&b.0[1].atan2(b.0[0])));
+        list.sort_by(|a, b| a.0[1].arctangent(a.0[0]).total_cmp(&b.0[1].arctangent(b.0[0])));
         let mut sums = vec![[0.0; 3]];
         for ([x, y], share) in &list {
             let before = sums[sums.len() - 1];

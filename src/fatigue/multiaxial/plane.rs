@@ -1,6 +1,7 @@
 //! Stress on a material plane: the path of its shear stress with the smallest circle round it, and its normal stress.
 
 use super::history::{History, Weights};
+use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::{Ball, smallest_ball_from};
 use multiversion::multiversion;
 
@@ -19,18 +20,18 @@ impl Plane {
         // the half of the sphere with z above zero stands for both
         let sign = if z < 0.0 || (z == 0.0 && (y < 0.0 || (y == 0.0 && x < 0.0))) { -1.0 } else { 1.0 };
         let (x, y, z) = (sign * x, sign * y, sign * z);
-        Self { theta: y.atan2(x), phi: x.hypot(y).atan2(z) }
+        Self { theta: y.arctangent(x), phi: x.hypotenuse(y).arctangent(z) }
     }
 
     /// Its normal.
     pub fn normal(&self) -> [f64; 3] {
-        let ((st, ct), (sp, cp)) = (self.theta.sin_cos(), self.phi.sin_cos());
+        let ((st, ct), (sp, cp)) = (self.theta.sine_cosine(), self.phi.sine_cosine());
         [sp * ct, sp * st, cp]
     }
 
     /// Two directions on it, at right angles: of growing phi, of growing theta.
     pub(crate) fn directions(&self) -> [[f64; 3]; 2] {
-        let ((st, ct), (sp, cp)) = (self.theta.sin_cos(), self.phi.sin_cos());
+        let ((st, ct), (sp, cp)) = (self.theta.sine_cosine(), self.phi.sine_cosine());
         [[cp * ct, cp * st, -sp], [-st, ct, 0.0]]
     }
 
@@ -38,7 +39,7 @@ impl Plane {
     #[must_use]
     pub fn moved(&self, a: f64, b: f64) -> Self {
         let (n, [u, v]) = (self.normal(), self.directions());
-        Self::of([0, 1, 2].map(|d| n[d] + a.tan() * u[d] + b.tan() * v[d]))
+        Self::of([0, 1, 2].map(|d| n[d] + a.tangent() * u[d] + b.tangent() * v[d]))
     }
 }
 
@@ -116,7 +117,7 @@ impl Scratch {
 
     fn half_chord(&mut self) -> f64 {
         let [u, v] = &self.shear;
-        let from = |i: usize| (0..i).map(|j| (u[i] - u[j]).hypot(v[i] - v[j])).fold(0.0, f64::max);
+        let from = |i: usize| (0..i).map(|j| (u[i] - u[j]).hypotenuse(v[i] - v[j])).fold(0.0, f64::max);
         0.5 * (0..u.len()).map(from).fold(0.0, f64::max)
     }
 }

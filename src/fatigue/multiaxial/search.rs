@@ -4,6 +4,7 @@ use super::climb::{Slope, Sought};
 use super::history::History;
 use super::invariants;
 use super::plane::{Amplitude, Plane, PlaneStress, Scratch};
+use crate::numerics::elementary::Elementary;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
@@ -90,7 +91,7 @@ static HEMISPHERE: LazyLock<Vec<Plane>> = LazyLock::new(|| {
         let phi = FRAC_PI_2 * ring as f64 / rings as f64;
         // on the equator half a turn is enough
         let (turn, share) = if ring == rings { (PI, 0.5) } else { (2.0 * PI, 1.0) };
-        let count = (share * 2.0 * PI * phi.sin() / COARSE).round() as usize;
+        let count = (share * 2.0 * PI * phi.sine() / COARSE).round() as usize;
         planes.extend((0..count).map(|i| Plane { theta: turn * i as f64 / count as f64, phi }));
     }
     planes
@@ -100,7 +101,7 @@ static HEMISPHERE: LazyLock<Vec<Plane>> = LazyLock::new(|| {
 fn tops(mut seen: Vec<(Plane, f64)>, near: f64) -> Vec<Plane> {
     seen.sort_by(|a, b| b.1.total_cmp(&a.1));
     let normals: Vec<[f64; 3]> = seen.iter().map(|s| s.0.normal()).collect();
-    let level = near.cos();
+    let level = near.cosine();
     let far = |a: &[f64; 3], b: &[f64; 3]| (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).abs() < level;
     (0..seen.len()).filter(|i| normals[..*i].iter().all(|n| far(n, &normals[*i]))).map(|i| seen[i].0).collect()
 }
@@ -110,7 +111,7 @@ fn apart(a: &Plane, b: &Plane) -> f64 {
     let (a, b) = (a.normal(), b.normal());
     let dot: f64 = (0..3).map(|d| a[d] * b[d]).sum();
     let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    cross.iter().map(|c| c * c).sum::<f64>().sqrt().atan2(dot.abs())
+    cross.iter().map(|c| c * c).sum::<f64>().sqrt().arctangent(dot.abs())
 }
 
 /// Planes every `step` in both angles over the sphere, as the thesis takes them.

@@ -9,6 +9,7 @@ use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
+use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
 
 /// More optima than this are a mistake in the file: each takes a search of its own.
@@ -191,6 +192,6 @@ pub(super) fn front(
         }
     };
     // equal ratios: the light rings, where the front is steep, get as many points as the heavy ones
-    let inertias = (0..points).map(|i| a * unit * (b / a).powf(i as f64 / (points - 1) as f64)).collect();
+    let inertias = (0..points).map(|i| a * unit * (b / a).power(i as f64 / (points - 1) as f64)).collect();
     Some(FrontSpec::OverInertia(inertias))
 }

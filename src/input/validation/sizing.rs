@@ -15,6 +15,7 @@ use crate::input::schema::sizing::{
     RawBasis, RawBending, RawGiven, RawMechanism, RawPart, RawSizedChain, RawSizing, RawSizingFront, RawTorsion,
 };
 use crate::input::tables;
+use crate::numerics::elementary::Elementary;
 use crate::sizing::{Bearings, Bending, Given, Material, Specification, eye};
 use crate::units::{M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::f64::consts::PI;
@@ -180,7 +181,7 @@ fn front(check: &mut Check, at: &At<RawSizingFront>, raw: &RawSizing) -> Vec<f64
         check.wrong(&front.points, format!("found {points} points, expected from 2 to {MOST_FRONT}"));
         return Vec::new();
     }
-    let step = (b / a).powf(1.0 / (points - 1) as f64);
+    let step = (b / a).power(1.0 / (points - 1) as f64);
     (0..points).map(|i| a * step.powi(i as i32)).collect()
 }
 
@@ -232,7 +233,7 @@ fn material(check: &mut Check, raw: &RawPart, reliability_percent: f64) -> Mater
 /// Stroke and bore, m.
 fn stroke(check: &mut Check, raw: &RawMechanism, (strokes, cylinders, speed_rpm): (u32, usize, f64), ratio: f64) -> f64 {
     // V = pi/4 (ratio S)² S
-    let of_volume = |volume: f64| (4.0 * volume / (PI * ratio * ratio)).cbrt();
+    let of_volume = |volume: f64| (4.0 * volume / (PI * ratio * ratio)).cube_root();
     match raw.basis.get_ref() {
         RawBasis::StrokeMm(stroke) => length(check, stroke),
         RawBasis::DisplacementCm3(volume) => of_volume(check.positive(volume) * 1e-6 / cylinders as f64),

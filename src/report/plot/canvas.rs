@@ -1,5 +1,6 @@
 //! A drawing surface: SVG with sub-pixel coordinates, its PNG, and the look shared by all plots.
 
+use crate::numerics::elementary::Elementary;
 use crate::report::files::{Folder, WriteError};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -122,13 +123,13 @@ pub(crate) fn round_up(x: f64) -> f64 {
     if x.is_nan() || x <= 0.0 {
         return 1.0;
     }
-    let unit = 10f64.powf(x.log10().floor());
+    let unit = 10f64.power(x.decimal_logarithm().floor());
     [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].iter().map(|f| f * unit).find(|v| *v >= x).unwrap_or(10.0 * unit)
 }
 
 /// 1, 2 and 5 times the powers of ten between two values.
 pub(crate) fn ticks(left: f64, right: f64) -> Vec<f64> {
-    let decades = left.log10().floor() as i32..=right.log10().ceil() as i32;
+    let decades = left.decimal_logarithm().floor() as i32..=right.decimal_logarithm().ceil() as i32;
     decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d))).filter(|t| (left..right).contains(t)).collect()
 }
 

@@ -7,6 +7,7 @@ use crate::benchmark::methods::Candidate;
 use crate::benchmark::speed_accuracy::{Point, Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
 use crate::input::Study;
+use crate::numerics::elementary::Elementary;
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -22,7 +23,10 @@ fn colour(candidate: Candidate) -> RGBColor {
 
 /// Powers of ten between two values.
 pub(super) fn decades(low: f64, high: f64) -> Vec<f64> {
-    (low.log10().floor() as i32..=high.log10().ceil() as i32).map(|d| 10f64.powi(d)).filter(|t| (low..=high).contains(t)).collect()
+    (low.decimal_logarithm().floor() as i32..=high.decimal_logarithm().ceil() as i32)
+        .map(|d| 10f64.powi(d))
+        .filter(|t| (low..=high).contains(t))
+        .collect()
 }
 
 /// Points that no other beats in both seconds and error, by seconds.

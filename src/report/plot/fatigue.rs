@@ -4,6 +4,7 @@ use super::canvas::{self, COLOURS, Drawn, GREY, fill, line, px, text};
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
+use crate::numerics::elementary::Elementary;
 use crate::report::files::{Folder, WriteError};
 use crate::units::PA_PER_MPA;
 use plotters::prelude::*;
@@ -58,7 +59,7 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
         .build_cartesian_2d(centre[0] - reach[0]..centre[0] + reach[0], centre[1] - reach[1]..centre[1] + reach[1])?;
     canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
     let round = (0..=180).map(|i| {
-        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sin_cos();
+        let (sine, cosine) = (TAU * f64::from(i) / 180.0).sine_cosine();
         (centre[0] + radius * cosine, centre[1] + radius * sine)
     });
     chart.draw_series(LineSeries::new(round, line(GREY, 12)))?;
@@ -73,7 +74,7 @@ fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) ->
     let circle = scratch.circle(&point.history, &plane);
     let [x, y] = scratch.path();
     let p = point.history.hydrostatic();
-    let shear = x.iter().zip(y).map(|(x, y)| (x - circle.centre[0]).hypot(y - circle.centre[1]) / PA_PER_MPA);
+    let shear = x.iter().zip(y).map(|(x, y)| (x - circle.centre[0]).hypotenuse(y - circle.centre[1]) / PA_PER_MPA);
     let path = closed(p.iter().map(|p| p / PA_PER_MPA).zip(shear));
     let ends = |of: fn(&(f64, f64)) -> f64| path.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |m, v| (m.0.min(v), m.1.max(v)));
     let (low, high) = ends(|p| p.0);

@@ -4,6 +4,7 @@ use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
 use crate::absorber::TYPES;
 use crate::analysis::Results;
 use crate::input::{Study, UnitOf};
+use crate::numerics::elementary::Elementary;
 use crate::report::csv::in_unit;
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
@@ -69,10 +70,12 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         }
         for (i, (name, kind, at)) in given.iter().enumerate() {
             // names are set to the side with more room; those of designs close together below each other
-            let room = (at.0.ln() - left.ln()) / (right.ln() - left.ln());
+            let room = (at.0.logarithm() - left.logarithm()) / (right.logarithm() - left.logarithm());
             let (dx, side) = if room > 0.5 { (-(px(9) as i32), HPos::Right) } else { (px(9) as i32, HPos::Left) };
-            let near =
-                given[..i].iter().filter(|g| (g.2.1 - at.1).abs() < 0.035 * (top - bottom) && (g.2.0 / at.0).ln().abs() < 0.3).count();
+            let near = given[..i]
+                .iter()
+                .filter(|g| (g.2.1 - at.1).abs() < 0.035 * (top - bottom) && (g.2.0 / at.0).logarithm().abs() < 0.3)
+                .count();
             let style = text(12).pos(Pos::new(side, VPos::Center));
             let dy = -(px(6) as i32) + (px(15) * near as u32) as i32;
             let marker = EmptyElement::at(*at)

@@ -1,5 +1,7 @@
 //! Tables that line up, and numbers with so many digits.
 
+use crate::numerics::elementary::Elementary;
+
 /// A table whose columns line up: the first to the left, the others to the right.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     aligned(header, rows, |c| c == 0)
@@ -23,7 +25,7 @@ pub(crate) fn significant(x: f64, digits: i32) -> String {
     if x == 0.0 {
         return "0".into();
     }
-    let decimals = (digits - 1 - x.abs().log10().floor() as i32).max(0) as usize;
+    let decimals = (digits - 1 - x.abs().decimal_logarithm().floor() as i32).max(0) as usize;
     if x.abs() < 1e-4 || x.abs() >= 1e8 { format!("{x:.*e}", digits as usize - 1) } else { format!("{x:.decimals$}") }
 }
 

@@ -4,6 +4,7 @@
 use super::balance::{Balance, Linear};
 use crate::absorber::Instant;
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::roots::roots;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::DVector;
@@ -27,17 +28,17 @@ impl Balance<'_> {
         };
         let own =
             |x: &DVector<f64>| x.as_slice()[1..].as_chunks::<2>().0.iter().map(|c| C64::new(c[0], c[1]).norm_sqr()).sum::<f64>().sqrt();
-        let mut excess = |x: f64| Ok::<f64, Infallible>(x - own(&at(x.exp())).max(LEAST).ln());
+        let mut excess = |x: f64| Ok::<f64, Infallible>(x - own(&at(x.exponential())).max(LEAST).logarithm());
         let most = self.equations().largest_twist().unwrap_or(MOST);
-        let Ok(found) = roots(LEAST.ln(), most.ln(), AMPLITUDES, &mut excess);
-        if found.len() < 2 { Vec::new() } else { found.into_iter().map(|x| at(x.exp())).collect() }
+        let Ok(found) = roots(LEAST.logarithm(), most.logarithm(), AMPLITUDES, &mut excess);
+        if found.len() < 2 { Vec::new() } else { found.into_iter().map(|x| at(x.exponential())).collect() }
     }
 
     /// Mean stiffness of the spring over a sine of this amplitude (rad): 1/(pi A) times the integral of T(A cos phi) cos phi over a period, N m/rad.
     fn mean_stiffness(&self, amplitude: f64, speed_rpm: f64) -> f64 {
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
         let torque = |twist: f64| self.equations().reactions(&Instant { twist, shaft_speed, ..Instant::default() }).0.value;
-        let sample = |i: usize| (TAU * i as f64 / SAMPLES as f64).cos();
+        let sample = |i: usize| (TAU * i as f64 / SAMPLES as f64).cosine();
         (0..SAMPLES).map(sample).map(|cos| torque(amplitude * cos) * cos).sum::<f64>() * 2.0 / (SAMPLES as f64 * amplitude)
     }
 }

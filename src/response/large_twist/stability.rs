@@ -8,6 +8,7 @@
 use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
+use crate::numerics::matrix_exponential::matrix_exponential;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
@@ -57,7 +58,7 @@ fn multiplier(in_time: &InTime, reactions: &[(Reaction, Reaction)], stride: usiz
     let dt = cycle_seconds / steps as f64;
     let mean = mean_slopes(reactions);
     let held = in_time.rows((&mean.0, &mean.1));
-    let half = (in_time.whole(&held) * (0.5 * dt)).exp();
+    let half = matrix_exponential(&(in_time.whole(&held) * (0.5 * dt)));
     let full = &half * &half;
     let size = half.nrows();
     let rows = [size / 2 + in_time.hub, size - 1];

@@ -109,9 +109,9 @@ fn optimum(masses: TwoMasses, declaration: &'static Declaration, held: &[(&'stat
 /// The largest amplitude of the first of two masses with a ring on S, over the speeds of the study, by formulas.
 fn peak(masses: TwoMasses, s: &dyn Fn(f64) -> C64) -> f64 {
     let amplitude = |omega: f64| {
-        let ring = C64::from(-masses.ring * omega * omega);
+        let (s, ring) = (s(omega), C64::from(-masses.ring * omega * omega));
         let own = OMEGA * OMEGA - omega * omega + I * omega * 2.0 * masses.damping_ratio * OMEGA;
-        (1.0 / (own + s(omega) * ring / (s(omega) + ring))).norm()
+        (1.0 / (own + s * ring / (s + ring))).norm()
     };
     let (low, high) = (100.0 * PI / 30.0, 2000.0 * PI / 30.0);
     let n = 300;

@@ -108,13 +108,19 @@ impl ComplexElementary for C64 {
         turn(self.im) * self.re.exponential()
     }
     fn logarithm(self) -> Self {
-        Self::new(self.norm().logarithm(), self.angle())
+        // no square of a number near the ends of the range
+        let size = self.norm_sqr();
+        let real = if (1e-280..1e280).contains(&size) { 0.5 * size.logarithm() } else { self.norm().logarithm() };
+        Self::new(real, self.angle())
     }
     fn power(self, exponent: f64) -> Self {
         if exponent == 0.0 {
             return Self::from(1.0);
         }
-        turn(self.angle() * exponent) * self.norm().power(exponent)
+        if self == Self::default() {
+            return Self::from(0.0f64.power(exponent));
+        }
+        (self.logarithm() * exponent).exponential()
     }
     fn square_root(self) -> Self {
         // the part that does not cancel first

@@ -29,7 +29,11 @@ pub const ZERO: C64 = C64::new(0.0, 0.0);
 /// (i y)^a for y >= 0, on the principal branch.
 pub(crate) fn imaginary_power(y: f64, a: f64) -> C64 {
     let (sin, cos) = (a * std::f64::consts::FRAC_PI_2).sine_cosine();
-    C64::new(cos, sin) * y.power(a)
+    if y == 0.0 {
+        return C64::from(y.power(a));
+    }
+    // a tenth of the time of a power that is exact to half a digit
+    C64::new(cos, sin) * (a * y.logarithm()).exponential()
 }
 
 /// ln(i y) for y > 0, on the principal branch.

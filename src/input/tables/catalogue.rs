@@ -23,6 +23,11 @@ pub(crate) struct CatalogueRow {
 pub(crate) fn catalogue(path: &Path) -> Result<Vec<CatalogueRow>, InputError> {
     let table = Table::read(path)?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
+    let known = |key: &String| ["name", "type"].contains(&key.as_str()) || TYPES.iter().any(|t| t.index(key).is_some());
+    if let Some(column) = table.header.iter().position(|key| !known(key)) {
+        let found = format!("found column `{}`, expected `name`, `type` and parameters of types", shown(&table.header[column]));
+        return Err(table.at(1, column, found));
+    }
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {
         let (own, word) = (&cells[name], &cells[kind]);

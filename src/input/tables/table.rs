@@ -46,6 +46,11 @@ impl Table {
             .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
         table.header =
             reader.headers().map_err(|e| table.whole(format!("the header could not be read: {e}")))?.iter().map(str::to_owned).collect();
+        if let [only] = table.header.as_slice()
+            && only.contains(';')
+        {
+            return Err(table.at(1, 0, "found semicolons between columns, expected commas between columns and points in numbers".into()));
+        }
         for (i, name) in table.header.iter().enumerate() {
             if table.header[..i].contains(name) {
                 return Err(table.at(1, i, format!("found column `{name}` a second time")));

@@ -6,7 +6,7 @@ use crate::input::Study;
 use crate::objective::holds;
 use crate::report::files::{Folder, WriteError};
 
-/// `catalogue.csv`: a row an absorber; without a value where nothing damps a resonance. None where the study has no catalogue.
+/// `catalogue.csv`: a row an absorber; without a value where nothing damps a resonance, without a verdict where the study has no limits. None where the study has no catalogue.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -24,7 +24,7 @@ pub fn catalogue(study: &Study, results: &Results, folder: &Folder) -> Result<()
             study.objective.key.to_owned(),
             optional(r.objective.map(|v| unit.shown(v))),
             unit.symbol().to_owned(),
-            (r.objective.is_some() && holds(r.over_limit)).to_string(),
+            if study.limits.is_empty() { String::new() } else { (r.objective.is_some() && holds(r.over_limit)).to_string() },
         ]);
     }
     table.save(folder, "catalogue.csv")

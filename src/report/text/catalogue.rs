@@ -24,8 +24,13 @@ pub(crate) fn catalogue(study: &Study, results: &Results) -> String {
         let value = format!("{}/{}", study.objective.key, unit.symbol());
         let header: Vec<&str> =
             ["place", "design", &value, "limits"].into_iter().take(if study.limits.is_empty() { 3 } else { 4 }).collect();
-        text.push_str(&format!("Catalogue {}: {} absorbers{limits}; the best:\n{}", spec.file, all.len(), table(&header, &rows)));
+        let absorbers = if all.len() == 1 { "1 absorber".into() } else { format!("{} absorbers", all.len()) };
         let endless = all.iter().filter(|r| r.objective.is_none()).count();
+        if rows.is_empty() {
+            text.push_str(&format!("Catalogue {}: {absorbers}; each leaves a resonance that nothing damps.\n", spec.file));
+            continue;
+        }
+        text.push_str(&format!("Catalogue {}: {absorbers}{limits}; the best:\n{}", spec.file, table(&header, &rows)));
         if endless > 0 {
             text.push_str(&format!("  {endless} of them leave a resonance that nothing damps.\n"));
         }

@@ -1,6 +1,7 @@
 //! What `hartog check` prints: the model that a study describes.
 
 use super::crank;
+use super::robust::tolerances;
 use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
 use crate::analysis::{audit, reciprocating};
@@ -323,6 +324,9 @@ fn goals(study: &Study) -> String {
     }
     if let Some(combined) = &study.combined {
         let _ = writeln!(text, "  and, for optima of their own: {}", combined.spec.label);
+    }
+    if let Some(spec) = &study.robust {
+        let _ = writeln!(text, "  within tolerances: {}", tolerances(spec));
     }
     if let Some(f) = &study.fatigue {
         let names: Vec<&str> = f.criteria.iter().map(|c| c.name()).collect();

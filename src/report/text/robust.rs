@@ -3,7 +3,7 @@
 use super::table::{significant, table};
 use crate::absorber::{Deviation, Mounted};
 use crate::analysis::{Results, RowCase};
-use crate::input::{MeasureSpec, Study, UnitOf};
+use crate::input::{MeasureSpec, RobustSpec, Study, UnitOf};
 use crate::objective::{Condition, holds};
 
 /// What is deviated, in words: "k +10 %, c -30 %"; of several absorbers each with its number.
@@ -30,6 +30,15 @@ pub(super) fn during(design: &[Mounted], case: &RowCase) -> String {
     };
     let deviated = case.deviation.as_ref().map_or_else(String::new, |d| format!(", {}", deviation(design, d)));
     condition + &deviated
+}
+
+/// Tolerances by their keys.
+pub(super) fn tolerances(spec: &RobustSpec) -> String {
+    let one = |(key, share): &(&str, f64)| {
+        let percent = format!("{:.2}", 100.0 * share);
+        format!("{key} ±{} %", percent.trim_end_matches('0').trim_end_matches('.'))
+    };
+    spec.shares.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// A row a design with nominal and worst value; empty where the study has no tolerances.
@@ -59,8 +68,7 @@ pub(crate) fn robust(study: &Study, results: &Results) -> String {
         rows.push(row);
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let shares: Vec<String> = spec.shares.iter().map(|(key, share)| format!("{key} ±{} %", significant(100.0 * share, 3))).collect();
-    let mut text = format!("Within tolerances ({}), {}:\n{}", shares.join(", "), of.label, table(&header, &rows));
+    let mut text = format!("Within tolerances ({}), {}:\n{}", tolerances(spec), of.label, table(&header, &rows));
     if let Some(s) = spec.sampling {
         let how = if s.normal { "normal, the tolerance being three standard deviations" } else { "uniform" };
         text.push_str(&format!("  {} random designs, {how}; from and to: 95 % confidence interval of the percentile\n", s.samples));

@@ -1,6 +1,6 @@
 //! Designs within the tolerances of a study: the worst of the box, a percentile of random designs with its confidence interval, and the band of the response over speed.
 
-use super::DesignResult;
+use super::{DesignResult, Progress};
 use crate::absorber::Deviation;
 use crate::input::{RobustSpec, Sampling, Study};
 use crate::objective::{Measure, PeakFinder};
@@ -56,12 +56,17 @@ pub(crate) fn robust<'d>(
     study: &Study,
     (finder, cases): (&PeakFinder, &[LoadCase]),
     shown: &[&'d DesignResult],
+    progress: &dyn Progress,
 ) -> Result<Vec<RobustOfDesign>, (&'d DesignResult, ResponseError)> {
     let Some(spec) = &study.robust else { return Ok(Vec::new()) };
     let seed = study.optimise.as_ref().map_or(1, |o| o.seed);
+    progress.stage("tolerances", shown.len());
     let one = |d: &&'d DesignResult| {
         let tolerances = Tolerances::of(&d.absorbers, &spec.shares);
-        (tolerances.edges() > 0).then(|| within(study, (finder, cases), d, (spec, &tolerances, seed)).map_err(|error| (*d, error)))
+        let found =
+            (tolerances.edges() > 0).then(|| within(study, (finder, cases), d, (spec, &tolerances, seed)).map_err(|error| (*d, error)));
+        progress.step();
+        found
     };
     shown.par_iter().filter_map(one).collect()
 }

@@ -260,7 +260,7 @@ fn over_speed(
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
-    let robust = robust::robust(study, (firing, load_cases), shown).map_err(|(d, error)| of_design(d, error))?;
+    let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
     Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
 }
 

@@ -11,6 +11,7 @@ use crate::objective::Measure;
 use crate::response::{ResponseError, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use rayon::prelude::*;
 use std::convert::Infallible;
 use std::f64::consts::TAU;
 
@@ -22,6 +23,8 @@ const MOST_INSIDE: usize = 8;
 const RANDOM: usize = 16;
 const SEARCHED: usize = 3;
 const ROUNDS: usize = 6;
+/// Share of the reach at which it is looked whether the value falls from an end.
+const INWARD: f64 = 0.05;
 
 /// Shares by which parameters of the absorbers of a design may deviate.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,22 +72,29 @@ impl Tolerances {
     }
 
     /// The largest value over the box that a search of it finds, and where: corners, the middle of every edge's range, and random points, the best followed along one edge after the other.
-    pub fn worst(&self, value: impl Fn(&[f64]) -> f64, seed: u64) -> (Vec<f64>, f64) {
+    pub fn worst(&self, value: impl Fn(&[f64]) -> f64 + Sync, seed: u64) -> (Vec<f64>, f64) {
         let d = self.edges();
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
         let mut points = self.corners();
         points.push(vec![0.0; d]);
         points.extend((0..RANDOM * d).map(|_| (0..d).map(|_| generator.random_range(-1.0..=1.0)).collect::<Vec<f64>>()));
-        let mut valued: Vec<(Vec<f64>, f64)> = points.into_iter().map(|p| (value(&p), p)).map(|(v, p)| (p, v)).collect();
+        let mut valued: Vec<(Vec<f64>, f64)> = points.into_par_iter().map(|p| (value(&p), p)).map(|(v, p)| (p, v)).collect();
         valued.sort_by(|a, b| b.1.total_cmp(&a.1));
         valued.truncate(SEARCHED);
-        for (point, own) in &mut valued {
+        valued.par_iter_mut().for_each(|(point, own)| {
             let mut reach = 1.0;
             for _ in 0..ROUNDS {
                 let before = *own;
                 for i in 0..d {
                     let (low, high) = (f64::max(point[i] - reach, -1.0), f64::min(point[i] + reach, 1.0));
                     let mut moved = point.clone();
+                    if point[i].abs() == 1.0 {
+                        // at an end from which the value falls
+                        moved[i] *= 1.0 - INWARD * reach;
+                        if value(&moved) < *own {
+                            continue;
+                        }
+                    }
                     let along = |x: f64| {
                         moved[i] = x;
                         Ok::<f64, Infallible>(value(&moved))
@@ -99,7 +109,7 @@ impl Tolerances {
                 }
                 reach *= 0.5;
             }
-        }
+        });
         valued.into_iter().reduce(|m, p| if p.1 > m.1 { p } else { m }).expect("a box has corners")
     }
 

@@ -45,7 +45,8 @@ pub(super) fn resolve(
             let mut keys: Vec<&str> = types.iter().flat_map(|t| t.parameters).map(|p| p.key).collect();
             keys.sort_unstable();
             keys.dedup();
-            check.wrong(share, format!("found a tolerance of `{key}`, which no absorber here has, expected one of {}", keys.join(", ")));
+            let expected = if keys.is_empty() { "an absorber to have it".to_owned() } else { format!("one of {}", keys.join(", ")) };
+            check.wrong(share, format!("found a tolerance of `{key}`, which no absorber here has, expected {expected}"));
             continue;
         };
         shares.push((known, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));

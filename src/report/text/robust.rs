@@ -73,6 +73,11 @@ pub(crate) fn robust(study: &Study, results: &Results) -> String {
         let how = if s.normal { "normal, the tolerance being three standard deviations" } else { "uniform" };
         text.push_str(&format!("  {} random designs, {how}; from and to: 95 % confidence interval of the percentile\n", s.samples));
     }
+    if results.conditions().any(|c| c == Condition::InOperation) {
+        text.push_str(
+            "  tolerances are about the reference of each material: the temperature and strain of operation are judged without them\n",
+        );
+    }
     for d in &results.robust {
         for (limit, worst) in study.limits.iter().zip(&d.limits).filter(|(_, worst)| !holds(worst.value)) {
             let at = deviation(absorbers(&d.design), &worst.deviation);

@@ -180,6 +180,7 @@ fn gradients_in_every_condition() {
         objectives: std::slice::from_ref(&objective),
         weights: &[],
         limits: &[],
+        memory: None,
     };
     let mut seen = [0; 4];
     let design = on(0, Kind::Tuned, 0.076, 5.5e4, 28.0);

@@ -40,7 +40,7 @@ fn problem<'a>(
     ring: f64,
 ) -> Problem<'a> {
     let space = families::family(family(study), &families::Choice { types: vec![declaration], rings: vec![Some(ring)] }, modes);
-    Problem { load_cases, space, objectives: std::slice::from_ref(objective), weights: &[], limits: &[] }
+    Problem { load_cases, space, objectives: std::slice::from_ref(objective), weights: &[], limits: &[], memory: None }
 }
 
 /// Runs both engines and hands over every optimum of twist with its problem.

@@ -46,4 +46,5 @@ mod sizing;
 mod strain;
 mod support;
 mod surface;
+mod survival;
 mod trees;

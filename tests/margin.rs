@@ -328,7 +328,8 @@ fn optimum_by_margin() {
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(60.0)];
         let best = |objective: &Measure, limits: &[Limit]| {
             let objectives = [objective.in_si()];
-            let problem = Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, weights: &[], limits };
+            let problem =
+                Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, weights: &[], limits, memory: None };
             let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 200, &mut Work::default());
             hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite")
         };

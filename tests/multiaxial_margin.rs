@@ -123,7 +123,8 @@ fn optimum_by_a_multiaxial_margin() {
     case.with(|finder| {
         let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder, deviation: None }];
         let objectives = [measure.in_si()];
-        let problem = Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, weights: &[], limits: &[] };
+        let problem =
+            Problem { load_cases: &load_cases, space: space.clone(), objectives: &objectives, weights: &[], limits: &[], memory: None };
         let start = [space.variables[0].coordinate(2e5), space.variables[1].coordinate(2.0)];
         let (searched, _) = hartog::optimise::gradient_free::search(&problem, &start, 60, &mut Work::default());
         let best = hartog::optimise::minimax::minimise(&problem, &searched, &mut Work::default()).expect("finite");

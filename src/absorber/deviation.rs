@@ -4,7 +4,7 @@ use super::mounted::{Absorber, Mounted};
 use super::with_material::changed;
 
 /// Factors on the parameters of the absorbers of a design, one list an absorber in the order of its declaration.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Deviation {
     /// One where a parameter is as drawn.
     pub factors: Vec<Vec<f64>>,

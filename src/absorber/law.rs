@@ -88,7 +88,6 @@ pub struct ClosedForm {
 }
 
 /// A type of absorber.
-#[derive(Debug)]
 pub struct Declaration {
     /// The word used in studies and tables.
     pub name: &'static str,
@@ -98,6 +97,13 @@ pub struct Declaration {
     pub build: fn(&[f64]) -> Arc<dyn Law>,
     /// Closed-form optima: where searches start.
     pub closed_forms: &'static [ClosedForm],
+}
+
+impl std::fmt::Debug for Declaration {
+    /// Its name, which tells all of it.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
 }
 
 impl PartialEq for Declaration {

@@ -7,12 +7,13 @@ use crate::input::{LimitSpec, Study};
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Measure, Over, PeakFinder};
+use crate::optimise::memory::remembered;
 use crate::response::large_twist::{Balance, Curve, CurvePoint, Stability, Steady};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
 /// A steady motion.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct LargePoint {
     /// rpm.
     pub speed_rpm: f64,
@@ -29,7 +30,7 @@ pub struct LargePoint {
 }
 
 /// A design over speed.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct LargeTwistOfDesign {
     /// Its name.
     pub design: String,
@@ -73,7 +74,8 @@ pub(crate) fn large_twist<'d>(
         progress.stage("motions at their own amplitude", followed.len());
     }
     let one = |d: &&&'d DesignResult| {
-        let found = of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (**d, error)).transpose();
+        let own = || of_design(study, finder, (&d.name, &d.absorbers));
+        let found = remembered(progress.memory(), &("large twist", &d.name, &d.absorbers), own).map_err(|error| (**d, error)).transpose();
         progress.step();
         found
     };

@@ -9,7 +9,7 @@ use crate::response::Quantity;
 use crate::response::large_twist::{Balance, Steady};
 
 /// What a design comes to at its own amplitude.
-#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct AtLargeTwist {
     /// The study's objective; nothing where harmonic balance does not tell it.
     pub objective: Option<f64>,

@@ -1,11 +1,17 @@
 //! What a long computation tells while it runs, and what it says when it cannot go on.
 
+use crate::optimise::Memory;
+
 /// Told of progress.
 pub trait Progress: Sync {
     /// A stage of `steps` steps begins.
     fn stage(&self, name: &str, steps: usize);
     /// A step is done.
     fn step(&self);
+    /// What remembers searches from one run to the next; nothing by itself.
+    fn memory(&self) -> Option<&dyn Memory> {
+        None
+    }
 }
 
 /// Says nothing.

@@ -4,6 +4,7 @@ use super::{DesignResult, Progress};
 use crate::absorber::Deviation;
 use crate::input::{RobustSpec, Sampling, Study};
 use crate::objective::{Measure, PeakFinder};
+use crate::optimise::memory::remembered;
 use crate::optimise::{LoadCase, Tolerances, robust};
 use crate::response::{ResponseError, Work};
 use rand::SeedableRng;
@@ -11,7 +12,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
 /// A percentile of random designs.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Percentile {
     /// The value that so many per cent of the designs do not exceed.
     pub value: f64,
@@ -20,7 +21,7 @@ pub struct Percentile {
 }
 
 /// The largest of a measure in the box, and where.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Worst {
     /// In the unit of the measure; of a limit over it. Infinite where nothing damps a resonance somewhere in the box.
     pub value: f64,
@@ -29,7 +30,7 @@ pub struct Worst {
 }
 
 /// A design within the tolerances.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct RobustOfDesign {
     /// Its name.
     pub design: String,
@@ -63,8 +64,9 @@ pub(crate) fn robust<'d>(
     progress.stage("tolerances", shown.len());
     let one = |d: &&'d DesignResult| {
         let tolerances = Tolerances::of(&d.absorbers, &spec.shares);
-        let found =
-            (tolerances.edges() > 0).then(|| within(study, (finder, cases), d, (spec, &tolerances, seed)).map_err(|error| (*d, error)));
+        let own = || within(study, (finder, cases), d, (spec, &tolerances, seed));
+        let found = (tolerances.edges() > 0)
+            .then(|| remembered(progress.memory(), &("tolerances", &d.name, &d.absorbers), own).map_err(|error| (*d, error)));
         progress.step();
         found
     };

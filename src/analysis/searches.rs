@@ -12,10 +12,11 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Limit, Measure, Over, PeakFinder};
+use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::search::Recorder;
 use crate::optimise::{
-    LoadCase, Optimum, Problem, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search, second_order, starts,
+    LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search, second_order, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -78,13 +79,18 @@ impl<'a> Searches<'a> {
         Self { study, finders, load_cases, objectives, duty, combined, limits, modes, wanted, progress }
     }
 
+    /// What remembers searches, and of what they are.
+    pub(super) fn memory<'s>(&'s self, search: Option<optimise::Sought<'s>>) -> Option<Remembers<'s>> {
+        self.progress.memory().map(|memory| Remembers { memory, search })
+    }
+
     fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
         let (objectives, weights) = match (self.objectives.get(objective), &self.study.combined) {
             (Some(_), _) if !self.duty[objective].0.is_empty() => (self.duty[objective].0.as_slice(), self.duty[objective].1.as_slice()),
             (None, Some(combined)) => (self.combined.as_slice(), combined.weights.as_slice()),
             _ => (std::slice::from_ref(&self.objectives[objective]), &[][..]),
         };
-        Problem { load_cases: self.load_cases, space, objectives, weights, limits: &self.limits }
+        Problem { load_cases: self.load_cases, space, objectives, weights, limits: &self.limits, memory: self.memory(None) }
     }
 
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
@@ -146,7 +152,8 @@ impl<'a> Searches<'a> {
     fn optimum(&self, spec: &OptimiseSpec, sought: Sought, step: Recorder) -> Result<OptimumResult, RunError> {
         let Sought { family: Family { name, family, space, is_main: main }, objective, within } = sought;
         let failed = |error: ResponseError| RunError { what: name.clone(), error };
-        let problem = self.problem(space, objective);
+        let problem =
+            Problem { memory: self.memory(Some(optimise::Sought { design: &name, objective })), ..self.problem(space, objective) };
         let starts = self.starts(spec, &problem.space);
         let found = match &within {
             Some(tolerances) => robust::optimise(&problem, tolerances, &starts, spec.seed, step),

@@ -49,7 +49,14 @@ impl Searches<'_> {
             for (name, space, spec) in &families {
                 let failed = |error: ResponseError| RunError { what: format!("front of {name}"), error };
                 let objectives = std::slice::from_ref(&first);
-                let problem = Problem { load_cases: self.load_cases, space: space.clone(), objectives, weights: &[], limits: &self.limits };
+                let problem = Problem {
+                    load_cases: self.load_cases,
+                    space: space.clone(),
+                    objectives,
+                    weights: &[],
+                    limits: &self.limits,
+                    memory: self.memory(None),
+                };
                 let starts = |space: &Space| self.starts(spec, space);
                 let front = Follower::new(&problem, &second, &starts).follow(*points, &step).map_err(failed)?;
                 let mut work = front.minimax;

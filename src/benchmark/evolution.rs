@@ -107,7 +107,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
     let limits: Vec<Limit> = study.limits.iter().map(LimitSpec::to_limit).collect();
     let beside = |space: Space, first: &Measure, second: &Measure, exact: Exact| {
         let (first, second) = ([first.in_si()], second.in_si());
-        let problem = Problem { load_cases: &load_cases, space, objectives: &first, weights: &[], limits: &limits };
+        let problem = Problem { load_cases: &load_cases, space, objectives: &first, weights: &[], limits: &limits, memory: None };
         exact.beside(&Pair { problem: &problem, second: &second })
     };
     let mut clock = Clock::start();

@@ -10,6 +10,9 @@ pub(crate) const FAILED: u8 = 1;
 /// Exit code: bad input or numerical failure.
 pub(crate) const BAD_INPUT: u8 = 2;
 
+/// Exit code: ended by an interrupt, as shells count it.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// Text for a terminal: what would move its cursor, turn its direction or hide stands in it as `\u{…}`, whatever file it came from.
 fn printable(text: &str) -> String {
     let hidden = |c: char| {
@@ -38,9 +41,13 @@ pub fn say(text: &str) {
 
 /// Prints an error and gives the exit code of bad input.
 pub fn fail(error: &dyn Display) -> u8 {
-    let text = error.to_string();
-    let _closed = writeln!(std::io::stderr(), "{}", printable(text.trim_end()));
+    say_to_error(&error.to_string());
     BAD_INPUT
+}
+
+/// Prints to standard error.
+pub(crate) fn say_to_error(text: &str) {
+    let _closed = writeln!(std::io::stderr(), "{}", printable(text.trim_end()));
 }
 
 /// Sets the number of threads; 0 or none leaves the choice to the machine.

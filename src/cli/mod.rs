@@ -8,5 +8,6 @@ pub mod fatigue;
 pub mod progress;
 pub mod run;
 pub mod size;
+mod watched;
 
 pub(crate) use exit::threads;

@@ -10,10 +10,17 @@ pub(crate) struct Bar(ProgressBar);
 impl Default for Bar {
     fn default() -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(10));
-        if let Ok(style) = ProgressStyle::with_template("  {msg:<24} {bar:32} {pos}/{len}  {elapsed}") {
+        if let Ok(style) = ProgressStyle::with_template("  {msg:<24} {bar:32} {pos}/{len}  {elapsed}, {eta} left  {prefix}") {
             bar.set_style(style);
         }
         Self(bar)
+    }
+}
+
+impl Bar {
+    /// Tells of the best so far.
+    pub(crate) fn best(&self, text: &str) {
+        self.0.set_prefix(text.to_owned());
     }
 }
 

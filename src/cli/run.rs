@@ -1,12 +1,13 @@
 //! `hartog run`: the main job.
 
 use super::exit::{DONE, FAILED, fail, say};
-use super::progress::Bar;
+use super::watched::{Watched, end_at_interrupt};
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
-use crate::report::{Folder, csv, plot, text};
+use crate::report::{Folder, Journal, about, csv, plot, text};
 use crate::response::Work;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Arguments of `run`.
@@ -26,34 +27,50 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+    /// Go on where a run into the same folder was interrupted; files are those of a run that was not.
+    #[arg(long)]
+    pub resume: bool,
 }
 
 /// Runs a study, prints its tables and writes its files.
 pub fn run(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
     let start = Instant::now();
-    let study = match input::read(&arguments.study) {
+    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
     let default = Path::new("out").join(&study.name);
     let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
-        Ok(folder) => folder,
+        Ok(folder) => Arc::new(folder),
         Err(error) => return fail(&error),
     };
-    let bar = Bar::default();
-    let results = match study.run_with(&bar) {
+    let journal = match Journal::open(&folder, &inputs, arguments.resume) {
+        Ok(journal) => Arc::new(journal),
+        Err(error) => return fail(&error),
+    };
+    if arguments.resume {
+        say(&match journal.known() {
+            0 => format!("no interrupted run in {}: from the beginning\n", folder.path().display()),
+            n => format!("{n} searches of the interrupted run are known\n"),
+        });
+    }
+    end_at_interrupt(&study, &folder, &journal);
+    let watched = Watched::new(&study, journal.clone());
+    let results = match study.run_with(&watched) {
         Ok(results) => results,
         Err(error) => {
-            drop(bar);
+            drop(watched);
+            journal.remove();
             return fail(&format!("error: {error}"));
         }
     };
     let (study, calibration) = (&results.study, results.calibration.as_ref());
     let before_files = start.elapsed().as_secs_f64();
-    bar.stage("tables and plots", 1 + plot::count(&results));
-    let written = crate::report::write_run(study, calibration, &results, &folder, &|| bar.step());
-    drop(bar);
+    watched.stage("tables and plots", 1 + plot::count(&results));
+    let written = crate::report::write_run(study, calibration, &results, &folder, &|| watched.step());
+    drop(watched);
     if let Err(error) = written {
         return fail(&error);
     }
@@ -61,9 +78,13 @@ pub fn run(arguments: &Arguments) -> u8 {
     let mut timing = results.timing.clone();
     timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
-    if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.complete()) {
+    if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.summarise(true, &about(study, &inputs, &results))) {
         return fail(&error);
     }
+    if let Some(reason) = journal.failure() {
+        say(&format!("the journal could not be written ({reason}): this run could not have been resumed\n"));
+    }
+    journal.remove();
     print(study, calibration, &results, &folder, &timing);
     if results.limits_hold() { DONE } else { FAILED }
 }

@@ -4,7 +4,7 @@ use crate::units::RAD_PER_S_PER_RPM;
 use std::fmt;
 
 /// An engine order; twice its value is stored, so that 4.5 is exact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Order(u32);
 
 impl Order {

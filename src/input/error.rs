@@ -138,7 +138,9 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, String> {
     if metadata.len() > MOST_BYTES {
         return Err(format!("found a file of {} bytes, expected at most {MOST_BYTES}", metadata.len()));
     }
-    std::fs::read(path).map_err(|e| io_reason(&e))
+    let bytes = std::fs::read(path).map_err(|e| io_reason(&e))?;
+    super::files::note(path, &bytes);
+    Ok(bytes)
 }
 
 impl Source {

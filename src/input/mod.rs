@@ -2,6 +2,7 @@
 
 pub mod error;
 mod excerpt;
+mod files;
 pub mod measure;
 pub mod published;
 mod schema;
@@ -9,6 +10,7 @@ pub mod tables;
 mod validation;
 
 pub use error::InputError;
+pub(crate) use files::{InputFile, noted};
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use validation::{

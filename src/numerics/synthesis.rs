@@ -7,7 +7,7 @@ use multiversion::multiversion;
 use std::f64::consts::TAU;
 
 /// The extremes of f(psi) = sum of Re(Y_n e^{i h_n psi}) over a period.
-#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Extremes {
     /// (max f - min f) / 2.
     pub half_peak_to_peak: f64,

@@ -4,7 +4,7 @@ use crate::engine::Order;
 use crate::response::Quantity;
 
 /// How a measure comes from its quantities.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Over {
     /// Half peak-to-peak of all orders together, with phase.
     Synthesis,
@@ -27,7 +27,7 @@ pub enum Over {
 }
 
 /// A property of the absorbers whose ring twists are the quantities of a measure.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Property {
     /// Largest loss factor c omega/k that spring and damper imply at the ring's own frequency.
     LossFactor,

@@ -5,7 +5,7 @@ use crate::numerics::synthesis::Extremes;
 use crate::response::Quantity;
 
 /// Where on the range a peak lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Place {
     /// Between the ends.
     Interior,
@@ -16,7 +16,7 @@ pub enum Place {
 }
 
 /// A local maximum over speed, or a property of a design.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Peak {
     /// In the unit of the measure (rad, N m, W; of a margin its inverse), times the weight.
     pub value: f64,

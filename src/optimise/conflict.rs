@@ -1,5 +1,6 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
+use super::memory::Remembers;
 use super::{Optimum, Problem, Role, minimax, search};
 use crate::objective::{Limit, holds};
 use crate::response::{ResponseError, Work};
@@ -41,8 +42,14 @@ pub(crate) enum Verdict {
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
 pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
-    let feasibility =
-        Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives: problem.limits, weights: &[], limits: &[] };
+    let feasibility = Problem {
+        load_cases: problem.load_cases,
+        space: problem.space.clone(),
+        objectives: problem.limits,
+        weights: &[],
+        limits: &[],
+        memory: problem.memory.map(Remembers::part),
+    };
     let mut all = starts.to_vec();
     all.push(("optimum".into(), optimum.outcome.point.clone()));
     let mut nearest = search::optimise(&feasibility, &all, search::Finish::All, &|| {})?;
@@ -81,7 +88,14 @@ pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec
 fn loosened(problem: &Problem, limit: usize, points: &[(String, Vec<f64>)]) -> Option<f64> {
     let others: Vec<Limit> = problem.limits.iter().enumerate().filter(|l| l.0 != limit).map(|l| l.1.clone()).collect();
     let objectives = std::slice::from_ref(&problem.limits[limit]);
-    let alone = Problem { load_cases: problem.load_cases, space: problem.space.clone(), objectives, weights: &[], limits: &others };
+    let alone = Problem {
+        load_cases: problem.load_cases,
+        space: problem.space.clone(),
+        objectives,
+        weights: &[],
+        limits: &others,
+        memory: problem.memory.map(Remembers::part),
+    };
     let ends = points.par_iter().filter_map(|p| minimax::minimise(&alone, &p.1, &mut Work::default()).ok());
     let held = ends.filter(|o| o.rows.hold()).map(|o| o.rows.objective());
     held.collect::<Vec<_>>().into_iter().reduce(f64::min)

@@ -6,6 +6,7 @@ use crate::response::Work;
 use argmin::core::{CostFunction, Error, Executor};
 use argmin::solver::neldermead::NelderMead;
 use std::cell::RefCell;
+use std::convert::Infallible;
 
 /// Edge of the first simplex in coordinates: about a factor of 1.3 in value.
 const EDGE: f64 = 0.25;
@@ -57,6 +58,12 @@ impl CostFunction for Cost<'_, '_> {
 
 /// Best point found from `start` within `most` evaluations, and its cost.
 pub fn search(problem: &Problem, start: &[f64], most: u64, work: &mut Work) -> (Vec<f64>, f64) {
+    let found = problem.remembered(&("simplex", start, most), work, |work| Ok::<_, Infallible>(from(problem, start, most, work)));
+    let Ok(best) = found;
+    best
+}
+
+fn from(problem: &Problem, start: &[f64], most: u64, work: &mut Work) -> (Vec<f64>, f64) {
     let bounds = problem.space.bounds();
     if start.is_empty() {
         return (Vec::new(), problem.cost(start, work));

@@ -12,7 +12,7 @@ use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
 /// Why the iteration ended.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Stop {
     /// The model promises no decrease worth having.
     Converged,
@@ -40,7 +40,7 @@ impl Stop {
 }
 
 /// Where the iteration ended.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Outcome {
     /// Coordinates.
     pub point: Vec<f64>,
@@ -58,7 +58,7 @@ pub struct Outcome {
     /// Why it ended.
     pub stop: Stop,
     /// The model's curvature of the Lagrangian there, in coordinates and units of the objective: what a problem nearby may begin with.
-    #[serde(skip)]
+    #[serde(skip, default = "none_known")]
     pub curvature: DMatrix<f64>,
 }
 
@@ -189,6 +189,11 @@ fn first_order(rows: &Rows, point: &[f64], bounds: &[(f64, f64)], penalty: f64) 
     })
 }
 
+/// The curvature of an outcome that was read: it is told apart.
+fn none_known() -> DMatrix<f64> {
+    DMatrix::zeros(0, 0)
+}
+
 /// Minimises from `start`.
 ///
 /// # Errors
@@ -202,6 +207,17 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
 /// # Errors
 /// As [`minimise`].
 pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Work) -> Result<Outcome, ResponseError> {
+    let n = start.len();
+    let parts = |outcome: &Outcome| (outcome.clone(), outcome.curvature.as_slice().to_vec());
+    let joined = |(outcome, curvature): (Outcome, Vec<f64>)| Outcome { curvature: DMatrix::from_vec(n, n, curvature), ..outcome };
+    let own = ("minimax", start.to_vec(), curvature.as_slice().to_vec());
+    let run = |work: &mut Work| from(problem, start, curvature, work).map(|outcome| parts(&outcome));
+    let found = problem.remembered(&own, work, run).map(joined)?;
+    problem.tell(&found.point, &found.rows);
+    Ok(found)
+}
+
+fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Work) -> Result<Outcome, ResponseError> {
     let bounds = problem.space.bounds();
     let n = start.len();
     let mut point = start.to_vec();

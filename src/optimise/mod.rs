@@ -3,6 +3,7 @@
 pub(crate) mod conflict;
 pub mod front;
 pub mod gradient_free;
+pub mod memory;
 pub mod minimax;
 pub(crate) mod prices;
 pub mod problem;
@@ -17,6 +18,7 @@ pub mod variables;
 
 pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
+pub use memory::{Found, Memory, Remembers, Sought};
 pub use minimax::{Outcome, Stop};
 pub use prices::OnBound;
 pub(crate) use problem::largest;

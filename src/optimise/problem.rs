@@ -1,5 +1,6 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
+use super::memory::{self, Remembers};
 use super::variables::Space;
 use crate::absorber::{Deviation, Mounted};
 use crate::numerics::elementary::Elementary;
@@ -8,6 +9,9 @@ use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
 use crate::response::{ResponseError, Work};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
 
 /// Smallest share of the largest peak for which a peak enters the rows: one step of an optimiser does not lift others past it.
 pub(super) const ROW_SHARE: f64 = 0.8;
@@ -74,7 +78,7 @@ pub(crate) fn largest<'a>(
 }
 
 /// What a row is of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Role {
     /// An objective, by its index.
     Objective(usize),
@@ -90,7 +94,7 @@ impl Role {
 }
 
 /// One peak at a point.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Row {
     /// Index of the load case.
     pub load_case: usize,
@@ -105,7 +109,7 @@ pub struct Row {
 }
 
 /// All rows at a point.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Rows {
     /// Objective and limits, those of the objective first, largest first.
     pub rows: Vec<Row>,
@@ -168,9 +172,37 @@ pub struct Problem<'a> {
     pub weights: &'a [f64],
     /// To hold.
     pub limits: &'a [Limit],
+    /// What remembers its searches from one run to the next.
+    pub memory: Option<Remembers<'a>>,
 }
 
 impl Problem<'_> {
+    /// What a search of this problem finds, or found in an earlier run; `own`: what tells it from other searches.
+    pub(super) fn remembered<T: Serialize + DeserializeOwned, E>(
+        &self,
+        own: &impl Debug,
+        work: &mut Work,
+        search: impl FnOnce(&mut Work) -> Result<T, E>,
+    ) -> Result<T, E> {
+        let Some(Remembers { memory, .. }) = self.memory else { return search(work) };
+        let load_cases: Vec<_> = self.load_cases.iter().map(|s| (s.condition, s.cylinder, s.deviation)).collect();
+        let key = (own, &self.space, self.objectives, self.weights, self.limits, load_cases);
+        let (found, spent) = memory::remembered(Some(memory), &key, || {
+            let mut spent = Work::default();
+            search(&mut spent).map(|found| (found, spent))
+        })?;
+        *work += spent;
+        Ok(found)
+    }
+
+    /// Tells what was found.
+    pub(super) fn tell(&self, point: &[f64], rows: &Rows) {
+        if let Some(Remembers { memory, search: Some(search) }) = self.memory {
+            let (value, excess) = (rows.objective(), rows.excess());
+            memory.found(&memory::Found { search, value, excess, design: self.space.named(point) });
+        }
+    }
+
     /// Objective and worst excess at a point, as right as the study asks of searches.
     ///
     /// # Errors

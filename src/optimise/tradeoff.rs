@@ -3,6 +3,7 @@
 //! The second is held below a level (the epsilon constraint \[Haimes, Lasdon & Wismer 1971\]), and the optimum followed from level to level by the minimax method, from both neighbours. Both
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
+use super::memory::Remembers;
 use super::minimax::{self, Outcome};
 use super::problem::largest;
 use super::search::{self, Finish, Recorder};
@@ -89,7 +90,14 @@ impl<'a> Follower<'a> {
     where
         'a: 'p,
     {
-        Problem { load_cases: self.problem.load_cases, space: self.problem.space.clone(), objectives, weights: &[], limits }
+        Problem {
+            load_cases: self.problem.load_cases,
+            space: self.problem.space.clone(),
+            objectives,
+            weights: &[],
+            limits,
+            memory: self.problem.memory.map(Remembers::part),
+        }
     }
 
     /// Both measures at a point, where the family can change them.

@@ -79,6 +79,15 @@ impl Space {
         self.slots.iter().zip(self.values(w)).map(mounted).collect()
     }
 
+    /// The design at a point, for a reader: type, parameter and value.
+    pub(crate) fn named(&self, w: &[f64]) -> Vec<(&'static str, &'static str, f64)> {
+        let of = |(slot, values): (&Slot, Vec<f64>)| {
+            let declaration = slot.declaration;
+            declaration.parameters.iter().zip(values).map(|(p, value)| (declaration.name, p.key, value)).collect::<Vec<_>>()
+        };
+        self.slots.iter().zip(self.values(w)).flat_map(of).collect()
+    }
+
     /// The point of given values (a row an absorber), moved into the bounds.
     pub fn point(&self, values: &[Vec<f64>]) -> Vec<f64> {
         self.variables.iter().map(|v| v.coordinate(values[v.absorber][v.parameter].clamp(v.lower, v.upper))).collect()

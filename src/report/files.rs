@@ -73,11 +73,20 @@ impl Folder {
         }
     }
 
-    /// Writes `summary.json` when all else is written: the program, and name, size and checksum (CRC-32) of every file but that of times.
+    /// Writes `summary.json` when all else is written, as [`Folder::summarise`].
     ///
     /// # Errors
     /// [`WriteError`] where that fails.
     pub(crate) fn complete(&self) -> Result<(), WriteError> {
+        self.summarise(true, &serde_json::Map::new())
+    }
+
+    /// Writes `summary.json`: the program, whether the run is finished, what else is known of it, and name, size and checksum (CRC-32) of
+    /// every file but that of times.
+    ///
+    /// # Errors
+    /// [`WriteError`] where that fails.
+    pub(crate) fn summarise(&self, finished: bool, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
         let mut names = self.written.lock().unwrap_or_else(PoisonError::into_inner).clone();
         names.sort();
         names.dedup();
@@ -87,8 +96,12 @@ impl Folder {
             let bytes = std::fs::read(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
             files.push(serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32fast::hash(&bytes)) }));
         }
-        let summary = serde_json::json!({ "program": concat!("hartog ", env!("CARGO_PKG_VERSION")), "files": files });
-        let text = format!("{summary:#}\n");
+        let mut summary = serde_json::Map::new();
+        summary.insert("program".into(), concat!("hartog ", env!("CARGO_PKG_VERSION")).into());
+        summary.insert("finished".into(), finished.into());
+        summary.extend(about.clone());
+        summary.insert("files".into(), files.into());
+        let text = format!("{:#}\n", serde_json::Value::Object(summary));
         self.write(SUMMARY, text.as_bytes())
     }
 
@@ -208,7 +221,7 @@ impl Write for Stream {
     }
 }
 
-fn reason(error: &std::io::Error) -> String {
+pub(super) fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::PermissionDenied => "no permission".to_owned(),
         std::io::ErrorKind::NotADirectory | std::io::ErrorKind::AlreadyExists => "a file is in the way of the folder".to_owned(),

@@ -2,10 +2,17 @@
 
 pub mod csv;
 pub mod files;
+pub(crate) mod journal;
 pub mod plot;
+mod summary;
 pub mod text;
 
 pub use files::{Folder, WriteError};
+pub(crate) use journal::Journal;
+pub(crate) use summary::about;
+
+/// What an interrupted run leaves of its searches.
+pub(crate) const UNFINISHED: &str = "unfinished.csv";
 
 use crate::analysis::curves::{Figure, HolzerRow};
 use crate::analysis::sizing::{SizingResults, front_figure};
@@ -26,6 +33,7 @@ pub(crate) fn write_run(
     folder: &Folder,
     written: &(dyn Fn() + Sync),
 ) -> Result<(), WriteError> {
+    folder.remove(&[UNFINISHED])?;
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
     csv::catalogue(study, results, folder)?;

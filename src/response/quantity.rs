@@ -3,7 +3,7 @@
 use crate::drivetrain::{Chain, Difference};
 
 /// A quantity that is linear in the angles, at a frequency.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Quantity {
     /// Angle of station `from` less that of `to`, referred to the crankshaft where there are gears (`None`: the ground, so the amplitude of a
     /// station), rad.

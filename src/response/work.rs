@@ -1,7 +1,7 @@
 //! Work done, counted.
 
 /// Work done, counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Work {
     /// Evaluations of a whole design.
     pub evaluations: u64,

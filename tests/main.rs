@@ -18,6 +18,8 @@ mod engines;
 mod examples;
 mod fatigue;
 mod forces;
+mod generated;
+mod grammar;
 mod hostile;
 mod in_operation;
 mod large_twist;

@@ -18,6 +18,8 @@ use std::time::{Duration, Instant};
 enum End {
     /// Its optimum was found.
     Optimised,
+    /// Its designs were evaluated: it asks for no optimum.
+    Evaluated,
     /// Nothing damps a resonance of it.
     Unbounded,
     /// Its input was refused.
@@ -46,7 +48,7 @@ fn end_of(folder: &Path) -> End {
         Ok(results) => {
             let told = format!("{:?}", (&results.designs, &results.optima, &results.fronts, &results.sweeps, &results.robust));
             assert!(!told.contains("NaN"), "a result is not a number");
-            End::Optimised
+            if study.optimise.is_some() { End::Optimised } else { End::Evaluated }
         }
         Err(_) => End::Unbounded,
     }
@@ -107,8 +109,8 @@ fn studies(seeds: std::ops::Range<u64>) -> BTreeMap<End, u64> {
 /// A few hundred; most reach the optimiser.
 #[test]
 fn generated_studies_are_answered_or_refused() {
-    let ends = studies(0..200);
-    assert!(ends[&End::Optimised] > 100 && ends[&End::Refused] > 5, "{ends:?}");
+    let ends = studies(0..150);
+    assert!(ends[&End::Optimised] > 75 && ends[&End::Refused] > 5, "{ends:?}");
 }
 
 /// A hundred thousand: at least half reach the optimiser.

@@ -109,7 +109,7 @@ impl Grammar<'_> {
     /// Engine file, names of its stations, tables.
     fn engine(&mut self) -> (String, Vec<String>, Vec<(&'static str, String)>) {
         let strokes = if self.one_in(4) { 2 } else { 4 };
-        let cylinders = if self.one_in(6) { self.random.random_range(4..=6) } else { self.random.random_range(1..=3) };
+        let cylinders = if self.one_in(10) { self.random.random_range(4..=6) } else { self.random.random_range(1..=3) };
         let mut tables = Vec::new();
         let (pressure, geometry) = self.pressure(strokes, &mut tables);
         let mut text = format!("name = \"generated\"\nstrokes = {strokes}\n");
@@ -229,7 +229,7 @@ impl Grammar<'_> {
         let step = (high - low) / self.random.random_range(1..=5);
         let mut text = format!(
             "engine = \"engine.toml\"\nspeed_rpm = {{ from = {low}, to = {high}, step = {step} }}\norder_limit = {}\n",
-            self.random.random_range(1..=5)
+            self.random.random_range(1..=4)
         );
         if self.one_in(20) {
             text += "conditions = [\"firing\", \"absorber_locked\", \"absorber_lost\"]\n";
@@ -248,6 +248,9 @@ impl Grammar<'_> {
         if self.one_in(40) {
             let _ = write!(text, "[[constraint]]\nvibratory_torque = {{ max_n_m = {} }}\n", self.between(10.0, 1e5));
         }
+        if self.one_in(4) {
+            return text;
+        }
         let types = match self.random.random_range(0..10) {
             0 => "\"viscous\"",
             1 => "\"tuned\", \"viscous\"",
@@ -259,7 +262,7 @@ impl Grammar<'_> {
             text,
             "[response]\nmethod = \"{}\"\nrefine_peaks = {}\n[optimise]\nrandom_starts = {}\n[[optimise.absorber]]\non.station = \"{on}\"\ntypes = [{types}]\n",
             self.of(&["receptance", "direct", "auto"]),
-            self.one_in(3),
+            self.one_in(6),
             u8::from(self.one_in(4))
         );
         let ring = self.between(0.001, 0.2);
@@ -342,12 +345,12 @@ fn replace_number(line: &str, by: &str, n: usize) -> String {
     format!("{}{by}{}", &line[..*from], &line[*to..])
 }
 
-/// A random input; one in five with mistakes.
+/// A random input; one in four with mistakes.
 pub fn written(random: &mut Xoshiro256PlusPlus) -> Written {
     let mut grammar = Grammar { random };
     let (mut engine, stations, mut tables) = grammar.engine();
     let mut study = grammar.study(&stations);
-    if grammar.one_in(5) {
+    if grammar.one_in(4) {
         for _ in 0..grammar.random.random_range(1..3) {
             match grammar.random.random_range(0..5) {
                 0 if !tables.is_empty() => grammar.mistake(&mut tables[0].1),

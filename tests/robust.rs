@@ -2,9 +2,9 @@
 
 use crate::limits::{TwoMasses, What, with};
 use crate::support::{assert_close, study};
-use hartog::absorber::{Deviation, TUNED, VISCOUS};
+use hartog::absorber::{Absorber, Deviation, Mounted, TUNED, Tuned, VISCOUS};
 use hartog::analysis::Results;
-use hartog::input::{RobustSpec, Sampling};
+use hartog::input::{DesignSpec, RobustSpec, Sampling};
 use hartog::optimise::Tolerances;
 
 const SHARES: [(&str, f64); 2] = [("stiffness_n_m_per_rad", 0.1), ("damping_n_m_s_per_rad", 0.3)];
@@ -16,7 +16,7 @@ fn spec(sampling: Option<Sampling>) -> Option<RobustSpec> {
 /// Nominal and worst value of a design of a run.
 fn values(results: &Results, name: &str) -> (f64, f64) {
     let d = results.robust.iter().find(|d| d.design == name).unwrap_or_else(|| panic!("{name}"));
-    (d.nominal, d.worst.value)
+    (d.worst.nominal, d.worst.value)
 }
 
 /// Law: the least worst case of stiffness ±10 % and damping ±30 % on two masses is that of golden sections within golden sections over the largest of a grid of the box, to 1e-6; no deviation of a finer grid is
@@ -96,4 +96,23 @@ fn percentiles_of_random_designs() {
     assert!(many.between.1 - many.between.0 < few.between.1 - few.between.0);
     assert!(few.between.0 <= many.value && many.value <= few.between.1, "{few:?} {many:?}");
     assert!(normal.value < many.value);
+}
+
+/// A deviation that would lead past the range of a parameter ends there, and is told as it is built; a parameter that is zero has none.
+#[test]
+fn deviations_end_with_the_range() {
+    let zener = &hartog::absorber::FRACTIONAL_ZENER;
+    let design = [Mounted::on_station(0, Absorber::Ring((zener.build)(&[0.1, 1e4, 1.2, 1e-3, 0.3])))];
+    let mut s = study("villalva_i6_robust");
+    s.designs = vec![DesignSpec { name: "zener".into(), absorbers: design.to_vec() }];
+    s.optimise = None;
+    s.robust = Some(RobustSpec { shares: vec![("glass_ratio", 0.9)], sampling: None });
+    let results = s.run().expect("damped");
+    let found = &results.robust[0].worst.deviation;
+    let built = 1.2 * found.factors[0][2];
+    assert!(built > 1.0 && built < 1.0 + 1e-6, "{built} by {found:?}");
+    let tuned = [Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 5e4, damping: 0.0 })];
+    s.designs = vec![DesignSpec { name: "undamped".into(), absorbers: tuned.to_vec() }];
+    s.robust = Some(RobustSpec { shares: SHARES.to_vec(), sampling: None });
+    assert!(s.run().map_or(1.0, |r| r.robust[0].worst.deviation.factors[0][2]) == 1.0);
 }

@@ -13,14 +13,22 @@ pub struct Deviation {
 impl Deviation {
     /// The design as built: what leaves the range of a parameter stays at its end. Rings that are locked stay as they are.
     pub fn of(&self, design: &[Mounted]) -> Vec<Mounted> {
-        let one = |(m, factors): (&Mounted, &Vec<f64>)| {
+        let one = |(m, factors): (&Mounted, Vec<f64>)| {
             let Absorber::Ring(law) = &m.absorber else { return m.clone() };
-            let within = |((p, value), factor): ((&super::Parameter, f64), &f64)| {
-                if value == 0.0 { *factor } else { p.range.nearest(value * factor) / value }
-            };
-            let factors = law.declaration().parameters.iter().zip(law.values()).zip(factors).map(within).collect();
             Mounted { absorber: Absorber::Ring(changed(law, factors)), ..m.clone() }
         };
-        design.iter().zip(&self.factors).map(one).collect()
+        design.iter().zip(self.within(design).factors).map(one).collect()
+    }
+
+    /// What of it a design can have: factors that lead past the range of a parameter lead to its end, and a parameter that is zero stays so.
+    pub(crate) fn within(&self, design: &[Mounted]) -> Self {
+        let one = |(m, factors): (&Mounted, &Vec<f64>)| {
+            let Absorber::Ring(law) = &m.absorber else { return factors.clone() };
+            let within = |((p, value), factor): ((&super::Parameter, f64), &f64)| {
+                if value == 0.0 || *factor == 1.0 { 1.0 } else { p.range.nearest(value * factor) / value }
+            };
+            law.declaration().parameters.iter().zip(law.values()).zip(factors).map(within).collect()
+        };
+        Self { factors: design.iter().zip(&self.factors).map(one).collect() }
     }
 }

@@ -23,7 +23,9 @@ pub struct Percentile {
 /// The largest of a measure in the box, and where.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Worst {
-    /// In the unit of the measure; of a limit over it. Infinite where nothing damps a resonance somewhere in the box.
+    /// As drawn, in the unit of the measure; of a limit over it.
+    pub nominal: f64,
+    /// At its worst; infinite where nothing damps a resonance somewhere in the box.
     pub value: f64,
     /// Where.
     pub deviation: Deviation,
@@ -34,9 +36,7 @@ pub struct Worst {
 pub struct RobustOfDesign {
     /// Its name.
     pub design: String,
-    /// The study's objective as drawn, the largest over the conditions that an optimum is to hold in.
-    pub nominal: f64,
-    /// The same at its worst.
+    /// The study's objective, the largest over the conditions that an optimum is to hold in.
     pub worst: Worst,
     /// Of each limit.
     pub limits: Vec<Worst>,
@@ -80,16 +80,15 @@ fn within(
     (spec, tolerances, seed): (&RobustSpec, &Tolerances, u64),
 ) -> Result<RobustOfDesign, ResponseError> {
     let objective = &study.objective.measure;
-    let worst = |measure: &Measure, unit: f64| {
+    let worst = |measure: &Measure, unit: f64| -> Result<Worst, ResponseError> {
+        let nominal = crate::optimise::largest(cases.iter(), &d.absorbers, measure, &mut Work::default())?;
         let (point, value) = tolerances.worst(|p| robust::deviated(cases, &d.absorbers, &tolerances.at(p), measure), seed);
-        Worst { value: value / unit, deviation: tolerances.at(&point) }
+        Ok(Worst { nominal: nominal / unit, value: value / unit, deviation: tolerances.at(&point).within(&d.absorbers) })
     };
-    let largest = crate::optimise::largest(cases.iter(), &d.absorbers, objective, &mut Work::default())?;
     Ok(RobustOfDesign {
         design: d.name.clone(),
-        nominal: largest,
-        worst: worst(objective, 1.0),
-        limits: study.limits.iter().map(|l| worst(&l.of.measure, l.limit)).collect(),
+        worst: worst(objective, 1.0)?,
+        limits: study.limits.iter().map(|l| worst(&l.of.measure, l.limit)).collect::<Result<_, _>>()?,
         percentile: spec.sampling.map(|s| percentile(cases, d, objective, (tolerances, s, seed))),
         band: band(study, finder, d, tolerances)?,
     })

@@ -23,7 +23,7 @@ pub struct PointHistory {
 }
 
 /// Reads a table of histories. Rows of a point follow each other; all points have the same angles.
-pub(crate) struct HistoryReader {
+pub struct HistoryReader {
     stream: Stream,
     /// First row of the next point, already read.
     waiting: Option<Row>,
@@ -46,7 +46,7 @@ impl HistoryReader {
     ///
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
-    pub(crate) fn open(path: &Path) -> Result<Self, InputError> {
+    pub fn open(path: &Path) -> Result<Self, InputError> {
         let stream = Stream::open(path, ["point", "crank_deg"])?;
         Ok(Self { stream, waiting: None, angles: Vec::new(), seen: HashSet::new(), ended: false })
     }

@@ -13,7 +13,7 @@ mod table;
 mod torque;
 mod unit_loads;
 pub(crate) use catalogue::catalogue;
-pub(crate) use history::HistoryReader;
+pub use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;
 pub(crate) use measured_law::measured_law;

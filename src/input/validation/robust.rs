@@ -29,6 +29,8 @@ pub struct Sampling {
 /// Most parameters of one design with a tolerance: the box of deviations has two to that many corners.
 const MOST_TOLERANCES: usize = 6;
 const MOST_SAMPLES: i64 = 1_000_000;
+/// Random designs on the shorter side of a percentile: the interval by ranks then lies among them.
+const BEYOND: f64 = 10.0;
 
 pub(super) fn resolve(
     check: &mut Check,
@@ -70,8 +72,16 @@ pub(super) fn resolve(
         if !(100..=MOST_SAMPLES).contains(&samples) {
             check.wrong(&s.samples, format!("found {samples}, expected a whole number of designs from 100 to {MOST_SAMPLES}"));
         }
+        let percentile = check.within(&s.percentile, 1.0..=99.9, "per cent of the designs from 1 to 99.9");
+        let needed = (BEYOND / (0.01 * percentile.min(100.0 - percentile))).ceil() as i64;
+        if (100..needed).contains(&samples) {
+            check.wrong(
+                &s.samples,
+                format!("found {samples} designs for {percentile} per cent, expected at least {needed}: ten beyond the percentile, for a confidence interval with both ends"),
+            );
+        }
         Sampling {
-            percentile: check.within(&s.percentile, 1.0..=99.9, "per cent of the designs from 1 to 99.9"),
+            percentile,
             samples: samples.clamp(1, MOST_SAMPLES) as usize,
             normal: matches!(s.distribution, RawDistribution::Normal),
         }

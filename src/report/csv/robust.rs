@@ -4,6 +4,7 @@ use super::table::{Table, number, optional};
 use crate::absorber::{Deviation, Mounted};
 use crate::analysis::Results;
 use crate::input::{Study, UnitOf};
+use crate::objective::holds;
 use crate::report::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
@@ -15,28 +16,44 @@ pub fn robust(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     if results.robust.is_empty() {
         return folder.remove(&["robust.csv", "tolerance_band.csv"]);
     }
-    let header = ["design", "measure", "where", "unit", "nominal", "worst", "worst_at", "percentile", "percentile_from", "percentile_to"];
-    let mut table = Table::new(&header);
+    let mut table = Table::new(&[
+        "design",
+        "role",
+        "measure",
+        "where",
+        "unit",
+        "nominal",
+        "worst",
+        "worst_at",
+        "limit",
+        "held",
+        "percentile",
+        "percentile_from",
+        "percentile_to",
+    ]);
     let mut band = Table::new(&["design", "speed_rpm", "twist_least_deg", "twist_largest_deg"]);
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     for d in &results.robust {
         let Some(design) = all().find(|own| own.name == d.design) else { continue };
-        let of =
-            std::iter::once((&study.objective, 1.0, &d.worst)).chain(study.limits.iter().zip(&d.limits).map(|(l, w)| (&l.of, l.limit, w)));
-        for (i, (measure, unit, worst)) in of.enumerate() {
+        let limits = study.limits.iter().zip(&d.limits).map(|(l, w)| (&l.of, Some(l.limit), w));
+        for (measure, limit, worst) in std::iter::once((&study.objective, None, &d.worst)).chain(limits) {
+            let unit = limit.unwrap_or(1.0);
             let shown = |value: f64| {
                 Some(if measure.unit == UnitOf::Margin { 1.0 / value } else { measure.unit.shown(value) }).filter(|v| v.is_finite())
             };
-            let own = |value: f64| optional(if i == 0 { shown(value) } else { None });
+            let own = |value: f64| optional(if limit.is_none() { shown(value) } else { None });
             let sampled = |f: &dyn Fn(&crate::analysis::Percentile) -> f64| d.percentile.as_ref().map_or_else(String::new, |p| own(f(p)));
             table.row([
                 d.design.clone(),
+                if limit.is_none() { "objective" } else { "limit" }.to_owned(),
                 measure.key.to_owned(),
                 measure.place.clone(),
                 measure.unit.symbol().to_owned(),
-                own(d.nominal),
+                optional(shown(unit * worst.nominal)),
                 optional(shown(unit * worst.value)),
                 factors(&design.absorbers, &worst.deviation),
+                optional(limit.and_then(shown)),
+                limit.map_or_else(String::new, |_| holds(worst.value).to_string()),
                 sampled(&|p| p.value),
                 sampled(&|p| p.between.0),
                 sampled(&|p| p.between.1),
@@ -55,7 +72,8 @@ fn factors(design: &[Mounted], deviation: &Deviation) -> String {
     let mut words = Vec::new();
     for (i, (m, factors)) in design.iter().zip(&deviation.factors).enumerate() {
         let keys = m.absorber.declaration().into_iter().flat_map(|d| d.parameters).map(|p| p.key);
-        words.extend(keys.zip(factors).filter(|(_, f)| **f != 1.0).map(|(key, f)| format!("{}:{key}={f}", i + 1)));
+        let shown = |f: f64| (f * 1e9).round() / 1e9;
+        words.extend(keys.zip(factors).filter(|(_, f)| **f != 1.0).map(|(key, f)| format!("{}:{key}={}", i + 1, shown(*f))));
     }
     words.join(" ")
 }

@@ -61,8 +61,8 @@ pub(crate) fn robust(study: &Study, results: &Results) -> String {
     };
     let mut rows = Vec::new();
     for d in &results.robust {
-        let mut row = vec![d.design.clone(), shown(of, d.nominal), shown(of, d.worst.value)];
-        row.push(format!("{:.1}", 100.0 * (d.worst.value / d.nominal - 1.0)));
+        let mut row = vec![d.design.clone(), shown(of, d.worst.nominal), shown(of, d.worst.value)];
+        row.push(format!("{:.1}", 100.0 * (d.worst.value / d.worst.nominal - 1.0)));
         row.push(deviation(absorbers(&d.design), &d.worst.deviation));
         row.extend(d.percentile.iter().flat_map(|p| [p.value, p.between.0, p.between.1]).map(|v| shown(of, v)));
         rows.push(row);

@@ -15,6 +15,9 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print all columns of all tables, however wide [default: those that decide, in at most 100 columns].
+    #[arg(long, global = true)]
+    wide: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -36,7 +39,9 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    ExitCode::from(match Cli::parse().command {
+    let cli = Cli::parse();
+    hartog::cli::exit::width(cli.wide);
+    ExitCode::from(match cli.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),

@@ -327,3 +327,25 @@ fn loss_factors_and_bounds_of_an_optimum() {
     let (said, _) = run(&[few, bounded]);
     assert!(said.contains("`stiffness_n_m_per_rad` lies on its upper bound, 500.0: one per cent further would bring "), "{said}");
 }
+
+/// Nothing printed is wider than a hundred columns, whatever the names and numbers; `--wide` prints every column of a table in one piece.
+#[test]
+fn what_is_printed_fits_a_hundred_columns() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_string_lossy().into_owned();
+    let printed = |arguments: &[&str]| -> Vec<String> {
+        let output = hartog().args(arguments).assert().success();
+        String::from_utf8_lossy(&output.get_output().stdout).lines().map(str::to_owned).collect()
+    };
+    let widest = |lines: &[String]| lines.iter().map(|l| l.chars().count()).max().unwrap_or(0);
+    for arguments in [
+        &["run", "studies/villalva_i6_laws.toml", "--out", &out][..],
+        &["check", "studies/villalva_v10.toml"],
+        &["run", "studies/den_hartog.toml", "--verbose", "--out", &out],
+    ] {
+        let lines = printed(arguments);
+        assert!(lines.len() > 10 && widest(&lines) <= 100, "{arguments:?}: {} columns", widest(&lines));
+    }
+    let wide = printed(&["run", "studies/villalva_i6_laws.toml", "--wide", "--out", &out]);
+    assert!(widest(&wide) > 100 && wide.iter().any(|l| l.contains("f3/Hz") && l.contains("order @ rpm")));
+}

@@ -35,6 +35,7 @@ mod multiaxial;
 mod multiaxial_margin;
 mod numerics;
 mod optima;
+mod page;
 mod pairs;
 mod peaks;
 mod planes;

@@ -1,5 +1,6 @@
 //! What every command shares: exit codes, output, threads.
 
+use crate::report::text::width::{USUAL, set, wrapped};
 use std::fmt::Display;
 use std::io::Write;
 
@@ -30,7 +31,7 @@ fn printable(text: &str) -> String {
 /// program with the code of bad input.
 pub fn say(text: &str) {
     let mut out = std::io::stdout().lock();
-    match out.write_all(printable(text).as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(wrapped(&printable(text)).as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
             fail(&format!("error: standard output cannot be written: {e}"));
             std::process::exit(i32::from(BAD_INPUT));
@@ -56,4 +57,10 @@ pub fn threads(count: Option<usize>) {
         // fails only where a pool exists already: the first wins
         let _first = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
     }
+}
+
+/// What is printed fits the terminal, a hundred columns at most; `wide`: all columns of all tables, however wide.
+pub fn width(wide: bool) {
+    let terminal = terminal_size::terminal_size().map_or(USUAL, |(columns, _)| usize::from(columns.0));
+    set((!wide).then_some(terminal.min(USUAL)));
 }

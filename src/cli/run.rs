@@ -27,6 +27,9 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+    /// Print how searches evaluated designs, what one design costs, and the time of each stage.
+    #[arg(long)]
+    pub verbose: bool,
     /// Go on where a run into the same folder was interrupted; files are those of a run that was not.
     #[arg(long)]
     pub resume: bool,
@@ -69,7 +72,7 @@ pub fn run(arguments: &Arguments) -> u8 {
     let (study, calibration) = (&results.study, results.calibration.as_ref());
     let before_files = start.elapsed().as_secs_f64();
     watched.stage("tables and plots", 1 + plot::count(&results));
-    let written = crate::report::write_run(study, calibration, &results, &folder, &|| watched.step());
+    let written = crate::report::write_run(study, calibration, (&results, &inputs), &folder, &|| watched.step());
     drop(watched);
     if let Err(error) = written {
         return fail(&error);
@@ -85,11 +88,20 @@ pub fn run(arguments: &Arguments) -> u8 {
         say(&format!("the journal could not be written ({reason}): this run could not have been resumed\n"));
     }
     journal.remove();
-    print(study, calibration, &results, &folder, &timing);
+    print(study, calibration, &results);
+    if arguments.verbose {
+        say(&costs(&results, &timing));
+    }
+    say(&format!(
+        "\n{} files in {} after {total:.1} s: open {} there first\n",
+        folder.written(),
+        folder.path().display(),
+        crate::report::PAGE
+    ));
     if results.limits_hold() { DONE } else { FAILED }
 }
 
-fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, folder: &Folder, timing: &[Timing]) {
+fn print(study: &Study, calibration: Option<&Calibration>, results: &Results) {
     let chain = study.modes.frequencies_hz();
     let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
     say(&format!("{}: natural frequencies {} Hz\n", study.engine.name, frequencies.join(", ")));
@@ -115,18 +127,20 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results, fo
         say(&format!("\n{}", text::optimum(study, results, optimum)));
     }
     say(&format!("\n{}", text::summary(study, results)));
-    if let Some(choice) = text::choice(results) {
-        say(&format!("\n{choice}"));
-    }
+}
+
+/// What the run took.
+fn costs(results: &Results, timing: &[Timing]) -> String {
+    let mut out = text::choice(results).map_or_else(String::new, |choice| format!("\n{choice}"));
     let cost: Vec<String> = timing
         .iter()
         .filter_map(|t| t.stage.strip_prefix("one_design_").map(|what| format!("{} {}", what.replace('_', " "), duration(t.seconds))))
         .collect();
     if !cost.is_empty() {
-        say(&format!("\nOne design on one thread: {}\n", cost.join(", ")));
+        out += &format!("\nOne design on one thread: {}\n", cost.join(", "));
     }
     let stages: Vec<String> = timing.iter().filter(|t| t.seconds >= 0.05).map(|t| format!("{} {:.1} s", t.stage, t.seconds)).collect();
-    say(&format!("{} files written to {} ({})\n", folder.written(), folder.path().display(), stages.join(", ")));
+    out + &format!("Stages: {}\n", stages.join(", "))
 }
 
 fn duration(seconds: f64) -> String {

@@ -115,6 +115,11 @@ impl Folder {
         self.written.lock().unwrap_or_else(PoisonError::into_inner).iter().filter(|n| *n != SUMMARY).count()
     }
 
+    /// Whether this run has written a file of that name.
+    pub(crate) fn has_written(&self, name: &str) -> bool {
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|n| n == name)
+    }
+
     /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.
     ///
     /// # Errors

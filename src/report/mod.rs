@@ -3,12 +3,14 @@
 pub mod csv;
 pub mod files;
 pub(crate) mod journal;
+mod page;
 pub mod plot;
 mod summary;
 pub mod text;
 
 pub use files::{Folder, WriteError};
 pub(crate) use journal::Journal;
+pub(crate) use page::PAGE;
 pub(crate) use summary::about;
 
 /// What an interrupted run leaves of its searches.
@@ -18,7 +20,7 @@ use crate::analysis::curves::{Figure, HolzerRow};
 use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
 use crate::benchmark::Chart;
-use crate::input::{SizingStudy, Study};
+use crate::input::{InputFile, SizingStudy, Study};
 use crate::validation::Comparison;
 use crate::validation::rounds::RoundRow;
 
@@ -29,7 +31,7 @@ use crate::validation::rounds::RoundRow;
 pub(crate) fn write_run(
     study: &Study,
     calibration: Option<&Calibration>,
-    results: &Results,
+    (results, inputs): (&Results, &[InputFile]),
     folder: &Folder,
     written: &(dyn Fn() + Sync),
 ) -> Result<(), WriteError> {
@@ -74,7 +76,8 @@ pub(crate) fn write_run(
     written();
     plot::run(study, results, folder, written)?;
     folder.remove_other_plots("response_")?;
-    folder.remove_other_plots("front_")
+    folder.remove_other_plots("front_")?;
+    page::write(study, inputs, results, folder)
 }
 
 /// Writes a calibration, or removes that of an earlier run.

@@ -19,6 +19,7 @@ mod run;
 mod sizing;
 mod strain;
 mod table;
+pub mod width;
 pub(crate) use catalogue::catalogue;
 pub use curves::curves;
 pub(crate) use large_twist::large_twist;
@@ -29,4 +30,10 @@ pub(crate) use run::summary;
 pub use run::{choice, conditions, designs, optimum};
 pub(crate) use sizing::{rounds, sizing};
 pub(crate) use strain::strain;
+pub(crate) use table::dash;
 pub use table::table;
+
+/// A value with four significant digits.
+pub(crate) fn short(x: f64) -> String {
+    if x.is_finite() { table::significant(x, 4) } else { "unbounded".into() }
+}

@@ -6,7 +6,8 @@ use super::margin::factor;
 use super::materials::temperatures;
 use super::parameters::parameters;
 use super::robust::during;
-use super::table::{dash, significant, table};
+use super::table::{dash, keyed, significant, table};
+use super::width::is_wide;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::choice::Strategy;
@@ -62,17 +63,15 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult, others: &[&Par
     let frequency = |i: usize| dash(d.frequencies_hz.get(i).map(|f| format!("{f:.2}")));
     let mut row = vec![d.name.clone()];
     row.extend(absorber_cells(d.absorbers.first(), others));
-    row.extend([
-        frequency(0),
-        frequency(1),
-        frequency(2),
-        dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),
-        dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm))),
-        dash(d.order_twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),
-        dash(d.order_twist.map(|p| format!("{} @ {:.0}", orders[p.order], p.speed_rpm))),
-        dash(d.torque.map(|p| format!("{:.0}", p.value))),
-        dash(d.power.map(|p| significant(p, 3))),
-    ]);
+    if is_wide() {
+        row.extend([frequency(0), frequency(1), frequency(2)]);
+    }
+    row.extend([dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))), dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))]);
+    if is_wide() {
+        row.push(dash(d.order_twist.map(|p| significant(p.value * DEG_PER_RAD, 4))));
+        row.push(dash(d.order_twist.map(|p| format!("{} @ {:.0}", orders[p.order], p.speed_rpm))));
+    }
+    row.extend([dash(d.torque.map(|p| format!("{:.0}", p.value))), dash(d.power.map(|p| significant(p, 3)))]);
     if other_objective(study) {
         row.push(dash(d.objective.map(|v| significant(in_unit(study, v), 5))));
     }
@@ -113,7 +112,8 @@ pub fn designs(study: &Study, results: &Results) -> String {
     let others = other_parameters(all());
     let mut header = vec!["design", "ring/kg m²", "k/N m/rad", "c/N m s/rad"];
     header.extend(others.iter().map(|p| p.label));
-    header.extend(["f1/Hz", "f2/Hz", "f3/Hz", "twist/°", "at/rpm", "order/°", "order @ rpm", "torque/N m", "dissipated/W"]);
+    let columns = ["f1/Hz", "f2/Hz", "f3/Hz", "twist/°", "at/rpm", "order/°", "order @ rpm", "torque/N m", "dissipated/W"];
+    header.extend(columns.into_iter().filter(|c| is_wide() || !["f1/Hz", "f2/Hz", "f3/Hz", "order/°", "order @ rpm"].contains(c)));
     if other_objective(study) {
         header.push(&study.objective.column);
     }
@@ -127,9 +127,10 @@ pub fn designs(study: &Study, results: &Results) -> String {
         Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
         _ => String::new(),
     };
+    let order = if is_wide() { "order: its largest single order; " } else { "" };
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     format!(
-        "{}\n  twist: half peak-to-peak of all orders with phase, {between}, largest over {low} to {high} rpm; order: its largest single order;\n  \
+        "{}\n  twist: half peak-to-peak of all orders with phase, {between}, largest over {low} to {high} rpm;\n  {order}\
          torque: largest vibratory torque of a shaft; dissipated: mean power dissipated in the absorbers\n",
         table(&header, &rows)
     )
@@ -337,7 +338,7 @@ pub fn conditions(study: &Study, results: &Results) -> String {
     let mut text = format!(
         "Conditions:\n{}  cylinder: the one whose misfire is worst; torque: the largest of any misfire; order: the largest in the peak; % over firing: against the same\n  \
          design when all cylinders fire and the absorber works; % over none: against the engine without absorber in the same condition\n",
-        table(&header, &rows)
+        keyed(&header, &rows, 2)
     );
     text.push_str(&temperatures(study, results));
     if !results.appearing.is_empty() {

@@ -1,0 +1,127 @@
+//! What the script of the page draws, as JSON; five significant digits, which is more than a screen shows.
+
+use crate::analysis::{DesignResult, Results, Sweeps};
+use crate::input::Study;
+use crate::report::csv::in_unit;
+use serde_json::{Map, Value, json};
+
+/// Designs whose curves are on the page: those that are swept, the given ones first.
+pub(super) fn shown(results: &Results) -> Vec<&DesignResult> {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    results.sweeps.iter().filter_map(|s| all().find(|d| d.name == s.design)).collect()
+}
+
+fn digits(x: f64) -> Value {
+    if x.is_finite() { format!("{x:.4e}").parse::<f64>().map_or(Value::Null, Value::from) } else { Value::Null }
+}
+
+fn list(values: &[f64]) -> Value {
+    values.iter().map(|v| digits(*v)).collect()
+}
+
+/// A quantity of `response.csv` in words.
+fn label(name: &str) -> String {
+    let (what, unit) = [("_deg", "°"), ("_n_m", "N m"), ("_w", "W"), ("_mpa", "MPa"), ("_rad_per_s2", "rad/s²")]
+        .into_iter()
+        .find_map(|(end, unit)| name.strip_suffix(end).map(|what| (what, unit)))
+        .unwrap_or((name, ""));
+    let words = what.replace('_', " ");
+    if unit.is_empty() { words } else { format!("{words}, {unit}") }
+}
+
+fn sweep(s: &Sweeps) -> Value {
+    let mut own = Map::new();
+    for (i, q) in s.quantities.iter().enumerate() {
+        // orders of the twist; of all else what they come to together
+        let orders: Value = if i == 0 { q.orders.iter().map(|o| list(o)).collect() } else { json!([]) };
+        own.insert(q.name.clone(), json!({ "total": list(&q.total), "orders": orders }));
+    }
+    Value::Object(own)
+}
+
+fn margins(study: &Study, results: &Results) -> Value {
+    let criteria = study.fatigue.as_ref().map_or(&[][..], |f| f.criteria.as_slice());
+    let of = |m: &crate::analysis::MarginSweep| {
+        let each = criteria.iter().enumerate().map(|(i, c)| (c.column().to_owned(), list(&m.smallest(i))));
+        (m.design.clone(), Value::Object(each.collect()))
+    };
+    Value::Object(results.margins.iter().map(of).collect())
+}
+
+/// A design in words: its parameters.
+fn told(d: &DesignResult) -> String {
+    let of = |m: &crate::absorber::Mounted| {
+        let law = m.absorber.law()?;
+        let parts = law.declaration().parameters.iter().zip(law.values());
+        let values: Vec<String> = parts.map(|(p, v)| format!("{} {}", p.label.replace('/', ", "), crate::report::text::short(v))).collect();
+        Some(values.join("; "))
+    };
+    d.absorbers.iter().filter_map(of).collect::<Vec<_>>().join(" | ")
+}
+
+/// The fronts over ring inertia.
+fn front(study: &Study, results: &Results) -> Option<Value> {
+    if results.fronts.is_empty() {
+        return None;
+    }
+    let fronts = results.fronts.iter().map(|f| {
+        let points = &f.front.points;
+        let x: Vec<f64> = points.iter().map(|p| p.design[0].absorber.ring_inertia()).collect();
+        let y: Vec<f64> = points.iter().map(|p| in_unit(study, p.value)).collect();
+        let words = |p: &crate::optimise::FrontPoint| {
+            let a = &p.design[0].absorber;
+            let number = |symbol: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {symbol} {}", crate::report::text::short(v)));
+            format!(
+                "ring {} kg m²{}{}: {}{}",
+                crate::report::text::short(a.ring_inertia()),
+                number("k", a.stiffness()),
+                number("c", a.damping()),
+                crate::report::text::short(in_unit(study, p.value)),
+                study.objective.unit.suffix()
+            )
+        };
+        let dominated: Vec<bool> = points.iter().map(|p| p.dominated).collect();
+        json!({ "name": f.declaration.name, "x": list(&x), "y": list(&y), "dominated": dominated, "told": points.iter().map(words).collect::<Vec<_>>() })
+    });
+    let fronts: Vec<Value> = fronts.collect();
+    Some(
+        json!({ "x": "ring inertia, kg m²", "y": format!("{}{}", study.objective.label, comma(study.objective.unit.suffix())), "fronts": fronts }),
+    )
+}
+
+fn comma(unit: &str) -> String {
+    let unit = unit.trim();
+    if unit.is_empty() { String::new() } else { format!(", {unit}") }
+}
+
+/// Everything.
+pub(super) fn data(study: &Study, results: &Results) -> Value {
+    let shown = shown(results);
+    let design = |d: &&DesignResult| {
+        let place = d.objective.filter(|_| !d.absorbers.is_empty()).map(|v| {
+            let ring: f64 = d.absorbers.iter().map(|m| m.absorber.ring_inertia()).sum();
+            json!([digits(ring), digits(in_unit(study, v))])
+        });
+        json!({ "name": d.name, "front": place, "told": told(d) })
+    };
+    let none = shown.iter().find(|d| d.absorbers.is_empty()).or(shown.first()).map(|d| d.name.clone());
+    let best = results
+        .optima
+        .iter()
+        .filter(|o| o.main && o.objective == 0 && !o.robust)
+        .min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
+    let chosen: Vec<String> = none.into_iter().chain(best.map(|o| o.design.name.clone())).collect();
+    let quantities = results.sweeps.iter().max_by_key(|s| s.quantities.len()).map_or(&[][..], |s| &s.quantities);
+    let named = |q: &crate::analysis::sweeps::QuantitySweep| json!({ "name": q.name, "label": label(&q.name) });
+    let sweeps: Map<String, Value> = results.sweeps.iter().map(|s| (s.design.clone(), sweep(s))).collect();
+    json!({
+        "speeds": list(&study.speeds_rpm),
+        "orders": results.system.excitation.orders.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "designs": shown.iter().map(design).collect::<Vec<_>>(),
+        "chosen": chosen,
+        "quantities": quantities.iter().map(named).collect::<Vec<_>>(),
+        "sweeps": sweeps,
+        "margins": margins(study, results),
+        "front": front(study, results),
+    })
+}

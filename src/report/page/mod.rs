@@ -1,0 +1,242 @@
+//! `report.html`: one page with everything of a run; it needs no network and no other file.
+
+mod data;
+
+use super::files::{Folder, WriteError};
+use crate::analysis::{DesignResult, OptimumResult, Results};
+use crate::input::{InputFile, Study};
+use crate::objective::holds;
+use crate::report::text::{dash, short};
+use crate::units::DEG_PER_RAD;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// Its name.
+pub(crate) const PAGE: &str = "report.html";
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Writes the page; plots of the run are taken from the folder.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    folder.write(PAGE, page(study, inputs, results, folder).into_string().as_bytes())
+}
+
+fn page(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Markup {
+    // a closing tag within a text would end the script
+    let data = data::data(study, results).to_string().replace("</", "<\\/");
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (study.name) " – hartog" }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                (question(study, results))
+                (designs(study, results))
+                (front(results))
+                (response(results))
+                (margins(study, results))
+                (limits(study, results))
+                (certificates(study, results))
+                (conditions(results))
+                (plots(folder))
+                (provenance(study, inputs, results))
+                script type="application/json" id="data" { (PreEscaped(data)) }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    }
+}
+
+fn objective(study: &Study, value: f64) -> String {
+    let of = &study.objective;
+    format!("{}{}", short(of.unit.shown(value)), of.unit.suffix())
+}
+
+/// The best optimum by the first objective.
+fn best(results: &Results) -> Option<&OptimumResult> {
+    let main = results.optima.iter().filter(|o| o.objective == 0 && !o.robust && o.main);
+    main.min_by(|a, b| {
+        (!a.design.within_limits(), a.optimum.value())
+            .partial_cmp(&(!b.design.within_limits(), b.optimum.value()))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    })
+}
+
+/// What was asked, what the answer is, and whether to believe it.
+fn question(study: &Study, results: &Results) -> Markup {
+    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective);
+    html! {
+        h1 { (study.engine.name) ": " (study.name) }
+        p { "Which absorber makes the " (study.objective.label) " least from " (low) " to " (high) " rpm"
+            @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) } }
+            "?" }
+        @if let Some(o) = best(results) {
+            p class="answer" {
+                b { (o.design.name) } ": " (objective(study, o.optimum.value()))
+                @if let Some(none) = none { "; without absorber it is " (objective(study, none)) }
+                ". "
+                @if study.limits.is_empty() { "The study has no limits." }
+                @else if o.design.within_limits() { span class="good" { "All limits hold." } }
+                @else { span class="bad" { "Limits are broken: no design that holds them all was found." } }
+            }
+            p {
+                (o.optimum.agreeing()) " of " (o.optimum.starts.len()) " starts agree; first-order residual "
+                (format!("{:.0e}", o.optimum.outcome.kkt_residual)) "; " (o.scan.designs) " designs elsewhere and " (o.nearby.designs) " near it "
+                @if o.scan.better || o.nearby.better { "were looked at, one of which led to it." } @else { "are no better." }
+                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " " span class="bad" { "It lies on " (o.on_bounds.len()) " of its bounds: see optima.csv." } }
+            }
+        } @else { p class="answer" { "The study asks for no optimum: its designs are compared." } }
+    }
+}
+
+fn designs(study: &Study, results: &Results) -> Markup {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    // the twist that every table shows may be the objective itself
+    let other = study.objective.measure.synthesised() != Some(study.twist);
+    let swept = |d: &DesignResult| results.sweeps.iter().any(|s| s.design == d.name);
+    let first = |d: &DesignResult, f: &dyn Fn(&crate::absorber::Absorber) -> Option<f64>| {
+        dash(d.absorbers.first().and_then(|m| f(&m.absorber)).map(short))
+    };
+    html! {
+        h2 { "Designs" }
+        div class="tools" { label { "Find " input type="search" data-of="designs" aria-label="Find designs"; } span class="soft" { "Ticked designs are drawn below. Of several absorbers the first is listed." } }
+        div class="scroll" { table id="designs" class="sorts" {
+            thead { tr {
+                th { "design" } th { "ring, kg m²" } th { "k, N m/rad" } th { "c, N m s/rad" } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
+                @if other { th { (study.objective.label) } } @if !study.limits.is_empty() { th { "limits" } }
+            } }
+            tbody { @for d in all() {
+                tr data-design=(d.name) {
+                    td { @if swept(d) { label { input type="checkbox" aria-label=(format!("draw {}", d.name)); span class="swatch" {} (d.name) } } @else { (d.name) } }
+                    td { (first(d, &|a| Some(a.ring_inertia()))) }
+                    td { (first(d, &|a| a.stiffness())) }
+                    td { (first(d, &|a| a.damping())) }
+                    td { (dash(d.twist.map(|p| short(p.value * DEG_PER_RAD)))) }
+                    td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
+                    td { (dash(d.torque.map(|p| short(p.value)))) }
+                    td { (dash(d.power.map(short))) }
+                    @if other { td { (dash(d.objective.map(|v| objective(study, v)))) } }
+                    @if !study.limits.is_empty() { td { @if d.within_limits() { span class="good" { "hold" } } @else { span class="bad" { "broken" } } } }
+                }
+            } }
+        } }
+    }
+}
+
+fn front(results: &Results) -> Markup {
+    html! { @if !results.fronts.is_empty() {
+        h2 { "Front over ring inertia" }
+        p class="soft" { "Each point is the best absorber of its ring; filled points are not dominated. Given designs and optima stand beside it: a click draws one below." }
+        div id="front" {}
+        p id="picked" class="read" {}
+    } }
+}
+
+fn response(results: &Results) -> Markup {
+    let quantities = results.sweeps.iter().max_by_key(|s| s.quantities.len()).map_or(&[][..], |s| &s.quantities);
+    html! {
+        h2 { "Response over speed" }
+        div class="tools" {
+            label { "Quantity " select id="quantity" { @for q in quantities { option value=(q.name) { (q.name.replace('_', " ")) } } } }
+            label { "Order " select id="order" { option value="all" { "all together" } @for (i, o) in results.system.excitation.orders.iter().enumerate() { option value=(i) { (o) } } } }
+            label { input type="checkbox" id="log"; " logarithmic" }
+            span class="soft" { "Drag to zoom, double-click or Escape for all; arrow keys read out." }
+        }
+        div id="response" {}
+    }
+}
+
+fn margins(study: &Study, results: &Results) -> Markup {
+    let criteria = study.fatigue.as_ref().map_or(&[][..], |f| f.criteria.as_slice());
+    html! { @if !results.margins.is_empty() {
+        h2 { "Margin of the crank" }
+        div class="tools" { label { "Criterion " select id="criterion" { @for c in criteria { option value=(c.column()) { (c.column().replace('_', " ")) } } } } }
+        div id="margin" {}
+        @if let Some(crank) = study.crank.as_ref().filter(|c| !c.assumed.is_empty()) { p class="soft" { "Assumed dimensions: " (crank.assumed.join(", ")) "." } }
+    } }
+}
+
+fn limits(study: &Study, results: &Results) -> Markup {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    html! { @if !study.limits.is_empty() {
+        h2 { "Limits" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
+            tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
+                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * ratio)) }
+                    td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+            } } }
+        } }
+    } }
+}
+
+fn certificates(study: &Study, results: &Results) -> Markup {
+    html! { @if !results.optima.is_empty() {
+        h2 { "Certificates of the optima" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "optimum" } th { "value" } th { "starts that agree" } th { "first-order residual" } th { "active peaks" } th { "other local optima" } th { "evaluations" } } }
+            tbody { @for o in &results.optima {
+                @let stages = &o.optimum.stages;
+                tr {
+                    td { (o.design.name) }
+                    td { (if o.objective == 0 { objective(study, o.optimum.value()) } else { short(o.optimum.value()) }) }
+                    td { (o.optimum.agreeing()) " of " (o.optimum.starts.len()) }
+                    td { (format!("{:.0e}", o.optimum.outcome.kkt_residual)) }
+                    td { (o.optimum.outcome.multipliers.iter().filter(|m| **m > 1e-6).count()) }
+                    td { (o.optimum.others.len()) }
+                    td { (stages.seeds.evaluations + stages.search.evaluations + stages.minimax.evaluations) }
+                }
+            } }
+        } }
+    } }
+}
+
+fn conditions(results: &Results) -> Markup {
+    let all = || results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
+    html! { @if all().any(|d| !d.conditions.is_empty()) {
+        h2 { "Conditions" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "design" } th class="words" { "condition" } th { "cylinder" } th { "twist, °" } th { "at rpm" } th { "torque, N m" } } }
+            tbody { @for d in all() { @for c in &d.conditions {
+                tr { td { (d.name) } td class="words" { (c.condition.name().replace('_', " ")) } td { (dash(c.cylinder.map(|c| (c + 1).to_string()))) }
+                    td { (dash(c.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(c.twist.map(|p| format!("{:.0}", p.speed_rpm)))) } td { (dash(c.torque.map(|p| short(p.value)))) } }
+            } } }
+        } }
+    } }
+}
+
+/// Plots of the chain and its excitation, as they are in the folder.
+fn plots(folder: &Folder) -> Markup {
+    let plot = |name: &str| {
+        std::fs::read(folder.path().join(name)).ok().map(|bytes| format!("data:image/svg+xml;base64,{}", STANDARD.encode(bytes)))
+    };
+    let all = [
+        ("campbell.svg", "Natural frequencies and critical speeds"),
+        ("excitation.svg", "Orders of the torque"),
+        ("heat.svg", "Temperatures in balance"),
+        ("tolerance_band.svg", "Within tolerances"),
+        ("crank.svg", "Loads along the crank"),
+    ];
+    html! {
+        h2 { "Chain and excitation" }
+        div class="pair" { @for (name, words) in all { @if let Some(source) = plot(name).filter(|_| folder.has_written(name)) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } } }
+    }
+}
+
+fn provenance(study: &Study, inputs: &[InputFile], results: &Results) -> Markup {
+    html! {
+        h2 { "Where this comes from" }
+        p { "hartog " (env!("CARGO_PKG_VERSION")) ", method " (results.method) @if let Some(o) = &study.optimise { ", seed " (o.seed) } ". Tables beside this page hold every number to full precision." }
+        div class="scroll" { table { thead { tr { th { "input file" } th { "bytes" } th { "CRC-32" } } } tbody { @for f in inputs { tr { td { (f.path.display()) } td { (f.bytes) } td { (format!("{:08x}", f.crc32)) } } } } } }
+    }
+}

@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
-use clap::{Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, run, size};
+use clap::{CommandFactory, Parser, Subcommand};
+use hartog::cli::{chart, check, compare, curves, fatigue, new, run, size};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -24,6 +24,8 @@ struct Cli {
 enum Command {
     /// Evaluate the designs of a study, find the optimal absorbers and the front, write tables and plots.
     Run(run::Arguments),
+    /// Write a commented study and engine to begin with, which run at once.
+    New(new::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
     Check(check::Arguments),
     /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
@@ -36,6 +38,11 @@ enum Command {
     Fatigue(fatigue::Arguments),
     /// Size piston pin, connecting rod and crank from operating data, and write the engine and study that follow.
     Size(size::Arguments),
+    /// Print completions for a shell: `hartog completions bash > ~/.local/share/bash-completion/completions/hartog`.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
 }
 
 fn main() -> ExitCode {
@@ -43,6 +50,8 @@ fn main() -> ExitCode {
     hartog::cli::exit::width(cli.wide);
     ExitCode::from(match cli.command {
         Command::Run(arguments) => run::run(&arguments),
+        Command::New(arguments) => new::new(&arguments),
+        Command::Completions { shell } => new::completions(shell, &mut Cli::command()),
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),

@@ -33,6 +33,7 @@ mod measures;
 mod methods;
 mod multiaxial;
 mod multiaxial_margin;
+mod new;
 mod numerics;
 mod optima;
 mod page;

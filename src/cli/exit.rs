@@ -30,8 +30,13 @@ fn printable(text: &str) -> String {
 /// Prints to standard output. A pipe closed early (`| head`) is not an error: the rest is dropped. Any other loss of output ends the
 /// program with the code of bad input.
 pub fn say(text: &str) {
+    say_raw(&wrapped(&printable(text)));
+}
+
+/// The same as it is: a text of our own, for another program.
+pub(crate) fn say_raw(text: &str) {
     let mut out = std::io::stdout().lock();
-    match out.write_all(wrapped(&printable(text)).as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
             fail(&format!("error: standard output cannot be written: {e}"));
             std::process::exit(i32::from(BAD_INPUT));

@@ -1,6 +1,7 @@
 //! Results as text, tables and plots: the only place that writes files.
 
 pub mod csv;
+pub(crate) mod example;
 pub mod files;
 pub(crate) mod journal;
 mod page;

@@ -1,0 +1,176 @@
+//! A study and an engine to begin with: every value is an example, to be replaced by those of an own engine.
+
+use std::fmt::Write;
+
+/// How cylinders stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Arrangement {
+    InLine,
+    V,
+}
+
+/// What is known of the gas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Gas {
+    Wiebe,
+    Otto,
+    Measured,
+    Harmonics,
+}
+
+/// What an example is of.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Example {
+    pub arrangement: Arrangement,
+    pub cylinders: usize,
+    pub gas: Gas,
+}
+
+/// Name and text of each file.
+pub(crate) type Files = Vec<(&'static str, String)>;
+
+/// Bore, crank radius and rod length, mm.
+const BORE: f64 = 95.0;
+const RADIUS: f64 = 50.0;
+const ROD: f64 = 160.0;
+/// Compression ratio of the measured example, exponent of its compression, pressure at its beginning, bar, and by how much burning raises it.
+const RATIO: f64 = 16.0;
+const EXPONENT: f64 = 1.33;
+const INTAKE: f64 = 1.5;
+const RISE: f64 = 1.6;
+/// Inertia of a throw and of the pulley, kg m².
+const THROW: f64 = 0.02;
+const PULLEY: f64 = 0.01;
+
+/// Firing order of cylinders (or throws) in line.
+fn order(count: usize) -> Vec<usize> {
+    match count {
+        3 => vec![1, 3, 2],
+        4 => vec![1, 3, 4, 2],
+        5 => vec![1, 2, 4, 5, 3],
+        6 => vec![1, 5, 3, 6, 2, 4],
+        8 => vec![1, 6, 2, 5, 8, 3, 7, 4],
+        n => (1..=n).collect(),
+    }
+}
+
+impl Example {
+    /// Its files.
+    pub fn files(&self) -> Files {
+        let mut files = vec![("study.toml", self.study()), ("engine.toml", self.engine())];
+        match self.gas {
+            Gas::Measured => files.push(("pressure.csv", pressure())),
+            Gas::Harmonics => files.push(("harmonics.csv", harmonics())),
+            Gas::Wiebe | Gas::Otto => {}
+        }
+        files
+    }
+
+    fn throws(&self) -> usize {
+        if self.arrangement == Arrangement::V { self.cylinders / 2 } else { self.cylinders }
+    }
+
+    /// A ring of three times the pulley, tuned low as optima of such engines are.
+    fn study(&self) -> String {
+        let ring = 3.0 * PULLEY;
+        let values = [
+            ("@HIGH@", 4000.0),
+            ("@RING@", ring),
+            ("@LEAST_RING@", ring / 5.0),
+            ("@MOST_RING@", 3.0 * ring),
+            ("@STIFFNESS@", 3e4),
+            ("@DAMPING@", 10.0),
+        ];
+        values.iter().fold(include_str!("study.toml").to_owned(), |text, (key, value)| {
+            text.replace(key, &format!("{}", (value * 1e6f64).round() / 1e6))
+        })
+    }
+
+    fn layout(&self) -> String {
+        let even = 720.0 / self.cylinders as f64;
+        let angles: Vec<f64> = (0..self.cylinders).map(|i| (even * i as f64 * 1e6).round() / 1e6).collect();
+        match self.arrangement {
+            // evenly spaced firings would need a bank angle of a whole turn
+            Arrangement::V if self.cylinders == 2 => {
+                "[layout.v]\nbank_angle_deg = 90\nfiring_order = [1, 2]\nfiring_deg = [0, 450]\n".into()
+            }
+            Arrangement::InLine => format!("[layout.in_line]\nfiring_order = {:?}\nfiring_deg = {angles:?}\n", order(self.cylinders)),
+            Arrangement::V => {
+                let pairs: Vec<usize> = order(self.throws()).into_iter().flat_map(|t| [2 * t - 1, 2 * t]).collect();
+                format!(
+                    "[layout.v]                       # cylinders 2t-1 and 2t on throw t\nbank_angle_deg = {even}\nfiring_order = {pairs:?}\nfiring_deg = {angles:?}\n"
+                )
+            }
+        }
+    }
+
+    fn engine(&self) -> String {
+        let gas = match self.gas {
+            Gas::Wiebe => {
+                "[pressure.wiebe]                 # also otto, measured, harmonics\nspeed_rpm = [600, 4000]\nindicated_mean_pressure_bar = [12, 12]\nboost_bar = 1.5                  # absolute\n\
+                 compression_ratio = 16\nburn_start_deg = -7              # from firing dead centre\nburn_duration_deg = 60\n"
+            }
+            Gas::Otto => {
+                "[pressure.otto]                  # also wiebe, measured, harmonics\nspeed_rpm = [600, 4000]\ncurve.torque_n_m = [300, 300]    # at the flywheel; or curve.power_kw\n\
+                 compression_ratio = 11\npressure_scale = 1.15            # cycle over brake mean pressure\n"
+            }
+            Gas::Measured => {
+                "[pressure.measured]              # bar, absolute, over the whole cycle from firing dead centre; a column a speed\nfile = \"pressure.csv\"\n"
+            }
+            Gas::Harmonics => {
+                "[pressure.harmonics]             # torque of a throw, whole: no inertia is added\nfile = \"harmonics.csv\"\n"
+            }
+        };
+        let geometry = format!(
+            "\n[geometry]\nbore_mm = {BORE}\ncrank_radius_mm = {RADIUS}             # half the stroke\nrod_length_mm = {ROD}\npiston_mass_kg = 0.9\nrod_mass_kg = 1.1\n\
+             rod_rotating_fraction = 0.667    # the rest moves with the piston\n"
+        );
+        let mut text = String::from(
+            "# An engine with its torsional chain. Every value is an example: replace it by your own.\nname = \"own engine\"\nstrokes = 4\n",
+        );
+        if self.gas != Gas::Harmonics {
+            text += "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n";
+            text += &geometry;
+        }
+        let _ = write!(text, "\n{}\n{gas}", self.layout());
+        text += "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next.\n[[station]]\nname = \"pulley\"\n";
+        let _ = write!(text, "inertia_kg_m2 = {PULLEY}\nstiffness_to_next_n_m_per_rad = 3e5\n");
+        for t in 1..=self.throws() {
+            let _ = write!(
+                text,
+                "\n[[station]]\nname = \"throw_{t}\"\nthrows = [{t}]\ninertia_kg_m2 = {THROW}\nstiffness_to_next_n_m_per_rad = 9e5\ndamping_to_ground_n_m_s_per_rad = 2      # assumption\n"
+            );
+        }
+        text + "\n[[station]]                      # the last one\nname = \"flywheel\"\ninertia_kg_m2 = 0.9\n"
+    }
+}
+
+/// Compression and expansion with a rise at dead centre, twice: 800 and 4000 rpm.
+fn pressure() -> String {
+    use crate::numerics::elementary::Elementary;
+    let clearance = 2.0 * RADIUS / (RATIO - 1.0);
+    let volume = |deg: f64| {
+        let angle = deg.to_radians();
+        let rod = (ROD * ROD - (RADIUS * angle.sine()).powi(2)).sqrt();
+        clearance + RADIUS * (1.0 - angle.cosine()) + ROD - rod
+    };
+    let whole = volume(180.0);
+    let mut text = String::from("# an example: replace it by a measurement\ncrank_deg,800_rpm_bar,4000_rpm_bar\n");
+    for deg in 0..=720 {
+        let turned = f64::from(deg);
+        let closed = INTAKE * (whole / volume(turned)).power(EXPONENT);
+        // burning within 40 degrees of dead centre, then expansion; gas exchange between 180 and 540
+        let burnt = |rise: f64| match deg {
+            0..180 => closed * (1.0 + rise * (turned / 20.0).min(1.0)),
+            180..540 => INTAKE,
+            _ => closed,
+        };
+        let _ = writeln!(text, "{deg},{:.4},{:.4}", burnt(RISE), burnt(0.9 * RISE));
+    }
+    text
+}
+
+fn harmonics() -> String {
+    let rows: Vec<String> = (1..=12).map(|i| format!("{},{:.1},{}", 0.5 * f64::from(i), 300.0 / f64::from(i), (37 * i) % 360)).collect();
+    format!("# an example: replace it by your own\norder,amplitude_n_m,phase_deg\n{}\n", rows.join("\n"))
+}

@@ -8,9 +8,9 @@ const chosen = new Set(data.chosen);
 const svg = (tag, attributes, parent) => { const e = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const k in attributes) e.setAttribute(k, attributes[k]); if (parent) parent.appendChild(e); return e; };
 const short = x => x === null || x === undefined ? "–" : x === 0 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : String(Number(x.toPrecision(4)));
 
-function ticks(low, high, log) {
+function ticks(low, high, log, most = 6) {
   if (log) { const list = []; for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e++) for (const m of high / low > 1e3 ? [1] : [1, 2, 5]) { const v = m * 10 ** e; if (v >= low && v <= high) list.push(v); } return list; }
-  const raw = (high - low) / 6, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map(m => m * power).find(s => s >= raw), list = [];
+  const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map(m => m * power).find(s => s >= raw), list = [];
   for (let i = Math.ceil(low / step); i * step <= high * (1 + 1e-12); i++) list.push(i * step);
   return list;
 }
@@ -21,33 +21,45 @@ class Chart {
     this.box = document.getElementById(id);
     if (!this.box) return;
     Object.assign(this, { horizontal, vertical, view: null, log: false, series: [] });
-    this.svg = svg("svg", { viewBox: "0 0 900 400", class: "chart", role: "img", tabindex: 0, "aria-label": vertical }, this.box);
+    this.width = Math.min(900, Math.max(340, this.box.clientWidth || 900)); this.right = this.width - 30;
+    this.svg = svg("svg", { viewBox: `0 0 ${this.width} 400`, class: "chart", role: "img", tabindex: 0, "aria-label": vertical }, this.box);
+    this.legend = document.createElement("p"); this.legend.className = "legend"; this.box.appendChild(this.legend);
     this.read = document.createElement("p"); this.read.className = "read"; this.box.appendChild(this.read);
     this.svg.addEventListener("pointermove", e => this.hover(e));
     this.svg.addEventListener("pointerdown", e => { this.from = this.at(e)[0]; });
     this.svg.addEventListener("pointerup", e => { const to = this.at(e)[0]; if (this.from !== undefined && Math.abs(to - this.from) > 12) { this.view = [this.value(Math.min(to, this.from)), this.value(Math.max(to, this.from))]; this.draw(); } this.from = undefined; });
     this.svg.addEventListener("dblclick", () => { this.view = null; this.draw(); });
-    this.svg.addEventListener("keydown", e => { if (e.key === "Escape") { this.view = null; this.draw(); } else if (e.key === "ArrowRight" || e.key === "ArrowLeft") { this.cursor = Math.min(870, Math.max(70, (this.cursor || 70) + (e.key === "ArrowRight" ? 8 : -8))); this.tell(this.cursor, 200); e.preventDefault(); } });
+    this.svg.addEventListener("keydown", e => { if (e.key === "Escape") { this.view = null; this.draw(); } else if (e.key === "ArrowRight" || e.key === "ArrowLeft") { this.cursor = Math.min(this.right, Math.max(70, (this.cursor || 70) + (e.key === "ArrowRight" ? 8 : -8))); this.tell(this.cursor, 200); e.preventDefault(); } });
   }
-  at(e) { const r = this.svg.getBoundingClientRect(); return [(e.clientX - r.left) * 900 / r.width, (e.clientY - r.top) * 400 / r.height]; }
-  value(px) { return this.x0 + (px - 70) / 800 * (this.x1 - this.x0); }
-  px(x) { return 70 + 800 * (x - this.x0) / (this.x1 - this.x0); }
+  at(e) { const r = this.svg.getBoundingClientRect(); return [(e.clientX - r.left) * this.width / r.width, (e.clientY - r.top) * 400 / r.height]; }
+  value(px) { return this.x0 + (px - 70) / (this.right - 70) * (this.x1 - this.x0); }
+  px(x) { return 70 + (this.right - 70) * (x - this.x0) / (this.x1 - this.x0); }
   py(y) { const f = this.log ? Math.log(y / this.y0) / Math.log(this.y1 / this.y0) : (y - this.y0) / (this.y1 - this.y0); return 350 - 330 * f; }
   show(series, vertical) { this.series = series; if (vertical) this.vertical = vertical; this.draw(); }
+  // What each curve is; given designs on a front tell their names themselves.
+  tellSeries() {
+    this.legend.replaceChildren(...this.series.filter(s => s.line || !s.points).map(s => {
+      const item = document.createElement("span"), mark = svg("svg", { viewBox: "0 0 28 8", width: 28, height: 8, "aria-hidden": true }, item);
+      svg("line", { x1: 0, x2: 28, y1: 4, y2: 4, stroke: s.colour, "stroke-width": 2.5, "stroke-dasharray": s.dash || "" }, mark);
+      item.append(" " + s.name);
+      return item;
+    }));
+  }
   draw() {
     if (!this.box) return;
     this.svg.replaceChildren();
+    this.tellSeries();
     const xs = this.series.flatMap(s => s.x); if (!xs.length) return;
     [this.x0, this.x1] = this.view || [Math.min(...xs), Math.max(...xs)];
     if (this.x0 === this.x1) this.x1 += 1;
     const ys = this.series.flatMap(s => s.y.filter((y, i) => y !== null && s.x[i] >= this.x0 && s.x[i] <= this.x1 && (!this.log || y > 0)));
     if (!ys.length) return;
     this.y1 = Math.max(...ys) * 1.05 || 1; this.y0 = this.log ? Math.max(Math.min(...ys) * 0.9, this.y1 * 1e-6) : Math.min(0, ...ys);
-    for (const x of ticks(this.x0, this.x1, false)) { svg("line", { x1: this.px(x), x2: this.px(x), y1: 20, y2: 350, stroke: "#e3e7eb" }, this.svg); svg("text", { x: this.px(x), y: 367, "text-anchor": "middle" }, this.svg).textContent = short(x); }
-    for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: 870, y1: this.py(y), y2: this.py(y), stroke: "#e3e7eb" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
-    svg("text", { x: 470, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
+    for (const x of ticks(this.x0, this.x1, false, this.width < 600 ? 3 : 6)) { svg("line", { x1: this.px(x), x2: this.px(x), y1: 20, y2: 350, stroke: "#e3e7eb" }, this.svg); svg("text", { x: this.px(x), y: 367, "text-anchor": "middle" }, this.svg).textContent = short(x); }
+    for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: this.right, y1: this.py(y), y2: this.py(y), stroke: "#e3e7eb" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
+    svg("text", { x: (70 + this.right) / 2, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
     svg("text", { x: 14, y: 185, "text-anchor": "middle", transform: "rotate(-90 14 185)" }, this.svg).textContent = this.vertical;
-    const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); svg("rect", { x: 70, y: 10, width: 800, height: 340 }, clip);
+    const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); svg("rect", { x: 70, y: 10, width: this.right - 70, height: 340 }, clip);
     const inner = svg("g", { "clip-path": "url(#" + this.box.id + "-clip)" }, this.svg);
     for (const s of this.series) {
       if (s.points) { s.x.forEach((x, i) => { const c = svg("circle", { cx: this.px(x), cy: this.py(s.y[i]), r: s.size || 4, fill: s.hollow && s.hollow[i] ? "#fff" : s.colour, stroke: s.colour, "stroke-width": 1.5 }, inner); if (s.click) { c.style.cursor = "pointer"; c.addEventListener("click", () => s.click(i)); } }); if (!s.line) continue; }
@@ -59,7 +71,7 @@ class Chart {
   }
   hover(e) { const [px, py] = this.at(e); this.tell(px, py); }
   tell(px, py) {
-    if (!this.mark || px < 70 || px > 870) return;
+    if (!this.mark || px < 70 || px > this.right) return;
     const points = this.series.find(s => s.points && s.tell);
     if (points) {
       let best = null;

@@ -1,8 +1,7 @@
 //! Temperatures of an absorber in balance over speed: the heat it dissipates, which depends on its temperature, against the heat that leaves it.
 
 use super::DesignResult;
-use super::in_operation::{AtSpeed, Balance, Rule};
-use crate::absorber::{Mounted, Thermal};
+use super::in_operation::{AtSpeed, Balance, Follower, Rule};
 use crate::input::Study;
 use crate::objective::PeakFinder;
 use crate::response::{ResponseError, Work};
@@ -51,26 +50,18 @@ pub(crate) fn heat<'d>(
     shown: &[&'d DesignResult],
 ) -> Result<Vec<HeatOfDesign>, (&'d DesignResult, ResponseError)> {
     let one = |d: &&'d DesignResult| {
-        let of = |m: &Mounted| -> Option<Thermal> { m.absorber.law()?.material()?.thermal };
-        let (absorber, thermal) = d.absorbers.iter().enumerate().find_map(|(i, m)| Some((i, of(m)?)))?;
-        let limit = thermal.cooling.limit;
-        let at = |speed: &f64| at(study, finder, (&d.absorbers, absorber), limit, *speed);
+        let of = Follower::of(&d.absorbers, |m| m.thermal.is_some())?;
+        let limit = of.law.material()?.thermal?.cooling.limit;
+        let at = |speed: &f64| at(study, finder, &of, limit, *speed);
         let points = finder.grid.speed_rpm.par_iter().map(at).collect::<Result<_, _>>();
-        let found = points.map(|points| HeatOfDesign { design: d.name.clone(), absorber, limit, points });
+        let found = points.map(|points| HeatOfDesign { design: d.name.clone(), absorber: of.index, limit, points });
         Some(found.map_err(|error| (*d, error)))
     };
     shown.iter().filter_map(one).collect()
 }
 
-fn at(
-    study: &Study,
-    finder: &PeakFinder,
-    (design, index): (&[Mounted], usize),
-    limit: f64,
-    speed_rpm: f64,
-) -> Result<HeatAt, ResponseError> {
-    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), (design, index), Rule::HalfPeakToPeak, speed_rpm)
-        .expect("a law that follows temperature");
+fn at(study: &Study, finder: &PeakFinder, of: &Follower, limit: f64, speed_rpm: f64) -> Result<HeatAt, ResponseError> {
+    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm);
     let balances = own.balances()?;
     let law = own.at(Some(balances.first().map_or(limit, |b| b.celsius)))?;
     let phasors = finder.direct.at_each(&own.with(&law), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);

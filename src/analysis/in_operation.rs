@@ -4,7 +4,7 @@
 //! (R dP/dT < 1), and from cold the lowest one is reached. Three are possible where heating moves the ring's resonance into an order. Strain: that at which the material's own twist makes it, one
 //! for all orders of a speed. Where a material follows both, the power at each temperature is that at its lowest strain.
 
-use crate::absorber::{Absorber, Law, Mounted, at_strain, at_temperature, varying};
+use crate::absorber::{Absorber, Law, Material, Mounted, at_strain, at_temperature, varying};
 use crate::drivetrain::System;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::roots::roots;
@@ -54,9 +54,23 @@ const SAMPLES: usize = 40;
 const LEAST_STRAIN: f64 = 1e-6;
 pub(crate) const MOST_STRAIN: f64 = 10.0;
 
-/// Index of the absorber of a design that says what cools it or how it follows its strain.
-pub(crate) fn follower(design: &[Mounted]) -> Option<usize> {
-    design.iter().position(|m| m.absorber.follows_motion())
+/// An absorber of a design whose law follows its motion.
+#[derive(Debug, Clone)]
+pub(crate) struct Follower<'a> {
+    /// The design.
+    pub design: &'a [Mounted],
+    /// Index of the absorber.
+    pub index: usize,
+    /// Its law at the reference.
+    pub law: Arc<dyn Law>,
+}
+
+impl<'a> Follower<'a> {
+    /// The first absorber of a design whose material is as asked for.
+    pub fn of(design: &'a [Mounted], asked: impl Fn(&Material) -> bool) -> Option<Self> {
+        let own = |m: &Mounted| m.absorber.law().filter(|l| l.material().is_some_and(&asked)).cloned();
+        design.iter().enumerate().find_map(|(index, m)| Some(Self { design, index, law: own(m)? }))
+    }
 }
 
 /// Such an absorber at one speed.
@@ -69,15 +83,9 @@ pub(crate) struct AtSpeed<'a> {
 }
 
 impl<'a> AtSpeed<'a> {
-    /// Absorber `index` of a design at a speed; nothing where its ring is locked.
-    pub fn new(
-        (direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser),
-        (design, index): (&'a [Mounted], usize),
-        rule: Rule,
-        speed_rpm: f64,
-    ) -> Option<Self> {
-        let law = design[index].absorber.law()?.clone();
-        Some(Self { open: OpenLaw::new(direct, (design, index), speed_rpm), synthesiser, law, speed_rpm, rule })
+    /// Of a design at a speed.
+    pub fn new((direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser), of: &Follower<'a>, rule: Rule, speed_rpm: f64) -> Self {
+        Self { open: OpenLaw::new(direct, (of.design, of.index), speed_rpm), synthesiser, law: of.law.clone(), speed_rpm, rule }
     }
 
     /// All strains between the least and the most that agree with themselves at a temperature (°C; where nothing is known of that, the reference), ascending; the lowest is met from rest.
@@ -159,26 +167,26 @@ struct InOperation {
     synthesiser: Synthesiser,
     design: Vec<Mounted>,
     index: usize,
+    /// Of the reference.
+    law: Arc<dyn Law>,
     known: Mutex<HashMap<u64, Arc<dyn Law>>>,
 }
 
 impl InOperation {
     fn find(&self, speed_rpm: f64) -> Result<Arc<dyn Law>, ResponseError> {
         let direct = Direct::new(&self.system, &self.grid);
-        let of = (self.design.as_slice(), self.index);
-        let at = AtSpeed::new((&direct, &self.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm).expect("a follower has a law");
+        let of = Follower { design: &self.design, index: self.index, law: self.law.clone() };
+        let at = AtSpeed::new((&direct, &self.synthesiser), &of, Rule::HalfPeakToPeak, speed_rpm);
         at.at(at.celsius()?)
     }
 
     /// The law at a speed, found once. Where nothing damps a resonance it is that of the reference, whose response says so.
-    fn law(&self, shaft_speed: f64) -> Arc<dyn Law> {
+    fn law_at(&self, shaft_speed: f64) -> Arc<dyn Law> {
         let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(law) = known().get(&shaft_speed.to_bits()) {
             return law.clone();
         }
-        let law = self
-            .find(shaft_speed / RAD_PER_S_PER_RPM)
-            .unwrap_or_else(|_| self.design[self.index].absorber.law().expect("a follower has a law").clone());
+        let law = self.find(shaft_speed / RAD_PER_S_PER_RPM).unwrap_or_else(|_| self.law.clone());
         known().insert(shaft_speed.to_bits(), law.clone());
         law
     }
@@ -189,13 +197,15 @@ impl InOperation {
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub(crate) fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
-    let (Condition::InOperation, Some(index)) = (condition, follower(design)) else { return Ok(condition.absorbers(design)) };
+    let follower = Follower::of(design, Material::follows_motion);
+    let (Condition::InOperation, Some(Follower { index, law, .. })) = (condition, follower) else { return Ok(condition.absorbers(design)) };
     let own = InOperation {
         system: finder.system.clone(),
         grid: finder.grid.clone(),
         synthesiser: finder.synthesiser.clone(),
         design: design.to_vec(),
         index,
+        law: law.clone(),
         known: Mutex::default(),
     };
     let speeds = &finder.grid.speed_rpm;
@@ -203,9 +213,6 @@ pub(crate) fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mou
     let keys = speeds.iter().map(|speed| (speed * RAD_PER_S_PER_RPM).to_bits());
     *own.known.lock().unwrap_or_else(PoisonError::into_inner) = keys.zip(laws).collect();
     let mut design = design.to_vec();
-    if let Absorber::Ring(law) = &design[index].absorber {
-        let law = law.clone();
-        design[index].absorber = Absorber::Ring(varying(law, move |shaft_speed| own.law(shaft_speed)));
-    }
+    design[index].absorber = Absorber::Ring(varying(law, move |shaft_speed| own.law_at(shaft_speed)));
     Ok(design)
 }

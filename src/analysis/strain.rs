@@ -4,8 +4,7 @@
 //! of a law in time is not known to lie between, but where the two agree the choice does not matter. Where something cools the absorber, its temperature is the one reached from cold.
 
 use super::DesignResult;
-use super::in_operation::{AtSpeed, Rule};
-use crate::absorber::Mounted;
+use super::in_operation::{AtSpeed, Follower, Rule};
 use crate::input::Study;
 use crate::numerics::maximise::maximise;
 use crate::objective::PeakFinder;
@@ -47,14 +46,13 @@ pub(crate) fn strain<'d>(
     finder: &PeakFinder,
     shown: &[&'d DesignResult],
 ) -> Result<Vec<StrainOfDesign>, (&'d DesignResult, ResponseError)> {
-    let of = |m: &Mounted| m.absorber.law().and_then(|l| l.material()).is_some_and(|m| m.amplitude.is_some());
-    let followed = shown.iter().filter_map(|d| Some((*d, d.absorbers.iter().position(of)?)));
-    let each = followed.flat_map(|(d, i)| Rule::ALL.map(|rule| (d, i, rule)));
-    each.map(|(d, index, rule)| by_rule(study, finder, d, (index, rule)).map_err(|error| (d, error))).collect()
+    let followed = shown.iter().filter_map(|d| Some((*d, Follower::of(&d.absorbers, |m| m.amplitude.is_some())?)));
+    let each = followed.flat_map(|(d, of)| Rule::ALL.map(|rule| (d, of.clone(), rule)));
+    each.map(|(d, of, rule)| by_rule(study, finder, d, (&of, rule)).map_err(|error| (d, error))).collect()
 }
 
-fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (index, rule): (usize, Rule)) -> Result<StrainOfDesign, ResponseError> {
-    let at = |speed_rpm: f64| at(study, finder, (&d.absorbers, index), rule, speed_rpm);
+fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (of, rule): (&Follower, Rule)) -> Result<StrainOfDesign, ResponseError> {
+    let at = |speed_rpm: f64| at(study, finder, of, rule, speed_rpm);
     let points = finder.grid.speed_rpm.par_iter().map(|s| at(*s)).collect::<Result<Vec<StrainAt>, _>>()?;
     let best = (0..points.len()).fold(0, |m, i| if points[i].twist > points[m].twist { i } else { m });
     let mut peak = points[best].clone();
@@ -67,17 +65,11 @@ fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (index, rule): 
             }
         }
     }
-    Ok(StrainOfDesign { design: d.name.clone(), absorber: index, rule, points, peak })
+    Ok(StrainOfDesign { design: d.name.clone(), absorber: of.index, rule, points, peak })
 }
 
-fn at(
-    study: &Study,
-    finder: &PeakFinder,
-    (design, index): (&[Mounted], usize),
-    rule: Rule,
-    speed_rpm: f64,
-) -> Result<StrainAt, ResponseError> {
-    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), (design, index), rule, speed_rpm).expect("a law that follows its strain");
+fn at(study: &Study, finder: &PeakFinder, of: &Follower, rule: Rule, speed_rpm: f64) -> Result<StrainAt, ResponseError> {
+    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, rule, speed_rpm);
     let celsius = own.celsius()?;
     let strains = own.strains(celsius)?;
     let phasors = finder.direct.at_each(&own.with(&own.at(celsius)?), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);

@@ -154,17 +154,16 @@ impl Margin {
         let (by, histories) = self.multiaxial(criterion)?;
         let at = self.place(speed_rpm);
         let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-        Some(histories.used(by, &histories.whole(&self.locations[location], at, &whole)))
+        histories.used(&[by], &histories.whole(&self.locations[location], at, &whole)).pop()
     }
 
     /// Share of the strength that a location uses by each criterion that asks for its path; zero by the others.
     fn shares(&self, histories: &Histories, location: usize, at: At, torque: &[f64]) -> Rc<[f64]> {
         let path = histories.path(&self.locations[location], at, torque);
-        let by = |criterion: &MarginCriterion| match criterion {
-            MarginCriterion::Multiaxial(c) => histories.used(*c, &path),
-            _ => 0.0,
-        };
-        self.criteria.iter().map(by).collect()
+        let multiaxial = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
+        let asked: Vec<multiaxial::Criterion> = self.criteria.iter().filter_map(multiaxial).collect();
+        let mut used = histories.used(&asked, &path).into_iter();
+        self.criteria.iter().map(|c| multiaxial(c).and_then(|_| used.next()).unwrap_or(0.0)).collect()
     }
 
     fn of_history(&self, histories: &Histories, location: usize, value: f64) -> Used {

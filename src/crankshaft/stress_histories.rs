@@ -127,33 +127,41 @@ impl Histories {
         (bending, torque.iter().map(|t| location.torsion * t).collect())
     }
 
-    /// Share of the strength that a path uses: the inverse of its safety factor, which is infinite where a criterion sees no danger.
-    pub fn used(&self, criterion: Criterion, path: &Path) -> f64 {
-        let stress = match path {
-            Path::Plane(state) if state.is_zero() => Ok(0.0),
-            Path::Plane(state) => match criterion.by_invariants(state, &self.limits) {
-                Ok(None) => {
-                    let (mut normal, mut shear) = (state.normal.clone(), state.shear.clone());
-                    // whole blocks are looked at together: the first corner once more costs nothing
-                    let count = normal.len().next_multiple_of(BLOCK);
-                    normal.resize(count, normal[0]);
-                    shear.resize(count, shear[0]);
-                    self.searched(criterion, &History::plane_state(normal, shear))
-                }
-                known => known.map(|stress| stress.unwrap_or(0.0).max(0.0)),
-            },
-            Path::General(history) if history.components.iter().flatten().all(|s| *s == 0.0) => Ok(0.0),
-            Path::General(history) => self.searched(criterion, history),
+    /// Share of the strength that a path uses by each criterion: the inverse of its safety factor, which is infinite where a criterion sees no danger. One search of planes serves all.
+    pub fn used(&self, criteria: &[Criterion], path: &Path) -> Vec<f64> {
+        let stresses = match path {
+            Path::Plane(state) if state.is_zero() => Ok(vec![0.0; criteria.len()]),
+            Path::Plane(state) => self.of_plane_state(criteria, state),
+            Path::General(history) if history.components.iter().flatten().all(|s| *s == 0.0) => Ok(vec![0.0; criteria.len()]),
+            Path::General(history) => self.searched(criteria, history),
         };
-        match stress {
-            Ok(stress) => stress / self.limits.torsion,
+        match stresses {
+            Ok(stresses) => stresses.into_iter().map(|stress| stress / self.limits.torsion).collect(),
             Err(undefined) => unreachable!("checked in the study: {undefined}"),
         }
     }
 
-    /// The equivalent shear stress of any history, Pa.
-    fn searched(&self, criterion: Criterion, history: &History) -> Result<f64, Undefined> {
-        evaluate(history, &self.limits, &[criterion], Grid::default()).map(|(verdicts, _)| self.limits.torsion / verdicts[0].safety_factor)
+    /// The equivalent shear stresses of a plane state, Pa.
+    fn of_plane_state(&self, criteria: &[Criterion], state: &PlaneState) -> Result<Vec<f64>, Undefined> {
+        let known = criteria.iter().map(|c| c.by_invariants(state, &self.limits)).collect::<Result<Vec<_>, _>>()?;
+        let unknown: Vec<Criterion> = criteria.iter().zip(&known).filter(|c| c.1.is_none()).map(|c| *c.0).collect();
+        let mut found = Vec::new();
+        if !unknown.is_empty() {
+            let (mut normal, mut shear) = (state.normal.clone(), state.shear.clone());
+            // whole blocks are looked at together: the first corner once more costs nothing
+            let count = normal.len().next_multiple_of(BLOCK);
+            normal.resize(count, normal[0]);
+            shear.resize(count, shear[0]);
+            found = self.searched(&unknown, &History::plane_state(normal, shear))?;
+        }
+        let mut found = found.into_iter();
+        Ok(known.into_iter().map(|stress| stress.or_else(|| found.next()).unwrap_or(0.0).max(0.0)).collect())
+    }
+
+    /// The equivalent shear stresses of any history, Pa.
+    fn searched(&self, criteria: &[Criterion], history: &History) -> Result<Vec<f64>, Undefined> {
+        let (verdicts, _) = evaluate(history, &self.limits, criteria, Grid::default())?;
+        Ok(verdicts.into_iter().map(|v| self.limits.torsion / v.safety_factor).collect())
     }
 
     /// The equivalent shear stress of a share, Pa.

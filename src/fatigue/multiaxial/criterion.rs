@@ -2,6 +2,7 @@
 
 use super::history::History;
 use super::invariants::Invariants;
+use super::largest_shear::LargestShear;
 use super::papadopoulos;
 use super::plane::Plane;
 use super::search::{self, Found, Grid, Wanted};
@@ -153,6 +154,8 @@ pub trait Path {
     fn mesoscopic(&self, k: f64) -> f64;
     /// Mean resolved shear over all planes and directions.
     fn mean_shear(&self) -> f64;
+    /// What the plane of the largest shear bears, where it is known without a search of all planes.
+    fn largest_shear(&self) -> Option<LargestShear>;
 }
 
 impl Path for (&History, &Invariants) {
@@ -171,10 +174,14 @@ impl Path for (&History, &Invariants) {
     fn mean_shear(&self) -> f64 {
         papadopoulos::mean_shear(self.0)
     }
+
+    fn largest_shear(&self) -> Option<LargestShear> {
+        None
+    }
 }
 
 impl Criterion {
-    /// The equivalent shear stress of a path, Pa; nothing by a criterion that asks for planes.
+    /// The equivalent shear stress of a path, Pa; nothing by a criterion that asks for a search of planes.
     ///
     /// # Errors
     /// [`Undefined`] where the limits leave no constant.
@@ -191,7 +198,9 @@ impl Criterion {
                 path.sqrt_j2_amplitude() + k * amplitude + (3.0 * l.torsion / l.repeated_bending - 3.0 * l.torsion / l.bending) * mean
             }
             Self::Papadopoulos => path.mean_shear() + k * high,
-            Self::Matake | Self::McDiarmid | Self::DangVanThesis | Self::DangVanPlane | Self::Findley => return Ok(None),
+            Self::Matake | Self::McDiarmid => return Ok(path.largest_shear().map(|s| s.amplitude + k * s.normal_max)),
+            Self::DangVanThesis => return Ok(path.largest_shear().map(|s| s.amplitude + k * high)),
+            Self::DangVanPlane | Self::Findley => return Ok(None),
         }))
     }
 }

@@ -25,6 +25,7 @@ pub mod climb;
 pub mod criterion;
 pub mod history;
 pub mod invariants;
+pub mod largest_shear;
 pub mod papadopoulos;
 pub mod plane;
 pub mod plane_state;

@@ -5,9 +5,11 @@
 //! corners of the convex hull.
 
 use super::criterion::Path;
+use super::largest_shear::{LargestShear, largest_shear};
 use super::papadopoulos;
 use crate::numerics::enclosing::smallest_ball;
 use crate::numerics::hull::hull;
+use std::cell::OnceCell;
 
 /// The corners of the convex hull of a path, counter-clockwise, Pa.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -16,6 +18,8 @@ pub struct PlaneState {
     pub normal: Vec<f64>,
     /// Shear stress, xy.
     pub shear: Vec<f64>,
+    /// Found once.
+    pub(super) largest_shear: OnceCell<LargestShear>,
 }
 
 /// The smallest circle round the deviator's path.
@@ -32,12 +36,17 @@ impl PlaneState {
     pub fn of(normal: &[f64], shear: &[f64]) -> Self {
         let corners = hull(normal, shear);
         let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
-        Self { normal: at(normal), shear: at(shear) }
+        Self { normal: at(normal), shear: at(shear), largest_shear: OnceCell::new() }
     }
 
     /// Whether it bears nothing at all.
     pub(crate) fn is_zero(&self) -> bool {
         self.normal.iter().chain(&self.shear).all(|s| *s == 0.0)
+    }
+
+    /// What the plane of the largest shear bears; of planes as critical that with the larger normal stress.
+    pub fn largest_shear(&self) -> LargestShear {
+        *self.largest_shear.get_or_init(|| largest_shear(&self.normal, &self.shear))
     }
 
     /// Amplitude of sqrt(J2) with the centre of its circle.
@@ -50,6 +59,10 @@ impl PlaneState {
 }
 
 impl Path for PlaneState {
+    fn largest_shear(&self) -> Option<LargestShear> {
+        Some(Self::largest_shear(self))
+    }
+
     fn sqrt_j2_amplitude(&self) -> f64 {
         self.circle().radius
     }

@@ -79,7 +79,7 @@ const ALL_ROUND: usize = 6;
 /// Hills this much lower than the highest are looked at all round: a higher one may hide beside them.
 const HIDDEN: f64 = 0.004;
 /// Planes whose values differ by less than this share are as critical as each other.
-const LEVEL: f64 = 1e-4;
+pub(super) const LEVEL: f64 = 1e-4;
 /// Summits closer than this are one, rad.
 const SAME: f64 = 0.5 * PI / 180.0;
 

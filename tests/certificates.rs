@@ -28,6 +28,24 @@ fn second_order_of_two_masses() {
     }
 }
 
+/// A primary mass without damping resonates without limit where the absorber has none: such designs are counted by the search that met them, which goes on; with a damped primary mass every design has a
+/// finite response.
+#[test]
+fn designs_without_finite_response_are_counted() {
+    let unbounded = |damping_ratio: f64| {
+        let masses = TwoMasses { damping_ratio, ring: 0.1 };
+        let mut study = with(masses, What::Twist, &[]);
+        study.optimise.as_mut().expect("optimises").absorbers[0].types = vec![&VISCOUS];
+        let found = study.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
+        let c = found.optimum.design[0].absorber.damping().expect("c");
+        assert_close(found.optimum.value(), masses.peak((0.0, c), What::Twist), 1e-9, 0.0, "the peak");
+        let s = &found.optimum.stages;
+        [s.seeds, s.search, s.minimax].iter().map(|w| w.unbounded_evaluations).sum::<u64>()
+    };
+    assert!(unbounded(0.0) > 0);
+    assert_eq!(unbounded(0.02), 0);
+}
+
 /// Law: a ring without spring has one peak at its optimum, a minimum of its own: the curvature is the second difference of the peak over the logarithm of the damping, by formulas.
 #[test]
 fn second_order_of_a_single_peak() {

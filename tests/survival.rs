@@ -242,3 +242,31 @@ fn an_interrupt_leaves_what_is_known() {
     assert!(!folder.path().join("unfinished.csv").exists());
     assert!(fs::read_to_string(folder.path().join("summary.json")).expect("a summary").contains("\"finished\": true"));
 }
+
+/// On a full disk, here one on which no file may grow beyond a size, the run says what it could not write, leaves no half of a file, and keeps what its searches have found, a torn last line apart:
+/// once there is space it goes on to the files of a run that never failed.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_costs_no_search() {
+    let (inputs, whole) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let study = short(inputs.path());
+    ended(run(&study, whole.path(), &[]));
+    let expected = files(whole.path());
+    for blocks in ["8", "64"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().to_string_lossy().into_owned();
+        let script = "trap '' XFSZ; ulimit -f \"$1\"; exec \"$0\" run \"$2\" --out \"$3\"";
+        let full = Command::new("bash").args(["-c", script, env!("CARGO_BIN_EXE_hartog"), blocks, &study, &out]).output().expect("runs");
+        assert_eq!(full.status.code(), Some(2));
+        assert!(error(&full).contains("no file may be as large here") && error(&full).contains("add --resume"), "{}", error(&full));
+        let left = files(folder.path());
+        assert!(!left.contains_key("summary.json") && left.keys().all(|name| !name.starts_with(".hartog")), "{:?}", left.keys());
+        let unlike = |(name, bytes): (&String, &Vec<u8>)| name != "journal.log" && expected.get(name) != Some(bytes);
+        assert!(!left.iter().any(unlike), "no half of a file");
+        let resumed = ended(run(&study, folder.path(), &["--resume"]));
+        let said = String::from_utf8_lossy(&resumed.stdout).into_owned();
+        assert!(said.contains("searches of the interrupted run are known"), "{said}");
+        let own = files(folder.path());
+        assert!(differing(&expected, &own).is_empty(), "{blocks} blocks: {:?} differ", differing(&expected, &own));
+    }
+}

@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments) -> u8 {
     let written = crate::report::write_run(study, calibration, (&results, &inputs), &folder, &|| watched.step());
     drop(watched);
     if let Err(error) = written {
-        return fail(&error);
+        return fail(&format!("{error}; what the searches have found is kept: once it can be written, add --resume"));
     }
     let total = start.elapsed().as_secs_f64();
     let mut timing = results.timing.clone();

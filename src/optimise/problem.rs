@@ -208,12 +208,14 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        self.by(w, |finder, design, measure| finder.value(design, measure, work))
+        let found = self.by(w, |finder, design, measure| finder.value(design, measure, work));
+        work.noted(found)
     }
 
     /// The same to rounding.
     pub(super) fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        self.by(w, |finder, design, measure| Ok(finder.peak(design, measure, work)?.map_or(0.0, |p| p.value)))
+        let found = self.by(w, |finder, design, measure| Ok(finder.peak(design, measure, work)?.map_or(0.0, |p| p.value)));
+        work.noted(found)
     }
 
     fn by(
@@ -254,6 +256,11 @@ impl Problem<'_> {
 
     /// Those of at least a share of the largest of their measure.
     pub(super) fn rows_near(&self, w: &[f64], share: f64, work: &mut Work) -> Result<Rows, ResponseError> {
+        let found = self.rows_of(w, share, work);
+        work.noted(found)
+    }
+
+    fn rows_of(&self, w: &[f64], share: f64, work: &mut Work) -> Result<Rows, ResponseError> {
         let own = self.space.design(w);
         let mut rows = Vec::new();
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));

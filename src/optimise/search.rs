@@ -39,6 +39,16 @@ pub struct Stages {
     pub minimax: Work,
 }
 
+impl Stages {
+    /// Of all stages.
+    pub(crate) fn all(&self) -> Work {
+        let mut all = self.seeds;
+        all += self.search;
+        all += self.minimax;
+        all
+    }
+}
+
 /// Another design that meets the first-order conditions.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct LocalOptimum {

@@ -18,7 +18,7 @@ pub(crate) fn about(study: &Study, inputs: &[InputFile], results: &Results) -> M
 }
 
 fn optimum(o: &OptimumResult) -> Value {
-    let stages = &o.optimum.stages;
+    let work = o.optimum.stages.all();
     json!({
         "design": o.design.name,
         "objective_si": o.optimum.value(),
@@ -26,6 +26,7 @@ fn optimum(o: &OptimumResult) -> Value {
         "first_order_residual": o.optimum.outcome.kkt_residual,
         "starts": o.optimum.starts.len(),
         "starts_that_agree": o.optimum.agreeing(),
-        "evaluations": stages.seeds.evaluations + stages.search.evaluations + stages.minimax.evaluations,
+        "evaluations": work.evaluations,
+        "evaluations_without_finite_response": work.unbounded_evaluations,
     })
 }

@@ -1,5 +1,7 @@
 //! Work done, counted.
 
+use super::error::ResponseError;
+
 /// Work done, counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Work {
@@ -7,6 +9,8 @@ pub struct Work {
     pub evaluations: u64,
     /// Those of them that tables alone answered.
     pub surrogate_evaluations: u64,
+    /// Evaluations that found no finite response, for want of damping at a resonance.
+    pub unbounded_evaluations: u64,
     /// Tridiagonal systems factored, one an order and speed.
     pub direct_solves: u64,
     /// Points (order and speed) answered by receptance.
@@ -33,6 +37,7 @@ impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, w: Self) {
         self.evaluations += w.evaluations;
         self.surrogate_evaluations += w.surrogate_evaluations;
+        self.unbounded_evaluations += w.unbounded_evaluations;
         self.direct_solves += w.direct_solves;
         self.receptance_points += w.receptance_points;
         self.singular_points += w.singular_points;
@@ -43,5 +48,13 @@ impl std::ops::AddAssign for Work {
         self.dense_solves += w.dense_solves;
         self.time_steps += w.time_steps;
         self.harmonic_balances += w.harmonic_balances;
+    }
+}
+
+impl Work {
+    /// Counts an evaluation that found no finite response.
+    pub(crate) fn noted<T>(&mut self, found: Result<T, ResponseError>) -> Result<T, ResponseError> {
+        self.unbounded_evaluations += u64::from(found.is_err());
+        found
     }
 }

@@ -39,6 +39,10 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         "  evaluations: {} of starts, {} of search, {} of minimax",
         s.seeds.evaluations, s.search.evaluations, s.minimax.evaluations
     ));
+    let unbounded = s.all().unbounded_evaluations;
+    if unbounded > 0 {
+        lines.push(format!("  designs that found no finite response, for want of damping at a resonance, and were passed by: {unbounded}"));
+    }
     lines
 }
 

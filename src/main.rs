@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, new, run, size};
+use hartog::cli::{chart, check, compare, curves, fatigue, keys, new, run, size};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -26,6 +26,8 @@ enum Command {
     Run(run::Arguments),
     /// Write a commented study and engine to begin with, which run at once.
     New(new::Arguments),
+    /// Tell what may stand in files: every key with its unit, range, default and an example; or a JSON Schema for editors.
+    Keys(keys::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
     Check(check::Arguments),
     /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Completions { shell } => new::completions(shell, &mut Cli::command()),
+        Command::Keys(arguments) => keys::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),

@@ -32,3 +32,44 @@ pub(crate) const W_PER_KW: f64 = 1e3;
 pub(crate) const DEG_PER_REV: f64 = 360.0;
 /// K at 0 °C.
 pub(crate) const KELVIN_AT_0_C: f64 = 273.15;
+
+/// Ends of keys with their units, the longest first.
+const SUFFIXES: [(&str, &str); 31] = [
+    ("n_m_s_per_rad", "N m s/rad"),
+    ("n_m_per_rad", "N m/rad"),
+    ("rad_per_s2", "rad/s²"),
+    ("kj_per_mol", "kJ/mol"),
+    ("per_rad2", "1/rad²"),
+    ("w_per_m2", "W/m²"),
+    ("w_per_k", "W/K"),
+    ("n_per_m", "N/m"),
+    ("percent", "%"),
+    ("kg_m2", "kg m²"),
+    ("kg_m3", "kg/m³"),
+    ("per_k", "1/K"),
+    ("per_s", "1/s"),
+    ("kg_m", "kg m"),
+    ("n_m", "N m"),
+    ("cm3", "cm³"),
+    ("rpm", "rpm"),
+    ("deg", "°"),
+    ("mpa", "MPa"),
+    ("gpa", "GPa"),
+    ("bar", "bar"),
+    ("mm", "mm"),
+    ("kw", "kW"),
+    ("kg", "kg"),
+    ("hz", "Hz"),
+    ("m2", "m²"),
+    ("c", "°C"),
+    ("k", "K"),
+    ("s", "s"),
+    ("w", "W"),
+    ("n", "N"),
+];
+
+/// The unit that the end of a key names.
+pub(crate) fn of_key(key: &str) -> Option<&'static str> {
+    let named = |end: &str| key.strip_suffix(end).is_some_and(|before| before.is_empty() || before.ends_with('_'));
+    SUFFIXES.iter().find(|(end, _)| named(end)).map(|s| s.1)
+}

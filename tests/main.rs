@@ -22,6 +22,7 @@ mod generated;
 mod grammar;
 mod hostile;
 mod in_operation;
+mod keys;
 mod large_twist;
 mod laws;
 mod layering;

@@ -27,13 +27,20 @@ pub struct Carreau {
     pub flow_index: f64,
 }
 
-const TRANSITION: Parameter = of_material(("transition_exponent", "a"), Range::Within(0.05, 1.0), |_| (0.05, 1.0), |_| 0.8);
+const TRANSITION: Parameter = of_material(
+    ("transition_exponent", "a", "Width of the transition from Newtonian to shear-thinning."),
+    Range::Within(0.05, 1.0),
+    |_| (0.05, 1.0),
+    |_| 0.8,
+);
 
-const FLOW_INDEX: Parameter = of_material(("flow_index", "n"), Range::Within(0.0, 0.95), |_| (0.0, 0.95), |_| 0.3);
+const FLOW_INDEX: Parameter =
+    of_material(("flow_index", "n", "Flow index of the shear-thinning branch."), Range::Within(0.0, 0.95), |_| (0.0, 0.95), |_| 0.3);
 
 /// Ring in silicone oil.
 pub static CARREAU: Declaration = Declaration {
     name: "carreau",
+    about: "A ring in silicone oil with a spread of relaxation times.",
     parameters: &[
         RING_INERTIA,
         Parameter { follows: Follows::Factor, ..DAMPING },

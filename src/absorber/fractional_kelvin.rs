@@ -27,6 +27,7 @@ pub struct FractionalKelvin {
 /// Ring on a spring beside a springpot.
 pub static FRACTIONAL_KELVIN: Declaration = Declaration {
     name: "fractional_kelvin",
+    about: "A ring on filled rubber: a spring beside a fractional element.",
     parameters: &[RING_INERTIA, STIFFNESS, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
     build: |v| Arc::new(FractionalKelvin { ring_inertia: v[0], stiffness: v[1], relaxation_time: v[2], exponent: v[3] }),
     closed_forms: &[ClosedForm {

@@ -27,13 +27,20 @@ pub struct FractionalZener {
 }
 
 /// Power of the frequency that moduli rise with.
-pub(super) const EXPONENT: Parameter = of_material(("fractional_exponent", "alpha"), Range::Within(0.05, 1.0), |_| (0.05, 1.0), |_| 0.5);
+pub(super) const EXPONENT: Parameter = of_material(
+    ("fractional_exponent", "alpha", "Exponent of the fractional derivative."),
+    Range::Within(0.05, 1.0),
+    |_| (0.05, 1.0),
+    |_| 0.5,
+);
 
-const GLASS_RATIO: Parameter = of_material(("glass_ratio", "r"), Range::Above(1.0), |_| (1.01, 1e4), |_| 20.0);
+const GLASS_RATIO: Parameter =
+    of_material(("glass_ratio", "r", "Stiffness at infinite frequency over that at none."), Range::Above(1.0), |_| (1.01, 1e4), |_| 20.0);
 
 /// Ring on rubber of four numbers.
 pub static FRACTIONAL_ZENER: Declaration = Declaration {
     name: "fractional_zener",
+    about: "A ring on rubber from its rubbery to its glassy end.",
     parameters: &[RING_INERTIA, STIFFNESS, GLASS_RATIO, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
     build: |v| Arc::new(FractionalZener { ring_inertia: v[0], stiffness: v[1], glass_ratio: v[2], relaxation_time: v[3], exponent: v[4] }),
     closed_forms: &[ClosedForm { name: "fractional_zener", every_mode: true, is_optimum: false, values: start }],

@@ -22,7 +22,12 @@ pub struct Hardening {
     pub stiffening: f64,
 }
 
-const STIFFENING: Parameter = of_material(("stiffening_per_rad2", "stiffening/1/rad²"), Range::NotNegative, |_| (1.0, 1e6), |_| 1e3);
+const STIFFENING: Parameter = of_material(
+    ("stiffening_per_rad2", "stiffening/1/rad²", "Share by which the stiffness grows with the square of the twist."),
+    Range::NotNegative,
+    |_| (1.0, 1e6),
+    |_| 1e3,
+);
 
 /// A spring that leaves no doubt of the mean twist.
 const HELD: Parameter = Parameter { range: Range::Positive, ..STIFFNESS };
@@ -30,6 +35,7 @@ const HELD: Parameter = Parameter { range: Range::Positive, ..STIFFNESS };
 /// Ring on a spring that stiffens.
 pub static HARDENING: Declaration = Declaration {
     name: "hardening",
+    about: "A ring on a spring that stiffens with its twist.",
     parameters: &[RING_INERTIA, HELD, DAMPING, STIFFENING],
     build: |v| Arc::new(Hardening { ring_inertia: v[0], stiffness: v[1], damping: v[2], stiffening: v[3] }),
     closed_forms: &[],

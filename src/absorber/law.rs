@@ -91,6 +91,8 @@ pub struct ClosedForm {
 pub struct Declaration {
     /// The word used in studies and tables.
     pub name: &'static str,
+    /// What it is, in a sentence.
+    pub about: &'static str,
     /// Its parameters, the ring inertia first.
     pub parameters: &'static [Parameter],
     /// A law with these values.

@@ -23,12 +23,18 @@ pub struct Maxwell {
 /// Relaxation time of a material, s.
 pub(super) const RELAXATION_TIME: Parameter = Parameter {
     follows: Follows::Factor,
-    ..of_material(("relaxation_time_s", "tau/s"), Range::NotNegative, |s| (0.0, 1e3 / s.typical()), |s| 1.0 / s.typical())
+    ..of_material(
+        ("relaxation_time_s", "tau/s", "Relaxation time."),
+        Range::NotNegative,
+        |s| (0.0, 1e3 / s.typical()),
+        |s| 1.0 / s.typical(),
+    )
 };
 
 /// Ring in an oil of one relaxation time.
 pub static MAXWELL: Declaration = Declaration {
     name: "maxwell",
+    about: "A ring in oil of one relaxation time.",
     parameters: &[RING_INERTIA, Parameter { follows: Follows::Factor, ..DAMPING }, RELAXATION_TIME],
     build: |v| Arc::new(Maxwell { ring_inertia: v[0], damping: v[1], relaxation_time: v[2] }),
     closed_forms: &[ClosedForm { name: "maxwell_untuned", every_mode: true, is_optimum: true, values: best }],

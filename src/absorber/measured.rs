@@ -69,6 +69,7 @@ pub struct Measured {
 const SCALE: Parameter = Parameter {
     key: "stiffness_scale",
     label: "scale",
+    about: "Factor on the measured stiffness.",
     range: Range::Positive,
     extensive: true,
     dissipative: false,
@@ -81,6 +82,7 @@ const SCALE: Parameter = Parameter {
 /// Ring on measured stiffness. A study gives it by a file; without one it is a spring of 1 N m/rad, which no study can ask for.
 pub(crate) static MEASURED: Declaration = Declaration {
     name: "measured",
+    about: "A ring on measured stiffness.",
     parameters: &[RING_INERTIA, SCALE],
     build: |v| {
         let stiffness = vec![vec![(1.0, f64::MIN_POSITIVE); 2]];

@@ -70,6 +70,8 @@ pub struct Parameter {
     pub key: &'static str,
     /// The head of its column in printed tables.
     pub label: &'static str,
+    /// What it is, in a sentence.
+    pub about: &'static str,
     /// Values that make sense.
     pub range: Range,
     /// Whether it grows with the ring where the tuning is kept.
@@ -88,18 +90,19 @@ pub struct Parameter {
 
 /// A property of a material that temperature leaves as it is.
 pub(super) const fn of_material(
-    (key, label): (&'static str, &'static str),
+    (key, label, about): (&'static str, &'static str, &'static str),
     range: Range,
     bounds: fn(&Surroundings) -> (f64, f64),
     typical: fn(&Surroundings) -> f64,
 ) -> Parameter {
-    Parameter { key, label, range, extensive: false, dissipative: false, material: true, follows: Follows::Nothing, bounds, typical }
+    Parameter { key, label, about, range, extensive: false, dissipative: false, material: true, follows: Follows::Nothing, bounds, typical }
 }
 
 /// Inertia of the ring; a study always gives its bounds.
 pub const RING_INERTIA: Parameter = Parameter {
     key: "ring_inertia_kg_m2",
     label: "ring/kg m²",
+    about: "Inertia of the ring.",
     range: Range::Positive,
     extensive: true,
     dissipative: false,
@@ -113,6 +116,7 @@ pub const RING_INERTIA: Parameter = Parameter {
 pub const STIFFNESS: Parameter = Parameter {
     key: "stiffness_n_m_per_rad",
     label: "k/N m/rad",
+    about: "Stiffness of the spring.",
     range: Range::NotNegative,
     extensive: true,
     dissipative: false,
@@ -126,6 +130,7 @@ pub const STIFFNESS: Parameter = Parameter {
 pub const DAMPING: Parameter = Parameter {
     key: "damping_n_m_s_per_rad",
     label: "c/N m s/rad",
+    about: "Damping of the damper.",
     range: Range::NotNegative,
     extensive: true,
     dissipative: true,

@@ -26,6 +26,7 @@ pub struct Pendulum {
 pub(super) const TUNING_ORDER: Parameter = Parameter {
     key: "tuning_order",
     label: "tuned to",
+    about: "Order that the pendulums are tuned to.",
     range: Range::Positive,
     extensive: false,
     dissipative: false,
@@ -38,6 +39,7 @@ pub(super) const TUNING_ORDER: Parameter = Parameter {
 /// Pendulums as the ring that moves like them.
 pub static PENDULUM: Declaration = Declaration {
     name: "pendulum",
+    about: "Centrifugal pendulums of small swing.",
     parameters: &[RING_INERTIA, TUNING_ORDER, DAMPING],
     build: |v| Arc::new(Pendulum { ring_inertia: v[0], tuning_order: v[1], damping: v[2] }),
     closed_forms: &CLOSED_FORMS,

@@ -47,6 +47,7 @@ macro_rules! on_path {
         #[doc = $doc]
         pub static $name: Declaration = Declaration {
             name: $word,
+            about: $doc,
             parameters: &[RING_INERTIA, TUNING_ORDER, DAMPING],
             build: |v| {
                 let small = Pendulum { ring_inertia: v[0], tuning_order: v[1], damping: v[2] };

@@ -25,6 +25,7 @@ pub struct Rubber {
 const LOSS_FACTOR: Parameter = Parameter {
     key: "loss_factor",
     label: "loss factor",
+    about: "Loss factor of the rubber.",
     range: Range::Within(0.0, 2.0),
     extensive: false,
     dissipative: true,
@@ -37,6 +38,7 @@ const LOSS_FACTOR: Parameter = Parameter {
 /// Ring on rubber.
 pub static RUBBER: Declaration = Declaration {
     name: "rubber",
+    about: "A ring on rubber of a constant loss factor.",
     parameters: &[RING_INERTIA, Parameter { follows: Follows::Factor, ..STIFFNESS }, LOSS_FACTOR],
     build: |v| Arc::new(Rubber { ring_inertia: v[0], stiffness: v[1], loss_factor: v[2] }),
     closed_forms: &[ClosedForm { name: "hysteretic", every_mode: true, is_optimum: true, values: hysteretic }],

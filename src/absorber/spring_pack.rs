@@ -27,16 +27,28 @@ pub struct SpringPack {
     pub reference_frequency: f64,
 }
 
-const DAMPING_FACTOR: Parameter =
-    Parameter { dissipative: true, ..of_material(("damping_factor", "kappa"), Range::NotNegative, |_| (0.0, 10.0), |_| 0.5) };
+const DAMPING_FACTOR: Parameter = Parameter {
+    dissipative: true,
+    ..of_material(
+        ("damping_factor", "kappa", "Damping factor of the maker at the reference frequency."),
+        Range::NotNegative,
+        |_| (0.0, 10.0),
+        |_| 0.5,
+    )
+};
 
-const DYNAMIC_RATIO: Parameter = of_material(("dynamic_ratio", "ratio"), Range::Above(1.0), |_| (1.001, 100.0), |_| 1.5);
+const DYNAMIC_RATIO: Parameter = of_material(
+    ("dynamic_ratio", "ratio", "Dynamic over static stiffness at the reference frequency."),
+    Range::Above(1.0),
+    |_| (1.001, 100.0),
+    |_| 1.5,
+);
 
 /// Where the oil is thicker, the figures are reached at a lower frequency.
 const REFERENCE_FREQUENCY: Parameter = Parameter {
     follows: Follows::Inverse,
     ..of_material(
-        ("reference_frequency_hz", "at/Hz"),
+        ("reference_frequency_hz", "at/Hz", "Frequency that the figures of the maker are given at."),
         Range::Positive,
         |s| (0.01 * s.typical() * HZ_PER_RAD_PER_S, 100.0 * s.typical() * HZ_PER_RAD_PER_S),
         |s| s.typical() * HZ_PER_RAD_PER_S,
@@ -46,6 +58,7 @@ const REFERENCE_FREQUENCY: Parameter = Parameter {
 /// Ring on steel springs in oil.
 pub static SPRING_PACK: Declaration = Declaration {
     name: "spring_pack",
+    about: "A ring on steel springs in oil, by figures of makers.",
     parameters: &[RING_INERTIA, STIFFNESS, DAMPING_FACTOR, DYNAMIC_RATIO, REFERENCE_FREQUENCY],
     build: |v| {
         Arc::new(SpringPack { ring_inertia: v[0], stiffness: v[1], damping_factor: v[2], dynamic_ratio: v[3], reference_frequency: v[4] })

@@ -21,6 +21,7 @@ pub struct Tuned {
 /// Ring, spring and damper.
 pub static TUNED: Declaration = Declaration {
     name: "tuned",
+    about: "A ring on a spring with a damper beside it.",
     parameters: &[RING_INERTIA, STIFFNESS, DAMPING],
     build: |v| Arc::new(Tuned { ring_inertia: v[0], stiffness: v[1], damping: v[2] }),
     closed_forms: &[

@@ -40,6 +40,17 @@ pub fn find(name: &str) -> Option<&'static Declaration> {
     TYPES.into_iter().find(|t| t.name == name)
 }
 
+/// Keys of all parameters, each once.
+pub(crate) fn parameter_keys() -> Vec<&'static str> {
+    let mut keys = Vec::new();
+    for p in TYPES.into_iter().flat_map(|t| t.parameters) {
+        if !keys.contains(&p.key) {
+            keys.push(p.key);
+        }
+    }
+    keys
+}
+
 /// Words of all closed forms, each once.
 pub(crate) fn closed_form_names() -> Vec<&'static str> {
     let mut names = Vec::new();

@@ -19,6 +19,7 @@ pub struct Undamped {
 /// Ring and spring; searches start from the stiffness of the tuned rules.
 pub static UNDAMPED: Declaration = Declaration {
     name: "undamped",
+    about: "A ring on a spring without damper.",
     parameters: &[RING_INERTIA, STIFFNESS],
     build: |v| Arc::new(Undamped { ring_inertia: v[0], stiffness: v[1] }),
     closed_forms: &[

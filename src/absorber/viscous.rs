@@ -19,6 +19,7 @@ pub struct Viscous {
 /// Ring and damper.
 pub static VISCOUS: Declaration = Declaration {
     name: "viscous",
+    about: "A ring in oil, without spring.",
     parameters: &[RING_INERTIA, Parameter { follows: Follows::Factor, ..DAMPING }],
     build: |v| Arc::new(Viscous { ring_inertia: v[0], damping: v[1] }),
     closed_forms: &[ClosedForm {

@@ -1,5 +1,6 @@
 //! Mistakes in input files, each with its place, what was found and what was expected.
 
+pub use super::at::At;
 use super::excerpt::{shortened, window};
 use std::fmt;
 use std::ops::Range;
@@ -286,7 +287,7 @@ fn list(known: &[&str]) -> String {
 }
 
 /// The known word most like `word`: with the longest common start, at least half of it.
-fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+pub(crate) fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let common = |k: &str| {
         let start = word.chars().zip(k.chars()).take_while(|(a, b)| a == b).count();
         let end = word.chars().rev().zip(k.chars().rev()).take_while(|(a, b)| a == b).count();
@@ -307,9 +308,6 @@ pub struct Check<'a> {
 /// Smallest and largest size of a number that is not zero.
 const SMALLEST: f64 = 1e-20;
 const LARGEST: f64 = 1e20;
-
-/// A value with its place in the file.
-pub type At<T> = toml::Spanned<T>;
 
 impl<'a> Check<'a> {
     /// Nothing found yet.

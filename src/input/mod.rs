@@ -1,8 +1,10 @@
 //! The only place that reads files: a study in TOML, the engine file and tables it names.
 
+mod at;
 pub mod error;
 mod excerpt;
 mod files;
+pub mod keys;
 pub mod measure;
 pub mod published;
 mod schema;
@@ -13,6 +15,7 @@ pub use error::InputError;
 pub(crate) use files::{InputFile, noted};
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
+pub use schema::json::FileKind;
 pub use validation::{
     AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating,
     ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,

@@ -27,6 +27,7 @@ pub struct Magnetic {
 /// What hartog is told of it.
 pub static MAGNETIC: Declaration = Declaration {
     name: "magnetic",
+    about: "A ring on magnets with eddy currents.",
     parameters: &[
         RING_INERTIA,
         STIFFNESS,
@@ -34,6 +35,7 @@ pub static MAGNETIC: Declaration = Declaration {
         Parameter {
             key: "time_constant_s",
             label: "L/R/s",
+            about: "Time constant of the eddy currents.",
             range: Range::NotNegative,
             extensive: false,
             dissipative: false,

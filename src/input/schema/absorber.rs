@@ -2,48 +2,71 @@
 
 use super::material_states::RawMaterialStates;
 use super::range::RawRange;
+use crate::absorber::types::closed_form_names;
 use crate::absorber::{Declaration, TYPES};
 use crate::input::error::At;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, VariantAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::OnceLock;
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawAbsorber {
+    /// Its name, where another ring sits on it.
+    #[schemars(extend("minLength" = 1, "maxLength" = 100, "examples" = ["inner"]))]
     pub name: Option<At<String>>,
+    /// What carries it: a station, or the ring of an absorber before it.
+    #[schemars(extend("examples" = [{"station": "pulley"}]))]
     pub on: RawOn,
+    /// Inertia of the hub, added to the station.
+    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.004]))]
     pub hub_inertia_kg_m2: Option<At<f64>>,
+    /// Its type with the values of its parameters.
     #[serde(rename = "type")]
+    #[schemars(extend("examples" = [{"tuned": {"ring_inertia_kg_m2": 0.076, "stiffness_n_m_per_rad": 40000, "damping_n_m_s_per_rad": 25}}]))]
     pub kind: RawType,
+    /// How its material follows temperature, age and strain, and how it cools.
     pub material: Option<At<RawMaterialStates>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawOn {
+    /// The station that carries it.
+    #[schemars(extend("examples" = ["pulley"]))]
     Station(At<String>),
+    /// The absorber, by its name, whose ring carries it.
+    #[schemars(extend("examples" = ["inner"]))]
     Ring(At<String>),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLocked {
+    /// Inertia of a ring that is fixed to its hub.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSeeded {
+    /// The closed form that gives stiffness and damping.
+    #[schemars(extend("enum" = closed_form_names(), "examples" = ["den_hartog_brock"]))]
     pub by: At<String>,
+    /// Inertia of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
+    /// The inertia that the ratio of the closed form is taken with.
     #[serde(default)]
+    #[schemars(extend("default" = "modal", "examples" = ["whole_chain"]))]
     pub engine_inertia: RawEngineInertia,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawEngineInertia {
     #[default]
@@ -52,11 +75,17 @@ pub(crate) enum RawEngineInertia {
 }
 
 /// A ring on what was measured.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMeasured {
+    /// Inertia of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
+    /// A table of complex stiffness over frequency and temperature.
+    #[schemars(extend("examples" = ["measured.csv"]))]
     pub file: At<String>,
+    /// The temperature, where the table has several.
+    #[schemars(extend("examples" = [60]))]
     pub temperature_c: Option<At<f64>>,
 }
 
@@ -74,22 +103,33 @@ pub(crate) enum RawType {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RawKind(pub &'static Declaration);
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawSize {
+    /// Inertia of the ring.
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(RawRange),
+    /// Inertia of the ring over that of the engine.
     InertiaRatio(RawRange),
+    /// What a ring of rectangular section fills.
     Box(At<RawBox>),
 }
 
 /// What a ring of rectangular section fills.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBox {
+    /// Bore of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [120]))]
     pub inner_diameter_mm: At<f64>,
+    /// Outer diameter of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [220]))]
     pub outer_diameter_mm: At<f64>,
+    /// Width of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
     pub width_mm: At<f64>,
+    /// Density of the ring.
+    #[schemars(extend("minimum" = 500, "maximum" = 25000, "examples" = [7850]))]
     pub density_kg_m3: At<f64>,
 }
 

@@ -1,24 +1,42 @@
 //! The fatigue table of a study.
 
-use super::word::word;
+use super::word::{word, words};
 use crate::crankshaft::MarginCriterion;
+use crate::fatigue::endurance::RELIABILITIES;
 use crate::input::error::At;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFatigue {
+    /// Criteria that the margin is found by.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "examples" = [["goodman", "iacs_m53"]]))]
     pub criteria: At<Vec<At<RawCriterion>>>,
+    /// Strengths of the crank.
+    #[schemars(extend("examples" = [{"tensile_strength_mpa": 1000}]))]
     pub material: RawMaterial,
+    /// Pressure that bends the crank: that of the brake curve, or that which excites it.
     #[serde(default)]
+    #[schemars(extend("default" = "brake_curve", "examples" = ["excitation"]))]
     pub pressure: RawCrankPressure,
+    /// Factors that lessen the fatigue limit.
+    #[schemars(extend("examples" = [{"surface": "ground"}]))]
     pub endurance: Option<RawEndurance>,
+    /// Whether compression by mean bending helps, or counts as tension.
     #[serde(default)]
+    #[schemars(extend("default" = "signed", "examples" = ["as_tension"]))]
     pub mean_bending: RawMeanBending,
+    /// Whether factors of concentration are lessened by notch sensitivity.
     #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
     pub notch_sensitivity: bool,
+    /// What the class rule asks further.
     #[serde(default)]
+    #[schemars(extend("examples" = [{"manufacture": "grain_flow"}]))]
     pub iacs_m53: RawClassRule,
+    /// A fillet with its stress concentration.
     #[serde(default)]
     pub fillet: Vec<RawFillet>,
 }
@@ -33,8 +51,20 @@ impl<'de> Deserialize<'de> for RawCriterion {
     }
 }
 
+impl JsonSchema for RawCriterion {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "Criterion".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        words(MarginCriterion::all(), MarginCriterion::name)
+    }
+}
+
 /// Pressure that bends the crank.
-#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawCrankPressure {
     #[default]
@@ -42,7 +72,7 @@ pub(crate) enum RawCrankPressure {
     Excitation,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawMeanBending {
     #[default]
@@ -50,27 +80,45 @@ pub(crate) enum RawMeanBending {
     AsTension,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMaterial {
+    /// Tensile strength.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1000]))]
     pub tensile_strength_mpa: At<f64>,
+    /// Yield strength.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [700]))]
     pub yield_strength_mpa: Option<At<f64>>,
+    /// Fatigue limit in reversed bending; without it, estimated from the tensile strength.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [450]))]
     pub bending_fatigue_limit_mpa: Option<At<f64>>,
+    /// Fatigue limit in reversed torsion.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [270]))]
     pub torsion_fatigue_limit_mpa: Option<At<f64>>,
+    /// Largest stress of the fatigue limit in bending from zero.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [620]))]
     pub repeated_bending_fatigue_limit_mpa: Option<At<f64>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawEndurance {
+    /// Load that the factor of size is for.
     #[serde(default)]
+    #[schemars(extend("default" = "bending", "examples" = ["axial"]))]
     pub load: RawLoad,
+    /// Finish of the surface.
+    #[schemars(extend("examples" = ["ground"]))]
     pub surface: RawSurface,
+    /// Temperature of the crank.
+    #[schemars(extend("minimum" = -60, "maximum" = 550, "default" = 20, "examples" = [90]))]
     pub temperature_c: Option<At<f64>>,
+    /// Reliability, one of the tabulated values.
+    #[schemars(extend("enum" = RELIABILITIES, "default" = 50, "examples" = [99]))]
     pub reliability_percent: Option<At<f64>>,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawLoad {
     #[default]
@@ -78,7 +126,7 @@ pub(crate) enum RawLoad {
     Axial,
 }
 
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawSurface {
     Ground,
@@ -87,15 +135,19 @@ pub(crate) enum RawSurface {
     Forged,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawClassRule {
+    /// How the crank is made.
     #[serde(default)]
+    #[schemars(extend("default" = "free_forged", "examples" = ["grain_flow"]))]
     pub manufacture: RawManufacture,
+    /// Additional bending stress of the rule.
+    #[schemars(extend("minimum" = 0, "default" = 10, "examples" = [10]))]
     pub additional_bending_mpa: Option<At<f64>>,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawManufacture {
     GrainFlow,
@@ -104,17 +156,25 @@ pub(crate) enum RawManufacture {
     CastColdRolled,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFillet {
+    /// Its name in tables.
+    #[schemars(extend("examples" = ["crankpin"]))]
     pub name: At<String>,
+    /// The throw; without it all of them.
+    #[schemars(extend("examples" = [1]))]
     pub throw: Option<At<i64>>,
+    /// Whether it is at a crankpin or a journal.
     #[serde(default)]
+    #[schemars(extend("default" = "crankpin", "examples" = ["journal"]))]
     pub on: RawPlace,
+    /// Its factors: given, of a table of stresses per unit load, or by formula.
+    #[schemars(extend("examples" = ["iacs_m53"]))]
     pub factors: At<RawFactors>,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawPlace {
     #[default]
@@ -122,19 +182,28 @@ pub(crate) enum RawPlace {
     Journal,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawFactors {
+    /// Factors of the nominal stresses.
     Given(RawGiven),
+    /// A table of stresses per unit load.
+    #[schemars(extend("examples" = ["unit_loads.csv"]))]
     UnitLoads(At<String>),
+    /// Factors by IACS UR M53.
     IacsM53,
+    /// Factors by the FVV, 1973.
     #[serde(rename = "fvv_1973")]
     Fvv1973,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGiven {
+    /// Factor of the nominal bending stress.
+    #[schemars(extend("minimum" = 1, "maximum" = 20, "examples" = [3.2]))]
     pub bending: At<f64>,
+    /// Factor of the nominal torsional stress.
+    #[schemars(extend("minimum" = 1, "maximum" = 20, "examples" = [1.8]))]
     pub torsion: At<f64>,
 }

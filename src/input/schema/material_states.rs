@@ -1,67 +1,110 @@
 //! States of an absorber's material, as typed.
 
 use super::range::RawRange;
+use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
+use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// Temperatures of the conditions `cold` and `hot`.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawTemperatures {
+    /// Temperature of the condition `cold`.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [-20]))]
     pub cold_c: Option<At<f64>>,
+    /// Temperature of the condition `hot`.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [90]))]
     pub hot_c: Option<At<f64>>,
 }
 
 /// What is said of a material.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMaterialStates {
+    /// How stiffness or viscosity follows temperature.
+    #[schemars(extend("examples" = [{"wlf": {"c1": 8.86, "c2_k": 101.6, "reference_c": 50}}]))]
     pub temperature: Option<At<RawTemperatureLaw>>,
+    /// By the key of a parameter its factor in the condition `aged`.
+    #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() }, "additionalProperties" = factor_of_age(),
+        "examples" = [{"stiffness_n_m_per_rad": 1.25}]))]
     pub ageing: Option<RawAgeing>,
+    /// How heat leaves the absorber.
     pub cooling: Option<At<RawCooling>>,
+    /// What of the material is sheared.
     pub geometry: Option<At<RawGeometry>>,
+    /// How rubber follows its strain.
     pub amplitude: Option<At<RawAmplitude>>,
+    /// By the key of a material parameter its value or bounds, in a family.
     #[serde(default)]
+    #[schemars(extend("propertyNames" = { "enum": parameter_keys() }, "examples" = [{"loss_factor": {"fixed": 0.2}}]))]
     pub properties: BTreeMap<String, RawRange>,
 }
 
+fn factor_of_age() -> Value {
+    json!({ "type": "number", "exclusiveMinimum": 0, "description": "Factor on the parameter of this key.", "examples": [1.25] })
+}
+
 /// How a material follows temperature.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawTemperatureLaw {
+    /// The law of Williams, Landel and Ferry.
     Wlf(RawWlf),
+    /// The law of Arrhenius.
     Arrhenius(RawArrhenius),
+    /// A share per kelvin, as catalogues give it.
     Exponential(RawExponential),
+    /// The viscosity of silicone oils.
     SiliconeOil(RawSiliconeOil),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawWlf {
+    /// First constant of Williams, Landel and Ferry.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8.86]))]
     pub c1: At<f64>,
+    /// Second constant.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [101.6]))]
     pub c2_k: At<f64>,
+    /// Temperature that the values of the law are given for.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [50]))]
     pub reference_c: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawArrhenius {
+    /// Activation energy.
+    #[schemars(extend("minimum" = 1, "maximum" = 500, "examples" = [16]))]
     pub activation_kj_per_mol: At<f64>,
+    /// Temperature that the values of the law are given for.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [25]))]
     pub reference_c: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawExponential {
+    /// Share by which the factor falls per kelvin.
+    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
     pub per_k: At<f64>,
+    /// Temperature that the values of the law are given for.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [20]))]
     pub reference_c: At<f64>,
+    /// Lowest and highest temperature that the factor was measured at.
+    #[schemars(extend("items" = { "type": "number", "minimum": -100, "maximum": 400 }, "examples" = [[0, 100]]))]
     pub between_c: At<Vec<At<f64>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSiliconeOil {
+    /// Temperature that the values of the law are given for.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [25]))]
     pub reference_c: At<f64>,
 }
 
@@ -69,88 +112,150 @@ pub(crate) struct RawSiliconeOil {
 pub(crate) type RawAgeing = At<BTreeMap<String, At<f64>>>;
 
 /// How heat leaves an absorber.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawCooling {
+    /// Temperature of the air.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [60]))]
     pub air_c: At<f64>,
+    /// Temperature of the hub.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [80]))]
     pub hub_c: At<f64>,
+    /// Conductance to the air, or the disc it follows from.
+    #[schemars(extend("examples" = [{"w_per_k": 2}]))]
     pub to_air: RawToAir,
+    /// Conductance to the hub.
+    #[schemars(extend("minimum" = 0, "examples" = [1]))]
     pub to_hub_w_per_k: At<f64>,
+    /// Temperature that the material bears.
+    #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [110]))]
     pub limit_c: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawToAir {
+    /// Conductance to the air.
+    #[schemars(extend("examples" = [2]))]
     WPerK(At<f64>),
+    /// A rotating disc of this size.
     Disc(RawDisc),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDisc {
+    /// Diameter of the rotating disc.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [220]))]
     pub diameter_mm: At<f64>,
+    /// Width of the disc.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
     pub width_mm: At<f64>,
 }
 
 /// How a material follows the amplitude of its strain.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawAmplitude {
+    /// The law of Kraus for filled rubber.
     Kraus(RawKraus),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawKraus {
+    /// Storage modulus at no strain over that at large strain.
+    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [2]))]
     pub storage_ratio: At<f64>,
+    /// Largest loss modulus over that at large strain.
+    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [2]))]
     pub loss_ratio: At<f64>,
+    /// Strain at which half of the filler's structure is broken.
+    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.02]))]
     pub critical_strain: At<f64>,
+    /// Exponent of Kraus.
+    #[schemars(extend("minimum" = 0.1, "maximum" = 2, "examples" = [0.6]))]
     pub exponent: At<f64>,
+    /// Strain that the values of the law are given for.
+    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.01]))]
     pub reference_strain: At<f64>,
 }
 
 /// What of a material is sheared.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawGeometry {
+    /// A sleeve between hub and ring.
     Sleeve(RawSleeve),
+    /// Layers between plane faces.
     Faces(RawFaces),
+    /// Layers whose thickness grows with the radius.
     Wedges(RawWedges),
+    /// Oil round a ring in its housing.
     Gap(RawGap),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSleeve {
+    /// Inner diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
     pub inner_diameter_mm: At<f64>,
+    /// Outer diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [190]))]
     pub outer_diameter_mm: At<f64>,
+    /// Length of the sleeve.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
     pub length_mm: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFaces {
+    /// Inner diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
+    /// Outer diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
+    /// Thickness of each layer.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
     pub thickness_mm: At<f64>,
+    /// Number of layers.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     pub count: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawWedges {
+    /// Inner diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
+    /// Outer diameter of the rubber.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
+    /// Thickness over radius, the same everywhere: the strain is even.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.08]))]
     pub thickness_over_radius: At<f64>,
+    /// Number of layers.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     pub count: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawGap {
+    /// Bore of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
     pub inner_diameter_mm: At<f64>,
+    /// Outer diameter of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [200]))]
     pub outer_diameter_mm: At<f64>,
+    /// Width of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
     pub width_mm: At<f64>,
+    /// Gap of the oil at rim, bore and faces.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
     pub gap_mm: At<f64>,
 }

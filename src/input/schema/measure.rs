@@ -2,9 +2,10 @@
 
 use super::fatigue::RawCriterion;
 use crate::input::error::At;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawOver {
     #[default]
@@ -13,7 +14,7 @@ pub(crate) enum RawOver {
     Duty,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawPowerOver {
     #[default]
@@ -34,14 +35,20 @@ pub(crate) struct RawWithin<'a> {
 
 /// A measure over speed: its own keys, and those that all of them have.
 macro_rules! over_speed {
-    ($(#[$meta:meta])* $name:ident { $($field:ident: $kind:ty,)* }) => {
+    ($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $field:ident: $kind:ty,)* }) => {
         $(#[$meta])*
-        #[derive(Debug, Deserialize)]
+        #[derive(Debug, Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields)]
         pub(crate) struct $name {
-            $(pub $field: $kind,)*
+            $($(#[$about])* pub $field: $kind,)*
+            /// Part of the speeds that counts: the lowest and the highest.
+            #[schemars(extend("examples" = [[1000, 2500]]))]
             pub speed_rpm: Option<At<Vec<At<f64>>>>,
+            /// Ranges of speed that do not count.
+            #[schemars(extend("examples" = [[[1400, 1500]]]))]
             pub except_rpm: Option<RawPairs>,
+            /// Speeds with a factor on the limit, linear between them.
+            #[schemars(extend("examples" = [[[1000, 1], [3000, 0.5]]]))]
             pub factor_by_speed: Option<RawPairs>,
         }
 
@@ -58,52 +65,173 @@ macro_rules! over_speed {
 }
 
 over_speed!(RawTwist {
+    /// The first station.
+    #[schemars(extend("examples" = ["pulley"]))]
     from: At<String>,
+    /// The second station, or `ground`.
+    #[schemars(extend("examples" = ["flywheel"]))]
     to: At<String>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
     order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
-over_speed!(RawAmplitude { station: At<String>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
-over_speed!(RawAcceleration { station: At<String>, over: Option<RawOver>, order: Option<At<f64>>, max_rad_per_s2: Option<At<f64>>, });
-over_speed!(#[derive(Default)] RawTorque { shaft: Option<At<String>>, over: Option<RawOver>, order: Option<At<f64>>, max_n_m: Option<At<f64>>, });
-over_speed!(RawStress {
-    shaft: At<String>,
-    outer_diameter_mm: At<f64>,
-    inner_diameter_mm: Option<At<f64>>,
+over_speed!(RawAmplitude {
+    /// The station.
+    #[schemars(extend("examples" = ["pulley"]))]
+    station: At<String>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
     order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
+    max_deg: Option<At<f64>>,
+});
+over_speed!(RawAcceleration {
+    /// The station.
+    #[schemars(extend("examples" = ["pulley"]))]
+    station: At<String>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+    over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
+    order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2000]))]
+    max_rad_per_s2: Option<At<f64>>,
+});
+over_speed!(#[derive(Default)] RawTorque {
+    /// The station before the shaft; without it the largest of all shafts.
+    #[schemars(extend("examples" = ["throw_3"]))]
+    shaft: Option<At<String>>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+    over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
+    order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [900]))]
+    max_n_m: Option<At<f64>>,
+});
+over_speed!(RawStress {
+    /// The station before the shaft.
+    #[schemars(extend("examples" = ["throw_6"]))]
+    shaft: At<String>,
+    /// Outer diameter of its section.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [72]))]
+    outer_diameter_mm: At<f64>,
+    /// Inner diameter of its section.
+    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
+    inner_diameter_mm: Option<At<f64>>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+    over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
+    order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
     max_mpa: Option<At<f64>>,
+    /// Limit by IACS UR M68, over speed.
+    #[schemars(extend("examples" = [{"rated_speed_rpm": 2500, "tensile_strength_mpa": 600, "stress_factor": 1}]))]
     iacs_m68: Option<At<RawM68>>,
+    /// Limit by the Korean Register's rule for cranks, over speed.
+    #[schemars(extend("examples" = [{"rated_speed_rpm": 2500, "tensile_strength_mpa": 900, "engine": "four_stroke_in_line"}]))]
     korean_register_crank: Option<At<RawKrCrank>>,
 });
-over_speed!(#[derive(Default)] RawRingTwist { absorber: Option<At<i64>>, over: Option<RawOver>, order: Option<At<f64>>, max_deg: Option<At<f64>>, });
-over_speed!(RawStrain {
-    absorber: At<i64>,
-    mean_radius_mm: At<f64>,
-    thickness_mm: At<f64>,
+over_speed!(#[derive(Default)] RawRingTwist {
+    /// The absorber by its number; without it the largest of all.
+    #[schemars(extend("examples" = [1]))]
+    absorber: Option<At<i64>>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
     order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
+    max_deg: Option<At<f64>>,
+});
+over_speed!(RawStrain {
+    /// The absorber by its number.
+    #[schemars(extend("examples" = [1]))]
+    absorber: At<i64>,
+    /// Mean radius of the element.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [95]))]
+    mean_radius_mm: At<f64>,
+    /// Its thickness.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
+    thickness_mm: At<f64>,
+    /// Over the sum of orders, the largest order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+    over: Option<RawOver>,
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
+    order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
     max_percent: Option<At<f64>>,
 });
-over_speed!(#[derive(Default)] RawPower { absorber: Option<At<i64>>, over: Option<RawPowerOver>, max_w: Option<At<f64>>, });
-over_speed!(RawPowerPerArea {
-    absorber: At<i64>,
-    area_m2: At<f64>,
+over_speed!(#[derive(Default)] RawPower {
+    /// The absorber by its number; without it the sum of all.
+    #[schemars(extend("examples" = [1]))]
+    absorber: Option<At<i64>>,
+    /// The worst speed, or the mean over the duty.
+    #[schemars(extend("default" = "speed", "examples" = ["duty"]))]
     over: Option<RawPowerOver>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [150]))]
+    max_w: Option<At<f64>>,
+});
+over_speed!(RawPowerPerArea {
+    /// The absorber by its number.
+    #[schemars(extend("examples" = [1]))]
+    absorber: At<i64>,
+    /// Area that heat leaves by.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
+    area_m2: At<f64>,
+    /// The worst speed, or the mean over the duty.
+    #[schemars(extend("default" = "speed", "examples" = ["duty"]))]
+    over: Option<RawPowerOver>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5000]))]
     max_w_per_m2: Option<At<f64>>,
 });
-over_speed!(#[derive(Default)] RawMargin { criterion: Option<At<RawCriterion>>, min: Option<At<f64>>, });
+over_speed!(#[derive(Default)] RawMargin {
+    /// The criterion; without it the first of `[fatigue]`.
+    #[schemars(extend("examples" = ["goodman"]))]
+    criterion: Option<At<RawCriterion>>,
+    /// Least margin.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1.5]))]
+    min: Option<At<f64>>,
+});
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawKrCrank {
+    /// Rated speed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
     pub rated_speed_rpm: At<f64>,
+    /// Tensile strength.
+    #[schemars(extend("minimum" = 400, "maximum" = 1500, "examples" = [900]))]
     pub tensile_strength_mpa: At<f64>,
+    /// Kind of engine.
+    #[schemars(extend("examples" = ["four_stroke_in_line"]))]
     pub engine: RawKrEngine,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawKrEngine {
     FourStrokeInLine,
@@ -112,49 +240,79 @@ pub(crate) enum RawKrEngine {
     Other,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawM68 {
+    /// Rated speed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
     pub rated_speed_rpm: At<f64>,
+    /// Tensile strength.
+    #[schemars(extend("minimum" = 400, "maximum" = 800, "examples" = [600]))]
     pub tensile_strength_mpa: At<f64>,
+    /// c_K of the rule.
+    #[schemars(extend("minimum" = 0.1, "maximum" = 1, "examples" = [1]))]
     pub stress_factor: At<f64>,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLossFactor {
+    /// The absorber by its number; without it the largest of all.
+    #[schemars(extend("examples" = [1]))]
     pub absorber: Option<At<i64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.25]))]
     pub max: Option<At<f64>>,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawInertia {
+    /// The absorber by its number; without it all together.
+    #[schemars(extend("examples" = [1]))]
     pub absorber: Option<At<i64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.1]))]
     pub max_kg_m2: Option<At<f64>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBand {
+    /// Band that natural frequencies keep out of.
+    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[180, 220]]))]
     pub outside_hz: At<Vec<At<f64>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawMeasure {
+    /// Twist between two stations.
     PeakTwist(RawTwist),
+    /// Amplitude of a station.
     HubAmplitude(RawAmplitude),
+    /// Angular acceleration of a station.
     Acceleration(RawAcceleration),
+    /// Vibratory torque of a shaft.
     VibratoryTorque(RawTorque),
+    /// Nominal torsional stress of a shaft.
     ShaftStress(RawStress),
+    /// Twist between ring and hub.
     RingTwist(RawRingTwist),
+    /// Shear strain of an absorber's element.
     ElementStrain(RawStrain),
+    /// Power that absorbers turn to heat.
     DissipatedPower(RawPower),
+    /// Dissipated power over the area it leaves by.
     PowerPerArea(RawPowerPerArea),
+    /// Loss factor at the tuned frequency.
     LossFactor(RawLossFactor),
+    /// Inertia of the ring.
     RingInertia(RawInertia),
+    /// Inertia of ring and hub.
     TotalInertia(RawInertia),
+    /// Natural frequencies kept out of a band.
     NaturalFrequency(RawBand),
+    /// Smallest margin of the crank.
     Margin(RawMargin),
 }

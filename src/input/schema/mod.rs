@@ -4,6 +4,7 @@ pub mod absorber;
 pub mod crank;
 pub mod engine;
 pub mod fatigue;
+pub mod json;
 pub mod material;
 pub mod material_states;
 pub mod measure;

@@ -4,43 +4,81 @@ use super::absorber::{RawAbsorber, RawOptimised};
 use super::fatigue::RawFatigue;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
-use super::range::RawRange;
+use super::range::{RawBounds, RawRange};
 use super::robust::RawRobust;
 use crate::input::error::At;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend(
+    "dependentRequired" = { "pareto": ["optimise"] },
+    "anyOf" = [{ "required": ["design"] }, { "required": ["catalogue"] }, { "required": ["optimise"] }],
+    "not" = { "required": ["part_load", "load_fraction"] }
+))]
 pub(crate) struct RawStudy {
+    /// The engine file, relative to the study.
+    #[schemars(extend("examples" = ["engine.toml"]))]
     pub engine: At<String>,
+    /// The speeds of the sweep.
+    #[schemars(extend("examples" = [{"from": 600, "to": 3200, "step": 10}]))]
     pub speed_rpm: At<RawSpeeds>,
+    /// Highest order of the torque that is taken.
+    #[schemars(extend("minimum" = 0.5, "maximum" = 200, "default" = 12, "examples" = [12]))]
     pub order_limit: Option<At<f64>>,
+    /// Share of the full-load mean pressure, at all speeds.
+    #[schemars(extend("minimum" = 0, "maximum" = 1.2, "default" = 1, "examples" = [0.75]))]
     pub load_fraction: Option<At<f64>>,
+    /// Share of the full-load mean pressure over speed, in place of `load_fraction`.
+    #[schemars(extend("examples" = [{"speed_rpm": [600, 3200], "fraction": [0.2, 0.8]}]))]
     pub part_load: Option<At<RawPartLoad>>,
+    /// Speeds and loads of the engine's use with their shares of time, for means beside the worst case.
     #[serde(default)]
     pub duty: Vec<RawDuty>,
+    /// Conditions in which every design is judged beside normal firing.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "examples" = [["misfire", "hot"]]))]
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
+    /// How cylinders differ, for the condition `unequal_cylinders`.
+    #[schemars(extend("examples" = [{"combustion": [0.05, -0.05, 0.02, -0.02, 0.03, -0.03]}]))]
     pub scatter: Option<At<RawScatter>>,
+    /// Temperatures of the conditions `cold` and `hot`.
+    #[schemars(extend("examples" = [{"cold_c": -20, "hot_c": 90}]))]
     pub temperatures: Option<RawTemperatures>,
+    /// How the response is computed.
     #[serde(default)]
     pub response: RawResponse,
+    /// A given design: a name and its absorbers.
     #[serde(default)]
     pub design: Vec<RawDesign>,
+    /// Absorbers one can buy: all are judged, the best are kept as designs.
     #[serde(default)]
     pub catalogue: Vec<RawCatalogue>,
+    /// What is minimised (a margin: maximised); the first is the main one. Without any: the synthesised twist from the first to the last station.
     #[serde(default)]
+    #[schemars(extend("examples" = [[{"peak_twist": {"from": "pulley", "to": "flywheel"}}]]))]
     pub objective: Vec<At<RawMeasure>>,
+    /// A measure with a limit that every optimum holds.
     #[serde(default)]
+    #[schemars(extend("examples" = [[{"dissipated_power": {"max_w": 150}}]]))]
     pub constraint: Vec<At<RawMeasure>>,
+    /// Families of absorbers that are optimised.
     pub optimise: Option<RawOptimise>,
+    /// Tolerances within which a design is to be good.
+    #[schemars(extend("examples" = [{"tolerance": {"stiffness_n_m_per_rad": 0.1, "damping_n_m_s_per_rad": 0.3}}]))]
     pub robust: Option<At<RawRobust>>,
+    /// A front of two or three measures, or of the objective against the size of the ring.
+    #[schemars(extend("examples" = [{"points": 40, "of": ["peak_twist", "margin"]}]))]
     pub pareto: Option<At<RawPareto>>,
+    /// Printed tables that results are compared with by `hartog compare`.
     pub published: Option<At<RawPublished>>,
+    /// Inputs of the engine that are fitted to measured amplitudes.
     pub calibrate: Option<At<RawCalibrate>>,
+    /// How the margin of the crank is judged.
     pub fatigue: Option<At<RawFatigue>>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawCondition {
     Firing,
@@ -53,45 +91,69 @@ pub(crate) enum RawCondition {
     AbsorberLost,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawScatter {
+    /// Deviation of the gas torque of each cylinder, as a share; one a cylinder.
+    #[schemars(extend("items" = { "type": "number", "minimum": -1, "maximum": 1 }, "examples" = [[0.05, -0.05, 0.02, -0.02]]))]
     pub combustion: At<Vec<At<f64>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawSpeeds {
+    /// Lowest speed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [600]))]
     pub from: At<f64>,
+    /// Highest speed; it is one of the sweep whatever the step.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3200]))]
     pub to: At<f64>,
+    /// Step of the sweep.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
     pub step: At<f64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawPartLoad {
+    /// Ascending speeds; linear between them.
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 1, "examples" = [[600, 3200]]))]
     pub speed_rpm: At<Vec<At<f64>>>,
+    /// Share of the full-load mean pressure at each speed.
+    #[schemars(extend("items" = { "type": "number", "minimum": 0, "maximum": 1.2 }, "minItems" = 1, "examples" = [[0.2, 0.8]]))]
     pub fraction: At<Vec<At<f64>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDuty {
+    /// A speed of the study.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1800]))]
     pub speed_rpm: At<f64>,
+    /// Share of the full-load mean pressure.
+    #[schemars(extend("minimum" = 0, "maximum" = 1.2, "examples" = [0.6]))]
     pub load_fraction: At<f64>,
+    /// Share of time; all shares add up to 1.
+    #[schemars(extend("minimum" = 0, "maximum" = 1, "examples" = [0.25]))]
     pub share: At<f64>,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawResponse {
+    /// How the response to each order is found; `auto` takes receptance where it is exact.
     #[serde(default)]
+    #[schemars(extend("default" = "auto", "examples" = ["direct"]))]
     pub method: RawMethod,
+    /// Relative error that searches may leave; what is reported is exact.
+    #[schemars(extend("minimum" = 1e-9, "maximum" = 0.1, "default" = 0.001, "examples" = [0.001]))]
     pub tolerance: Option<At<f64>>,
+    /// Whether peaks are sought between the speeds of the sweep.
+    #[schemars(extend("default" = true, "examples" = [true]))]
     pub refine_peaks: Option<bool>,
 }
 
-#[derive(Debug, Default, Clone, Copy, Deserialize)]
+#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawMethod {
     Receptance,
@@ -100,116 +162,227 @@ pub(crate) enum RawMethod {
     Auto,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDesign {
+    /// Its name in tables and plots.
+    #[schemars(extend("pattern" = "^(?!optimum_)[A-Za-z0-9_-][A-Za-z0-9_.-]*$", "examples" = ["tuned"]))]
     pub name: At<String>,
+    /// An absorber of the design; without any the bare engine.
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawOnStation {
+    /// The station that carries it.
+    #[schemars(extend("examples" = ["pulley"]))]
     pub station: At<String>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawCatalogue {
+    /// A table with `name`, `type` and the parameters of the types.
+    #[schemars(extend("examples" = ["catalogue.csv"]))]
     pub file: At<String>,
+    /// The station that carries the absorber.
+    #[schemars(extend("examples" = [{"station": "pulley"}]))]
     pub on: RawOnStation,
+    /// How many are kept as designs.
+    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [5]))]
     pub best: At<i64>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawOptimise {
+    /// Seed of the random starts.
+    #[schemars(extend("minimum" = 0, "default" = 1, "examples" = [1]))]
     pub seed: Option<At<i64>>,
+    /// Random starts beside those of closed forms.
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "default" = 4, "examples" = [8]))]
     pub random_starts: Option<At<i64>>,
+    /// Conditions in which the optimum has to be good: the worst one counts.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "default" = ["firing"], "examples" = [["firing", "misfire"]]))]
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
+    /// A family of absorbers; with several, all are in the design at once.
     pub absorber: At<Vec<RawOptimised>>,
+    /// Several objectives as one, in units of their targets.
+    #[schemars(extend("examples" = [{"of": ["peak_twist", "margin"], "targets": [0.4, 2]}]))]
     pub combined: Option<At<RawCombined>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawCombined {
+    /// Objectives by their words, two or more.
+    #[schemars(extend("minItems" = 2, "uniqueItems" = true, "examples" = [["peak_twist", "dissipated_power"]]))]
     pub of: At<Vec<At<String>>>,
+    /// A target for each, in its unit.
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[0.4, 150]]))]
     pub targets: At<Vec<At<f64>>>,
+    /// With them the weighted sum counts; without, the largest.
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[1, 0.5]]))]
     pub weights: Option<At<Vec<At<f64>>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["against"] }, { "required": ["of"] }]))]
 pub(crate) struct RawPareto {
+    /// Points of each front.
+    #[schemars(extend("minimum" = 2, "maximum" = 10000, "examples" = [40]))]
     pub points: At<i64>,
+    /// Smallest and largest size of the ring, for a front of the objective against size.
+    #[schemars(extend("examples" = [{"ring_inertia_kg_m2": [0.01, 0.2]}]))]
     pub against: Option<RawAgainst>,
+    /// Two or three objectives by their words.
+    #[schemars(extend("minItems" = 2, "maxItems" = 3, "uniqueItems" = true, "examples" = [["peak_twist", "margin"]]))]
     pub of: Option<At<Vec<At<String>>>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawAgainst {
+    /// Smallest and largest inertia of the ring.
     #[serde(rename = "ring_inertia_kg_m2")]
+    #[schemars(extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     RingInertia(At<Vec<At<f64>>>),
+    /// Smallest and largest inertia of the ring over that of the engine.
+    #[schemars(extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     InertiaRatio(At<Vec<At<f64>>>),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 2))]
 pub(crate) struct RawPublished {
+    /// The engine's name in the tables.
+    #[schemars(extend("examples" = ["V10"]))]
     pub engine: At<String>,
+    /// Natural frequencies of the chain.
+    #[schemars(extend("examples" = ["published/natural_frequencies.csv"]))]
     pub frequencies: Option<At<String>>,
+    /// Absorbers of the designs.
+    #[schemars(extend("examples" = ["published/absorbers.csv"]))]
     pub absorbers: Option<At<String>>,
+    /// Amplitudes of orders at speeds.
+    #[schemars(extend("examples" = ["published/amplitudes.csv"]))]
     pub amplitudes: Option<At<String>>,
+    /// Quantities of the engine.
+    #[schemars(extend("examples" = ["published/engines.csv"]))]
     pub engines: Option<At<String>>,
+    /// Stresses and safety factors of the designs.
+    #[schemars(extend("examples" = ["published/fatigue.csv"]))]
     pub fatigue: Option<At<String>>,
+    /// Stresses of critical points.
+    #[schemars(extend("examples" = ["published/stresses.csv"]))]
     pub stresses: Option<At<String>>,
+    /// Stress concentration factors.
+    #[schemars(extend("examples" = ["published/factors.csv"]))]
     pub factors: Option<At<String>>,
+    /// Multiaxial safety factors.
+    #[schemars(extend("examples" = ["published/multiaxial.csv"]))]
     pub multiaxial: Option<At<String>>,
+    /// Invariants of stress histories.
+    #[schemars(extend("examples" = ["published/histories.csv"]))]
     pub histories: Option<At<String>>,
+    /// Smaller printed amplitudes are not compared.
+    #[schemars(extend("minimum" = 0, "default" = 0.1, "examples" = [0.1]))]
     pub least_amplitude_deg: Option<At<f64>>,
+    /// Deviations that are within tolerance.
     #[serde(default)]
+    #[schemars(extend("examples" = [{"frequency": 1}]))]
     pub tolerance_percent: RawTolerances,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawTolerances {
+    /// Of natural frequencies.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1]))]
     pub frequency: Option<At<f64>>,
+    /// Of critical speeds.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1]))]
     pub critical_speed: Option<At<f64>>,
+    /// Of stiffnesses of absorbers.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     pub stiffness: Option<At<f64>>,
+    /// Of dampings of absorbers.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     pub damping: Option<At<f64>>,
+    /// Of amplitudes, the median.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
     pub amplitude_median: Option<At<f64>>,
+    /// Of amplitudes, the worst.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [30]))]
     pub amplitude_worst: Option<At<f64>>,
+    /// Of safety factors.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
     pub safety_factor: Option<At<f64>>,
+    /// Of multiaxial safety factors.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
     pub multiaxial_factor: Option<At<f64>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 2))]
 pub(crate) struct RawCalibrate {
+    /// Designs whose printed amplitudes are fitted.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "examples" = [["none"]]))]
     pub designs: At<Vec<At<String>>>,
+    /// Printed amplitudes that are left out.
     #[serde(default)]
+    #[schemars(extend("examples" = [[{"design": "none", "order": 6, "speed_rpm": 2000}]]))]
     pub exclude: Vec<At<RawExcluded>>,
+    /// Inputs that were fitted by hand before, named as such in tables.
+    #[schemars(extend("examples" = [["throw_damping"]]))]
     pub tuned_by_hand: Option<At<Vec<At<String>>>>,
+    /// Bounds of the factor on the pressure.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.5, 2]}]))]
     pub pressure_scale: Option<At<RawRange>>,
+    /// Bounds of the compression ratio.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [8, 20]}]))]
     pub compression_ratio: Option<At<RawRange>>,
+    /// Bounds of the ratio of heat capacities.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [1.25, 1.4]}]))]
     pub heat_capacity_ratio: Option<At<RawRange>>,
+    /// Bounds of the inlet pressure.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [1, 3]}]))]
     pub boost_bar: Option<At<RawRange>>,
+    /// Bounds of the start of burning.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [-15, 5]}]))]
     pub burn_start_deg: Option<At<RawRange>>,
+    /// Bounds of the duration of burning.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [40, 90]}]))]
     pub burn_duration_deg: Option<At<RawRange>>,
+    /// Bounds of Wiebe's exponent.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.5, 3]}]))]
     pub wiebe_exponent: Option<At<RawRange>>,
+    /// Bounds of the damping to ground at the throws.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.1, 20]}]))]
     pub throw_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    /// Bounds of the damping of the shafts.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.1, 100]}]))]
     pub shaft_damping_n_m_s_per_rad: Option<At<RawRange>>,
+    /// Bounds of the loss factor of the shafts.
+    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.001, 0.05]}]))]
     pub shaft_loss_factor: Option<At<RawRange>>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawExcluded {
+    /// Design it is of.
+    #[schemars(extend("examples" = ["none"]))]
     pub design: At<String>,
+    /// Its order of the torque.
+    #[schemars(extend("examples" = [6]))]
     pub order: At<f64>,
+    /// Speed of the engine.
+    #[schemars(extend("examples" = [2000]))]
     pub speed_rpm: At<f64>,
 }

@@ -1,5 +1,6 @@
 //! A value by its word, where the words stand with the values themselves.
 
+use schemars::{Schema, json_schema};
 use serde::Deserializer;
 use serde::de::{Error, Visitor};
 use std::fmt::Formatter;
@@ -11,6 +12,11 @@ pub(super) fn word<'de, T: Copy, D: Deserializer<'de>>(
     name: fn(T) -> &'static str,
 ) -> Result<T, D::Error> {
     deserializer.deserialize_str(Word { all: all.into_iter().collect(), name })
+}
+
+/// JSON Schema of one of `all` by its name.
+pub(super) fn words<T: Copy>(all: impl IntoIterator<Item = T>, name: fn(T) -> &'static str) -> Schema {
+    json_schema!({ "type": "string", "enum": all.into_iter().map(name).collect::<Vec<_>>() })
 }
 
 struct Word<T> {

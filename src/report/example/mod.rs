@@ -126,7 +126,7 @@ impl Example {
              rod_rotating_fraction = 0.667    # the rest moves with the piston\n"
         );
         let mut text = String::from(
-            "# An engine with its torsional chain. Every value is an example: replace it by your own.\nname = \"own engine\"\nstrokes = 4\n",
+            "# An engine with its torsional chain. Every value is an example: replace it by your own; `hartog keys` tells of all keys.\nname = \"own engine\"\nstrokes = 4\n",
         );
         if self.gas != Gas::Harmonics {
             text += "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n";

@@ -8,6 +8,7 @@ pub mod comparison;
 pub mod crank;
 mod curves;
 pub mod fatigue;
+pub mod keys;
 mod large_twist;
 mod limits;
 pub mod margin;

@@ -20,12 +20,14 @@ fn a_folder_belongs_to_one_run() {
     run().success();
     assert!(!folder.path().join(".hartogdead").exists() && !folder.path().join("heat.csv").exists());
     let summary = fs::read_to_string(folder.path().join("summary.json")).expect("a summary");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let files = summary["files"].as_array().expect("files");
     let names: Vec<String> =
         fs::read_dir(folder.path()).expect("a folder").map(|e| e.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     for name in names.iter().filter(|n| !["summary.json", "timing.csv"].contains(&n.as_str())) {
         let bytes = fs::read(folder.path().join(name)).expect("bytes");
-        let entry = format!("\"bytes\": {},\n      \"crc32\": \"{:08x}\",\n      \"name\": \"{name}\"", bytes.len(), crc32(&bytes));
-        assert!(summary.contains(&entry), "{entry} in {summary}");
+        let entry = serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32(&bytes)) });
+        assert!(files.contains(&entry), "{entry} in {files:?}");
     }
     let held = fs::File::open(folder.path()).expect("a folder");
     held.lock().expect("a lock");

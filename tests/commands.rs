@@ -46,7 +46,7 @@ fn run_writes_the_contract() {
          peak_order_twist_deg,peak_order_twist_order,peak_order_twist_speed_rpm,peak_order_hub_deg,peak_order_hub_order,\
          peak_order_hub_speed_rpm,peak_torque_n_m,peak_torque_shaft,dissipated_power_w,ring_twist_deg"
     ));
-    assert_eq!(header("response.csv"), "design,quantity,order,speed_rpm,amplitude");
+    assert_eq!(header("response.csv"), "design,condition,quantity,where,unit,order,kind,speed_rpm,amplitude,phase_deg");
     assert!(header("pareto.csv").starts_with("absorber,ring_inertia_kg_m2,stiffness_n_m_per_rad,damping_n_m_s_per_rad,peak_twist_deg"));
     assert!(header("timing.csv").starts_with("stage,seconds"));
     assert!(read(&out, "designs.csv").contains("\noptimum_tuned,tuned,"));
@@ -61,7 +61,7 @@ fn run_writes_the_contract() {
         .collect();
     assert!(left.is_empty(), "no temporary file stays");
     // numbers read back exactly, and nothing is infinite
-    for cell in read(&out, "response.csv").lines().skip(1).take(2000).filter_map(|l| l.rsplit(',').next()) {
+    for cell in read(&out, "response.csv").lines().skip(1).take(2000).filter_map(|l| l.split(',').nth(8)) {
         assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell}");
     }
 }
@@ -250,7 +250,7 @@ fn conditions_in_tables_and_no_stale_plots() {
     let margins = read(&out, "margin.csv");
     assert!(margins.starts_with("design,speed_rpm,fillet,criterion,amplitude_mpa,mean_mpa,safety_factor\nnone,600,crankpin_1,goodman,"));
     assert!(margins.lines().all(|l| l.split(',').count() == 7 && !l.contains("NaN")));
-    assert!(read(&out, "response.csv").contains("viscous_untuned,twist_misfire_deg,0.5,"));
+    assert!(read(&out, "response.csv").contains("viscous_untuned,misfire,twist,damper_hub to flywheel,deg,0.5,order,"));
     assert!(out.join("response_viscous_untuned.svg").is_file() && out.join("calibration.csv").is_file());
     let text = fs::read_to_string(&study).expect("study");
     let (start, end) = (text.find("[[design]]\nname = \"viscous").expect("a design"), text.find("[[objective]]").expect("an objective"));

@@ -2,6 +2,7 @@
 
 use crate::support::{assert_close, study};
 use hartog::Study;
+use hartog::analysis::sweeps::Swept;
 use hartog::engine::Excitation;
 use std::fs;
 use std::path::Path;
@@ -60,9 +61,9 @@ fn a_duty_point_is_the_study_at_its_load() {
     assert_eq!(whole.duty.len(), 4);
     for (d, sweep) in whole.duty.iter().zip(&half.sweeps) {
         let at = half.study.speeds_rpm.iter().position(|s| *s == 1600.0).expect("a speed of the study");
-        let named = |name: &str| sweep.quantities.iter().find(|q| q.name == name).map(|q| q.total[at]);
-        assert_close(d.points[0].twist.to_degrees(), named("twist_deg").expect("twist"), 1e-12, 0.0, "twist");
-        assert_close(d.points[0].power, named("dissipated_power_w").unwrap_or(0.0), 1e-12, 0.0, "power");
+        let named = |of: Swept| sweep.quantities.iter().find(|q| q.of == of).map(|q| q.total[at]);
+        assert_close(d.points[0].twist.to_degrees(), named(Swept::Twist).expect("twist"), 1e-12, 0.0, "twist");
+        assert_close(d.points[0].power, named(Swept::DissipatedPower).unwrap_or(0.0), 1e-12, 0.0, "power");
         assert_close(d.mean_power(), 0.75 * d.points[0].power + 0.25 * d.points[1].power, 1e-14, 0.0, "mean power");
     }
 }

@@ -52,4 +52,5 @@ mod strain;
 mod support;
 mod surface;
 mod survival;
+mod tables;
 mod trees;

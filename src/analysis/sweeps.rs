@@ -6,21 +6,92 @@ use super::systems::engines_in;
 use crate::absorber::Mounted;
 use crate::engine::Units;
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
 
-/// Amplitudes of one quantity over the speeds of the study.
+/// What is swept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub enum Swept {
+    /// Twist between two stations, degrees.
+    Twist,
+    /// Vibration of a station, degrees.
+    Amplitude,
+    /// Torque of a shaft length, N m.
+    Torque,
+    /// Twist of a ring against its hub, degrees.
+    RingTwist,
+    /// Power dissipated in an absorber, W.
+    DissipatedPower,
+}
+
+impl Swept {
+    /// The word in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Twist => "twist",
+            Self::Amplitude => "amplitude",
+            Self::Torque => "torque",
+            Self::RingTwist => "ring_twist",
+            Self::DissipatedPower => "dissipated_power",
+        }
+    }
+
+    /// Its unit in tables.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Self::Twist | Self::Amplitude | Self::RingTwist => "deg",
+            Self::Torque => "N m",
+            Self::DissipatedPower => "W",
+        }
+    }
+
+    fn per_si(self) -> f64 {
+        match self {
+            Self::Twist | Self::Amplitude | Self::RingTwist => DEG_PER_RAD,
+            Self::Torque | Self::DissipatedPower => 1.0,
+        }
+    }
+}
+
+/// One order of a quantity over the speeds of the study: a cos(n theta + phi), theta being the angle of the crank, zero where the first cylinder fires.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct OrderSweep {
+    /// a, in the unit of the quantity.
+    pub amplitude: Vec<f64>,
+    /// phi, degrees from -180 to 180.
+    pub phase_deg: Vec<f64>,
+}
+
+/// One quantity over the speeds of the study.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct QuantitySweep {
-    /// Name with unit, as in `response.csv`.
-    pub name: String,
-    /// The condition, where it is the twist in one.
-    pub condition: Option<Condition>,
-    /// Per order (one row an order, in the unit of the name), empty where only the total is kept.
-    pub orders: Vec<Vec<f64>>,
+    /// What it is.
+    pub of: Swept,
+    /// Of what: stations, a shaft length, an absorber.
+    pub place: String,
+    /// The condition.
+    pub condition: Condition,
+    /// Orders of the engine; empty where only the total is kept.
+    pub orders: Vec<OrderSweep>,
     /// Half peak-to-peak of all orders together (power: the sum).
     pub total: Vec<f64>,
+}
+
+impl QuantitySweep {
+    fn new((of, place): (Swept, String), (finder, phasors): (&PeakFinder, &[C64]), keeps_orders: bool) -> Self {
+        let factor = of.per_si();
+        let count = finder.system.orders();
+        let each = |n: usize| phasors.iter().skip(n).step_by(count);
+        let order = |n: usize| OrderSweep {
+            amplitude: each(n).map(|y| y.norm() * factor).collect(),
+            phase_deg: each(n).map(|y| y.im.arctangent(y.re) * DEG_PER_RAD).collect(),
+        };
+        let orders = if keeps_orders { (0..count).map(order).collect() } else { Vec::new() };
+        let total = finder.synthesis(phasors).iter().map(|v| v * factor).collect();
+        Self { of, place, condition: Condition::Firing, orders, total }
+    }
 }
 
 /// Response of one design over the speeds of the study.
@@ -53,27 +124,22 @@ pub fn sweeps(
     let finder = &finders[0];
     let direct = Direct::new(finder.system, grid);
     let orders = finder.system.orders();
-    let shafts = finder.system.chain.len() - 1;
-    let which = |i: usize| if design.len() > 1 { format!("_{}", i + 1) } else { String::new() };
-    let degrees = DEG_PER_RAD;
-    let mut wanted =
-        vec![("twist_deg".to_owned(), twist, degrees), ("hub_deg".to_owned(), Quantity::Twist { from: hub, to: None }, degrees)];
-    wanted.extend((0..shafts).map(|s| (format!("torque_{}_n_m", finder.system.chain.shaft_name(s)), Quantity::ShaftTorque(s), 1.0)));
-    wanted.extend((0..design.len()).map(|i| (format!("ring_twist{}_deg", which(i)), Quantity::RingTwist(i), degrees)));
+    let chain = &finder.system.chain;
+    let mut wanted = vec![(Swept::Twist, twist), (Swept::Amplitude, Quantity::Twist { from: hub, to: None })];
+    wanted.extend((0..chain.len() - 1).map(|s| (Swept::Torque, Quantity::ShaftTorque(s))));
+    wanted.extend((0..design.len()).map(|i| (Swept::RingTwist, Quantity::RingTwist(i))));
     let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
     let mut quantities = Vec::new();
-    for (i, ((name, quantity, factor), phasors)) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?).enumerate() {
-        let total = finder.synthesis(&phasors).iter().map(|v| v * factor).collect();
-        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * factor).collect();
+    for ((of, quantity), phasors) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?) {
         // single orders of twist and hub are kept; the rest would make the table many times as long
-        let kept = if i < 2 { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep { name, condition: None, orders: kept, total });
+        quantities.push(QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), matches!(of, Swept::Twist | Swept::Amplitude)));
         if let Quantity::RingTwist(ring) = quantity {
             let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
             let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
             quantities.push(QuantitySweep {
-                name: format!("dissipated_power{}_w", which(ring)),
-                condition: None,
+                of: Swept::DissipatedPower,
+                place: quantity.place(chain),
+                condition: Condition::Firing,
                 orders: Vec::new(),
                 total,
             });
@@ -83,16 +149,10 @@ pub fn sweeps(
         let finder = finder_of(finders, c);
         let mut phasors = Vec::new();
         Direct::new(finder.system, grid).sweep(&absorbers(c.condition, finder, design)?, twist, &mut phasors, work)?;
-        let total = finder.synthesis(&phasors).iter().map(|v| v * degrees).collect();
-        let per_order = |n: usize| phasors.iter().skip(n).step_by(orders).map(|y| y.norm() * degrees).collect();
         // cylinders that differ bring orders of their own
-        let kept = if finder.system.excitation.units != Units::Equal { (0..orders).map(per_order).collect() } else { Vec::new() };
-        quantities.push(QuantitySweep {
-            name: format!("twist_{}_deg", c.condition.name()),
-            condition: Some(c.condition),
-            orders: kept,
-            total,
-        });
+        let differ = finder.system.excitation.units != Units::Equal;
+        let swept = QuantitySweep::new((Swept::Twist, twist.place(chain)), (finder, &phasors), differ);
+        quantities.push(QuantitySweep { condition: c.condition, ..swept });
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

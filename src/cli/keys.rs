@@ -4,6 +4,7 @@ use super::exit::{DONE, fail, say, say_raw};
 use crate::input::FileKind;
 use crate::input::error::closest;
 use crate::input::keys::{Key, keys};
+use crate::report::record;
 use crate::report::text::keys::{explained, list};
 
 /// A kind of file.
@@ -30,6 +31,33 @@ impl From<File> for FileKind {
     }
 }
 
+/// What has a schema.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+pub enum Schema {
+    /// What is asked of an engine and its absorbers.
+    Study,
+    /// An engine with its torsional chain.
+    Engine,
+    /// Operating data of an engine that is sized.
+    Sizing,
+    /// Strengths of a material, for `hartog fatigue`.
+    Material,
+    /// What a run found: `results.json`.
+    Results,
+}
+
+impl Schema {
+    fn text(self) -> String {
+        match self {
+            Self::Study => FileKind::Study.json_schema_text(),
+            Self::Engine => FileKind::Engine.json_schema_text(),
+            Self::Sizing => FileKind::Sizing.json_schema_text(),
+            Self::Material => FileKind::Material.json_schema_text(),
+            Self::Results => format!("{:#}\n", record::json_schema()),
+        }
+    }
+}
+
 /// Arguments of `keys`.
 #[derive(Debug, clap::Args)]
 #[command(
@@ -41,15 +69,15 @@ pub struct Arguments {
     /// Keys of this kind of file only.
     #[arg(long, value_enum)]
     pub file: Option<File>,
-    /// Print the JSON Schema of a kind of file, by which editors complete and explain keys.
+    /// Print the JSON Schema of a kind of file, by which editors complete and explain keys; of `results`, what `results.json` holds.
     #[arg(long, value_enum, value_name = "FILE", conflicts_with_all = ["key", "file"])]
-    pub json_schema: Option<File>,
+    pub json_schema: Option<Schema>,
 }
 
 /// Prints keys, or the schema of a file.
 pub fn run(arguments: &Arguments) -> u8 {
-    if let Some(file) = arguments.json_schema {
-        say_raw(&FileKind::from(file).json_schema_text());
+    if let Some(schema) = arguments.json_schema {
+        say_raw(&schema.text());
         return DONE;
     }
     let kinds = arguments.file.map_or_else(|| FileKind::ALL.to_vec(), |file| vec![file.into()]);

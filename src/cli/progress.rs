@@ -18,6 +18,11 @@ impl Default for Bar {
 }
 
 impl Bar {
+    /// Shows nothing.
+    pub(crate) fn hidden() -> Self {
+        Self(ProgressBar::hidden())
+    }
+
     /// Tells of the best so far.
     pub(crate) fn best(&self, text: &str) {
         self.0.set_prefix(text.to_owned());

@@ -1,10 +1,10 @@
 //! `hartog run`: the main job.
 
-use super::exit::{DONE, FAILED, fail, say};
+use super::exit::{DONE, FAILED, fail, say, say_raw, say_to_error};
 use super::watched::{Watched, end_at_interrupt};
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
-use crate::report::{Folder, Journal, about, csv, plot, text};
+use crate::report::{Folder, Journal, about, csv, plot, record, text};
 use crate::response::Work;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -27,12 +27,25 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+    /// Print `results.json` instead of tables.
+    #[arg(long, conflicts_with_all = ["verbose", "quiet"])]
+    pub json: bool,
+    /// Print nothing but errors.
+    #[arg(long, short, conflicts_with = "verbose")]
+    pub quiet: bool,
     /// Print how searches evaluated designs, what one design costs, and the time of each stage.
     #[arg(long)]
     pub verbose: bool,
     /// Go on where a run into the same folder was interrupted; files are those of a run that was not.
     #[arg(long)]
     pub resume: bool,
+}
+
+impl Arguments {
+    /// Whether tables are printed.
+    fn tells(&self) -> bool {
+        !self.json && !self.quiet
+    }
 }
 
 /// Runs a study, prints its tables and writes its files.
@@ -53,14 +66,14 @@ pub fn run(arguments: &Arguments) -> u8 {
         Ok(journal) => Arc::new(journal),
         Err(error) => return fail(&error),
     };
-    if arguments.resume {
+    if arguments.resume && arguments.tells() {
         say(&match journal.known() {
             0 => format!("no interrupted run in {}: from the beginning\n", folder.path().display()),
             n => format!("{n} searches of the interrupted run are known\n"),
         });
     }
     end_at_interrupt(&study, &folder, &journal);
-    let watched = Watched::new(&study, journal.clone());
+    let watched = Watched::new(&study, journal.clone(), arguments.quiet);
     let results = match study.run_with(&watched) {
         Ok(results) => results,
         Err(error) => {
@@ -85,19 +98,24 @@ pub fn run(arguments: &Arguments) -> u8 {
         return fail(&error);
     }
     if let Some(reason) = journal.failure() {
-        say(&format!("the journal could not be written ({reason}): this run could not have been resumed\n"));
+        say_to_error(&format!("warning: the journal could not be written ({reason}): this run could not have been resumed"));
     }
     journal.remove();
-    print(study, calibration, &results);
-    if arguments.verbose {
-        say(&costs(&results, &timing));
+    if arguments.json {
+        say_raw(&record::text(study, &inputs, &results));
     }
-    say(&format!(
-        "\n{} files in {} after {total:.1} s: open {} there first\n",
-        folder.written(),
-        folder.path().display(),
-        crate::report::PAGE
-    ));
+    if arguments.tells() {
+        print(study, calibration, &results);
+        if arguments.verbose {
+            say(&costs(&results, &timing));
+        }
+        say(&format!(
+            "\n{} files in {} after {total:.1} s: open {} there first\n",
+            folder.written(),
+            folder.path().display(),
+            crate::report::PAGE
+        ));
+    }
     if results.limits_hold() { DONE } else { FAILED }
 }
 

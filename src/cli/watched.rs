@@ -20,8 +20,13 @@ pub(crate) struct Watched {
 }
 
 impl Watched {
-    pub fn new(study: &Study, journal: Arc<Journal>) -> Self {
-        Self { bar: Bar::default(), journal, unit: study.objective.unit, best: Mutex::new(f64::INFINITY) }
+    pub fn new(study: &Study, journal: Arc<Journal>, quiet: bool) -> Self {
+        Self {
+            bar: if quiet { Bar::hidden() } else { Bar::default() },
+            journal,
+            unit: study.objective.unit,
+            best: Mutex::new(f64::INFINITY),
+        }
     }
 }
 

@@ -6,6 +6,7 @@ pub mod files;
 pub(crate) mod journal;
 mod page;
 pub mod plot;
+pub(crate) mod record;
 mod summary;
 pub mod text;
 
@@ -39,6 +40,7 @@ pub(crate) fn write_run(
     folder.remove(&[UNFINISHED])?;
     write_calibration(study, calibration, folder)?;
     csv::designs(study, results, folder)?;
+    csv::values(study, results, folder)?;
     csv::catalogue(study, results, folder)?;
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
@@ -78,6 +80,7 @@ pub(crate) fn write_run(
     plot::run(study, results, folder, written)?;
     folder.remove_other_plots("response_")?;
     folder.remove_other_plots("front_")?;
+    record::write(study, inputs, results, folder)?;
     page::write(study, inputs, results, folder)
 }
 

@@ -33,6 +33,17 @@ impl Quantity {
         }
     }
 
+    /// Of what of the system it is, in names of stations.
+    pub(crate) fn place(self, chain: &Chain) -> String {
+        let name = |station: usize| chain.stations[station].name.as_str();
+        match self {
+            Self::Twist { from, to: Some(to) } => format!("{} to {}", name(from), name(to)),
+            Self::Twist { from, to: None } | Self::Acceleration(from) => name(from).to_owned(),
+            Self::ShaftTorque(shaft) => chain.shaft_name(shaft),
+            Self::RingTwist(i) => format!("absorber {}", i + 1),
+        }
+    }
+
     /// What it is times the angles of its difference, but for the stiffness of a shaft: -omega² of an acceleration.
     pub(crate) fn per_angle(self, omega: f64) -> f64 {
         if matches!(self, Self::Acceleration(_)) { -omega * omega } else { 1.0 }

@@ -1,6 +1,6 @@
 //! `margin.csv`, and the columns that margins add to other tables.
 
-use super::table::{Table, number, optional};
+use super::table::{Table, number, optional, rounded};
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -45,9 +45,9 @@ pub fn margin(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                     number(*speed),
                     fillet.name.clone(),
                     criterion.name().to_owned(),
-                    number(used.cycle.amplitude / PA_PER_MPA),
-                    optional(mean),
-                    factor.map_or_else(|| "infinite".into(), number),
+                    rounded(used.cycle.amplitude / PA_PER_MPA),
+                    mean.map_or_else(String::new, rounded),
+                    factor.map_or_else(|| "infinite".into(), rounded),
                 ]);
             }
         }

@@ -1,4 +1,5 @@
-//! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly; what does not apply is empty.
+//! Tables with the columns of the contract. Numbers in the shortest form that reads back exactly, in curves over speed (`response.csv`, `margin.csv`) to seven
+//! significant digits and phases to 1e-4 degrees; what does not apply is empty.
 
 mod absorbers;
 mod barred;
@@ -23,6 +24,7 @@ pub mod sizing;
 mod strain;
 mod table;
 mod timing;
+mod values;
 
 pub use absorbers::absorbers;
 pub use barred::barred;
@@ -43,3 +45,4 @@ pub use strain::strain;
 pub(crate) use table::in_unit;
 pub use table::number;
 pub use timing::timing;
+pub use values::values;

@@ -16,6 +16,10 @@ impl Table {
     }
 
     pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.row_of(cells);
+    }
+
+    pub(crate) fn row_of(&mut self, cells: impl IntoIterator<Item = impl AsRef<[u8]>>) {
         // memory does not fail to be written to, and every row has the length of the header
         let written = self.writer.write_record(cells);
         debug_assert!(written.is_ok(), "{written:?}");
@@ -30,6 +34,11 @@ impl Table {
 pub fn number(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{x}") } else { format!("{x:e}") }
+}
+
+/// The shortest decimal that reads back to seven significant digits: for curves, of which there are many numbers.
+pub(crate) fn rounded(x: f64) -> String {
+    number(format!("{x:.6e}").parse().unwrap_or(x))
 }
 
 pub(crate) fn optional(x: Option<f64>) -> String {

@@ -1,7 +1,9 @@
 //! What the script of the page draws, as JSON; five significant digits, which is more than a screen shows.
 
+use crate::analysis::sweeps::QuantitySweep;
 use crate::analysis::{DesignResult, Results, Sweeps};
 use crate::input::Study;
+use crate::objective::Condition;
 use crate::report::csv::in_unit;
 use serde_json::{Map, Value, json};
 
@@ -19,22 +21,23 @@ fn list(values: &[f64]) -> Value {
     values.iter().map(|v| digits(*v)).collect()
 }
 
-/// A quantity of `response.csv` in words.
-fn label(name: &str) -> String {
-    let (what, unit) = [("_deg", "°"), ("_n_m", "N m"), ("_w", "W"), ("_mpa", "MPa"), ("_rad_per_s2", "rad/s²")]
-        .into_iter()
-        .find_map(|(end, unit)| name.strip_suffix(end).map(|what| (what, unit)))
-        .unwrap_or((name, ""));
-    let words = what.replace('_', " ");
-    if unit.is_empty() { words } else { format!("{words}, {unit}") }
+/// What the script knows a quantity by.
+pub(super) fn key(q: &QuantitySweep) -> String {
+    format!("{} {} {}", q.of.name(), q.place, q.condition.name())
+}
+
+/// A quantity in words.
+pub(super) fn label(q: &QuantitySweep) -> String {
+    let condition = if q.condition == Condition::Firing { String::new() } else { format!(", {}", q.condition.name()) };
+    format!("{} of {}{condition}", q.of.name(), q.place).replace('_', " ")
 }
 
 fn sweep(s: &Sweeps) -> Value {
     let mut own = Map::new();
     for (i, q) in s.quantities.iter().enumerate() {
         // orders of the twist; of all else what they come to together
-        let orders: Value = if i == 0 { q.orders.iter().map(|o| list(o)).collect() } else { json!([]) };
-        own.insert(q.name.clone(), json!({ "total": list(&q.total), "orders": orders }));
+        let orders: Value = if i == 0 { q.orders.iter().map(|o| list(&o.amplitude)).collect() } else { json!([]) };
+        own.insert(key(q), json!({ "total": list(&q.total), "orders": orders }));
     }
     Value::Object(own)
 }
@@ -112,7 +115,7 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
         .min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
     let chosen: Vec<String> = none.into_iter().chain(best.map(|o| o.design.name.clone())).collect();
     let quantities = results.sweeps.iter().max_by_key(|s| s.quantities.len()).map_or(&[][..], |s| &s.quantities);
-    let named = |q: &crate::analysis::sweeps::QuantitySweep| json!({ "name": q.name, "label": label(&q.name) });
+    let named = |q: &QuantitySweep| json!({ "name": key(q), "label": format!("{}, {}", label(q), if q.of.unit() == "deg" { "°" } else { q.of.unit() }) });
     let sweeps: Map<String, Value> = results.sweeps.iter().map(|s| (s.design.clone(), sweep(s))).collect();
     json!({
         "speeds": list(&study.speeds_rpm),

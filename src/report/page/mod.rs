@@ -147,7 +147,7 @@ fn response(results: &Results) -> Markup {
     html! {
         h2 { "Response over speed" }
         div class="tools" {
-            label { "Quantity " select id="quantity" { @for q in quantities { option value=(q.name) { (q.name.replace('_', " ")) } } } }
+            label { "Quantity " select id="quantity" { @for q in quantities { option value=(data::key(q)) { (data::label(q)) } } } }
             label { "Order " select id="order" { option value="all" { "all together" } @for (i, o) in results.system.excitation.orders.iter().enumerate() { option value=(i) { (o) } } } }
             label { input type="checkbox" id="log"; " logarithmic" }
             span class="soft" { "Drag to zoom, double-click or Escape for all; arrow keys read out." }

@@ -167,7 +167,7 @@ fn one(
         }
     }
     for (n, style) in curves {
-        let points = study.speeds_rpm.iter().copied().zip(hub.orders[n].iter().copied());
+        let points = study.speeds_rpm.iter().copied().zip(hub.orders[n].amplitude.iter().copied());
         for piece in canvas::clipped(points, top) {
             chart.draw_series(LineSeries::new(piece, style))?;
         }

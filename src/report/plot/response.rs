@@ -4,6 +4,7 @@ use super::canvas::{self, COLOURS, Drawn, line, px, text};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{QuantitySweep, Sweeps};
 use crate::input::Study;
+use crate::objective::Condition;
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 
@@ -48,7 +49,7 @@ fn largest(values: &[f64]) -> f64 {
 fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) -> Vec<Curve<'a>> {
     let order = |&n: &usize| {
         let order = results.system.excitation.orders[n];
-        Curve { label: format!("order {order}"), values: &quantity.orders[n], style: line(canvas::of_order(order), 14) }
+        Curve { label: format!("order {order}"), values: &quantity.orders[n].amplitude, style: line(canvas::of_order(order), 14) }
     };
     let total = Curve { label: "all orders".into(), values: &quantity.total, style: line(BLACK, 22) };
     orders.iter().map(order).chain(std::iter::once(total)).collect()
@@ -58,7 +59,7 @@ fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) 
 pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Folder) -> Result<(), WriteError> {
     let (twist, hub) = (&sweep.quantities[0], &sweep.quantities[1]);
     let mut orders: Vec<usize> = (0..twist.orders.len()).collect();
-    orders.sort_by(|a, b| largest(&twist.orders[*b]).total_cmp(&largest(&twist.orders[*a])));
+    orders.sort_by(|a, b| largest(&twist.orders[*b].amplitude).total_cmp(&largest(&twist.orders[*a].amplitude)));
     // a single order is the sum
     orders.truncate(if orders.len() == 1 { 0 } else { MAIN_ORDERS });
     orders.sort_unstable();
@@ -76,7 +77,8 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
     let others: Vec<Curve> = sweep
         .quantities
         .iter()
-        .filter_map(|q| Some((q, q.condition?.name())))
+        .filter(|q| q.condition != Condition::Firing)
+        .map(|q| (q, q.condition.name()))
         .enumerate()
         .map(|(i, (q, name))| Curve { label: name.replace('_', " "), values: &q.total, style: line(COLOURS[i % COLOURS.len()], 16) })
         .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, style: line(BLACK, 22) }))

@@ -51,7 +51,7 @@ fn run_writes_the_contract() {
     assert!(header("timing.csv").starts_with("stage,seconds"));
     assert!(read(&out, "designs.csv").contains("\noptimum_tuned,tuned,"));
     for plot in ["campbell", "designs", "excitation", "pareto", "response_h_infinity", "response_optimum_viscous"] {
-        assert!(read(&out, &format!("{plot}.svg")).starts_with("<svg width=\"900\""), "{plot}");
+        assert!(read(&out, &format!("{plot}.svg")).starts_with("<svg width=\"720\""), "{plot}");
         let png = fs::read(out.join(format!("{plot}.png"))).expect("a picture");
         assert!(png.starts_with(b"\x89PNG") && png.len() > 5000, "{plot}");
     }
@@ -64,6 +64,46 @@ fn run_writes_the_contract() {
     for cell in read(&out, "response.csv").lines().skip(1).take(2000).filter_map(|l| l.split(',').nth(8)) {
         assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell}");
     }
+}
+
+/// Plots of runs and figures have text of at least 7 pt (1 pt = 127/360 mm) when they are printed 170 mm wide, and each PNG says that it is meant to be that wide (its chunk `pHYs`, pixels per
+/// metre), within a millimetre.
+#[test]
+fn plots_can_be_printed() {
+    let folder = tempfile::tempdir().expect("folder");
+    let out = |n: &str| folder.path().join(n);
+    hartog().args(["run", "studies/villalva_i6_materials.toml", "--quiet", "--out"]).arg(out("run")).assert().code(0);
+    hartog().args(["run", "studies/minucci_i4.toml", "--quiet", "--out"]).arg(out("crank")).assert().code(0);
+    hartog().args(["curves", "studies/mendes_mwm6.toml", "--out"]).arg(out("curves")).assert().code(0);
+    let mut looked_at = 0;
+    for path in
+        ["run", "crank", "curves"].map(out).iter().flat_map(|f| fs::read_dir(f).expect("folder")).map(|e| e.expect("an entry").path())
+    {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("svg") => {
+                let svg = fs::read_to_string(&path).expect("a drawing");
+                let numbers = |before: &str| -> Vec<f64> {
+                    let found = svg.split(before).skip(1).filter_map(|r| r.split([' ', '"']).next());
+                    found.map(|v| v.parse().expect("a number")).collect()
+                };
+                let width = numbers("viewBox=\"0 0 ")[0];
+                for size in numbers("font-size=\"") {
+                    let points = size / width * 170.0 * 360.0 / 127.0;
+                    assert!(points >= 7.0, "{}: {points:.2} pt", path.display());
+                    looked_at += 1;
+                }
+            }
+            Some("png") => {
+                let png = fs::read(&path).expect("a picture");
+                let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().expect("four bytes"));
+                assert_eq!(&png[37..41], b"pHYs", "{}", path.display());
+                let mm = f64::from(number(16)) / f64::from(number(41)) * 1e3;
+                assert!((mm - 170.0).abs() < 1.0, "{}: {mm:.1} mm", path.display());
+            }
+            _ => {}
+        }
+    }
+    assert!(looked_at > 300, "{looked_at}");
 }
 
 /// Files are the same, byte for byte, at 1, 2 and 8 threads.

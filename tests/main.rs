@@ -41,6 +41,7 @@ mod page;
 mod pairs;
 mod peaks;
 mod planes;
+mod plausibility;
 mod real_absorbers;
 mod responses;
 mod robust;

@@ -20,6 +20,7 @@ pub(crate) mod large_twist;
 mod large_twist_measures;
 mod made_of;
 pub mod margins;
+pub(crate) mod plausibility;
 pub mod progress;
 pub(crate) mod reciprocating;
 pub mod results;

@@ -2,6 +2,7 @@
 
 use super::exit::{DONE, FAILED, fail, say, say_raw, say_to_error};
 use super::watched::{Watched, end_at_interrupt};
+use crate::analysis::plausibility;
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
 use crate::report::{Folder, Journal, about, csv, plot, record, text};
@@ -96,6 +97,11 @@ pub fn run(arguments: &Arguments) -> u8 {
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
     if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.summarise(true, &about(study, &inputs, &results))) {
         return fail(&error);
+    }
+    if !arguments.quiet {
+        for sentence in text::implausible(&plausibility::implausible(study, &results.system.excitation.audit)) {
+            say_to_error(&format!("warning: {sentence}"));
+        }
     }
     if let Some(reason) = journal.failure() {
         say_to_error(&format!("warning: the journal could not be written ({reason}): this run could not have been resumed"));

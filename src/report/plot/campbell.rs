@@ -1,6 +1,7 @@
 //! Campbell diagram: natural frequencies, order lines, speed range and the resonances in it.
 
-use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
 use crate::analysis::audit::largest_resonance;
 use crate::engine::Order;
@@ -27,48 +28,55 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     let optimum = results.optima.first().map(|o| (&o.design.name, &o.design.frequencies_hz));
     let shown = own.iter().chain(optimum.iter().flat_map(|o| o.1)).copied().filter(|f| *f <= reached);
     let top = 1.08 * shown.fold(own.first().copied().unwrap_or(1.0), f64::max);
-    canvas::save(folder, "campbell", (900, 600), |area| {
+    let (chain, found) = (Stroke::solid(line(COLOURS[0], 18)), Stroke::dashed(line(COLOURS[1], 16)));
+    let mut entries = vec![Entry::curve("chain alone", chain)];
+    entries.extend(optimum.iter().map(|(name, _)| Entry::curve(name.replace('_', " "), found)));
+    entries.push(Entry::curve("order lines", Stroke::solid(line(GREY, 9))));
+    entries.push(Entry::new("speed range", Mark::Block(fill(COLOURS[5], 0.3))));
+    entries.push(Entry::new("resonance", Mark::Point(fill(COLOURS[0], 1.0))));
+    canvas::save(folder, "campbell", (WIDTH, 520 + legend::height(&entries, WIDTH)), |area| {
         let titled = canvas::titled(area, &format!("{}: Campbell diagram", study.engine.name))?;
-        let (left, side) = titled.split_horizontally(titled.dim_in_pixel().0 - px(190));
-        let mut chart = ChartBuilder::on(&left)
+        let above = legend::below(&titled, &entries)?;
+        let mut chart = ChartBuilder::on(&above)
             .margin(px(8))
-            .margin_top(px(26))
+            .margin_top(px(40))
             .margin_right(px(44))
-            .x_label_area_size(px(36))
-            .y_label_area_size(px(54))
+            .x_label_area_size(px(40))
+            .y_label_area_size(px(58))
             .build_cartesian_2d(0.0..right, 0.0..top)?;
         chart.draw_series(std::iter::once(Rectangle::new([(low, 0.0), (high, top)], fill(COLOURS[5], 0.12))))?;
         canvas::mesh!(chart, "speed / rpm", "frequency / Hz", 9, 9);
-        for order in &orders {
+        // where labels at the top end so far, in two rows
+        let mut ends = [0, 0];
+        for order in orders.iter().rev() {
             let slope = order.value() * HZ_PER_RPM;
             let end = (top / slope).min(right);
             chart.draw_series(LineSeries::new([(0.0, 0.0), (end, end * slope)], line(GREY, 9)))?;
             // labels along the frame: at the top where the line leaves there, at the right otherwise
-            let (dx, dy) = if end < right { (-6, -15) } else { (4, -7) };
-            let label =
-                EmptyElement::at((end, end * slope)) + Text::new(order.to_string(), (dx * px(1) as i32, dy * px(1) as i32), text(11));
+            let label = order.to_string();
+            let width = 8 * label.chars().count() as i32;
+            let (dx, dy) = if end < right {
+                let left = chart.backend_coord(&(end, top)).0 / px(1) as i32 - width / 2;
+                let row = usize::from(left < ends[0] + 3);
+                ends[row] = left + width;
+                (-width / 2, -16 - 14 * row as i32)
+            } else {
+                (4, -7)
+            };
+            let label = EmptyElement::at((end, end * slope)) + Text::new(label, (dx * px(1) as i32, dy * px(1) as i32), text(13));
             chart.draw_series(std::iter::once(label))?;
         }
         for f in own.iter().filter(|f| **f <= top) {
-            chart.draw_series(LineSeries::new([(0.0, *f), (right, *f)], line(COLOURS[0], 18)))?;
+            canvas::curve(&mut chart, [(0.0, *f), (right, *f)], chain)?;
         }
         if let Some((_, frequencies)) = &optimum {
             for f in frequencies.iter().filter(|f| **f <= top) {
-                chart.draw_series(DashedLineSeries::new([(0.0, *f), (right, *f)], px(7), px(5), line(COLOURS[1], 16)))?;
+                canvas::curve(&mut chart, [(0.0, *f), (right, *f)], found)?;
             }
         }
         let met = orders.iter().flat_map(|o| own.iter().map(move |f| (*f / (o.value() * HZ_PER_RPM), *f)));
         let inside = met.filter(|(speed, f)| (low..=high).contains(speed) && *f <= top);
         chart.draw_series(inside.map(|p| Circle::new(p, px(4), fill(COLOURS[0], 1.0))))?;
-        let mut entries = vec![("chain alone".to_owned(), line(COLOURS[0], 18))];
-        if let Some((name, _)) = &optimum {
-            entries.push((format!("{} (dashed)", name.replace('_', " ")), line(COLOURS[1], 16)));
-        }
-        entries.push(("order lines".into(), line(GREY, 9)));
-        entries.push(("speed range".into(), line(RGBColor(190, 225, 245), 90)));
-        canvas::legend(&side, &entries)?;
-        side.draw(&Circle::new((px(16) as i32, px(26 + 19 * entries.len() as u32) as i32), px(4), fill(COLOURS[0], 1.0)))?;
-        side.draw(&Text::new("resonance", (px(34) as i32, px(19 + 19 * entries.len() as u32) as i32), text(12)))?;
         Ok(())
     })
 }

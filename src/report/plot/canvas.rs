@@ -3,6 +3,7 @@
 use crate::numerics::elementary::Elementary;
 use crate::report::files::{Folder, WriteError};
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::sync::{Arc, OnceLock};
@@ -10,7 +11,11 @@ use std::sync::{Arc, OnceLock};
 /// plotters writes whole numbers only: everything is drawn this many times larger than shown.
 const SCALE: u32 = 10;
 /// Pixels of the PNG per unit of the SVG.
-const PNG_ZOOM: f32 = 1.5;
+const PNG_ZOOM: f32 = 1.875;
+/// Width of a plot, units: it is drawn to be printed 170 mm wide, with text of at least 7 pt.
+pub(crate) const WIDTH: u32 = 720;
+/// Pixels of the PNG per metre of paper.
+const PIXELS_PER_M: u32 = (WIDTH as f32 * PNG_ZOOM / 0.17) as u32;
 
 /// A drawing area of the SVG backend.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -47,6 +52,58 @@ pub fn line(colour: RGBColor, tenths: u32) -> ShapeStyle {
     ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: tenths }
 }
 
+/// How a curve is drawn.
+#[derive(Clone, Copy)]
+pub(crate) struct Stroke {
+    pub style: ShapeStyle,
+    /// Length of a dash and of what follows it, units; none of a line that is not broken.
+    pub dash: Option<(u32, u32)>,
+}
+
+impl Stroke {
+    pub(crate) fn solid(style: ShapeStyle) -> Self {
+        Self { style, dash: None }
+    }
+
+    pub(crate) fn dashed(style: ShapeStyle) -> Self {
+        Self { style, dash: DASHES[1] }
+    }
+
+    /// That of one of many: its colour, and its dashes, so that it is told apart without colour.
+    pub(crate) fn of(place: usize, tenths: u32) -> Self {
+        Self { style: line(COLOURS[place % COLOURS.len()], tenths), dash: DASHES[place % DASHES.len()] }
+    }
+
+    /// That of an order, the same in every plot.
+    pub(crate) fn of_order(order: crate::engine::Order, tenths: u32) -> Self {
+        // main orders are often every third or fourth half order: they are to differ
+        let twice = (2.0 * order.value()) as usize;
+        Self { style: line(of_order(order), tenths), dash: DASHES[(twice + twice / 3) % DASHES.len()] }
+    }
+}
+
+/// Dashes of curves.
+const DASHES: [Option<(u32, u32)>; 3] = [None, Some((9, 4)), Some((3, 3))];
+
+/// Draws a curve.
+pub(crate) fn curve<X, Y>(
+    chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
+    points: impl IntoIterator<Item = (f64, f64)>,
+    stroke: Stroke,
+) -> Drawn
+where
+    X: Ranged<ValueType = f64>,
+    Y: Ranged<ValueType = f64>,
+{
+    match stroke.dash {
+        None => chart.draw_series(LineSeries::new(points, stroke.style))?,
+        Some((dash, gap)) => {
+            chart.draw_series(DashedLineSeries::new(points.into_iter().collect::<Vec<_>>(), px(dash), px(gap), stroke.style))?
+        }
+    };
+    Ok(())
+}
+
 /// A filled shape.
 pub(crate) fn fill(colour: RGBColor, opacity: f64) -> ShapeStyle {
     colour.mix(opacity).filled()
@@ -59,8 +116,8 @@ macro_rules! log_axes {
             .configure_mesh()
             .x_desc($x)
             .y_desc($y)
-            .axis_desc_style($crate::report::plot::canvas::text(13))
-            .label_style($crate::report::plot::canvas::text(11))
+            .axis_desc_style($crate::report::plot::canvas::text(14))
+            .label_style($crate::report::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)
             .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
             .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
@@ -109,7 +166,19 @@ fn png(svg: &str) -> Option<Vec<u8>> {
     let size = tree.size().to_int_size().scale_by(PNG_ZOOM)?;
     let mut pixels = resvg::tiny_skia::Pixmap::new(size.width(), size.height())?;
     resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(PNG_ZOOM, PNG_ZOOM), &mut pixels.as_mut());
-    pixels.encode_png().ok()
+    pixels.encode_png().ok().map(|png| with_resolution(&png))
+}
+
+/// A PNG with its resolution: a chunk `pHYs` behind the header, which is the first chunk.
+fn with_resolution(png: &[u8]) -> Vec<u8> {
+    const HEADER: usize = 8 + 12 + 13;
+    let mut content = b"pHYs".to_vec();
+    [PIXELS_PER_M, PIXELS_PER_M].iter().for_each(|n| content.extend(n.to_be_bytes()));
+    // pixels per metre
+    content.push(1);
+    let (header, rest) = png.split_at(HEADER.min(png.len()));
+    let length = (content.len() - 4) as u32;
+    [header, &length.to_be_bytes(), &content, &crc32fast::hash(&content).to_be_bytes(), rest].concat()
 }
 
 /// A number for an axis: no needless digits.
@@ -169,21 +238,6 @@ pub(crate) fn of_order(order: crate::engine::Order) -> RGBColor {
     RGBColor(darker(r), darker(g), darker(b))
 }
 
-/// Width of a legend with these labels.
-pub(crate) fn legend_width<'a>(labels: impl Iterator<Item = &'a str>) -> u32 {
-    px(44 + 7 * labels.map(|l| l.chars().count()).max().unwrap_or(0) as u32).max(px(150))
-}
-
-/// Entries of a legend in a column of its own, so that it covers no curve.
-pub(crate) fn legend(area: &Area, entries: &[(String, ShapeStyle)]) -> Drawn {
-    for (i, (label, style)) in entries.iter().enumerate() {
-        let y = (px(26) + i as u32 * px(19)) as i32;
-        area.draw(&PathElement::new(vec![(px(4) as i32, y), (px(28) as i32, y)], *style))?;
-        area.draw(&Text::new(label.clone(), (px(34) as i32, y - px(7) as i32), text(12)))?;
-    }
-    Ok(())
-}
-
 /// Axes, grid and labels in the common look: chart, names of both axes, how many labels each has.
 macro_rules! mesh {
     ($chart:expr, $x:expr, $y:expr, $nx:expr, $ny:expr) => {
@@ -193,8 +247,8 @@ macro_rules! mesh {
             .y_desc($y)
             .x_labels($nx)
             .y_labels($ny)
-            .axis_desc_style($crate::report::plot::canvas::text(13))
-            .label_style($crate::report::plot::canvas::text(12))
+            .axis_desc_style($crate::report::plot::canvas::text(14))
+            .label_style($crate::report::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)
             .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
             .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
@@ -205,7 +259,31 @@ macro_rules! mesh {
 }
 pub(super) use mesh;
 
-/// The area below a title.
+/// Letters of a title in a line.
+const LETTERS: usize = 74;
+
+fn lines(title: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in title.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= LETTERS => *line += &format!(" {word}"),
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// Height of a title of the whole drawing, units.
+pub(crate) fn title_height(title: &str) -> u32 {
+    10 + 26 * lines(title).len() as u32
+}
+
+/// The area below a title, which takes as many lines as it needs.
 pub(crate) fn titled<'a>(area: &Area<'a>, title: &str) -> Result<Area<'a>, Box<dyn std::error::Error>> {
-    Ok(area.margin(px(6), 0, 0, 0).titled(title, text(17))?)
+    let mut rest = area.margin(px(6), 0, 0, 0);
+    for line in lines(title) {
+        rest = rest.titled(&line, text(17))?;
+    }
+    Ok(rest)
 }

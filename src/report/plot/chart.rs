@@ -1,6 +1,7 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
-use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::choice::Strategy;
 use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::methods::Candidate;
@@ -57,13 +58,23 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
     let (fast, slow) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
     let worst = points.iter().map(|p| p.1).fold(0.0, f64::max);
     let (x, y) = ((fast / 1.5, slow * 1.5), (LEAST_ERROR / 2.0, worst * 2.0));
-    canvas::save(folder, "speed_accuracy", (980, 620), |area| {
-        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(215));
+    let mut entries: Vec<Entry> = Candidate::ALL
+        .iter()
+        .filter(|c| points.iter().any(|p| p.0.candidate == **c))
+        .map(|c| Entry::curve(c.label(), Stroke::solid(line(colour(*c), 20))))
+        .collect();
+    entries.push(Entry::curve("best of all", Stroke::solid(line(RGBColor(200, 200, 200), 60))));
+    entries.push(Entry::new("14 to 521 speeds", Mark::Point(line(BLACK, 14))));
+    entries.push(Entry::new("refined between speeds", Mark::Point(fill(BLACK, 1.0))));
+    entries.push(Entry::new("triangles: tables of searches", Mark::Note));
+    entries.push(Entry::new("cross: exact, as reported", Mark::Note));
+    canvas::save(folder, "speed_accuracy", (WIDTH, 500 + legend::height(&entries, WIDTH)), |area| {
+        let main = legend::below(area, &entries)?;
         let mut chart = ChartBuilder::on(&main)
             .caption(format!("{}: cost of one design against the error of its peak twist", study.engine.name), text(15))
             .margin(px(8))
-            .x_label_area_size(px(36))
-            .y_label_area_size(px(64))
+            .x_label_area_size(px(40))
+            .y_label_area_size(px(68))
             .build_cartesian_2d(
                 (x.0..x.1).log_scale().with_key_points(decades(x.0, x.1)),
                 (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
@@ -85,25 +96,6 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
             chart.draw_series(of(false).into_iter().map(|p| Circle::new(p, px(3), line(colour(candidate), 14))))?;
             chart.draw_series(of(true).into_iter().map(|p| Circle::new(p, px(4), fill(colour(candidate), 1.0))))?;
         }
-        let mut entries: Vec<(String, ShapeStyle)> = Candidate::ALL
-            .iter()
-            .filter(|c| points.iter().any(|p| p.0.candidate == **c))
-            .map(|c| (c.label(), line(colour(*c), 20)))
-            .collect();
-        entries.push(("best of all".into(), line(RGBColor(200, 200, 200), 60)));
-        canvas::legend(&side, &entries)?;
-        let below = (px(34) + entries.len() as u32 * px(19)) as i32;
-        let notes = [
-            "triangles: tables of searches, every".to_owned(),
-            "  16th to every speed, and a parabola".into(),
-            "cross: exact, as reported".into(),
-            format!("open: {} to {} speeds", 14, 521),
-            "full: refined between speeds".into(),
-            "reference: direct, refined".into(),
-        ];
-        for (i, note) in notes.into_iter().enumerate() {
-            side.draw(&Text::new(note, (px(4) as i32, below + i as i32 * px(19) as i32), text(12)))?;
-        }
         Ok(())
     })
 }
@@ -113,55 +105,71 @@ pub fn growth(measured: &[Growth], folder: &Folder) -> Result<(), WriteError> {
     let all = || measured.iter().flat_map(|g| &g.points);
     let (low, high) = all().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
     let (low, high) = (low / 2.0, high * 2.0);
-    canvas::save(folder, "growth", (1560, 470), |area| {
+    let legends = |size: &str| -> Vec<Entry> {
+        let own = measured.iter().filter(|g| g.size == size);
+        own.map(|g| {
+            Entry::curve(format!("{}: exponent {:.2}", g.candidate.label(), g.exponent), Stroke::solid(line(colour(g.candidate), 20)))
+        })
+        .collect()
+    };
+    let tallest = SIZES.iter().map(|size| legend::height(&legends(size), WIDTH / 2)).max().unwrap_or(0);
+    canvas::save(folder, "growth", (WIDTH, 36 + 2 * (280 + tallest)), |area| {
         let titled = canvas::titled(area, "Cost of one sweep of one design, set-up aside")?;
-        let panels = titled.split_evenly((1, 4));
+        let panels = titled.split_evenly((2, 2));
         for (panel, size) in panels.iter().zip(SIZES) {
             let own: Vec<_> = measured.iter().filter(|g| g.size == size).collect();
             let (left, right) = own.iter().flat_map(|g| &g.points).fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
             let ticks: Vec<f64> =
                 own.iter().max_by_key(|g| g.points.len()).map_or_else(Vec::new, |g| g.points.iter().map(|p| p.0).collect());
-            let mut chart = ChartBuilder::on(panel)
+            let above = legend::below(panel, &legends(size))?;
+            let mut chart = ChartBuilder::on(&above)
                 .margin(px(8))
-                .margin_top(px(150))
-                .x_label_area_size(px(36))
-                .y_label_area_size(px(58))
+                .margin_right(px(20))
+                .x_label_area_size(px(40))
+                .y_label_area_size(px(62))
                 .build_cartesian_2d(
-                (left / 1.2..right * 1.2).log_scale().with_key_points(ticks),
-                (low..high).log_scale().with_key_points(decades(low, high)),
-            )?;
+                    (left / 1.2..right * 1.2).log_scale().with_key_points(ticks),
+                    (low..high).log_scale().with_key_points(decades(low, high)),
+                )?;
             canvas::log_axes!(chart, size, "seconds", &|x| canvas::tick(x));
-            let mut entries = Vec::new();
             for g in own {
                 chart.draw_series(LineSeries::new(g.points.iter().copied(), line(colour(g.candidate), 18)))?;
                 chart.draw_series(g.points.iter().map(|p| Circle::new(*p, px(3), fill(colour(g.candidate), 1.0))))?;
-                entries.push((format!("{}: exponent {:.2}", g.candidate.label(), g.exponent), line(colour(g.candidate), 20)));
             }
-            let (_, corner) = panel.split_horizontally(px(60));
-            canvas::legend(&corner, &entries)?;
         }
         Ok(())
     })
 }
 
+/// Colours of the map: right, rough, wrong, refused, not as declared.
+const LEGEND: [(RGBColor, &str); 5] = [
+    (RGBColor(196, 230, 206), "right within 0.1 %"),
+    (RGBColor(246, 242, 190), "rough, within 10 %"),
+    (RGBColor(250, 208, 150), "wrong, and known to be"),
+    (RGBColor(205, 222, 242), "refused by name (–)"),
+    (RGBColor(226, 70, 60), "not as declared"),
+];
+
 /// Method by scenario: right, refused by name, wrong and known to be, or a defect.
 pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), WriteError> {
     let columns = map.first().map_or(0, |m| m.1.len()) as u32;
-    let (left, top, width, height) = (250, 74, 104, 26);
-    let size = (left + columns * width + 20, top + map.len() as u32 * height + 74);
-    let (good, rough, refused) = (RGBColor(196, 230, 206), RGBColor(246, 242, 190), RGBColor(205, 222, 242));
-    let (wrong, defect) = (RGBColor(250, 208, 150), RGBColor(226, 70, 60));
+    let (left, top, height) = (196, 170, 24);
+    let width = (WIDTH - left - 10) / columns.max(1);
+    let entries = LEGEND.map(|(colour, words)| Entry::new(words, Mark::Block(fill(colour, 1.0))));
+    let size = (WIDTH, top + map.len() as u32 * height + 12 + legend::height(&entries, WIDTH));
+    let [(good, _), (rough, _), (wrong, _), (refused, _), (defect, _)] = LEGEND;
     canvas::save(folder, "stability", size, |area| {
         let centred = |size: u32| text(size).pos(Pos::new(HPos::Center, VPos::Center));
         let at = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
         area.draw(&Text::new("Where methods fail: error against a dense solution", at(size.0 / 2, 18), centred(16)))?;
         for (row, (scenario, cells)) in map.iter().enumerate() {
             let y = top + row as u32 * height;
-            area.draw(&Text::new(scenario.name, at(8, y + 7), text(12)))?;
+            area.draw(&Text::new(scenario.name, at(8, y + 7), text(13)))?;
             for (column, cell) in cells.iter().enumerate() {
                 let x = left + column as u32 * width;
                 if row == 0 {
-                    area.draw(&Text::new(cell.candidate.label(), at(x + width / 2, top - 14), centred(12)))?;
+                    let upwards = text(13).transform(FontTransform::Rotate270).pos(Pos::new(HPos::Left, VPos::Center));
+                    area.draw(&Text::new(cell.candidate.label(), at(x + width / 2, top - 6), upwards))?;
                 }
                 let colour = match (cell.as_declared(), cell.word()) {
                     (false, _) => defect,
@@ -173,26 +181,16 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
                 let words = match &cell.found {
                     Ok(e) if *e < 1e-9 => "exact".into(),
                     Ok(e) if *e < 1e-4 => format!("{e:.0e}"),
-                    Ok(e) => format!("{:.2} %", 100.0 * e),
-                    Err(_) => "refused".into(),
+                    Ok(e) if *e < 0.01 => format!("{:.1}%", 100.0 * e),
+                    Ok(e) if *e < 9.99 => format!("{:.0}%", 100.0 * e),
+                    Ok(_) => ">999%".into(),
+                    Err(_) => "–".into(),
                 };
                 area.draw(&Rectangle::new([at(x + 1, y + 1), at(x + width - 1, y + height - 1)], fill(colour, 1.0)))?;
-                area.draw(&Text::new(words, at(x + width / 2, y + height / 2), centred(11)))?;
+                area.draw(&Text::new(words, at(x + width / 2, y + height / 2), centred(13)))?;
             }
         }
-        let y = top + map.len() as u32 * height + 24;
-        let legend = [
-            (good, "right within 0.1 %"),
-            (rough, "rough, within 10 %"),
-            (wrong, "wrong, and known to be"),
-            (refused, "refused by name"),
-            (defect, "not as declared"),
-        ];
-        for (i, (colour, words)) in legend.into_iter().enumerate() {
-            let x = 20 + 220 * i as u32;
-            area.draw(&Rectangle::new([at(x, y), at(x + 24, y + 16)], fill(colour, 1.0)))?;
-            area.draw(&Text::new(words, at(x + 32, y + 1), text(12)))?;
-        }
+        legend::below(area, &entries)?;
         Ok(())
     })
 }

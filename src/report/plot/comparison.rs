@@ -1,6 +1,7 @@
 //! Computed against published amplitudes, before and after a calibration, and the orders of each design with the published points.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, PALE, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, PALE, Stroke, WIDTH, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::{Calibration, Results, Sweeps};
 use crate::engine::Order;
 use crate::input::Study;
@@ -13,7 +14,7 @@ use plotters::prelude::*;
 const LINES: f64 = 0.1;
 
 /// A published value beside ours, with how it is drawn.
-struct Mark {
+struct Pair {
     published: f64,
     computed: f64,
     colour: RGBColor,
@@ -21,8 +22,14 @@ struct Mark {
 }
 
 /// A square plot on logarithmic axes with lines of equality and ten per cent.
-fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Mark], entries: &[(String, RGBColor, bool)]) -> Drawn {
-    let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(230));
+fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Pair], entries: &[(String, RGBColor, bool)]) -> Drawn {
+    let own = |(label, colour, filled): &(String, RGBColor, bool)| {
+        Entry::new(label, Mark::Point(if *filled { fill(*colour, 1.0) } else { line(*colour, 20) }))
+    };
+    let (equal, tenth) = (Stroke::solid(line(BLACK, 12)), Stroke::dashed(line(GREY, 10)));
+    let mut legend: Vec<Entry> = entries.iter().map(own).collect();
+    legend.extend([Entry::curve("equal", equal), Entry::curve("±10 %", tenth)]);
+    let main = legend::below(area, &legend)?;
     let all = marks.iter().flat_map(|m| [m.published, m.computed]).filter(|x| *x > 0.0);
     let (low, high) = all.fold((f64::INFINITY, 0.0f64), |(l, h), x| (l.min(x), h.max(x)));
     let (low, high) = (low / 1.3, high * 1.3);
@@ -31,29 +38,19 @@ fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Mark], entries
     let mut chart = ChartBuilder::on(&main)
         .caption(title, text(16))
         .margin(px(8))
-        .x_label_area_size(px(36))
-        .y_label_area_size(px(58))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(62))
         .build_cartesian_2d(axis(), axis())?;
     canvas::mesh!(chart, format!("published {what}"), format!("computed {what}"), 20, 20);
-    chart.draw_series(LineSeries::new([(low, low), (high, high)], line(BLACK, 12)))?;
+    canvas::curve(&mut chart, [(low, low), (high, high)], equal)?;
     for factor in [1.0 - LINES, 1.0 + LINES] {
         // cut at the frame
         let ends = if factor < 1.0 { [(low / factor, low), (high, high * factor)] } else { [(low, low * factor), (high / factor, high)] };
-        chart.draw_series(DashedLineSeries::new(ends, px(6), px(5), line(GREY, 10)))?;
+        canvas::curve(&mut chart, ends, tenth)?;
     }
     for m in marks.iter().filter(|m| m.published > 0.0 && m.computed > 0.0) {
         let style = if m.filled { fill(m.colour, 1.0) } else { line(m.colour, 20) };
         chart.draw_series(std::iter::once(Circle::new((m.published, m.computed), px(5), style)))?;
-    }
-    for (i, (label, colour, filled)) in entries.iter().enumerate() {
-        let y = (px(30) + i as u32 * px(19)) as i32;
-        let style = if *filled { fill(*colour, 1.0) } else { line(*colour, 20) };
-        side.draw(&Circle::new((px(14) as i32, y), px(5), style))?;
-        side.draw(&Text::new(label.clone(), (px(30) as i32, y - px(7) as i32), text(12)))?;
-    }
-    let y = (px(40) + entries.len() as u32 * px(19)) as i32;
-    for (i, label) in ["line: equal", "dashed: ±10 %"].iter().enumerate() {
-        side.draw(&Text::new(*label, (px(8) as i32, y + i as i32 * px(19) as i32), text(12)))?;
     }
     Ok(())
 }
@@ -62,11 +59,11 @@ fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Mark], entries
 pub fn amplitudes(study: &Study, comparison: &Comparison, folder: &Folder) -> Result<(), WriteError> {
     let colour = |design: usize| COLOURS[design % COLOURS.len()];
     let shown = || comparison.amplitudes.iter().filter(|r| r.published.is_some() && r.computed.is_some());
-    let marks: Vec<Mark> = shown()
+    let marks: Vec<Pair> = shown()
         .filter_map(|r| {
             let (published, computed) = (r.published? * DEG_PER_RAD, r.computed?.amplitude * DEG_PER_RAD);
             let colour = if r.role == Role::Unexplained { GREY } else { colour(r.design) };
-            Some(Mark { published, computed, colour, filled: r.role == Role::Predicted })
+            Some(Pair { published, computed, colour, filled: r.role == Role::Predicted })
         })
         .collect();
     let mut entries = Vec::new();
@@ -80,23 +77,23 @@ pub fn amplitudes(study: &Study, comparison: &Comparison, folder: &Folder) -> Re
     if shown().any(|r| r.role == Role::Unexplained) {
         entries.push(("unexplained, set aside".into(), GREY, false));
     }
-    canvas::save(folder, "comparison", (860, 620), |area| {
+    canvas::save(folder, "comparison", (WIDTH, 720), |area| {
         scatter(area, &format!("{}: amplitudes of orders at the hub", study.engine.name), "amplitude / °", &marks, &entries)
     })
 }
 
 /// Fitted rows before and after.
 pub fn calibration(study: &Study, calibration: &Calibration, folder: &Folder) -> Result<(), WriteError> {
-    let mark = |published: f64, computed: f64, filled: bool| Mark {
+    let mark = |published: f64, computed: f64, filled: bool| Pair {
         published: published * DEG_PER_RAD,
         computed: computed * DEG_PER_RAD,
         colour: if filled { COLOURS[0] } else { COLOURS[1] },
         filled,
     };
     let before = calibration.rows.iter().map(|r| mark(r.published, r.before, false));
-    let marks: Vec<Mark> = before.chain(calibration.rows.iter().map(|r| mark(r.published, r.after, true))).collect();
+    let marks: Vec<Pair> = before.chain(calibration.rows.iter().map(|r| mark(r.published, r.after, true))).collect();
     let entries = [("fitted".to_owned(), COLOURS[0], true), ("with the engine file".to_owned(), COLOURS[1], false)];
-    canvas::save(folder, "calibration", (860, 620), |area| {
+    canvas::save(folder, "calibration", (WIDTH, 720), |area| {
         scatter(area, &format!("{}: calibration", study.engine.name), "amplitude / °", &marks, &entries)
     })
 }
@@ -119,26 +116,23 @@ pub fn orders(study: &Study, comparison: &Comparison, results: &Results, folder:
     let seen = comparison.amplitudes.iter().flat_map(|r| [r.published, r.computed.map(|c| c.amplitude)]).flatten();
     let top = canvas::round_up(ROOM * seen.fold(0.0, f64::max) * DEG_PER_RAD);
     let rows = designs.len().div_ceil(COLUMNS);
-    let height = 40 + 320 * rows as u32;
-    canvas::save(folder, "orders", (1180, height), |area| {
+    let mut entries: Vec<Entry> = named.iter().map(|o| Entry::curve(format!("order {o}"), stroke(*o))).collect();
+    entries.push(Entry::curve("other orders", Stroke::solid(line(PALE, 14))));
+    entries.push(Entry::new("published", Mark::Point(line(BLACK, 16))));
+    let height = 40 + 270 * rows as u32 + legend::height(&entries, WIDTH);
+    canvas::save(folder, "orders", (WIDTH, height), |area| {
         let title = format!("{}: amplitude of the {} by orders", study.engine.name, study.chain.stations[study.hub].name.replace('_', " "));
         let titled = canvas::titled(area, &title)?;
-        let (main, side) = titled.split_horizontally(titled.dim_in_pixel().0 - px(140));
+        let main = legend::below(&titled, &entries)?;
         for (panel, (design, sweep)) in main.split_evenly((rows, COLUMNS)).iter().zip(&designs) {
             one(panel, study, results, sweep, &named, top, of(*design).filter_map(|r| Some((r.order, r.speed_rpm, r.published?))))?;
         }
-        let mut entries: Vec<(String, ShapeStyle)> = named.iter().enumerate().map(|(i, o)| (format!("order {o}"), style(i))).collect();
-        entries.push(("other orders".into(), line(PALE, 14)));
-        canvas::legend(&side, &entries)?;
-        let y = (px(26) + entries.len() as u32 * px(19)) as i32;
-        side.draw(&Circle::new((px(16) as i32, y), px(4), line(BLACK, 16)))?;
-        side.draw(&Text::new("published", (px(34) as i32, y - px(7) as i32), text(12)))?;
         Ok(())
     })
 }
 
-fn style(i: usize) -> ShapeStyle {
-    line(COLOURS[i % COLOURS.len()], 18)
+fn stroke(order: Order) -> Stroke {
+    Stroke::of_order(order, 18)
 }
 
 fn one(
@@ -154,26 +148,27 @@ fn one(
     let mut chart = ChartBuilder::on(area)
         .caption(sweep.design.replace('_', " "), text(14))
         .margin(px(8))
-        .x_label_area_size(px(34))
-        .y_label_area_size(px(50))
+        .margin_right(px(20))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(58))
         .build_cartesian_2d(first..last.max(first + 1.0), 0.0..top)?;
-    canvas::mesh!(chart, "speed / rpm", "amplitude / °", 7, 6);
+    canvas::mesh!(chart, "speed / rpm", "amplitude / °", 5, 6);
     let hub = &sweep.quantities[1];
-    let mut curves: Vec<(usize, ShapeStyle)> = Vec::new();
+    let mut curves: Vec<(usize, Stroke)> = Vec::new();
     for (n, order) in results.system.excitation.orders.iter().enumerate() {
-        match named.iter().position(|o| o == order) {
-            Some(i) => curves.push((n, style(i))),
-            None => curves.insert(0, (n, line(PALE, 14))),
+        match named.contains(order) {
+            true => curves.push((n, stroke(*order))),
+            false => curves.insert(0, (n, Stroke::solid(line(PALE, 14)))),
         }
     }
-    for (n, style) in curves {
+    for (n, stroke) in curves {
         let points = study.speeds_rpm.iter().copied().zip(hub.orders[n].amplitude.iter().copied());
         for piece in canvas::clipped(points, top) {
-            chart.draw_series(LineSeries::new(piece, style))?;
+            canvas::curve(&mut chart, piece, stroke)?;
         }
     }
     for (order, speed, amplitude) in published {
-        let style = named.iter().position(|o| *o == order).map_or(line(BLACK, 18), style);
+        let style = stroke(order).style;
         // a point on the frame or beyond is not drawn
         if (first..=last).contains(&speed) {
             chart.draw_series(std::iter::once(Circle::new((speed, amplitude * DEG_PER_RAD), px(4), style)))?;

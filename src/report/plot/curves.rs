@@ -1,21 +1,25 @@
 //! A plot a figure: panels from top to bottom.
 
-use super::canvas::{self, COLOURS, Drawn, line, px, text};
+use super::canvas::{self, Drawn, Stroke, WIDTH, line, px, text};
+use super::legend::{self, Entry};
 use crate::analysis::curves::{Curve, Figure, Panel};
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 
-/// Width of a figure and height of a panel.
-const WIDTH: u32 = 960;
-const HEIGHT: u32 = 290;
+/// Height of a panel; its legend comes to it.
+const HEIGHT: u32 = 270;
 
 /// A curve of an order has the colour of that order in every plot; others go by their place.
-fn style(curve: &Curve, place: usize) -> ShapeStyle {
+fn stroke(curve: &Curve, place: usize) -> Stroke {
     match curve.order {
-        Some(order) => line(canvas::of_order(order), 14),
-        None if curve.label.starts_with("all ") => line(BLACK, 20),
-        None => line(COLOURS[place % COLOURS.len()], 15),
+        Some(order) => Stroke::of_order(order, 14),
+        None if curve.label.starts_with("all ") => Stroke::solid(line(BLACK, 20)),
+        None => Stroke::of(place, 15),
     }
+}
+
+fn entries(panel: &Panel) -> Vec<Entry> {
+    panel.curves.iter().enumerate().map(|(i, c)| Entry::curve(&c.label, stroke(c, i))).collect()
 }
 
 /// Smallest and largest of some numbers, spread where they are one; zero belongs to the range of what crosses it or nearly reaches it.
@@ -28,30 +32,29 @@ fn range(values: impl Iterator<Item = f64> + Clone, margin: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
-fn panel(area: &canvas::Area, panel: &Panel, legend: u32) -> Drawn {
-    let (left, side) = area.split_horizontally(area.dim_in_pixel().0 - legend);
+fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
+    let left = legend::below(area, &entries(panel))?;
     let all = || panel.curves.iter().flat_map(|c| &c.points);
     let ((x0, x1), (y0, y1)) = (range(all().map(|p| p.0), 0.0), range(all().map(|p| p.1).chain([0.0, panel.y_top.unwrap_or(0.0)]), 0.05));
     let mut chart = ChartBuilder::on(&left)
-        .caption(&panel.title, text(14))
+        .caption(&panel.title, text(15))
         .margin(px(8))
-        .x_label_area_size(px(36))
-        .y_label_area_size(px(64))
+        .margin_right(px(24))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(68))
         .build_cartesian_2d(x0..x1, y0..y1)?;
     canvas::mesh!(chart, panel.x.label, panel.y.label, 9, 6);
     if y0 < 0.0 {
         chart.draw_series(LineSeries::new([(x0, 0.0), (x1, 0.0)], line(canvas::GREY, 7)))?;
     }
-    let mut entries = Vec::new();
     for (i, curve) in panel.curves.iter().enumerate() {
-        let style = style(curve, i);
-        chart.draw_series(LineSeries::new(curve.points.iter().copied(), style))?;
+        let stroke = stroke(curve, i);
+        canvas::curve(&mut chart, curve.points.iter().copied(), stroke)?;
         if curve.points.len() <= 60 {
-            chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, px(3), style.filled())))?;
+            chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, px(3), stroke.style.filled())))?;
         }
-        entries.push((curve.label.clone(), style));
     }
-    canvas::legend(&side, &entries)
+    Ok(())
 }
 
 /// `<figure>.svg` and `.png`.
@@ -59,16 +62,13 @@ fn panel(area: &canvas::Area, panel: &Panel, legend: u32) -> Drawn {
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 pub(crate) fn figure(figure: &Figure, folder: &Folder) -> Result<(), WriteError> {
-    // a legend with more entries than a panel is high makes it higher
-    let most = figure.panels.iter().map(|p| p.curves.len()).max().unwrap_or(0) as u32;
-    let each = HEIGHT.max(40 + 19 * most);
-    let count = figure.panels.len();
-    // as wide for all panels: their axes line up
-    let legend = canvas::legend_width(figure.panels.iter().flat_map(|p| &p.curves).map(|c| c.label.as_str()));
-    canvas::save(folder, &figure.name, (WIDTH, 36 + each * count as u32), |area| {
-        let titled = canvas::titled(area, &figure.title)?;
-        for (area, one) in titled.split_evenly((count, 1)).iter().zip(&figure.panels) {
-            panel(area, one, legend)?;
+    let heights: Vec<u32> = figure.panels.iter().map(|p| HEIGHT + legend::height(&entries(p), WIDTH)).collect();
+    canvas::save(folder, &figure.name, (WIDTH, canvas::title_height(&figure.title) + heights.iter().sum::<u32>()), |area| {
+        let mut rest = canvas::titled(area, &figure.title)?;
+        for (one, height) in figure.panels.iter().zip(&heights) {
+            let (own, below) = rest.split_vertically(px(*height));
+            panel(&own, one)?;
+            rest = below;
         }
         Ok(())
     })

@@ -87,7 +87,7 @@ impl View<'_, '_> {
         let (width, height) = ((px(8) * label.chars().count() as u32) as i32, px(14) as i32);
         let corner = if upright { (place.0 - width, place.1 - height / 2) } else { (place.0 - width / 2, place.1) };
         self.area.draw(&Rectangle::new([corner, (corner.0 + width, corner.1 + height)], WHITE.filled()))?;
-        Ok(self.area.draw(&Text::new(label.to_owned(), place, text(12).pos(anchor)))?)
+        Ok(self.area.draw(&Text::new(label.to_owned(), place, text(13).pos(anchor)))?)
     }
 
     fn caption(&self, at: (f64, f64), label: &str) -> Drawn {

@@ -1,34 +1,39 @@
 //! Order spectrum of the excitation: torque of a throw, and what of it pushes the first mode.
 
-use super::canvas::{self, COLOURS, Drawn, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, WIDTH, fill, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
 use crate::input::Study;
 use crate::numerics::C64;
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
 
+/// Dark, middle and light, so that they are told apart without colour.
+const SHADES: [RGBColor; 3] = [RGBColor(0, 60, 100), COLOURS[1], COLOURS[5]];
+
 fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec<f64>)]) -> Drawn {
-    let (left, side) = area.split_horizontally(area.dim_in_pixel().0 - px(120));
+    let entries: Vec<Entry> = series.iter().enumerate().map(|(i, s)| Entry::new(&s.0, Mark::Block(fill(SHADES[i], 1.0)))).collect();
+    let above = legend::below(area, &entries)?;
     let top = canvas::round_up(series.iter().flat_map(|s| &s.1).copied().fold(0.0, f64::max));
-    let step = orders.windows(2).map(|w| w[1] - w[0]).fold(1.0, f64::min);
-    let end = orders.last().copied().unwrap_or(1.0) + step;
-    let mut chart = ChartBuilder::on(&left)
-        .caption(title, text(14))
+    let end = orders.last().copied().unwrap_or(1.0) + 1.0;
+    // a single order is no wall
+    let step = orders.windows(2).map(|w| w[1] - w[0]).fold(0.1 * end, f64::min);
+    let mut chart = ChartBuilder::on(&above)
+        .caption(title, text(15))
         .margin(px(8))
-        .x_label_area_size(px(36))
-        .y_label_area_size(px(58))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(62))
         .build_cartesian_2d(0.0..end, 0.0..top)?;
     canvas::mesh!(chart, "order", "amplitude / N m", 13, 6);
     let width = 0.8 * step / series.len() as f64;
     for (i, (_, values)) in series.iter().enumerate() {
         let bar = |(o, v): (&f64, &f64)| {
             let from = o - 0.4 * step + i as f64 * width;
-            Rectangle::new([(from, 0.0), (from + width, *v)], fill(COLOURS[i], 0.9))
+            Rectangle::new([(from, 0.0), (from + width, *v)], fill(SHADES[i], 1.0))
         };
         chart.draw_series(orders.iter().zip(values).map(bar))?;
     }
-    let entries: Vec<_> = series.iter().enumerate().map(|(i, s)| (s.0.clone(), line(COLOURS[i], 90))).collect();
-    canvas::legend(&side, &entries)
+    Ok(())
 }
 
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
@@ -53,7 +58,7 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
             (sum * system.excitation.unit_torque(n, speed)).norm()
         })
     });
-    canvas::save(folder, "excitation", (900, 760), |area| {
+    canvas::save(folder, "excitation", (WIDTH, 760), |area| {
         let titled = canvas::titled(area, &format!("{}: orders of the excitation", study.engine.name))?;
         let (upper, lower) = titled.split_vertically(titled.dim_in_pixel().1 / 2);
         bars(&upper, "torque of throw 1, gas and inertia", &orders, &throw)?;

@@ -1,6 +1,6 @@
 //! The worst point: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, fill, line, px, text};
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
@@ -18,10 +18,10 @@ use std::f64::consts::TAU;
 pub(crate) fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
     let Some((point, result)) = &summary.critical else { return Ok(()) };
     let of = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
-    canvas::save(folder, "fatigue", (1180, 470), |area| {
+    canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {
         let titled = canvas::titled(area, &format!("point {}: the smallest factor of all points", point.name))?;
-        let (left, rest) = titled.split_horizontally(px(390));
-        let (middle, right) = rest.split_horizontally(px(400));
+        let (upper, right) = titled.split_vertically(px(370));
+        let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
         if let Some(v) = of(Criterion::Matake) {
             shear_path(&left, point, v)?;
         }
@@ -54,7 +54,7 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
     let mut chart = ChartBuilder::on(area)
         .caption("shear on the critical plane and its circle", text(14))
         .margin(px(8))
-        .x_label_area_size(px(36))
+        .x_label_area_size(px(40))
         .y_label_area_size(px(60))
         .build_cartesian_2d(centre[0] - reach[0]..centre[0] + reach[0], centre[1] - reach[1]..centre[1] + reach[1])?;
     canvas::mesh!(chart, "along growing phi / MPa", "along growing theta / MPa", 6, 6);
@@ -85,7 +85,7 @@ fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) ->
     let mut chart = ChartBuilder::on(area)
         .caption("Dang Van, plane: path and limit", text(14))
         .margin(px(8))
-        .x_label_area_size(px(36))
+        .x_label_area_size(px(40))
         .y_label_area_size(px(60))
         .build_cartesian_2d(low..high, 0.0..top)?;
     canvas::mesh!(chart, "hydrostatic stress / MPa", "mesoscopic shear / MPa", 6, 7);
@@ -103,7 +103,7 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
     let mut chart = ChartBuilder::on(area)
         .caption("factors of all criteria", text(14))
         .margin(px(8))
-        .x_label_area_size(px(36))
+        .x_label_area_size(px(40))
         .y_label_area_size(px(165))
         .build_cartesian_2d(0.0..top, 0.0..count)?;
     chart
@@ -112,7 +112,7 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
         .x_labels(6)
         .y_labels(0)
         .axis_desc_style(text(13))
-        .label_style(text(12))
+        .label_style(text(13))
         .light_line_style(TRANSPARENT)
         .bold_line_style(line(canvas::PALE, 8))
         .axis_style(line(GREY, 10))
@@ -124,10 +124,10 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
         let length = v.safety_factor.min(top);
         let style = if v.plane.is_some() { COLOURS[0] } else { COLOURS[2] };
         chart.draw_series(std::iter::once(Rectangle::new([(0.0, y + 0.2), (length, y + 0.8)], fill(style, 0.85))))?;
-        let label = text(12).pos(Pos::new(HPos::Right, VPos::Center));
+        let label = text(13).pos(Pos::new(HPos::Right, VPos::Center));
         let name = EmptyElement::at((0.0, y + 0.5)) + Text::new(v.criterion.name().replace('_', " "), (-(px(8) as i32), 0), label);
         chart.draw_series(std::iter::once(name))?;
-        let value = text(11).pos(Pos::new(HPos::Left, VPos::Center));
+        let value = text(13).pos(Pos::new(HPos::Left, VPos::Center));
         let words = if v.safety_factor.is_finite() { format!("{:.2}", v.safety_factor) } else { "infinite".into() };
         chart.draw_series(std::iter::once(EmptyElement::at((length, y + 0.5)) + Text::new(words, (px(5) as i32, 0), value)))?;
     }

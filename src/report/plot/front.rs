@@ -1,16 +1,15 @@
 //! Fronts of two measures, with given designs and the knee marked.
 
-use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::labels;
+use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, TradeoffResult};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Given designs further out than this many ranges of the fronts are not drawn.
 const FARTHEST: f64 = 1.0;
-/// Distance of marks, pixels.
-const APART: i32 = 15;
 
 /// A label of an axis.
 fn axis(measure: &MeasureSpec) -> String {
@@ -54,52 +53,49 @@ fn one(study: &Study, t: &TradeoffResult, measures: [&MeasureSpec; 2], folder: &
     let all = || points().chain(given.iter().map(|g| g.1));
     let (x, y) = (range(all().map(|p| p.0), measures[1].unit), range(all().map(|p| p.1), measures[0].unit));
     let name = format!("front_{}_{}", measures[0].word, measures[1].word);
-    canvas::save(folder, &name, (900, 560), |area| {
-        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(190));
+    let stroke = |i: usize| Stroke::of(i, 20);
+    let mut entries: Vec<Entry> =
+        t.families.iter().enumerate().map(|(i, (family, _))| Entry::curve(family.replace('_', " and "), stroke(i))).collect();
+    entries.push(Entry::new("knee", Mark::Point(line(BLACK, 16))));
+    if t.families.iter().flat_map(|f| &f.1.points).any(|p| p.dominated) {
+        entries.push(Entry::new("another is no worse", Mark::Point(fill(COLOURS[0], 0.3))));
+    }
+    if !given.is_empty() {
+        entries.push(Entry::new("given design", Mark::Point(fill(GREY, 1.0))));
+    }
+    canvas::save(folder, &name, (WIDTH, 440 + legend::height(&entries, WIDTH)), |area| {
+        let main = legend::below(area, &entries)?;
         let mut chart = ChartBuilder::on(&main)
             .caption(format!("{}: what one costs the other", study.engine.name), text(16))
             .margin(px(8))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(64))
+            .margin_right(px(20))
+            .x_label_area_size(px(44))
+            .y_label_area_size(px(68))
             .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
         canvas::mesh!(chart, axis(measures[1]), axis(measures[0]), 9, 9);
-        let mut entries = Vec::new();
-        for (i, (family, front)) in t.families.iter().enumerate() {
-            let style = line(COLOURS[i % COLOURS.len()], 20);
+        let mut curves: Vec<(i32, i32)> = Vec::new();
+        for (i, (_, front)) in t.families.iter().enumerate() {
+            let colour = COLOURS[i % COLOURS.len()];
             // what another point beats is pale, and the line broken there
             let inside = |p: &(f64, f64)| p.0 <= x.1 && p.1 <= y.1;
             let beaten = front.points.iter().filter(|p| p.dominated).filter_map(|p| drawn(p.values)).filter(inside);
-            chart.draw_series(beaten.map(|p| Circle::new(p, px(2), fill(COLOURS[i % COLOURS.len()], 0.3))))?;
+            chart.draw_series(beaten.map(|p| Circle::new(p, px(2), fill(colour, 0.3))))?;
             let pieces = front.points.split(|p| p.dominated);
             for piece in pieces.filter(|p| !p.is_empty()) {
                 let piece: Vec<(f64, f64)> = piece.iter().filter_map(|p| drawn(p.values)).collect();
-                chart.draw_series(piece.iter().map(|p| Circle::new(*p, px(2), fill(COLOURS[i % COLOURS.len()], 1.0))))?;
-                chart.draw_series(LineSeries::new(piece, style))?;
+                curves.extend(labels::along(&piece.iter().map(|p| chart.backend_coord(p)).collect::<Vec<_>>()));
+                chart.draw_series(piece.iter().map(|p| Circle::new(*p, px(2), fill(colour, 1.0))))?;
+                canvas::curve(&mut chart, piece, stroke(i))?;
             }
-            entries.push((family.replace('_', " and "), style));
         }
         for p in t.families.iter().flat_map(|f| &f.1.points).filter(|p| p.knee) {
             if let Some(at) = drawn(p.values) {
-                chart.draw_series(std::iter::once(
-                    EmptyElement::at(at)
-                        + Circle::new((0, 0), px(7), line(BLACK, 16))
-                        + Text::new("knee", (px(10) as i32, -(px(14) as i32)), text(12)),
-                ))?;
+                chart.draw_series(std::iter::once(Circle::new(at, px(7), line(BLACK, 16))))?;
             }
         }
-        let mut used: Vec<(i32, i32)> = Vec::new();
-        for (name, at) in &given {
-            let pixel = chart.backend_coord(at);
-            // a label goes below those that are already near
-            let taken = used.iter().filter(|u| (u.0 - pixel.0).abs() < 8 * APART && (u.1 - pixel.1).abs() < APART).count() as i32;
-            used.push((pixel.0, pixel.1 + taken * APART));
-            let (dx, hpos) = if at.0 > 0.5 * (x.0 + x.1) { (-(px(8) as i32), HPos::Right) } else { (px(8) as i32, HPos::Left) };
-            let style = text(12).pos(Pos::new(hpos, VPos::Center));
-            let mark = EmptyElement::at(*at)
-                + Circle::new((0, 0), px(4), fill(GREY, 1.0))
-                + Text::new(name.clone(), (dx, px(1) as i32 * taken * APART), style);
-            chart.draw_series(std::iter::once(mark))?;
-        }
-        canvas::legend(&side, &entries)
+        chart.draw_series(given.iter().map(|g| Circle::new(g.1, px(4), fill(GREY, 1.0))))?;
+        let named: Vec<(String, (i32, i32))> = given.iter().map(|(name, at)| (name.clone(), chart.backend_coord(at))).collect();
+        let ((x0, y0), (x1, y1)) = (chart.backend_coord(&(x.0, y.1)), chart.backend_coord(&(x.1, y.0)));
+        labels::draw(area, &named, &curves, [x0, y0, x1, y1])
     })
 }

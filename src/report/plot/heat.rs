@@ -1,6 +1,7 @@
 //! Temperatures of absorbers in balance, over speed.
 
-use super::canvas::{self, COLOURS, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::{HeatOfDesign, Results};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -18,16 +19,27 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     if x.0 >= x.1 {
         return folder.remove(&["heat.svg", "heat.png"]);
     }
-    canvas::save(folder, "heat", (900, 480), |area| {
-        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(210));
+    let name = |d: &HeatOfDesign| d.design.replace('_', " ");
+    let bears = |i: usize| Stroke { style: line(COLOURS[i % COLOURS.len()], 7), ..Stroke::dashed(line(BLACK, 7)) };
+    let of = |(i, d): (usize, &HeatOfDesign)| {
+        [
+            Entry::curve(name(d), Stroke::solid(line(COLOURS[i % COLOURS.len()], 20))),
+            Entry::curve(format!("{}: what its material bears", name(d)), bears(i)),
+        ]
+    };
+    let mut entries: Vec<Entry> = results.heat.iter().enumerate().flat_map(of).collect();
+    if results.heat.iter().any(|d| others(d, false).next().is_some()) {
+        entries.push(Entry::new("balance that is not stable", Mark::Point(line(GREY, 10))));
+    }
+    canvas::save(folder, "heat", (WIDTH, 400 + legend::height(&entries, WIDTH)), |area| {
+        let main = legend::below(area, &entries)?;
         let mut chart = ChartBuilder::on(&main)
             .caption(format!("{}: temperature of the absorber in balance of heat", study.engine.name), text(16))
             .margin(px(8))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(56))
+            .x_label_area_size(px(44))
+            .y_label_area_size(px(60))
             .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
         canvas::mesh!(chart, "speed / rpm", "temperature / °C", 9, 9);
-        let mut entries = Vec::new();
         for (i, d) in results.heat.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
             for piece in d.points.split(|p| p.balances.is_empty()).filter(|p| !p.is_empty()) {
@@ -36,11 +48,9 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
             }
             chart.draw_series(others(d, true).map(|p| Circle::new(p, px(2), fill(colour, 1.0))))?;
             chart.draw_series(others(d, false).map(|p| Circle::new(p, px(2), line(colour, 10))))?;
-            chart.draw_series(LineSeries::new([(x.0, d.limit), (x.1, d.limit)], line(colour, 6)))?;
-            entries.push((d.design.replace('_', " "), line(colour, 20)));
-            entries.push(("  what its material bears".to_owned(), line(colour, 6)));
+            canvas::curve(&mut chart, [(x.0, d.limit), (x.1, d.limit)], bears(i))?;
         }
-        canvas::legend(&side, &entries)
+        Ok(())
     })
 }
 

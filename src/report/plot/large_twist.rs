@@ -1,7 +1,8 @@
 //! Steady motions of designs with an absorber whose twist is not small, over speed.
 
-use super::canvas::{self, COLOURS, fill, line, px, text};
-use crate::analysis::{LargePoint, Results};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::legend::{self, Entry, Mark};
+use crate::analysis::{LargePoint, LargeTwistOfDesign, Results};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
@@ -19,19 +20,28 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     };
     let motions = results.large_twist.iter().flat_map(|d| d.curves.iter().flatten().map(|p| p.twist * DEG_PER_RAD));
     let high = motions.chain(results.large_twist.iter().flat_map(|d| small(&d.design))).fold(0.0, f64::max);
-    canvas::save(folder, "large_twist", (900, 480), |area| {
-        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(230));
+    let small_stroke = |i: usize| Stroke { style: line(COLOURS[i % COLOURS.len()], 8), ..Stroke::dashed(line(BLACK, 8)) };
+    let of = |(i, d): (usize, &LargeTwistOfDesign)| {
+        let name = d.design.replace('_', " ");
+        let own = Stroke::solid(line(COLOURS[i % COLOURS.len()], 20));
+        [Entry::curve(&name, own), Entry::curve(format!("{name}, if its twist were small"), small_stroke(i))]
+    };
+    let mut entries: Vec<Entry> = results.large_twist.iter().enumerate().flat_map(of).collect();
+    if results.large_twist.iter().flat_map(|d| d.curves.iter().flatten()).any(|p| p.stable == Some(false)) {
+        entries.push(Entry::new("motion that does not last", Mark::Point(fill(GREY, 1.0))));
+    }
+    canvas::save(folder, "large_twist", (WIDTH, 400 + legend::height(&entries, WIDTH)), |area| {
+        let main = legend::below(area, &entries)?;
         let mut chart = ChartBuilder::on(&main)
             .caption(format!("{}: twist at its own amplitude", study.engine.name), text(16))
             .margin(px(8))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(56))
+            .x_label_area_size(px(44))
+            .y_label_area_size(px(60))
             .build_cartesian_2d(x.0..x.1, 0.0..1.08 * high)?;
         canvas::mesh!(chart, "speed / rpm", "twist / °", 9, 9);
-        let mut entries = Vec::new();
         for (i, d) in results.large_twist.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
-            chart.draw_series(LineSeries::new(study.speeds_rpm.iter().copied().zip(small(&d.design)), line(colour, 6)))?;
+            canvas::curve(&mut chart, study.speeds_rpm.iter().copied().zip(small(&d.design)), small_stroke(i))?;
             for curve in &d.curves {
                 let inside = |p: &&LargePoint| (x.0..=x.1).contains(&p.speed_rpm);
                 let at = |p: &LargePoint| (p.speed_rpm, p.twist * DEG_PER_RAD);
@@ -41,9 +51,7 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
                 let fleeting = curve.iter().filter(|p| p.stable == Some(false)).filter(inside);
                 chart.draw_series(fleeting.map(|p| Circle::new(at(p), px(1), fill(colour, 1.0))))?;
             }
-            entries.push((d.design.replace('_', " "), line(colour, 20)));
-            entries.push(("  if its twist were small".to_owned(), line(colour, 6)));
         }
-        canvas::legend(&side, &entries)
+        Ok(())
     })
 }

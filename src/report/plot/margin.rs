@@ -1,6 +1,7 @@
 //! Margin of the crank over speed, and the loads along it.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, line, px, text};
+use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::diagram::{Diagram, Instant};
 use crate::crankshaft::loads::InPlanes;
@@ -12,6 +13,10 @@ use plotters::prelude::*;
 /// Margins above this multiple of the smallest are cut off.
 const CUT: f64 = 4.0;
 
+/// How the least margin that a criterion accepts is drawn.
+const ACCEPTED: Stroke =
+    Stroke { style: ShapeStyle { color: RGBAColor(110, 110, 110, 1.0), filled: false, stroke_width: 12 }, dash: Some((9, 4)) };
+
 /// More panels than this stand in two columns.
 const ABREAST: usize = 3;
 
@@ -21,9 +26,16 @@ pub fn margins(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
     let panels = model.criteria.len();
     let columns = if panels > ABREAST { 2 } else { 1 };
     let rows = panels.div_ceil(columns);
-    canvas::save(folder, "margin", (880 * columns as u32, 34 + 330 * rows as u32), |area| {
-        let titled = canvas::titled(area, &format!("{}: margin of the crank", study.engine.name))?;
-        for (c, area) in titled.split_evenly((rows, columns)).iter().take(panels).enumerate() {
+    let title = format!("{}: margin of the crank, smallest of all fillets", study.engine.name);
+    let mut entries: Vec<Entry> =
+        results.margins.iter().enumerate().map(|(i, m)| Entry::curve(m.design.replace('_', " "), stroke(results, i, &m.design))).collect();
+    if model.criteria.iter().any(|c| c.acceptable().is_some()) {
+        entries.push(Entry::curve("least that is accepted", ACCEPTED));
+    }
+    canvas::save(folder, "margin", (WIDTH, canvas::title_height(&title) + 270 * rows as u32 + legend::height(&entries, WIDTH)), |area| {
+        let titled = canvas::titled(area, &title)?;
+        let above = legend::below(&titled, &entries)?;
+        for (c, area) in above.split_evenly((rows, columns)).iter().take(panels).enumerate() {
             panel(area, study, results, c)?;
         }
         Ok(())
@@ -45,35 +57,36 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
     } else {
         (0.0, accepted.unwrap_or(1.0) * 1.1)
     };
-    let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
     let name = model.criteria[criterion].name();
-    let mut chart = ChartBuilder::on(&main)
-        .caption(format!("smallest of all fillets, {}", name.replace('_', " ")), text(14))
+    let mut chart = ChartBuilder::on(area)
+        .caption(name.replace('_', " "), text(15))
         .margin(px(8))
-        .x_label_area_size(px(36))
-        .y_label_area_size(px(54))
+        .margin_right(px(20))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(58))
         .build_cartesian_2d(span.clone(), bottom..top)?;
-    canvas::mesh!(chart, "speed / rpm", "safety factor", 9, 7);
-    let mut entries = Vec::new();
+    canvas::mesh!(chart, "speed / rpm", "safety factor", 5, 7);
     if let Some(least) = accepted {
-        let style = line(GREY, 12);
-        chart.draw_series(DashedLineSeries::new([(span.start, least), (span.end, least)], px(6), px(5), style))?;
-        entries.push((format!("accepted from {least} (dashed)"), style));
+        canvas::curve(&mut chart, [(span.start, least), (span.end, least)], ACCEPTED)?;
     }
     for (i, (design, values)) in curves.iter().enumerate() {
-        let width = if results.is_optimum(design) { 26 } else { 14 };
-        let style = if i == 0 && *design == "none" { line(BLACK, 14) } else { line(COLOURS[i % COLOURS.len()], width) };
+        let stroke = stroke(results, i, design);
         if values.len() == 1 {
-            chart.draw_series(std::iter::once(Circle::new((first, values[0].min(top)), px(4), style)))?;
+            chart.draw_series(std::iter::once(Circle::new((first, values[0].min(top)), px(4), stroke.style)))?;
         }
         for piece in canvas::clipped(study.speeds_rpm.iter().copied().zip(values.iter().copied()), top) {
-            chart.draw_series(LineSeries::new(piece, style))?;
+            canvas::curve(&mut chart, piece, stroke)?;
         }
-        entries.push((design.replace('_', " "), style));
     }
-    canvas::legend(&side, &entries)
+    Ok(())
+}
+
+/// That of a design: black without absorber, broad for an optimum.
+fn stroke(results: &Results, i: usize, design: &str) -> Stroke {
+    let without = i == 0 && results.designs.first().is_some_and(|d| d.name == design && d.absorbers.is_empty());
+    if without { Stroke::solid(line(BLACK, 14)) } else { Stroke::of(i, if results.is_optimum(design) { 26 } else { 14 }) }
 }
 
 /// Shear force, bending moment and torque along the crank where its most used web is bent most, and at the other end of that range.
@@ -92,19 +105,24 @@ pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), 
     let moment = in_planes(|i| &i.moment, 1.0);
     let torque: Vec<Curve> =
         d.instants.iter().enumerate().map(|(i, instant)| Curve::new(angle(instant), &instant.torque, 1.0, (i, 22))).collect();
-    canvas::save(folder, "crank", (1000, 40 + 3 * 270), |area| {
-        let title = format!(
-            "{}: loads along the crank at {:.0} rpm, {} (smallest margin at {})",
-            study.engine.name,
-            d.speed_rpm,
-            d.design.replace('_', " "),
-            d.location.replace('_', " ")
-        );
-        let titled = canvas::titled(area, &title)?;
-        let areas = titled.split_evenly((3, 1));
-        along(&areas[0], d, "shear force / kN", &shear)?;
-        along(&areas[1], d, "bending moment / N m", &moment)?;
-        along(&areas[2], d, "torque / N m", &torque)
+    let title = format!(
+        "{}: loads along the crank at {:.0} rpm, {} (smallest margin at {})",
+        study.engine.name,
+        d.speed_rpm,
+        d.design.replace('_', " "),
+        d.location.replace('_', " ")
+    );
+    let panels = [("shear force / kN", &shear), ("bending moment / N m", &moment), ("torque / N m", &torque)];
+    let height = |curves: &[Curve]| HEIGHT + legend::height(&entries(curves), WIDTH);
+    let all: u32 = panels.iter().map(|p| height(p.1)).sum();
+    canvas::save(folder, "crank", (WIDTH, canvas::title_height(&title) + all), |area| {
+        let mut rest = canvas::titled(area, &title)?;
+        for (unit, curves) in panels {
+            let (own, below) = rest.split_vertically(px(height(curves)));
+            along(&own, d, unit, curves)?;
+            rest = below;
+        }
+        Ok(())
     })
 }
 
@@ -116,17 +134,28 @@ fn angle(instant: &Instant) -> String {
 struct Curve {
     label: String,
     points: Vec<(f64, f64)>,
-    style: ShapeStyle,
+    stroke: Stroke,
+}
+
+/// Height of a panel along the crank; its legend comes to it.
+const HEIGHT: u32 = 250;
+
+fn entries(curves: &[Curve]) -> Vec<Entry> {
+    curves.iter().map(|c| Entry::curve(&c.label, c.stroke)).collect()
 }
 
 impl Curve {
     fn new(label: String, points: &[(f64, f64)], unit: f64, (colour, width): (usize, u32)) -> Self {
-        Self { label, points: points.iter().map(|(x, y)| (x / M_PER_MM, y / unit)).collect(), style: line(COLOURS[colour], width) }
+        Self {
+            label,
+            points: points.iter().map(|(x, y)| (x / M_PER_MM, y / unit)).collect(),
+            stroke: Stroke { style: line(COLOURS[colour], width), ..Stroke::of(usize::from(width < 20), width) },
+        }
     }
 }
 
 fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[Curve]) -> Drawn {
-    let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(240));
+    let main = legend::below(area, &entries(curves))?;
     let all = || curves.iter().flat_map(|c| c.points.iter().map(|p| p.1));
     let top = canvas::round_up(1.05 * all().map(f64::abs).fold(0.0, f64::max));
     // bending moments of a pushed crank have one sign only: the frame takes what there is
@@ -138,8 +167,9 @@ fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[Curve]) -> Draw
     let end = d.bearings[d.bearings.len() - 1] / M_PER_MM;
     let mut chart = ChartBuilder::on(&main)
         .margin(px(8))
-        .x_label_area_size(px(34))
-        .y_label_area_size(px(66))
+        .margin_right(px(20))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(68))
         .build_cartesian_2d(-0.01 * end..1.01 * end, bottom..top.max(bottom + 1e-9))?;
     canvas::mesh!(chart, "along the crank / mm (bearings dashed, crankpins dotted)", unit, 10, 6);
     for (places, dash) in [(&d.bearings, 7), (&d.pins, 2)] {
@@ -151,8 +181,7 @@ fn along(area: &canvas::Area, d: &Diagram, unit: &str, curves: &[Curve]) -> Draw
     }
     chart.draw_series(LineSeries::new([(-0.01 * end, 0.0), (1.01 * end, 0.0)], line(GREY, 8)))?;
     for curve in curves {
-        chart.draw_series(LineSeries::new(curve.points.iter().copied(), curve.style))?;
+        canvas::curve(&mut chart, curve.points.iter().copied(), curve.stroke)?;
     }
-    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.label.clone(), c.style)).collect();
-    canvas::legend(&side, &entries)
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! What simplifications of the model cost: error of the peak twist along each.
 
-use super::canvas::{self, COLOURS, fill, line, px};
+use super::canvas::{self, COLOURS, WIDTH, fill, line, px};
 use super::chart::decades;
 use crate::benchmark::model_accuracy::ModelError;
 use crate::input::Study;
@@ -17,11 +17,11 @@ const LEAST_ERROR: f64 = 1e-7;
 pub fn models(study: &Study, models: &[&ModelError], folder: &Folder) -> Result<(), WriteError> {
     let worst = models.iter().flat_map(|m| &m.points).map(|p| p.1).fold(1e-3, f64::max);
     let y = (LEAST_ERROR / 2.0, 2.0 * worst);
-    canvas::save(folder, "models", (300 * models.len() as u32, 380), |area| {
+    canvas::save(folder, "models", (WIDTH, 36 + 320 * models.len().div_ceil(2) as u32), |area| {
         let titled = canvas::titled(area, &format!("{}: what a simpler model costs", study.engine.name))?;
-        for ((panel, m), colour) in titled.split_evenly((1, models.len())).iter().zip(models).zip(COLOURS) {
+        for ((panel, m), colour) in titled.split_evenly((models.len().div_ceil(2), 2)).iter().zip(models).zip(COLOURS) {
             let (left, right) = m.points.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
-            let mut chart = ChartBuilder::on(panel).margin(px(8)).x_label_area_size(px(36)).y_label_area_size(px(58)).build_cartesian_2d(
+            let mut chart = ChartBuilder::on(panel).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(62)).build_cartesian_2d(
                 (left / 1.15..right * 1.15).log_scale().with_key_points(ticks(m)),
                 (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
             )?;

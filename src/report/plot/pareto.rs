@@ -1,14 +1,14 @@
 //! Front of ring inertia against the objective, with the given designs marked.
 
-use super::canvas::{self, COLOURS, GREY, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::labels;
+use super::legend::{self, Entry};
 use crate::absorber::TYPES;
 use crate::analysis::Results;
 use crate::input::{Study, UnitOf};
-use crate::numerics::elementary::Elementary;
 use crate::report::csv::in_unit;
 use crate::report::files::{Folder, WriteError};
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A colour for each declared type; what is none of them (a locked ring) is grey.
 fn colour(type_name: &str) -> RGBColor {
@@ -45,44 +45,46 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         "" => String::new(),
         suffix => format!(" / {suffix}"),
     };
-    canvas::save(folder, "pareto", (900, 560), |area| {
-        let (main, side) = area.split_horizontally(area.dim_in_pixel().0 - px(170));
+    let stroke = |i: usize, kind: &str| Stroke { style: line(colour(kind), 22), ..Stroke::of(i, 22) };
+    let levels = [(none, "no absorber", Stroke::dashed(line(BLACK, 12))), (floor, "forced floor", Stroke::dashed(line(GREY, 12)))];
+    let mut entries: Vec<Entry> = lines
+        .iter()
+        .enumerate()
+        .map(|(i, (kind, _))| Entry::curve(format!("optimum, {}", kind.replace('_', " ")), stroke(i, kind)))
+        .collect();
+    entries.extend(levels.iter().filter(|l| l.0.is_some()).map(|(_, label, stroke)| Entry::curve(*label, *stroke)));
+    canvas::save(folder, "pareto", (WIDTH, 440 + legend::height(&entries, WIDTH)), |area| {
+        let main = legend::below(area, &entries)?;
         let mut chart = ChartBuilder::on(&main)
             .caption(format!("{}: optimum against ring inertia", study.engine.name), text(16))
             .margin(px(8))
-            .x_label_area_size(px(36))
-            .y_label_area_size(px(58))
+            .margin_right(px(20))
+            .x_label_area_size(px(40))
+            .y_label_area_size(px(62))
             .build_cartesian_2d(
                 (left * 0.93..right * 1.08).log_scale().with_key_points(canvas::ticks(left * 0.93, right * 1.08)),
                 bottom..top,
             )?;
         canvas::mesh!(chart, "ring inertia / kg m²", format!("{}{unit}", study.objective.label.replace('_', " ")), 20, 9);
-        let mut entries = Vec::new();
-        for (kind, points) in &lines {
-            chart.draw_series(LineSeries::new(points.iter().copied(), line(colour(kind), 22)))?;
-            entries.push((format!("optimum, {}", kind), line(colour(kind), 22)));
+        let mut curves: Vec<(i32, i32)> = Vec::new();
+        let mut draw = |points: &[(f64, f64)], stroke: Stroke| {
+            curves.extend(labels::along(&points.iter().map(|p| chart.backend_coord(p)).collect::<Vec<_>>()));
+            canvas::curve(&mut chart, points.iter().copied(), stroke)
+        };
+        for (i, (kind, points)) in lines.iter().enumerate() {
+            draw(points, stroke(i, kind))?;
         }
-        for (level, label, style) in [(none, "no absorber", line(BLACK, 12)), (floor, "forced floor", line(GREY, 12))] {
+        for (level, _, stroke) in levels {
             if let Some(level) = level {
-                chart.draw_series(DashedLineSeries::new([(left * 0.93, level), (right * 1.08, level)], px(7), px(5), style))?;
-                entries.push((format!("{label} (dashed)"), style));
+                draw(&[(left * 0.93, level), (right * 1.08, level)], stroke)?;
             }
         }
-        for (i, (name, kind, at)) in given.iter().enumerate() {
-            // names are set to the side with more room; those of designs close together below each other
-            let room = (at.0.logarithm() - left.logarithm()) / (right.logarithm() - left.logarithm());
-            let (dx, side) = if room > 0.5 { (-(px(9) as i32), HPos::Right) } else { (px(9) as i32, HPos::Left) };
-            let near = given[..i]
-                .iter()
-                .filter(|g| (g.2.1 - at.1).abs() < 0.035 * (top - bottom) && (g.2.0 / at.0).logarithm().abs() < 0.3)
-                .count();
-            let style = text(12).pos(Pos::new(side, VPos::Center));
-            let dy = -(px(6) as i32) + (px(15) * near as u32) as i32;
-            let marker = EmptyElement::at(*at)
-                + Circle::new((0, 0), px(5), fill(colour(kind), 1.0))
-                + Text::new(name.replace('_', " "), (dx, dy), style);
-            chart.draw_series(std::iter::once(marker))?;
+        for (_, kind, at) in &given {
+            chart.draw_series(std::iter::once(Circle::new(*at, px(5), fill(colour(kind), 1.0))))?;
         }
-        canvas::legend(&side, &entries)
+        let named: Vec<(String, (i32, i32))> =
+            given.iter().map(|(name, _, at)| (name.replace('_', " "), chart.backend_coord(at))).collect();
+        let ((x0, y0), (x1, y1)) = (chart.backend_coord(&(left * 0.93, top)), chart.backend_coord(&(right * 1.08, bottom)));
+        labels::draw(area, &named, &curves, [x0, y0, x1, y1])
     })
 }

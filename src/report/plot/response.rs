@@ -1,11 +1,13 @@
 //! Response over speed: one design with its main orders, and all designs together.
 
-use super::canvas::{self, COLOURS, Drawn, line, px, text};
+use super::canvas::{self, Drawn, Stroke, WIDTH, line, px, text};
+use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{QuantitySweep, Sweeps};
 use crate::input::Study;
 use crate::objective::Condition;
 use crate::report::files::{Folder, WriteError};
+use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 
 /// Orders drawn on their own: those with the largest peaks.
@@ -16,42 +18,76 @@ const CUT: f64 = 2.0;
 struct Curve<'a> {
     label: String,
     values: &'a [f64],
-    style: ShapeStyle,
+    stroke: Stroke,
+    /// Its peak between the speeds: rpm and value.
+    peak: Option<(f64, f64)>,
+}
+
+impl Curve<'_> {
+    fn points(&self, speeds: &[f64]) -> Vec<(f64, f64)> {
+        let mut points: Vec<(f64, f64)> = speeds.iter().copied().zip(self.values.iter().copied()).collect();
+        if let Some(peak) = self.peak {
+            points.insert(points.partition_point(|p| p.0 <= peak.0), peak);
+        }
+        points
+    }
+
+    fn entry(&self) -> Entry {
+        Entry::curve(&self.label, self.stroke)
+    }
+}
+
+/// Height of a panel, units; a legend comes to it.
+const HEIGHT: u32 = 300;
+
+fn height(curves: &[Curve]) -> u32 {
+    HEIGHT + legend::height(&curves.iter().map(Curve::entry).collect::<Vec<_>>(), WIDTH)
 }
 
 fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &[Curve], top: f64) -> Drawn {
-    let width = canvas::legend_width(curves.iter().map(|c| c.label.as_str()));
-    let (left, right) = area.split_horizontally(area.dim_in_pixel().0 - width);
+    let above = legend::below(area, &curves.iter().map(Curve::entry).collect::<Vec<_>>())?;
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
-    let mut chart = ChartBuilder::on(&left)
-        .caption(title, text(14))
+    let mut chart = ChartBuilder::on(&above)
+        .caption(title, text(15))
         .margin(px(8))
-        .x_label_area_size(px(36))
-        .y_label_area_size(px(54))
+        .margin_right(px(24))
+        .x_label_area_size(px(40))
+        .y_label_area_size(px(58))
         .build_cartesian_2d(span, 0.0..top)?;
     canvas::mesh!(chart, "speed / rpm", unit, 9, 7);
     for curve in curves {
         // plotters draws what lies outside as well: the curve is cut at the frame
-        let points = speeds.iter().zip(curve.values).map(|(x, y)| (*x, *y));
-        for piece in canvas::clipped(points, top) {
-            chart.draw_series(LineSeries::new(piece, curve.style))?;
+        for piece in canvas::clipped(curve.points(speeds).into_iter(), top) {
+            canvas::curve(&mut chart, piece, curve.stroke)?;
         }
     }
-    let entries: Vec<(String, ShapeStyle)> = curves.iter().map(|c| (c.label.clone(), c.style)).collect();
-    canvas::legend(&right, &entries)
+    Ok(())
+}
+
+/// The peak of a design over the speeds, between them.
+fn refined(results: &Results, design: &str) -> Option<(f64, f64)> {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    all().find(|d| d.name == design)?.twist.map(|p| (p.speed_rpm, p.value * DEG_PER_RAD))
 }
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
-fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize]) -> Vec<Curve<'a>> {
+/// The same in a condition.
+fn in_condition(results: &Results, design: &str, q: &QuantitySweep) -> Option<(f64, f64)> {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let found = all().find(|d| d.name == design)?.conditions.iter().find(|c| c.condition == q.condition)?;
+    found.twist.map(|p| (p.speed_rpm, p.value * DEG_PER_RAD))
+}
+
+fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize], peak: Option<(f64, f64)>) -> Vec<Curve<'a>> {
     let order = |&n: &usize| {
         let order = results.system.excitation.orders[n];
-        Curve { label: format!("order {order}"), values: &quantity.orders[n].amplitude, style: line(canvas::of_order(order), 14) }
+        Curve { label: format!("order {order}"), values: &quantity.orders[n].amplitude, stroke: Stroke::of_order(order, 14), peak: None }
     };
-    let total = Curve { label: "all orders".into(), values: &quantity.total, style: line(BLACK, 22) };
+    let total = Curve { label: "all orders".into(), values: &quantity.total, stroke: Stroke::solid(line(BLACK, 22)), peak };
     orders.iter().map(order).chain(std::iter::once(total)).collect()
 }
 
@@ -73,6 +109,7 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
     let top = canvas::round_up(of_all(0));
     let hub_top = canvas::round_up(of_all(1).min(CUT * of_all(0)));
     let cut = if hub_top < largest(&hub.total) { " (rigid rolling at low speed cut off)" } else { "" };
+    let peak = refined(results, &sweep.design);
     // the twist again, with a cylinder misfiring, the absorber locked, the absorber lost
     let others: Vec<Curve> = sweep
         .quantities
@@ -80,23 +117,30 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
         .filter(|q| q.condition != Condition::Firing)
         .map(|q| (q, q.condition.name()))
         .enumerate()
-        .map(|(i, (q, name))| Curve { label: name.replace('_', " "), values: &q.total, style: line(COLOURS[i % COLOURS.len()], 16) })
-        .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, style: line(BLACK, 22) }))
+        .map(|(i, (q, name))| Curve {
+            label: name.replace('_', " "),
+            values: &q.total,
+            stroke: Stroke::of(i, 16),
+            peak: in_condition(results, &sweep.design, q),
+        })
+        .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, stroke: Stroke::solid(line(BLACK, 22)), peak }))
         .collect();
-    let panels = if others.len() > 1 { 3 } else { 2 };
-    canvas::save(folder, &format!("response_{}", sweep.design), (900, 30 + 365 * panels), |area| {
-        let titled = canvas::titled(area, &format!("{}: {}", study.engine.name, sweep.design.replace('_', " ")))?;
-        let height = titled.dim_in_pixel().1 / panels;
-        let (upper, rest) = titled.split_vertically(height);
-        let (lower, bottom) = rest.split_vertically(height);
-        if panels == 3 {
+    let (of_twist, of_hub) = (curves(results, twist, &orders, peak), curves(results, hub, &orders, None));
+    let (first, second) = (height(&of_twist), height(&of_hub));
+    let third = if others.len() > 1 { height(&others) } else { 0 };
+    let title = format!("{}: {}", study.engine.name, sweep.design.replace('_', " "));
+    canvas::save(folder, &format!("response_{}", sweep.design), (WIDTH, canvas::title_height(&title) + first + second + third), |area| {
+        let titled = canvas::titled(area, &title)?;
+        let (upper, rest) = titled.split_vertically(px(first));
+        let (lower, bottom) = rest.split_vertically(px(second));
+        if third > 0 {
             let top = canvas::round_up(others.iter().map(|c| largest(c.values)).fold(0.0, f64::max));
             let title = format!("twist, {between}, all orders, in each condition");
             panel(&bottom, &title, "half peak-to-peak / °", &study.speeds_rpm, &others, top)?;
         }
-        panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &curves(results, twist, &orders), top)?;
+        panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &of_twist, top)?;
         let title = format!("amplitude of {}{cut}", name(study.hub));
-        panel(&lower, &title, "half peak-to-peak / °", &study.speeds_rpm, &curves(results, hub, &orders), hub_top)
+        panel(&lower, &title, "half peak-to-peak / °", &study.speeds_rpm, &of_hub, hub_top)
     })
 }
 
@@ -109,12 +153,12 @@ pub(crate) fn overlay(study: &Study, results: &Results, folder: &Folder) -> Resu
         .enumerate()
         .map(|(i, s)| {
             let optimum = results.is_optimum(&s.design);
-            let colour =
-                if s.quantities.len() > 2 && results.sweeps[0].design == "none" && i == 0 { BLACK } else { COLOURS[i % COLOURS.len()] };
-            Curve { label: s.design.replace('_', " "), values: &s.quantities[0].total, style: line(colour, if optimum { 28 } else { 15 }) }
+            let without = i == 0 && results.designs.first().is_some_and(|d| d.name == s.design && d.absorbers.is_empty());
+            let stroke = if without { Stroke::solid(line(BLACK, 15)) } else { Stroke::of(i, if optimum { 28 } else { 15 }) };
+            Curve { label: s.design.replace('_', " "), values: &s.quantities[0].total, stroke, peak: refined(results, &s.design) }
         })
         .collect();
-    canvas::save(folder, "designs", (900, 430), |area| {
+    canvas::save(folder, "designs", (WIDTH, 60 + height(&curves)), |area| {
         panel(
             area,
             &format!("{}: synthesised twist of all designs", study.engine.name),

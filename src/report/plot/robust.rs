@@ -1,6 +1,7 @@
 //! Bands of the twist over speed within tolerances.
 
-use super::canvas::{self, COLOURS, fill, line, px, text};
+use super::canvas::{self, COLOURS, WIDTH, fill, line, px};
+use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, RobustOfDesign};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -16,17 +17,19 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     }
     let drawn = || panels.iter().flatten().flat_map(|d| &d.band).filter(|b| b.1.is_finite());
     let top = canvas::round_up(drawn().map(|b| b.1 * DEG_PER_RAD).fold(0.0, f64::max));
-    canvas::save(folder, "tolerance_band", (900, 30 + 330 * panels.len() as u32), |area| {
+    canvas::save(folder, "tolerance_band", (WIDTH, 36 + 350 * panels.len() as u32), |area| {
         let titled = canvas::titled(area, &format!("{}: twist within tolerances", study.engine.name))?;
         for (part, designs) in titled.split_evenly((panels.len(), 1)).iter().zip(&panels) {
-            let (main, side) = part.split_horizontally(part.dim_in_pixel().0 - px(230));
+            let mut entries: Vec<Entry> =
+                designs.iter().zip(COLOURS).map(|(d, c)| Entry::new(d.design.replace('_', " "), Mark::Block(fill(c, 0.5)))).collect();
+            entries.push(Entry::new("(over all corners of the tolerances)", Mark::Note));
+            let main = legend::below(part, &entries)?;
             let mut chart = ChartBuilder::on(&main)
                 .margin(px(8))
-                .x_label_area_size(px(36))
-                .y_label_area_size(px(54))
+                .x_label_area_size(px(40))
+                .y_label_area_size(px(58))
                 .build_cartesian_2d(x.0..x.1, 0.0..top)?;
             canvas::mesh!(chart, "speed / rpm", "twist / °", 9, 7);
-            let mut entries = Vec::new();
             for (d, colour) in designs.iter().zip(COLOURS) {
                 let edge = |of: &dyn Fn(&(f64, f64)) -> f64| -> Vec<(f64, f64)> {
                     study.speeds_rpm.iter().zip(&d.band).map(|(s, b)| (*s, (of(b) * DEG_PER_RAD).min(top))).collect()
@@ -37,10 +40,7 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
                 for points in [lower, upper] {
                     chart.draw_series(LineSeries::new(points, line(colour, 12)))?;
                 }
-                entries.push((d.design.replace('_', " "), line(colour, 20)));
             }
-            canvas::legend(&side, &entries)?;
-            side.draw(&Text::new("band: all corners of the tolerances", (4, 4 + 16 * (entries.len() as i32 + 1)), text(11)))?;
         }
         Ok(())
     })

@@ -1,10 +1,11 @@
 //! What `hartog check` prints: the model that a study describes.
 
 use super::crank;
+use super::plausibility::implausible;
 use super::robust::tolerances;
 use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
-use crate::analysis::{audit, reciprocating};
+use crate::analysis::{audit, plausibility, reciprocating};
 use crate::drivetrain::System;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
@@ -26,14 +27,17 @@ const CANCELS: f64 = 1e-9;
 /// Engine, chain, modes, pressure, crank, and what is to be computed.
 pub fn model(study: &Study) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
+    let unlikely: String =
+        implausible(&plausibility::implausible(study, &excitation.audit)).iter().map(|s| format!("warning: {s}\n")).collect();
     format!(
-        "{}\n{}{}\n{}\n{}\n{}",
+        "{}\n{}{}\n{}\n{}\n{}{}",
         engine(study),
         chain(study),
         moving_masses(study, &excitation),
         modes(study, &excitation),
         pressure(study, &excitation) + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}")),
-        work(study, &excitation)
+        work(study, &excitation),
+        if unlikely.is_empty() { unlikely } else { format!("\n{unlikely}") }
     )
 }
 

@@ -1,0 +1,132 @@
+//! Inputs that are possible but unlikely: most often a wrong unit or a wrong dimension.
+
+use crate::engine::excitation::Audit;
+use crate::engine::{Geometry, Source};
+use crate::input::Study;
+use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR};
+
+/// Something unlikely.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Implausible {
+    /// Peak pressure of the cylinder, bar absolute.
+    PeakPressure {
+        /// rpm.
+        speed_rpm: f64,
+        /// bar.
+        bar: f64,
+    },
+    /// Indicated mean pressure, bar.
+    MeanPressure {
+        /// rpm.
+        speed_rpm: f64,
+        /// bar.
+        bar: f64,
+    },
+    /// Mean piston speed at the highest speed of the study, m/s.
+    PistonSpeed {
+        /// rpm.
+        speed_rpm: f64,
+        /// m/s.
+        metres_per_second: f64,
+    },
+    /// Bore, mm.
+    Bore(f64),
+    /// Stroke over bore.
+    Stroke {
+        /// Stroke, mm.
+        stroke_mm: f64,
+        /// Over the bore.
+        over_bore: f64,
+    },
+    /// Crank radius over rod length.
+    RodRatio(f64),
+    /// Lowest natural frequency of the chain, Hz.
+    NaturalFrequency(f64),
+    /// Damping ratio of a mode of the chain, from 0.
+    DampingRatio {
+        /// Index among elastic modes.
+        mode: usize,
+        /// Share of critical.
+        ratio: f64,
+    },
+    /// Frequency of a given ring on its held hub over the lowest of the chain.
+    Tuning {
+        /// Name of the design.
+        design: String,
+        /// Index of the absorber.
+        absorber: usize,
+        /// The ratio.
+        ratio: f64,
+    },
+}
+
+/// bar.
+const PEAK: std::ops::RangeInclusive<f64> = 5.0..=400.0;
+/// bar; from part load to the highest of large two-strokes and racing engines.
+const MEAN: std::ops::RangeInclusive<f64> = 0.0..=40.0;
+/// m/s.
+const PISTON_SPEED: f64 = 30.0;
+/// mm.
+const BORE: f64 = 20.0;
+/// Engines for cars have 0.7 to 1.3, slow two-strokes up to 5 with crossheads.
+const STROKE: std::ops::RangeInclusive<f64> = 0.3..=5.5;
+/// Above one half a rod meets the liner; below a tenth it is needlessly long.
+const ROD_RATIO: std::ops::RangeInclusive<f64> = 0.1..=0.5;
+/// Hz.
+const FREQUENCY: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
+/// Of critical: shafts have 0.005 to 0.05.
+const DAMPING: f64 = 0.2;
+/// Optima lie between one half and three.
+const TUNING: std::ops::RangeInclusive<f64> = 0.1..=10.0;
+
+/// What is unlikely in a study; `audit`: of its pressure.
+pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
+    let mut found = Vec::new();
+    // the worst speed speaks for all
+    let worst = |value: fn(&Audit) -> f64, likely: std::ops::RangeInclusive<f64>| {
+        let away = |a: &Audit| (value(a) - likely.end()).max(likely.start() - value(a));
+        audit.iter().filter(|a| away(a) > 0.0).max_by(|a, b| away(a).total_cmp(&away(b))).map(|a| (a.speed_rpm, value(a)))
+    };
+    found.extend(worst(|a| a.peak_pressure / PA_PER_BAR, PEAK).map(|(speed_rpm, bar)| Implausible::PeakPressure { speed_rpm, bar }));
+    found.extend(
+        worst(|a| a.indicated_mean_pressure / PA_PER_BAR, MEAN).map(|(speed_rpm, bar)| Implausible::MeanPressure { speed_rpm, bar }),
+    );
+    if let Source::Cylinder { geometry, .. } = &study.engine.source {
+        found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
+    }
+    let modes: Vec<usize> = study.modes.elastic().collect();
+    let lowest = modes.first().map(|m| study.modes.omega[*m] * HZ_PER_RAD_PER_S);
+    found.extend(lowest.filter(|f| !FREQUENCY.contains(f)).map(Implausible::NaturalFrequency));
+    let damped = modes.iter().enumerate().map(|(mode, m)| (mode, study.modes.damping_ratio(*m))).find(|(_, ratio)| *ratio > DAMPING);
+    found.extend(damped.map(|(mode, ratio)| Implausible::DampingRatio { mode, ratio }));
+    for design in &study.designs {
+        for (absorber, m) in design.absorbers.iter().enumerate() {
+            let (Some(stiffness), Some(lowest)) = (m.absorber.stiffness().filter(|k| *k > 0.0), lowest) else { continue };
+            let ratio = (stiffness / m.absorber.ring_inertia()).sqrt() * HZ_PER_RAD_PER_S / lowest;
+            if ratio.is_finite() && !TUNING.contains(&ratio) {
+                found.push(Implausible::Tuning { design: design.name.clone(), absorber, ratio });
+            }
+        }
+    }
+    found
+}
+
+fn of_cylinder(g: &Geometry, speed_rpm: f64) -> Vec<Implausible> {
+    let mut found = Vec::new();
+    let (stroke, bore) = (2.0 * g.slider_crank.crank_radius, g.bore);
+    let metres_per_second = 2.0 * stroke * speed_rpm * HZ_PER_RPM;
+    if metres_per_second > PISTON_SPEED {
+        found.push(Implausible::PistonSpeed { speed_rpm, metres_per_second });
+    }
+    if bore < BORE * M_PER_MM {
+        found.push(Implausible::Bore(bore / M_PER_MM));
+    }
+    if !STROKE.contains(&(stroke / bore)) {
+        found.push(Implausible::Stroke { stroke_mm: stroke / M_PER_MM, over_bore: stroke / bore });
+    }
+    let ratio = g.slider_crank.crank_radius / g.slider_crank.rod_length;
+    if !ROD_RATIO.contains(&ratio) {
+        found.push(Implausible::RodRatio(ratio));
+    }
+    found
+}

@@ -1,0 +1,72 @@
+//! What `check` and `run` warn of: inputs that are possible but unlikely.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+fn hartog(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_hartog")).current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments).output().expect("runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).replace("\n  ", " ")
+}
+
+/// None of the shipped studies is called unlikely, nor what `hartog new` writes.
+#[test]
+fn shipped_studies_are_likely() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let new = folder.path().join("new");
+    hartog(&["new", &new.to_string_lossy()]);
+    let studies =
+        fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("studies")).expect("studies").map(|e| e.expect("an entry").path());
+    let mut looked_at = 0;
+    for study in studies.chain([new.join("study.toml")]).filter(|p| p.extension().is_some_and(|e| e == "toml")) {
+        if fs::read_to_string(&study).expect("a study").contains("[mechanism]") {
+            continue;
+        }
+        let text = hartog(&["check", &study.to_string_lossy()]);
+        assert!(!text.contains("warning:"), "{}: {text}", study.display());
+        looked_at += 1;
+    }
+    assert!(looked_at >= 18, "{looked_at}");
+}
+
+/// Slips that pass every check of single values are told of by what they do: the stroke for the radius, pressures in Pa in a column of bar, a chain in MN m/rad, a bore in cm, damping a hundred times too large, a
+/// ring held by kN m/rad.
+#[test]
+fn slips_are_told_of() {
+    let slips: [(&str, &str, &str, &str); 6] = [
+        ("engine.toml", "crank_radius_mm = 50 ", "crank_radius_mm = 100 ", "`crank_radius_mm` is half the stroke"),
+        ("engine.toml", "bore_mm = 95", "bore_mm = 9.5", "the bore is 9.500 mm"),
+        ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 200 ", "of critical, above 20 %"),
+        ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 0.9", "is its stiffness in N m/rad"),
+        ("pressure.csv", "", "00000", "is its unit what the column says?"),
+        (
+            "study.toml",
+            "[optimise]",
+            "[[design]]\nname = \"slip\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.tuned = { ring_inertia_kg_m2 = 0.03, stiffness_n_m_per_rad = 50, damping_n_m_s_per_rad = 5 }\n\n[optimise]",
+            "the ring of absorber 1 of `slip` swings at",
+        ),
+    ];
+    for (file, from, to, told) in slips {
+        let folder = tempfile::tempdir().expect("a folder");
+        let new = folder.path().join("new");
+        hartog(&["new", &new.to_string_lossy(), "--cylinders", "4", "--pressure", "measured"]);
+        let path = new.join(file);
+        let text = fs::read_to_string(&path).expect("a file");
+        let slip = if from.is_empty() {
+            // bar to Pa: five more places before the point
+            let value = |cell: &str| cell.parse::<f64>().map_or(cell.to_owned(), |v| (v * 1e5).to_string());
+            let row = |line: &str| match line.split_once(',') {
+                Some((angle, rest)) => format!("{angle},{}", rest.split(',').map(value).collect::<Vec<_>>().join(",")),
+                None => line.to_owned(),
+            };
+            text.lines().map(row).collect::<Vec<_>>().join("\n")
+        } else {
+            assert!(text.contains(from), "{from}");
+            text.replacen(from, to, if file == "engine.toml" { 99 } else { 1 })
+        };
+        fs::write(&path, slip).expect("written");
+        let printed = hartog(&["check", &new.join("study.toml").to_string_lossy()]);
+        assert!(printed.contains("warning: ") && printed.contains(told), "{to}: {printed}");
+    }
+}

@@ -132,7 +132,7 @@ fn threads_change_nothing() {
 fn threads_change_nothing_in_materials() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse = [
-        ("step = 20", "step = 100"),
+        ("step = 20", "step = 200"),
         (r#"types = ["fractional_zener", "carreau", "spring_pack"]"#, r#"types = ["fractional_zener", "carreau"]"#),
     ];
     let text = fs::read_to_string("studies/villalva_i6_materials.toml").expect("shipped");
@@ -290,7 +290,7 @@ fn conditions_in_tables_and_no_stale_plots() {
     let margins = read(&out, "margin.csv");
     assert!(margins.starts_with("design,speed_rpm,fillet,criterion,amplitude_mpa,mean_mpa,safety_factor\nnone,600,crankpin_1,goodman,"));
     assert!(margins.lines().all(|l| l.split(',').count() == 7 && !l.contains("NaN")));
-    assert!(read(&out, "response.csv").contains("viscous_untuned,misfire,twist,damper_hub to flywheel,deg,0.5,order,"));
+    assert!(read(&out, "response.csv").contains("viscous_untuned,misfire,twist,pulley to flywheel,deg,0.5,order,"));
     assert!(out.join("response_viscous_untuned.svg").is_file() && out.join("calibration.csv").is_file());
     let text = fs::read_to_string(&study).expect("study");
     let (start, end) = (text.find("[[design]]\nname = \"viscous").expect("a design"), text.find("[[objective]]").expect("an objective"));

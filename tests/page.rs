@@ -48,15 +48,21 @@ fn curves(dom: &str, chart: &str) -> usize {
     dom[from..end].matches("<path").count()
 }
 
-/// Shipped studies of each kind: no error, two designs are drawn, one more when it is ticked, none when all are taken away, at the widths of a screen and of a telephone.
+/// All shipped studies: no error, two designs are drawn, one more when it is ticked, none when all are taken away, at the widths of a screen and of a telephone.
 #[test]
-#[ignore = "needs a browser"]
+#[ignore = "needs a browser; eight minutes"]
 fn pages_work_in_a_browser() {
     let Some(browser) = browser() else {
         println!("skipped: no browser here");
         return;
     };
-    for study in ["villalva_i6", "villalva_v10_robust", "villalva_i6_large_twist", "den_hartog", "villalva_i6_laws", "mendes_mwm6"] {
+    let studies =
+        std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("studies")).expect("studies").map(|e| e.expect("an entry").path());
+    let runs =
+        |p: &PathBuf| std::fs::read_to_string(p).is_ok_and(|t| p.extension().is_some_and(|e| e == "toml") && !t.contains("[mechanism]"));
+    let studies: Vec<String> = studies.filter(runs).filter_map(|p| Some(p.file_stem()?.to_string_lossy().into_owned())).collect();
+    assert!(studies.len() >= 18, "{studies:?}");
+    for study in &studies {
         let folder = tempfile::tempdir().expect("a folder");
         let page = page_of(&format!("studies/{study}.toml"), folder.path());
         let size = std::fs::metadata(&page).expect("a page").len();

@@ -155,8 +155,8 @@ fn tendencies(count: usize) {
 }
 
 #[test]
-fn tendencies_of_twenty_engines() {
-    tendencies(20);
+fn tendencies_of_eight_engines() {
+    tendencies(8);
 }
 
 /// The same for a thousand.

@@ -40,6 +40,8 @@ pub(crate) enum Implausible {
     },
     /// Crank radius over rod length.
     RodRatio(f64),
+    /// A pressure known at one speed, rpm, that is taken for a range.
+    OneSpeed(f64),
     /// Lowest natural frequency of the chain, Hz.
     NaturalFrequency(f64),
     /// Damping ratio of a mode of the chain, from 0.
@@ -66,6 +68,8 @@ const PEAK: std::ops::RangeInclusive<f64> = 5.0..=400.0;
 const MEAN: std::ops::RangeInclusive<f64> = 0.0..=40.0;
 /// m/s.
 const PISTON_SPEED: f64 = 30.0;
+/// Share of a speed by which another may differ and be called the same.
+const NEAR: f64 = 0.05;
 /// mm.
 const BORE: f64 = 20.0;
 /// Engines for cars have 0.7 to 1.3, slow two-strokes up to 5 with crossheads.
@@ -92,6 +96,8 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         worst(|a| a.indicated_mean_pressure / PA_PER_BAR, MEAN).map(|(speed_rpm, bar)| Implausible::MeanPressure { speed_rpm, bar }),
     );
     if let Source::Cylinder { geometry, .. } = &study.engine.source {
+        let far = |known: f64| study.speeds_rpm.iter().any(|s| (s / known - 1.0).abs() > NEAR);
+        found.extend(if let [only] = audit { Some(only.speed_rpm).filter(|s| far(*s)).map(Implausible::OneSpeed) } else { None });
         found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
     }
     let modes: Vec<usize> = study.modes.elastic().collect();

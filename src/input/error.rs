@@ -235,6 +235,8 @@ fn reword(message: &str) -> (String, Option<String>) {
             let same_quantity = key.rsplit_once('_').is_some_and(|(quantity, _)| k.starts_with(quantity));
             format!("did you mean `{k}`?{}", if same_quantity { " The unit is part of the key" } else { "" })
         });
+        let half = key.starts_with("stroke") && known.contains(&"crank_radius_mm");
+        let help = if half { Some("`crank_radius_mm` is half the stroke".to_owned()) } else { help };
         return (format!("found unknown key `{key}`, expected {}", list(&known)), help);
     }
     if let Some((variant, rest)) = message.strip_prefix("unknown variant `").and_then(|m| m.split_once('`')) {

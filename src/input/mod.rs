@@ -117,6 +117,12 @@ fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
     if has(source, "mechanism") {
         return Err(another_kind(path, "found a sizing file, expected a study: `hartog size` takes it, and writes a study"));
     }
+    if !has(source, "engine") && ["station", "chain", "layout", "geometry"].iter().any(|key| has(source, key)) {
+        return Err(another_kind(
+            path,
+            "found an engine file, expected a study: a file that names this one, `engine = \"…\"`, and says what is asked of it",
+        ));
+    }
     let study: schema::study::RawStudy = source.parse()?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());

@@ -28,7 +28,7 @@ pub(crate) struct RawEngine {
     pub crank: Option<At<RawCrank>>,
     /// A mass-elastic table in place of `[[station]]`.
     #[schemars(extend("examples" = [{"file": "chain.csv"}]))]
-    pub chain: Option<RawFile>,
+    pub chain: Option<RawChain>,
     /// Damping of the whole chain, beside that of stations and shafts.
     #[schemars(extend("examples" = [{"fraction_of_critical": 0.01}]))]
     pub damping: Option<RawDamping>,
@@ -265,8 +265,17 @@ pub(crate) enum RawTorqueOf {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFile {
-    /// The table, relative to this file.
+    /// The table, relative to this file: `crank_deg` over a whole cycle, zero at firing dead centre (negative angles are of the stroke before it), and a column a speed, named like `1600_rpm_bar`, absolute. Torque is
+    /// linear between speeds; one speed is taken for all.
     #[schemars(extend("examples" = ["pressure.csv"]))]
+    pub file: At<String>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawChain {
+    /// The table, relative to this file: a row a station with `station`, `inertia_kg_m2`, `stiffness_to_next_n_m_per_rad` (empty for the last), `throws` (several with spaces between) and any other key of a station.
+    #[schemars(extend("examples" = ["chain.csv"]))]
     pub file: At<String>,
 }
 

@@ -28,7 +28,8 @@ const COLUMNS: [&str; 10] = [
 pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawStation>, InputError> {
     let table = Table::read(path)?;
     if let Some(i) = table.header.iter().position(|h| !COLUMNS.contains(&h.as_str())) {
-        return Err(table.at(1, i, format!("found column `{}`, expected only {}", table.header[i], COLUMNS.join(", "))));
+        let expected = format!("{}, and of others only {}", COLUMNS[..3].join(", "), COLUMNS[3..].join(", "));
+        return Err(table.at(1, i, format!("found column `{}`, expected {expected}", table.header[i])));
     }
     let (station, inertia) = (table.column(COLUMNS[0])?, table.column(COLUMNS[1])?);
     table.column(COLUMNS[2])?;

@@ -47,9 +47,9 @@ impl Table {
         table.header =
             reader.headers().map_err(|e| table.whole(format!("the header could not be read: {e}")))?.iter().map(str::to_owned).collect();
         if let [only] = table.header.as_slice()
-            && only.contains(';')
+            && let Some(found) = [(';', "semicolons"), ('\t', "tabs")].iter().find(|(c, _)| only.contains(*c)).map(|f| f.1)
         {
-            return Err(table.at(1, 0, "found semicolons between columns, expected commas between columns and points in numbers".into()));
+            return Err(table.at(1, 0, format!("found {found} between columns, expected commas between columns and points in numbers")));
         }
         for (i, name) in table.header.iter().enumerate() {
             if table.header[..i].contains(name) {
@@ -60,7 +60,13 @@ impl Table {
             let record = record.map_err(|e| table.whole(format!("the table could not be read: {e}")))?;
             let row = record.position().map_or(0, csv::Position::line);
             if record.len() > table.header.len() {
-                return Err(table.at(row, table.header.len(), format!("found {} cells, expected {}", record.len(), table.header.len())));
+                // "0,0,1,25" for 0.0 and 1.25
+                let hint = if record.len() == 2 * table.header.len() { ": decimal commas separate columns, expected points" } else { "" };
+                return Err(table.at(
+                    row,
+                    table.header.len(),
+                    format!("found {} cells, expected {}{hint}", record.len(), table.header.len()),
+                ));
             }
             let cells = (0..table.header.len()).map(|c| record.get(c).unwrap_or("").to_owned()).collect();
             table.rows.push((row, cells));
@@ -73,6 +79,9 @@ impl Table {
         match cell.parse::<f64>() {
             Ok(x) if x.abs() <= 1e20 => Ok(Some(x)),
             _ if cell.is_empty() => Ok(None),
+            _ if cell.matches(',').count() == 1 && cell.replace(',', ".").parse::<f64>().is_ok() => {
+                Err(self.at(row, column, format!("found `{}`, expected a number with a decimal point", shown(cell))))
+            }
             _ => Err(self.at(row, column, format!("found `{}`, expected a number up to 1e20", shown(cell)))),
         }
     }

@@ -27,8 +27,12 @@ fn speed_and_load(name: &str) -> Option<(f64, f64)> {
 /// [`InputError`] with row and column.
 pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputError> {
     let table = Table::read(path)?;
+    let Some(angle) = table.optional("crank_deg") else {
+        let found: Vec<String> = table.header.iter().map(|h| format!("`{h}`")).collect();
+        let expected = "`crank_deg` and a column a speed, named like `1600_rpm_bar`, among them";
+        return Err(table.at(1, 0, format!("found columns {}, expected {expected}", found.join(", "))));
+    };
     let rows = table.numbers()?;
-    let angle = table.column("crank_deg")?;
     let mut traces: Vec<((f64, f64), usize)> = Vec::new();
     for (i, name) in table.header.iter().enumerate().filter(|(i, _)| *i != angle) {
         match speed_and_load(name) {

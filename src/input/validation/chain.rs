@@ -20,6 +20,16 @@ pub(super) fn reciprocating(raw: &RawEngine) -> Reciprocating {
 /// Modes of longer chains would take minutes, and no shaft needs them.
 const MOST_STATIONS: usize = 500;
 
+/// Each throw acts on a station; `owner`: the station of each.
+fn every_throw(check: &mut Check, raw: &RawEngine, owner: &[Option<String>]) {
+    for t in owner.iter().enumerate().filter(|o| o.1.is_none()).map(|o| o.0 + 1) {
+        match &raw.chain {
+            Some(table) => check.wrong(&table.file, format!("throw {t} acts on no station, expected it in column `throws` of this table")),
+            None => check.wrong(&raw.station[0].name, format!("throw {t} acts on no station, expected it in `throws` of one [[station]]")),
+        }
+    }
+}
+
 /// The chain, or nothing where a mistake leaves none. The engine is nothing where it is unknown.
 pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine>, crank: Option<&Crank>) -> Option<Chain> {
     let throws = engine.map_or(0, |e| e.layout.throws());
@@ -59,11 +69,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawEngine, engine: Option<&Engine
         }
         stations.push(station(check, s));
     }
-    for (t, owner) in owner.iter().enumerate() {
-        if owner.is_none() {
-            check.wrong(&raw.station[0].name, format!("throw {} acts on no station, expected it in `throws` of one [[station]]", t + 1));
-        }
-    }
+    every_throw(check, raw, &owner);
     let derived = super::derived_chain::derive(check, raw, engine, crank, &mut stations);
     if let (Some(engine), true) = (engine, reciprocating(raw).mean) {
         let asked = raw.reciprocating_inertia.as_ref();

@@ -115,7 +115,7 @@ impl Example {
                  compression_ratio = 11\npressure_scale = 1.15            # cycle over brake mean pressure\n"
             }
             Gas::Measured => {
-                "[pressure.measured]              # bar, absolute, over the whole cycle from firing dead centre; a column a speed\nfile = \"pressure.csv\"\n"
+                "[pressure.measured]              # bar, absolute, over the whole cycle from firing dead centre: crank_deg and a column a speed, 2000_rpm_bar\nfile = \"pressure.csv\"\n"
             }
             Gas::Harmonics => {
                 "[pressure.harmonics]             # torque of a throw, whole: no inertia is added\nfile = \"harmonics.csv\"\n"
@@ -133,7 +133,8 @@ impl Example {
             text += &geometry;
         }
         let _ = write!(text, "\n{}\n{gas}", self.layout());
-        text += "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next.\n[[station]]\nname = \"pulley\"\n";
+        text += "\n# [damping]                      # of the whole chain, instead of damping_to_ground below\n# fraction_of_critical = 0.02    # of the first mode\n";
+        text += "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next. A table does as well:\n# chain.file = \"chain.csv\"       # station, inertia_kg_m2, stiffness_to_next_n_m_per_rad, throws\n[[station]]\nname = \"pulley\"\n";
         let _ = write!(text, "inertia_kg_m2 = {PULLEY}\nstiffness_to_next_n_m_per_rad = 3e5\n");
         for t in 1..=self.throws() {
             let _ = write!(

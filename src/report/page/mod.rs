@@ -3,10 +3,11 @@
 mod data;
 
 use super::files::{Folder, WriteError};
-use crate::analysis::{DesignResult, OptimumResult, Results};
-use crate::input::{InputFile, Study};
+use crate::absorber::Parameter;
+use crate::analysis::{DesignResult, OptimumResult, Results, TradeoffResult};
+use crate::input::{FrontSpec, InputFile, Study};
 use crate::objective::holds;
-use crate::report::text::{dash, short};
+use crate::report::text::{bounds, check, dash, short, width};
 use crate::units::DEG_PER_RAD;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -47,7 +48,8 @@ fn page(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder)
                 (limits(study, results))
                 (certificates(study, results))
                 (conditions(results))
-                (plots(folder))
+                (model(study))
+                (plots(study, results, folder))
                 (provenance(study, inputs, results))
                 script type="application/json" id="data" { (PreEscaped(data)) }
                 script { (PreEscaped(SCRIPT)) }
@@ -93,10 +95,22 @@ fn question(study: &Study, results: &Results) -> Markup {
                 (o.optimum.agreeing()) " of " (o.optimum.starts.len()) " starts agree; first-order residual "
                 (format!("{:.0e}", o.optimum.outcome.kkt_residual)) "; " (o.scan.designs) " designs elsewhere and " (o.nearby.designs) " near it "
                 @if o.scan.better || o.nearby.better { "were looked at, one of which led to it." } @else { "are no better." }
-                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " " span class="bad" { "It lies on " (o.on_bounds.len()) " of its bounds: see optima.csv." } }
+                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " It lies on bounds of its own:" }
             }
+            @if !o.on_bounds.is_empty() { ul { @for line in bounds(o) { li class="bad" { (line.trim()) } } } }
         } @else { p class="answer" { "The study asks for no optimum: its designs are compared." } }
     }
+}
+
+/// Parameters that some design has, each once.
+fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
+    let mut list: Vec<&Parameter> = Vec::new();
+    for p in designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration()).flat_map(|d| d.parameters) {
+        if list.iter().all(|known| known.key != p.key) {
+            list.push(p);
+        }
+    }
+    list
 }
 
 fn designs(study: &Study, results: &Results) -> Markup {
@@ -104,23 +118,23 @@ fn designs(study: &Study, results: &Results) -> Markup {
     // the twist that every table shows may be the objective itself
     let other = study.objective.measure.synthesised() != Some(study.twist);
     let swept = |d: &DesignResult| results.sweeps.iter().any(|s| s.design == d.name);
-    let first = |d: &DesignResult, f: &dyn Fn(&crate::absorber::Absorber) -> Option<f64>| {
-        dash(d.absorbers.first().and_then(|m| f(&m.absorber)).map(short))
+    let columns = parameters(all());
+    let cell = |d: &DesignResult, key: &str| {
+        let each = d.absorbers.iter().map(|m| dash(m.absorber.value(key).map(short)));
+        if d.absorbers.is_empty() { dash(None) } else { each.collect::<Vec<_>>().join(" | ") }
     };
     html! {
         h2 { "Designs" }
-        div class="tools" { label { "Find " input type="search" data-of="designs" aria-label="Find designs"; } span class="soft" { "Ticked designs are drawn below. Of several absorbers the first is listed." } }
+        div class="tools" { label { "Find " input type="search" data-of="designs" aria-label="Find designs"; } span class="soft" { "Ticked designs are drawn below. Values of several absorbers are separated by |." } }
         div class="scroll" { table id="designs" class="sorts" {
             thead { tr {
-                th { "design" } th { "ring, kg m²" } th { "k, N m/rad" } th { "c, N m s/rad" } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
+                th { "design" } @for p in &columns { th { (p.label.replace('/', ", ")) } } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
                 @if other { th { (study.objective.label) } } @if !study.limits.is_empty() { th { "limits" } }
             } }
             tbody { @for d in all() {
                 tr data-design=(d.name) {
                     td { @if swept(d) { label { input type="checkbox" aria-label=(format!("draw {}", d.name)); span class="swatch" {} (d.name) } } @else { (d.name) } }
-                    td { (first(d, &|a| Some(a.ring_inertia()))) }
-                    td { (first(d, &|a| a.stiffness())) }
-                    td { (first(d, &|a| a.damping())) }
+                    @for p in &columns { td { (cell(d, p.key)) } }
                     td { (dash(d.twist.map(|p| short(p.value * DEG_PER_RAD)))) }
                     td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
                     td { (dash(d.torque.map(|p| short(p.value)))) }
@@ -215,21 +229,40 @@ fn conditions(results: &Results) -> Markup {
     } }
 }
 
+/// What `hartog check` prints: chain, modes, damping, pressure and what is assumed.
+fn model(study: &Study) -> Markup {
+    html! {
+        h2 { "The model" }
+        p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
+        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study)))) } }
+    }
+}
+
 /// Plots of the chain and its excitation, as they are in the folder.
-fn plots(folder: &Folder) -> Markup {
+fn plots(study: &Study, results: &Results, folder: &Folder) -> Markup {
     let plot = |name: &str| {
         std::fs::read(folder.path().join(name)).ok().map(|bytes| format!("data:image/svg+xml;base64,{}", STANDARD.encode(bytes)))
     };
-    let all = [
+    let measures = match &study.front {
+        Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
+        _ => &[],
+    };
+    let front = |t: &TradeoffResult| {
+        let [first, second] = t.of.map(|m| &measures[m].word);
+        (format!("front_{first}_{second}.svg"), "What one measure costs the other")
+    };
+    let others = [
+        ("heat.svg", "Temperatures in balance"),
+        ("large_twist.svg", "Motions at their own amplitude"),
+        ("tolerance_band.svg", "Within tolerances"),
         ("campbell.svg", "Natural frequencies and critical speeds"),
         ("excitation.svg", "Orders of the torque"),
-        ("heat.svg", "Temperatures in balance"),
-        ("tolerance_band.svg", "Within tolerances"),
         ("crank.svg", "Loads along the crank"),
     ];
+    let all = results.tradeoffs.iter().map(front).chain(others.map(|(name, words)| (name.to_owned(), words)));
     html! {
-        h2 { "Chain and excitation" }
-        div class="pair" { @for (name, words) in all { @if let Some(source) = plot(name).filter(|_| folder.has_written(name)) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } } }
+        h2 { "Fronts, chain and excitation" }
+        div class="pair" { @for (name, words) in all { @if let Some(source) = plot(&name).filter(|_| folder.has_written(&name)) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } } }
     }
 }
 

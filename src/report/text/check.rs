@@ -87,7 +87,10 @@ fn engine(study: &Study) -> String {
                     w.shape,
                     w.heat_capacity_ratio
                 ),
-                Pressure::Measured(m) => format!("measured, {} speeds", m.speeds_rpm.len()),
+                Pressure::Measured(m) => match m.speeds_rpm.as_slice() {
+                    [only] => format!("measured at {only} rpm"),
+                    speeds => format!("measured, {} speeds", speeds.len()),
+                },
             };
             let _ = writeln!(text, "  pressure: {model}");
         }
@@ -128,7 +131,10 @@ fn chain(study: &Study) -> String {
     if !is_row {
         header.extend(["next", "gear"]);
     }
-    table(&header, &rows)
+    // what no station has takes no column
+    let used: Vec<usize> = (0..header.len()).filter(|c| *c < 4 || rows.iter().any(|r| r[*c] != "-")).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(|r| used.iter().map(|c| r[*c].clone()).collect()).collect();
+    table(&used.iter().map(|c| header[*c]).collect::<Vec<_>>(), &rows)
 }
 
 /// Whether the chain holds the reciprocating masses, what that does, and what a linear chain leaves out.
@@ -145,8 +151,8 @@ fn moving_masses(study: &Study, excitation: &Excitation) -> String {
     }
     let _ = writeln!(
         text,
-        "  the part that varies with twice the crank angle is left out: its largest effect would be order {} at {:.0} rpm, driven by order {},\n  \
-         {}° of twist, {} of the largest resonance of one order, {}° (each estimated as one mode){}",
+        "  the part that varies with twice the crank angle is left out: its largest effect would be order {} at {:.0} rpm, driven by order {}, {}° of \
+         twist, {} of the largest resonance of one order, {}° (each estimated as one mode){}",
         s.order,
         s.speed_rpm,
         s.driven_by,
@@ -187,8 +193,9 @@ fn modes(study: &Study, excitation: &Excitation) -> String {
         .collect();
     let hub = format!("J at {}/kg m²", study.chain.stations[study.hub].name);
     format!(
-        "{} rigid mode(s); elastic modes:\n{}",
+        "{} rigid mode{}; elastic modes:\n{}",
         study.modes.rigid,
+        if study.modes.rigid == 1 { "" } else { "s" },
         table(&["mode", "f/Hz", "damping ratio", &hub, "critical speeds (order @ rpm)"], &rows)
     )
 }

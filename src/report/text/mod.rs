@@ -27,6 +27,7 @@ pub use curves::curves;
 pub(crate) use large_twist::large_twist;
 pub(crate) use materials::{heat, made_of, simplest};
 pub(crate) use model::{crank_pressure, duty, reciprocating};
+pub(crate) use parameters::bounds;
 pub(crate) use plausibility::implausible;
 pub(crate) use robust::robust;
 pub(crate) use run::summary;

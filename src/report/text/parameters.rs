@@ -22,6 +22,13 @@ pub(super) fn parameters(o: &OptimumResult) -> Vec<String> {
             ));
         }
     }
+    lines.extend(bounds(o));
+    lines
+}
+
+/// Bounds that it lies on, a line each.
+pub(crate) fn bounds(o: &OptimumResult) -> Vec<String> {
+    let mut lines = Vec::new();
     for hit in &o.on_bounds {
         let Some(declaration) = o.design.absorbers[hit.absorber].absorber.declaration() else { continue };
         let which = if o.design.absorbers.len() > 1 { format!("absorber {}: ", hit.absorber + 1) } else { String::new() };

@@ -36,6 +36,7 @@ fn sentence(found: &Implausible) -> String {
             "the crank radius is {} of the rod, outside 0.1 to 0.5: `crank_radius_mm` is half the stroke, `rod_length_mm` between the eyes",
             short(*ratio)
         ),
+        Implausible::OneSpeed(rpm) => format!("the pressure is known at {rpm} rpm only and taken for all speeds of the study"),
         Implausible::NaturalFrequency(hz) => {
             format!(
                 "the lowest natural frequency of the chain is {} Hz, outside 1 to 10000 Hz: is its stiffness in N m/rad, its inertia in kg m²?",

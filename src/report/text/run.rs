@@ -258,8 +258,12 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
     // the floor is that of the firing engine
     if let Some(floor) = results.forced_floor.filter(|_| *held == [Condition::Firing]) {
         let none = results.designs.iter().find(|d| d.absorbers.is_empty());
-        let beside = none.map_or_else(String::new, |d| format!("; without absorber it is {}", value(study, objective(d))));
-        let _ = writeln!(text, "Forced floor: {} would be left if nothing resonated{beside}.", value(study, floor));
+        let beside = none.map_or_else(String::new, |d| format!("; with its resonances it is {}", value(study, objective(d))));
+        let _ = writeln!(
+            text,
+            "Forced floor: {} would be left of the engine without absorber if nothing resonated{beside}.",
+            value(study, floor)
+        );
     }
     let with = || results.designs.iter().filter(|d| !d.absorbers.is_empty());
     let any_holds = with().any(DesignResult::within_limits);

@@ -1,5 +1,6 @@
 //! How wide printed text may be.
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Columns where nothing else is said.
@@ -15,9 +16,22 @@ pub(crate) fn set(columns: Option<usize>) {
     WIDTH.store(columns.map_or(usize::MAX, |c| c.max(LEAST)), Ordering::Relaxed);
 }
 
+thread_local! {
+    /// Of what is written on this thread instead.
+    static OWN: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// Text for a file: as wide on every terminal.
+pub(crate) fn for_a_file<T>(write: impl FnOnce() -> T) -> T {
+    OWN.set(Some(USUAL));
+    let written = write();
+    OWN.set(None);
+    written
+}
+
 /// The width.
 pub(crate) fn columns() -> usize {
-    WIDTH.load(Ordering::Relaxed)
+    OWN.get().unwrap_or_else(|| WIDTH.load(Ordering::Relaxed))
 }
 
 /// Whether all columns of a table are wanted, however wide it becomes.

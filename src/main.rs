@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, keys, new, run, size};
+use hartog::cli::{chart, check, compare, curves, fatigue, keys, new, report, run, size};
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -38,6 +38,8 @@ enum Command {
     Curves(curves::Arguments),
     /// Judge stress histories by eleven multiaxial fatigue criteria.
     Fatigue(fatigue::Arguments),
+    /// Write the calculation that a classification society asks for: Holzer's tables, vector sums, criticals, torques, misfire.
+    Report(report::Arguments),
     /// Size piston pin, connecting rod and crank from operating data, and write the engine and study that follow.
     Size(size::Arguments),
     /// Print completions for a shell: `hartog completions bash > ~/.local/share/bash-completion/completions/hartog`.
@@ -60,6 +62,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Curves(arguments) => curves::curves(&arguments),
         Command::Fatigue(arguments) => fatigue::fatigue(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Size(arguments) => size::size(&arguments),
     })
 }

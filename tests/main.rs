@@ -43,6 +43,7 @@ mod peaks;
 mod planes;
 mod plausibility;
 mod real_absorbers;
+mod report;
 mod responses;
 mod robust;
 mod shaft;

@@ -7,6 +7,7 @@ pub mod bearings;
 pub mod calibrate;
 mod catalogue;
 pub mod choice;
+pub mod classification;
 pub mod conditions;
 pub mod cost;
 pub mod curves;

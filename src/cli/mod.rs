@@ -8,6 +8,7 @@ pub mod fatigue;
 pub mod keys;
 pub mod new;
 pub mod progress;
+pub mod report;
 pub mod run;
 pub mod size;
 mod watched;

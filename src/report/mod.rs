@@ -12,12 +12,13 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 pub(crate) use journal::Journal;
-pub(crate) use page::PAGE;
+pub(crate) use page::{CLASSIFICATION, PAGE};
 pub(crate) use summary::about;
 
 /// What an interrupted run leaves of its searches.
 pub(crate) const UNFINISHED: &str = "unfinished.csv";
 
+use crate::analysis::classification::Classification;
 use crate::analysis::curves::{Figure, HolzerRow};
 use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
@@ -162,6 +163,31 @@ pub(crate) fn write_sizing(
     }
     folder.write("engine.toml", results.files.engine.as_bytes())?;
     folder.write("study.toml", results.files.study.as_bytes())
+}
+
+/// Writes the calculation that a classification society asks for.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub(crate) fn write_classification(
+    (results, inputs): (&Results, &[InputFile]),
+    found: &Classification,
+    folder: &Folder,
+) -> Result<(), WriteError> {
+    let study = &results.study;
+    csv::classification(found, folder)?;
+    csv::designs(study, results, folder)?;
+    csv::values(study, results, folder)?;
+    csv::absorbers(results, folder)?;
+    csv::response(study, results, folder)?;
+    if study.limits.is_empty() {
+        folder.remove(&["limits.csv", "barred.csv"])?;
+    } else {
+        csv::limits(study, results, folder)?;
+        csv::barred(study, results, folder)?;
+    }
+    plot::classification(study, results, folder)?;
+    page::write_classification(study, inputs, results, found, folder)
 }
 
 /// Writes the table and plots of a chart.

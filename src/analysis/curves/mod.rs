@@ -11,6 +11,7 @@ mod responses;
 pub use figure::{Axis, Curve, Figure, Panel};
 pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE, curve};
 pub use modes::HolzerRow;
+pub(crate) use modes::holzer;
 
 use super::calibrate::calibrate;
 use super::progress::{Progress, RunError};

@@ -129,7 +129,7 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
 }
 
 /// Holzer's table of the first modes; the torque behind the last station, which must vanish, is its sum.
-pub(super) fn holzer(study: &Study) -> Vec<HolzerRow> {
+pub(crate) fn holzer(study: &Study) -> Vec<HolzerRow> {
     let frequencies = study.modes.frequencies_hz();
     let stations = &study.chain.stations;
     let mut rows = Vec::new();

@@ -1,22 +1,22 @@
 //! `report.html`: one page with everything of a run; it needs no network and no other file.
 
+mod classification;
 mod data;
+mod parts;
+
+pub(crate) use classification::{CLASSIFICATION, write as write_classification};
 
 use super::files::{Folder, WriteError};
-use crate::absorber::Parameter;
 use crate::analysis::{DesignResult, OptimumResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, InputFile, Study};
-use crate::objective::holds;
-use crate::report::text::{bounds, check, dash, short, width};
+use crate::report::text::{bounds, dash, short};
 use crate::units::DEG_PER_RAD;
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use parts::{STYLE, conditions, limits, model, parameters, picture, provenance};
 
 /// Its name.
 pub(crate) const PAGE: &str = "report.html";
 
-const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Writes the page; plots of the run are taken from the folder.
@@ -102,17 +102,6 @@ fn question(study: &Study, results: &Results) -> Markup {
     }
 }
 
-/// Parameters that some design has, each once.
-fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
-    let mut list: Vec<&Parameter> = Vec::new();
-    for p in designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration()).flat_map(|d| d.parameters) {
-        if list.iter().all(|known| known.key != p.key) {
-            list.push(p);
-        }
-    }
-    list
-}
-
 fn designs(study: &Study, results: &Results) -> Markup {
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     // the twist that every table shows may be the objective itself
@@ -180,20 +169,6 @@ fn margins(study: &Study, results: &Results) -> Markup {
     } }
 }
 
-fn limits(study: &Study, results: &Results) -> Markup {
-    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
-    html! { @if !study.limits.is_empty() {
-        h2 { "Limits" }
-        div class="scroll" { table class="sorts" {
-            thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
-            tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * ratio)) }
-                    td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
-            } } }
-        } }
-    } }
-}
-
 fn certificates(study: &Study, results: &Results) -> Markup {
     html! { @if !results.optima.is_empty() {
         h2 { "Certificates of the optima" }
@@ -215,34 +190,8 @@ fn certificates(study: &Study, results: &Results) -> Markup {
     } }
 }
 
-fn conditions(results: &Results) -> Markup {
-    let all = || results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
-    html! { @if all().any(|d| !d.conditions.is_empty()) {
-        h2 { "Conditions" }
-        div class="scroll" { table class="sorts" {
-            thead { tr { th { "design" } th class="words" { "condition" } th { "cylinder" } th { "twist, °" } th { "at rpm" } th { "torque, N m" } } }
-            tbody { @for d in all() { @for c in &d.conditions {
-                tr { td { (d.name) } td class="words" { (c.condition.name().replace('_', " ")) } td { (dash(c.cylinder.map(|c| (c + 1).to_string()))) }
-                    td { (dash(c.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(c.twist.map(|p| format!("{:.0}", p.speed_rpm)))) } td { (dash(c.torque.map(|p| short(p.value)))) } }
-            } } }
-        } }
-    } }
-}
-
-/// What `hartog check` prints: chain, modes, damping, pressure and what is assumed.
-fn model(study: &Study) -> Markup {
-    html! {
-        h2 { "The model" }
-        p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
-        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study)))) } }
-    }
-}
-
 /// Plots of the chain and its excitation, as they are in the folder.
 fn plots(study: &Study, results: &Results, folder: &Folder) -> Markup {
-    let plot = |name: &str| {
-        std::fs::read(folder.path().join(name)).ok().map(|bytes| format!("data:image/svg+xml;base64,{}", STANDARD.encode(bytes)))
-    };
     let measures = match &study.front {
         Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
         _ => &[],
@@ -262,14 +211,6 @@ fn plots(study: &Study, results: &Results, folder: &Folder) -> Markup {
     let all = results.tradeoffs.iter().map(front).chain(others.map(|(name, words)| (name.to_owned(), words)));
     html! {
         h2 { "Fronts, chain and excitation" }
-        div class="pair" { @for (name, words) in all { @if let Some(source) = plot(&name).filter(|_| folder.has_written(&name)) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } } }
-    }
-}
-
-fn provenance(study: &Study, inputs: &[InputFile], results: &Results) -> Markup {
-    html! {
-        h2 { "Where this comes from" }
-        p { "hartog " (env!("CARGO_PKG_VERSION")) ", method " (results.method) @if let Some(o) = &study.optimise { ", seed " (o.seed) } ". Tables beside this page hold every number to full precision." }
-        div class="scroll" { table { thead { tr { th { "input file" } th { "bytes" } th { "CRC-32" } } } tbody { @for f in inputs { tr { td { (f.path.display()) } td { (f.bytes) } td { (format!("{:08x}", f.crc32)) } } } } } }
+        div class="pair" { @for (name, words) in all { @if let Some(source) = picture(folder, &name) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } } }
     }
 }

@@ -24,6 +24,17 @@ use crate::analysis::Results;
 use crate::input::Study;
 use rayon::prelude::*;
 
+/// Draws what a classification society asks for: critical speeds, orders of the torque, responses.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub(crate) fn classification(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    campbell::draw(study, results, folder)?;
+    excitation::draw(study, results, folder)?;
+    results.sweeps.par_iter().try_for_each(|sweep| response::draw(study, results, sweep, folder))?;
+    folder.remove_other_plots("response_")
+}
+
 /// Draws every plot of a run.
 ///
 /// # Errors

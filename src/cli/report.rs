@@ -1,0 +1,68 @@
+//! `hartog report`: the calculation that a classification society asks for.
+
+use super::exit::{DONE, FAILED, fail, say};
+use super::progress::Bar;
+use crate::analysis::classification::classification;
+use crate::engine::Source;
+use crate::input;
+use crate::objective::Condition;
+use crate::report::{Folder, text, write_classification};
+use std::path::{Path, PathBuf};
+
+/// Arguments of `report`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  hartog report studies/mendes_mwm6.toml\n\n\
+Writes classification.html, which prints on A4 pages, and its tables: holzer.csv, vector_sums.csv, criticals.csv, shaft_torques.csv, and what `run`\n\
+writes of the designs of the study. Nothing is searched for: an optimum is reported when it is given as a [[design]]. One cylinder misfiring is\n\
+looked at whether the study asks for it or not.\n\n\
+Exit code: 0 done, 1 a design breaks a limit of the study, 2 bad input or no finite response.")]
+pub struct Arguments {
+    /// Study file (TOML).
+    pub study: PathBuf,
+    /// Output folder [default: out/STUDY_report].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Number of threads [default: all]; results are the same for any number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub threads: Option<u16>,
+}
+
+/// Evaluates the designs of a study and writes the report.
+pub fn report(arguments: &Arguments) -> u8 {
+    crate::cli::threads(arguments.threads.map(usize::from));
+    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let mut study = match study {
+        Ok(study) => study,
+        Err(error) => return fail(&error),
+    };
+    (study.optimise, study.front, study.robust) = (None, None, None);
+    study.more_objectives.clear();
+    if matches!(study.engine.source, Source::Cylinder { .. }) && !study.conditions.contains(&Condition::Misfire) {
+        study.conditions.push(Condition::Misfire);
+    }
+    let path = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_report", study.name)));
+    let folder = match Folder::create(&path) {
+        Ok(folder) => folder,
+        Err(error) => return fail(&error),
+    };
+    let bar = Bar::default();
+    let results = study.run_with(&bar);
+    drop(bar);
+    let results = match results {
+        Ok(results) => results,
+        Err(error) => return fail(&format!("error: {error}")),
+    };
+    let found = classification(&results.study, &results);
+    if let Err(error) = write_classification((&results, &inputs), &found, &folder).and_then(|()| folder.complete()) {
+        return fail(&error);
+    }
+    say(&text::criticals(&found));
+    say(&format!(
+        "\n{}\n{} files in {}: open {} there first\n",
+        text::designs(&results.study, &results),
+        folder.written(),
+        path.display(),
+        crate::report::CLASSIFICATION
+    ));
+    if results.designs.iter().all(|d| d.limits.iter().all(|l| crate::objective::holds(*l))) { DONE } else { FAILED }
+}

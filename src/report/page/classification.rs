@@ -1,0 +1,152 @@
+//! `classification.html`: the calculation that a classification society asks for, on A4 pages.
+
+use super::parts::{STYLE, conditions, limits, model, parameters, picture, provenance};
+use crate::analysis::Results;
+use crate::analysis::classification::{ABOVE, Classification};
+use crate::input::{InputFile, Study};
+use crate::report::files::{Folder, WriteError};
+use crate::report::text::{dash, short};
+use crate::units::DEG_PER_RAD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// Its name.
+pub(crate) const CLASSIFICATION: &str = "classification.html";
+
+/// Writes the page; plots are taken from the folder.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, c: &Classification, folder: &Folder) -> Result<(), WriteError> {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (study.engine.name) ": torsional vibration calculation" }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { (study.engine.name) ": torsional vibration calculation" }
+                p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study." }
+                (model(study))
+                (holzer(c))
+                (sums(c))
+                (criticals(c))
+                (designs(results))
+                (shafts(c))
+                (conditions(results))
+                (limits(study, results))
+                (barred(study, results))
+                (plots(results, folder))
+                (provenance(study, inputs, results))
+            }
+        }
+    };
+    folder.write(CLASSIFICATION, page.into_string().as_bytes())
+}
+
+fn holzer(c: &Classification) -> Markup {
+    let modes = c.holzer.iter().map(|r| r.mode).max().unwrap_or(0);
+    html! {
+        h2 { "Holzer's tables" }
+        p class="soft" { "For an angle of one at the largest station; the last sum is what the eigensolver leaves." }
+        @for mode in 1..=modes {
+            @let own = || c.holzer.iter().filter(|r| r.mode == mode);
+            h3 { "Mode " (mode) ", " (own().next().map_or_else(String::new, |r| short(r.frequency_hz))) " Hz, " (nodes(own().map(|r| r.angle))) }
+            div class="scroll" { table {
+                thead { tr { th { "station" } th { "J, kg m²" } th { "Θ" } th { "J ω² Θ, N m" } th { "Σ, N m" } th { "k, N m/rad" } th { "Σ/k" } } }
+                tbody { @for r in own() { tr { td { (r.station) } td { (short(r.inertia)) } td { (format!("{:.5}", r.angle)) } td { (format!("{:.4e}", r.torque)) } td { (format!("{:.4e}", r.sum)) } td { (short(r.stiffness)) } td { (format!("{:.5}", r.twist)) } } } }
+            } }
+        }
+    }
+}
+
+/// How often neighbours swing against each other.
+fn nodes(angles: impl Iterator<Item = f64>) -> String {
+    let angles: Vec<f64> = angles.collect();
+    match angles.windows(2).filter(|w| w[0] * w[1] < 0.0).count() {
+        1 => "one node".into(),
+        n => format!("{n} nodes"),
+    }
+}
+
+fn sums(c: &Classification) -> Markup {
+    let modes: Vec<usize> = (1..=c.holzer.iter().map(|r| r.mode).max().unwrap_or(0)).collect();
+    let orders: Vec<_> = c.sums.iter().filter(|s| s.mode == 1).map(|s| s.order).collect();
+    let sum = |mode, order| c.sums.iter().find(|s| s.mode == mode && s.order == order).map(|s| format!("{:.4}", s.sum));
+    html! {
+        h2 { "Sums of phase vectors" }
+        p class="soft" { "|Σ Θ e" sup { "−i n φ" } "| over the throws, Θ one at the largest station." }
+        div class="scroll" { table {
+            thead { tr { th { "order" } @for m in &modes { th { "mode " (m) } } } }
+            tbody { @for o in orders { tr { td { (o) } @for m in &modes { td { (dash(sum(*m, o))) } } } } }
+        } }
+    }
+}
+
+fn criticals(c: &Classification) -> Markup {
+    let degrees = |x: Option<f64>| dash(x.map(|r| short(r * DEG_PER_RAD)));
+    html! {
+        h2 { "Critical speeds" }
+        p class="soft" { "Up to " (format!("{:.0}", 100.0 * ABOVE)) " % of the highest speed of the study. Equilibrium amplitude T |Σ| / (ω² Σ J Θ²) of the largest station; in resonance it is divided by 2 ζ, each mode by itself, without absorber. Outside the speeds of the study the torque is not known." }
+        div class="scroll" { table {
+            thead { tr { th { "rpm" } th { "order" } th { "mode" } th { "|Σ|" } th { "T of a throw, N m" } th { "equilibrium, °" } th { "ζ" } th { "in resonance, °" } } }
+            tbody { @for k in &c.criticals { @let own = k.in_range; tr {
+                td { (format!("{:.0}", k.of.speed_rpm)) } td { (k.of.order) } td { (k.of.mode) } td { (format!("{:.4}", k.of.sum)) } td { (dash(own.map(|r| short(r.torque)))) }
+                td { (degrees(own.map(|r| r.equilibrium))) } td { (dash(own.map(|r| short(r.damping_ratio)))) } td { (degrees(own.and_then(|r| r.resonance))) }
+            } } }
+        } }
+    }
+}
+
+fn designs(results: &Results) -> Markup {
+    let columns = parameters(results.designs.iter());
+    html! {
+        h2 { "Designs" }
+        p class="soft" { "Twist and torque: half peak-to-peak of all orders together at the worst speed; heat: largest mean power of all absorbers." }
+        div class="scroll" { table {
+            thead { tr { th { "design" } @for p in &columns { th { (p.label.replace('/', ", ")) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } } }
+            tbody { @for d in &results.designs { tr {
+                td { (d.name) }
+                @for p in &columns { td { (d.absorbers.iter().map(|m| dash(m.absorber.value(p.key).map(short))).collect::<Vec<_>>().join(" | ")) } }
+                td { (dash(d.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
+                td { (dash(d.torque.map(|p| short(p.value)))) } td { (dash(d.power.map(short))) } td { (dash(d.ring_twist.map(|t| short(t * DEG_PER_RAD)))) }
+            } } }
+        } }
+    }
+}
+
+fn shafts(c: &Classification) -> Markup {
+    html! {
+        h2 { "Vibratory torque of the shafts" }
+        p class="soft" { "Largest of the speeds of the study, all orders together; over speed in the plots." }
+        div class="scroll" { table {
+            thead { tr { th { "design" } th class="words" { "shaft" } th { "torque, N m" } th { "at rpm" } } }
+            tbody { @for s in &c.shafts { tr { td { (s.design) } td class="words" { (s.shaft) } td { (short(s.torque)) } td { (format!("{:.0}", s.speed_rpm)) } } } }
+        } }
+    }
+}
+
+fn barred(study: &Study, results: &Results) -> Markup {
+    let all = || results.designs.iter().flat_map(|d| d.barred.iter().map(move |b| (d, b)));
+    html! { @if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
+        h2 { "Barred speed ranges" }
+        @if all().next().is_none() { p { "No design needs one." } } @else {
+            div class="scroll" { table {
+                thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "critical, rpm" } th { "from, rpm" } th { "to, rpm" } th { "rule allows it" } } }
+                tbody { @for (d, b) in all() { tr { td { (d.name) } td class="words" { (study.limits[b.limit].words) } td { (b.condition.name().replace('_', " ")) } td { (format!("{:.0}", b.critical_rpm)) } td { (format!("{:.0}", b.from_rpm)) } td { (format!("{:.0}", b.to_rpm)) } td { (if b.allowed { "yes" } else { "no" }) } } } }
+            } }
+        }
+    } }
+}
+
+fn plots(results: &Results, folder: &Folder) -> Markup {
+    let responses = results.sweeps.iter().map(|s| (format!("response_{}.svg", s.design), s.design.replace('_', " ")));
+    let all = [("campbell.svg", "Natural frequencies and critical speeds"), ("excitation.svg", "Orders of the torque")];
+    let all = all.map(|(name, words)| (name.to_owned(), words.to_owned())).into_iter().chain(responses);
+    html! {
+        h2 { "Plots" }
+        @for (name, words) in all { @if let Some(source) = picture(folder, &name) { figure { img src=(source) alt=(words); figcaption class="soft" { (words) } } } }
+    }
+}

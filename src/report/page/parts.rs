@@ -1,0 +1,77 @@
+//! Parts that pages share.
+
+use crate::absorber::Parameter;
+use crate::analysis::{DesignResult, Results};
+use crate::input::{InputFile, Study};
+use crate::objective::holds;
+use crate::report::files::Folder;
+use crate::report::text::{check, dash, short, width};
+use crate::units::DEG_PER_RAD;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{Markup, html};
+
+/// How pages look.
+pub(super) const STYLE: &str = include_str!("page.css");
+
+/// Parameters that some design has, each once.
+pub(super) fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
+    let mut list: Vec<&Parameter> = Vec::new();
+    for p in designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration()).flat_map(|d| d.parameters) {
+        if list.iter().all(|known| known.key != p.key) {
+            list.push(p);
+        }
+    }
+    list
+}
+
+pub(super) fn limits(study: &Study, results: &Results) -> Markup {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    html! { @if !study.limits.is_empty() {
+        h2 { "Limits" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
+            tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
+                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * ratio)) }
+                    td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+            } } }
+        } }
+    } }
+}
+
+pub(super) fn conditions(results: &Results) -> Markup {
+    let all = || results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
+    html! { @if all().any(|d| !d.conditions.is_empty()) {
+        h2 { "Conditions" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "design" } th class="words" { "condition" } th { "cylinder" } th { "twist, °" } th { "at rpm" } th { "torque, N m" } } }
+            tbody { @for d in all() { @for c in &d.conditions {
+                tr { td { (d.name) } td class="words" { (c.condition.name().replace('_', " ")) } td { (dash(c.cylinder.map(|c| (c + 1).to_string()))) }
+                    td { (dash(c.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(c.twist.map(|p| format!("{:.0}", p.speed_rpm)))) } td { (dash(c.torque.map(|p| short(p.value)))) } }
+            } } }
+        } }
+    } }
+}
+
+/// What `hartog check` prints: chain, modes, damping, pressure and what is assumed.
+pub(super) fn model(study: &Study) -> Markup {
+    html! {
+        h2 { "The model" }
+        p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
+        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study)))) } }
+    }
+}
+
+/// A picture that this run has written, as an address that holds it.
+pub(super) fn picture(folder: &Folder, name: &str) -> Option<String> {
+    let bytes = std::fs::read(folder.path().join(name)).ok().filter(|_| folder.has_written(name))?;
+    Some(format!("data:image/svg+xml;base64,{}", STANDARD.encode(bytes)))
+}
+
+pub(super) fn provenance(study: &Study, inputs: &[InputFile], results: &Results) -> Markup {
+    html! {
+        h2 { "Where this comes from" }
+        p { "hartog " (env!("CARGO_PKG_VERSION")) ", method " (results.method) @if let Some(o) = &study.optimise { ", seed " (o.seed) } ". Tables beside this page hold every number to full precision." }
+        div class="scroll" { table { thead { tr { th { "input file" } th { "bytes" } th { "CRC-32" } } } tbody { @for f in inputs { tr { td { (f.path.display()) } td { (f.bytes) } td { (format!("{:08x}", f.crc32)) } } } } } }
+    }
+}

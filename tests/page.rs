@@ -8,12 +8,37 @@ fn browser() -> Option<&'static str> {
     ["chromium", "chromium-browser", "google-chrome"].into_iter().find(|name| Command::new(name).arg("--version").output().is_ok())
 }
 
-fn page_of(study: &str, folder: &Path) -> PathBuf {
+fn page_from(command: &[&str], folder: &Path) -> PathBuf {
     let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
-    let status = c.current_dir(env!("CARGO_MANIFEST_DIR")).args(["run", study, "--out"]).arg(folder).output().expect("runs").status;
-    assert!(status.code().is_some_and(|c| c <= 1));
+    let status = c.current_dir(env!("CARGO_MANIFEST_DIR")).args(command).arg("--out").arg(folder).output().expect("runs").status;
+    assert!(status.code().is_some_and(|c| c <= 1), "{command:?}: {status}");
     folder.join("report.html")
 }
+
+fn page_of(study: &str, folder: &Path) -> PathBuf {
+    page_from(&["run", study], folder)
+}
+
+/// Text and its ground by the relative luminance of WCAG 2.1: a ratio of 4.5 at least for words, and 3 for curves.
+const CONTRAST: &str = "
+    const channel = v => { v /= 255; return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; };
+    const luminance = c => 0.2126 * channel(c[0]) + 0.7152 * channel(c[1]) + 0.0722 * channel(c[2]);
+    const numbers = text => (text.match(/[0-9.]+/g) || []).map(Number);
+    const ratio = (a, b) => { const x = luminance(a), y = luminance(b); return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05); };
+    const ground = e => { for (; e; e = e.parentElement) { const c = numbers(getComputedStyle(e).backgroundColor); if (c.length === 3) return c; } return [255, 255, 255]; };
+    let words = 0;
+    for (const e of document.querySelectorAll('body *')) {
+        if (!['SCRIPT', 'STYLE', 'OPTION'].includes(e.tagName) && [...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim())) {
+            words += 1;
+            const style = getComputedStyle(e), ink = numbers(e instanceof SVGElement ? style.fill : style.color);
+            if (ratio(ink, ground(e)) < 4.5) told.push(e.tagName + ' ' + e.textContent.slice(0, 30) + ' ' + ratio(ink, ground(e)).toFixed(2));
+        }
+    }
+    if (words < 20) told.push('no words');
+    for (const path of document.querySelectorAll('.chart path')) {
+        const stroke = numbers(getComputedStyle(path).stroke);
+        if (stroke.length === 3 && path.getAttribute('stroke-width') > 1 && ratio(stroke, [255, 255, 255]) < 3) told.push('curve ' + stroke + ' ' + ratio(stroke, [255, 255, 255]).toFixed(2));
+    }";
 
 /// What the page looks like after a script, and what the browser said of errors.
 fn after(browser: &str, page: &Path, width: u32, script: &str) -> (String, String) {
@@ -73,6 +98,18 @@ fn pages_work_in_a_browser() {
             let drawn = curves(&dom, "response");
             assert!(drawn >= 1, "{study}: nothing is drawn");
             let boxes = "document.querySelectorAll('#designs input[type=checkbox]')";
+            let (_, told) = after(browser, &page, width, &format!("for (const b of {boxes}) if (!b.checked) b.click(); {CONTRAST}"));
+            assert_eq!(told, "", "{study}: contrast");
+            let radians = "const head = [...document.querySelectorAll('#designs th')].find(h => h.textContent === 'twist, °'), cell = () => document.querySelector('#designs tbody tr').cells[head.cellIndex].textContent; \
+                           const before = Number(cell()); document.getElementById('radians').click(); \
+                           if (Math.abs(Number(cell()) * 180 / Math.PI / before - 1) > 1e-3 || head.textContent !== 'twist, rad') told.push(before + ' ' + cell() + head.textContent);";
+            let (_, told) = after(browser, &page, width, radians);
+            assert_eq!(told, "", "{study}: radians");
+            let modes = "const s = document.getElementById('mode'), before = document.getElementById('shape').innerHTML; s.selectedIndex = 1; s.dispatchEvent(new Event('change')); \
+                         if (s.options.length > 1 && document.getElementById('shape').innerHTML === before) told.push('the shape stays'); \
+                         if (!document.querySelector('#campbell path')) told.push('no frequencies');";
+            let (_, told) = after(browser, &page, width, modes);
+            assert_eq!(told, "", "{study}: modes");
             let (dom, told) = after(browser, &page, width, &format!("for (const b of {boxes}) if (!b.checked) {{ b.click(); break; }}"));
             let more = dom.matches("type=\"checkbox\" aria-label=\"draw").count().min(drawn + 1);
             assert_eq!((curves(&dom, "response"), told.as_str()), (more, ""), "{study}");
@@ -84,6 +121,49 @@ fn pages_work_in_a_browser() {
             let (dom, told) = after(browser, &page, width, keys);
             assert_eq!(told, "", "{study}");
             assert!(dom.contains(" rpm: ") && dom.contains("aria-sort=\"ascending\""), "{study}");
+        }
+    }
+}
+
+/// Pages of the other commands: no error, tables that sort and filter, words one can read.
+#[test]
+#[ignore = "needs a browser; two minutes"]
+fn pages_of_other_commands_work_in_a_browser() {
+    let Some(browser) = browser() else {
+        println!("skipped: no browser here");
+        return;
+    };
+    // bending and torsion out of phase at one point
+    let inputs = tempfile::tempdir().expect("a folder");
+    let row = |i: u32| {
+        let angle = (2.0 * f64::from(i)).to_radians();
+        format!("fillet,{},{},0,0,{},0,0\n", 2 * i, 80.0 * angle.sin(), 40.0 * angle.cos())
+    };
+    let history = inputs.path().join("history.csv");
+    let head = "point,crank_deg,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,syz_mpa,szx_mpa\n".to_owned();
+    std::fs::write(&history, head + &(0..360).map(row).collect::<String>()).expect("written");
+    let fatigue = ["fatigue", history.to_str().expect("a path"), "--material", "tests/bad_input/material.toml"];
+    let commands: [&[&str]; 5] = [
+        &["size", "studies/fialho_four.toml"],
+        &["curves", "studies/villalva_i6.toml"],
+        &["chart", "studies/minucci_i4.toml"],
+        &["compare", "studies/villalva_i6_thesis.toml"],
+        &fatigue,
+    ];
+    for command in commands {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut page = page_from(command, folder.path());
+        if command[0] == "compare" {
+            page = folder.path().join("villalva_i6_thesis/report.html");
+        }
+        assert!(std::fs::metadata(&page).expect("a page").len() < 8 << 20, "{command:?}");
+        for width in [1280, 390] {
+            let sorts = "document.querySelectorAll('details').forEach(d => d.open = true); document.querySelector('th button').click(); \
+                         const f = document.querySelector('input[type=search]'); f.value = 'no such value'; f.dispatchEvent(new Event('input')); \
+                         if ([...document.getElementById(f.dataset.of).tBodies[0].rows].some(r => !r.hidden)) told.push('rows stay');";
+            let (dom, told) = after(browser, &page, width, &format!("{CONTRAST} {sorts}"));
+            assert_eq!(told, "", "{command:?}");
+            assert!(dom.contains("aria-sort=\"ascending\"") && dom.contains("data:image/svg+xml"), "{command:?}");
         }
     }
 }

@@ -49,6 +49,15 @@ pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) ->
     study.modes.elastic().take(3).map(at).fold(0.0, f64::max)
 }
 
+/// Indices of the orders with the largest resonances, at most so many, ascending.
+pub(crate) fn strongest_orders(study: &Study, system: &System, most: usize) -> Vec<usize> {
+    let mut orders: Vec<usize> = (0..system.orders()).collect();
+    orders.sort_by(|a, b| largest_resonance(study, system, *b).total_cmp(&largest_resonance(study, system, *a)));
+    orders.truncate(most);
+    orders.sort_unstable();
+    orders
+}
+
 /// Highest frequency the torque reaches, Hz.
 pub fn highest_frequency_hz(study: &Study, orders: &[Order]) -> f64 {
     let speed = study.speeds_rpm[study.speeds_rpm.len() - 1];

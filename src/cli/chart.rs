@@ -1,10 +1,10 @@
 //! `hartog chart`: speed against accuracy of every response method, and where each fails.
 
-use super::exit::{DONE, FAILED, fail, say};
+use super::exit::{DONE, FAILED, fail, files, say};
 use super::progress::Bar;
 use crate::benchmark::{Chart, Common};
 use crate::input::{self, Study};
-use crate::report::{Folder, text, write_chart};
+use crate::report::{Folder, text, write_chart, write_folder};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -42,19 +42,17 @@ pub fn chart(arguments: &Arguments) -> u8 {
             Ok(chart) => chart,
             Err(error) => return fail(&format!("error: {error}")),
         };
-        if let Err(error) = write_chart(&chart, &folder).and_then(|()| folder.complete()) {
+        let title = format!("{}: speed against accuracy", chart.study.engine.name);
+        let printed = || format!("{}\n{}", text::chart::of_study(&chart), text::chart::common(&common));
+        let written = write_chart(&chart, &folder).and_then(|()| write_folder(&title, printed, &folder));
+        if let Err(error) = written.and_then(|()| folder.complete()) {
             return fail(&error);
         }
-        print(&chart);
-        say(&format!("{} files written to {}\n\n", folder.written(), folder.path().display()));
+        say(&text::chart::of_study(&chart));
+        say(&format!("{}\n", files(&folder)));
         holds &= chart.holds();
     }
-    say(&format!("{}\n{}\n", text::chart::growth(&common.growth), text::chart::energy(&common.energy)));
-    say(&format!(
-        "{}\n",
-        text::chart::models("Without refinement a grid misses the peak of one mode, share:", std::slice::from_ref(&common.grid))
-    ));
-    say(&text::chart::stability(&common.map));
+    say(&text::chart::common(&common));
     say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
     if holds { DONE } else { FAILED }
 }
@@ -79,31 +77,4 @@ fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Folder)>, u8> {
         jobs.push((study, Folder::create(&folder).map_err(|error| fail(&error))?));
     }
     Ok(jobs)
-}
-
-fn print(chart: &Chart) {
-    let engine = &chart.study.engine.name;
-    if chart.methods.probes.is_empty() {
-        say(&format!("{engine}: no design with one absorber to probe\n"));
-    } else {
-        let names: Vec<&str> = chart.methods.probes.iter().map(|p| p.0.as_str()).collect();
-        say(&format!("{engine}: peak twist of {} probe designs ({})\n\n", names.len(), names.join(", ")));
-        say(&text::chart::methods(&chart.methods));
-        say(&format!("\n{}", text::chart::ways(&chart.methods)));
-    }
-    if let Some(savings) = &chart.savings {
-        say(&format!("\n{}", text::chart::savings(savings)));
-    }
-    if !chart.margins.is_empty() {
-        say(&format!("\n{}", text::chart::margins(&chart.margins)));
-    }
-    if !chart.laws.is_empty() {
-        say(&format!("\n{}", text::chart::laws(&chart.laws)));
-    }
-    if !chart.fronts.is_empty() {
-        say(&format!("\n{}", text::chart::fronts(&chart.fronts)));
-    }
-    if !chart.models.is_empty() {
-        say(&format!("\n{}", text::chart::models("What a simpler model costs, error of the peak:", &chart.models)));
-    }
 }

@@ -1,13 +1,13 @@
 //! `hartog compare`: published tables beside our own numbers.
 
-use super::exit::{BAD_INPUT, DONE, FAILED, fail, say};
+use super::exit::{BAD_INPUT, DONE, FAILED, fail, files, say};
 use super::progress::Bar;
 use crate::analysis::{self, Calibration, Results, RunError};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
 use crate::input::{self, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{Folder, text, write_comparison, write_rounds};
+use crate::report::{Folder, text, write_comparison, write_folder, write_rounds};
 use crate::sizing::size;
 use crate::validation::Comparison;
 use crate::validation::rounds::rounds;
@@ -68,10 +68,12 @@ pub fn compare(arguments: &Arguments) -> u8 {
             Err(error) => return fail(&format!("error: {error}")),
         };
         let written = write_comparison(&page.study, page.calibration.as_ref(), &page.comparison, &page.results, &folder);
+        let title = format!("{}: published and computed", page.study.engine.name);
+        let written = written.and_then(|()| write_folder(&title, || printed(&page), &folder));
         if let Err(error) = written.and_then(|()| folder.complete()) {
             return fail(&error);
         }
-        print(&page, &folder);
+        say(&format!("{}\n\n{}  {}\n", page.study.engine.name, printed(&page), files(&folder)));
         pages.push(page);
     }
     for study in sizings {
@@ -92,8 +94,10 @@ fn sizing(study: &SizingStudy, root: &Path) -> Result<(), u8> {
     let folder = Folder::create(&root.join(&study.name)).map_err(|e| fail(&e))?;
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
-    write_rounds(&rows, &folder).and_then(|()| folder.complete()).map_err(|e| fail(&e))?;
-    say(&format!("{}\n\n{}  {} files written to {}\n\n", study.title, text::rounds(&rows), folder.written(), folder.path().display()));
+    let title = format!("{}: published and computed", study.title);
+    let written = write_rounds(&rows, &folder).and_then(|()| write_folder(&title, || text::rounds(&rows), &folder));
+    written.and_then(|()| folder.complete()).map_err(|e| fail(&e))?;
+    say(&format!("{}\n\n{}  {}\n", study.title, text::rounds(&rows), files(&folder)));
     Ok(())
 }
 
@@ -172,12 +176,10 @@ fn only_published_rings(study: &mut Study, published: &Published) {
     }
 }
 
-fn print(page: &Page, folder: &Folder) {
+/// What is said of a study.
+fn printed(page: &Page) -> String {
     let Page { study, calibration, comparison, .. } = page;
-    say(&format!("{}\n\n{}\n", study.engine.name, text::comparison::entries(comparison)));
-    if let Some(calibration) = calibration {
-        say(&format!("{}\n", text::calibration::calibration(study, calibration)));
-    }
-    say(&format!("In short:\n{}", text::comparison::paragraph(study, comparison)));
-    say(&format!("  {} files written to {}\n\n", folder.written(), folder.path().display()));
+    let calibration = calibration.as_ref().map_or_else(String::new, |c| format!("{}\n", text::calibration::calibration(study, c)));
+    let entries = text::comparison::entries(comparison);
+    format!("{entries}\n{calibration}In short:\n{}", text::comparison::paragraph(study, comparison))
 }

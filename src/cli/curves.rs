@@ -1,11 +1,11 @@
 //! `hartog curves`: what lies behind a design, as tables and plots.
 
-use super::exit::{DONE, fail, say};
+use super::exit::{DONE, fail, files, say};
 use super::progress::Bar;
 use crate::analysis::curves::{Curves, curves as compute};
 use crate::engine::Source;
 use crate::input;
-use crate::report::{Folder, text, write_curves};
+use crate::report::{Folder, text, write_curves, write_folder};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `curves`.
@@ -60,10 +60,13 @@ pub fn curves(arguments: &Arguments) -> u8 {
         Ok(curves) => curves,
         Err(error) => return fail(&format!("error: {error}")),
     };
-    if let Err(error) = write_curves(&figures, &holzer, &folder).and_then(|()| folder.complete()) {
+    let printed = || text::curves(&figures, &holzer);
+    let title = format!("{}: what lies behind its designs", study.engine.name);
+    let written = write_curves(&figures, &holzer, &folder).and_then(|()| write_folder(&title, printed, &folder));
+    if let Err(error) = written.and_then(|()| folder.complete()) {
         return fail(&error);
     }
-    say(&text::curves(&figures, &holzer));
-    say(&format!("{} files written to {}\n", folder.written(), folder.path().display()));
+    say(&printed());
+    say(&files(&folder));
     DONE
 }

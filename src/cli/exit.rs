@@ -1,6 +1,7 @@
 //! What every command shares: exit codes, output, threads.
 
 use crate::report::text::width::{USUAL, set, wrapped};
+use crate::report::{Folder, PAGE};
 use std::fmt::Display;
 use std::io::Write;
 
@@ -43,6 +44,11 @@ pub(crate) fn say_raw(text: &str) {
         }
         _ => {}
     }
+}
+
+/// Where the files of a command are, and which to open.
+pub(crate) fn files(folder: &Folder) -> String {
+    format!("{} files in {}: open {PAGE} there first\n", folder.written(), folder.path().display())
 }
 
 /// Prints an error and gives the exit code of bad input.

@@ -1,6 +1,6 @@
 //! `hartog fatigue`: multiaxial criteria on stress histories.
 
-use super::exit::{DONE, fail, say, threads};
+use super::exit::{DONE, fail, files, say, threads};
 use super::progress::Bar;
 use crate::analysis::Progress;
 use crate::analysis::stress_histories::{self, CHUNK, Summary};
@@ -10,7 +10,7 @@ use crate::fatigue::multiaxial::plane::Amplitude;
 use crate::input::tables::{HistoryReader, PointHistory, Superposed};
 use crate::input::{InputError, read_material};
 use crate::report::csv::fatigue::FatigueTable;
-use crate::report::{Folder, plot, text};
+use crate::report::{Folder, plot, text, write_folder};
 use crate::units::RAD_PER_DEG;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -155,17 +155,13 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
         }
     }
     drop(bar);
-    let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder)).and_then(|()| folder.complete());
-    if let Err(error) = written {
+    let printed = || text::fatigue::summary(&summary, &limits);
+    let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder));
+    let title = format!("Multiaxial fatigue of {} points", summary.points);
+    if let Err(error) = written.and_then(|()| write_folder(&title, printed, &folder)).and_then(|()| folder.complete()) {
         return fail(&error);
     }
-    say(&text::fatigue::summary(&summary, &limits));
-    say(&format!(
-        "{} points in {:.1} s; {} files written to {}\n",
-        summary.points,
-        start.elapsed().as_secs_f64(),
-        folder.written(),
-        folder.path().display()
-    ));
+    say(&printed());
+    say(&format!("{} points in {:.1} s; {}", summary.points, start.elapsed().as_secs_f64(), files(&folder)));
     DONE
 }

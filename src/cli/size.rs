@@ -1,10 +1,10 @@
 //! `hartog size`: piston pin, connecting rod and crank from operating data, and a study of the chain that follows.
 
-use super::exit::{DONE, FAILED, fail, say};
+use super::exit::{DONE, FAILED, fail, files, say};
 use super::progress::Bar;
 use crate::analysis::sizing::run;
 use crate::input::read_sizing;
-use crate::report::{Folder, text, write_sizing};
+use crate::report::{Folder, text, write_folder, write_sizing};
 use crate::validation::rounds::rounds;
 use std::path::{Path, PathBuf};
 
@@ -44,10 +44,13 @@ pub fn size(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&format!("error: {}: {error}", arguments.sizing.display())),
     };
     let published = study.published.as_ref().map_or_else(Vec::new, |p| rounds(&study.specification, &results.sized.rounds, p));
-    if let Err(error) = write_sizing(&study, &results, &published, &folder).and_then(|()| folder.complete()) {
+    let printed = || text::sizing(&study, &results, &published);
+    let written = write_sizing(&study, &results, &published, &folder)
+        .and_then(|()| write_folder(&format!("{}: sections sized", study.title), printed, &folder));
+    if let Err(error) = written.and_then(|()| folder.complete()) {
         return fail(&error);
     }
-    say(&text::sizing(&study, &results, &published));
-    say(&format!("{} files written to {}\n", folder.written(), folder.path().display()));
+    say(&printed());
+    say(&files(&folder));
     if results.sized.last().short_of(&study.specification).is_empty() { DONE } else { FAILED }
 }

@@ -87,7 +87,7 @@ impl Folder {
     /// # Errors
     /// [`WriteError`] where that fails.
     pub(crate) fn summarise(&self, finished: bool, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
-        let mut names = self.written.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let mut names = self.names();
         names.sort();
         names.dedup();
         let mut files = Vec::new();
@@ -118,6 +118,11 @@ impl Folder {
     /// Whether this run has written a file of that name.
     pub(crate) fn has_written(&self, name: &str) -> bool {
         self.written.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|n| n == name)
+    }
+
+    /// Names of what this run has written, in the order of writing.
+    pub(crate) fn names(&self) -> Vec<String> {
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Removes files of an earlier run that this one does not make, so that they are not taken for its own.

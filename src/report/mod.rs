@@ -12,7 +12,7 @@ pub mod text;
 
 pub use files::{Folder, WriteError};
 pub(crate) use journal::Journal;
-pub(crate) use page::{CLASSIFICATION, PAGE};
+pub(crate) use page::{CLASSIFICATION, PAGE, write_folder};
 pub(crate) use summary::about;
 
 /// What an interrupted run leaves of its searches.

@@ -1,7 +1,7 @@
 //! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
 
 use super::figure::{Axis, Curve, Figure, ORDER, Panel, SPEED, curve};
-use crate::analysis::audit::{critical_speeds, largest_resonance};
+use crate::analysis::audit::{critical_speeds, largest_resonance, strongest_orders};
 use crate::drivetrain::System;
 use crate::input::Study;
 use crate::numerics::C64;
@@ -111,12 +111,8 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
     let highest = critical.iter().map(|c| c.mode).max().unwrap_or(1).min(frequencies.len());
     let mode = |(i, f): (usize, &f64)| curve(format!("mode {}", i + 1), [low, high], [*f, *f]);
     let mut curves: Vec<Curve> = frequencies[..highest].iter().enumerate().map(mode).collect();
-    let meets = |n: &usize| largest_resonance(study, system, *n) > 0.0;
-    let mut orders: Vec<usize> = (0..system.orders()).filter(meets).collect();
-    orders.sort_by(|a, b| largest_resonance(study, system, *b).total_cmp(&largest_resonance(study, system, *a)));
-    orders.truncate(MOST_ORDERS);
-    orders.sort_unstable();
-    for order in orders.into_iter().map(|n| system.excitation.orders[n]) {
+    let orders = strongest_orders(study, system, MOST_ORDERS).into_iter().filter(|n| largest_resonance(study, system, *n) > 0.0);
+    for order in orders.map(|n| system.excitation.orders[n]) {
         let end = critical.iter().filter(|c| c.order == order).map(|c| c.speed_rpm).fold(low, f64::max);
         let line = curve(format!("order {order}"), [low, end], [low, end].map(|s| s * order.value() * HZ_PER_RPM));
         curves.push(Curve { order: Some(order), ..line });

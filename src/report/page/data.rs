@@ -1,5 +1,7 @@
 //! What the script of the page draws, as JSON; five significant digits, which is more than a screen shows.
 
+use super::modes;
+use super::numbers::{digits, list};
 use crate::analysis::sweeps::QuantitySweep;
 use crate::analysis::{DesignResult, Results, Sweeps};
 use crate::input::Study;
@@ -13,14 +15,6 @@ pub(super) fn shown(results: &Results) -> Vec<&DesignResult> {
     results.sweeps.iter().filter_map(|s| all().find(|d| d.name == s.design)).collect()
 }
 
-fn digits(x: f64) -> Value {
-    if x.is_finite() { format!("{x:.4e}").parse::<f64>().map_or(Value::Null, Value::from) } else { Value::Null }
-}
-
-fn list(values: &[f64]) -> Value {
-    values.iter().map(|v| digits(*v)).collect()
-}
-
 /// What the script knows a quantity by.
 pub(super) fn key(q: &QuantitySweep) -> String {
     format!("{} {} {}", q.of.name(), q.place, q.condition.name())
@@ -32,8 +26,15 @@ pub(super) fn label(q: &QuantitySweep) -> String {
     format!("{} of {}{condition}", q.of.name(), q.place).replace('_', " ")
 }
 
-fn sweep(s: &Sweeps) -> Value {
+/// What the script knows temperatures by.
+pub(super) const TEMPERATURE: (&str, &str) = ("temperature", "temperature of the absorber reached from cold");
+
+fn sweep(s: &Sweeps, results: &Results) -> Value {
     let mut own = Map::new();
+    if let Some(heat) = results.heat.iter().find(|h| h.design == s.design) {
+        let reached: Value = heat.points.iter().map(|p| p.cold_start().map_or(Value::Null, |b| digits(b.celsius))).collect();
+        own.insert(TEMPERATURE.0.into(), json!({ "total": reached, "orders": [] }));
+    }
     for (i, q) in s.quantities.iter().enumerate() {
         // orders of the twist; of all else what they come to together
         let orders: Value = if i == 0 { q.orders.iter().map(|o| list(&o.amplitude)).collect() } else { json!([]) };
@@ -115,16 +116,19 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
         .min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
     let chosen: Vec<String> = none.into_iter().chain(best.map(|o| o.design.name.clone())).collect();
     let quantities = results.sweeps.iter().max_by_key(|s| s.quantities.len()).map_or(&[][..], |s| &s.quantities);
-    let named = |q: &QuantitySweep| json!({ "name": key(q), "label": format!("{}, {}", label(q), if q.of.unit() == "deg" { "°" } else { q.of.unit() }) });
-    let sweeps: Map<String, Value> = results.sweeps.iter().map(|s| (s.design.clone(), sweep(s))).collect();
+    let unit = |q: &QuantitySweep| if q.of.unit() == "deg" { "°" } else { q.of.unit() };
+    let named = |q: &QuantitySweep| json!({ "name": key(q), "label": label(q), "unit": unit(q) });
+    let temperature = (!results.heat.is_empty()).then(|| json!({ "name": TEMPERATURE.0, "label": TEMPERATURE.1, "unit": "°C" }));
+    let sweeps: Map<String, Value> = results.sweeps.iter().map(|s| (s.design.clone(), sweep(s, results))).collect();
     json!({
         "speeds": list(&study.speeds_rpm),
         "orders": results.system.excitation.orders.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "designs": shown.iter().map(design).collect::<Vec<_>>(),
         "chosen": chosen,
-        "quantities": quantities.iter().map(named).collect::<Vec<_>>(),
+        "quantities": quantities.iter().map(named).chain(temperature).collect::<Vec<_>>(),
         "sweeps": sweeps,
         "margins": margins(study, results),
+        "modes": modes::data(study, results),
         "front": front(study, results),
     })
 }

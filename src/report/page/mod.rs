@@ -2,9 +2,14 @@
 
 mod classification;
 mod data;
+mod folder;
+mod modes;
+mod numbers;
 mod parts;
 
 pub(crate) use classification::{CLASSIFICATION, write as write_classification};
+pub(crate) use folder::write as write_folder;
+pub(crate) use parts::PAGE;
 
 use super::files::{Folder, WriteError};
 use crate::analysis::{DesignResult, OptimumResult, Results, TradeoffResult};
@@ -12,10 +17,7 @@ use crate::input::{FrontSpec, InputFile, Study};
 use crate::report::text::{bounds, dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use parts::{STYLE, conditions, limits, model, parameters, picture, provenance};
-
-/// Its name.
-pub(crate) const PAGE: &str = "report.html";
+use parts::{STYLE, TABLES, conditions, limits, model, parameters, picture, provenance};
 
 const SCRIPT: &str = include_str!("page.js");
 
@@ -46,13 +48,14 @@ fn page(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder)
                 (response(results))
                 (margins(study, results))
                 (limits(study, results))
+                (modes::modes())
                 (certificates(study, results))
                 (conditions(results))
                 (model(study))
                 (plots(study, results, folder))
                 (provenance(study, inputs, results))
                 script type="application/json" id="data" { (PreEscaped(data)) }
-                script { (PreEscaped(SCRIPT)) }
+                script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
             }
         }
     }
@@ -114,7 +117,9 @@ fn designs(study: &Study, results: &Results) -> Markup {
     };
     html! {
         h2 { "Designs" }
-        div class="tools" { label { "Find " input type="search" data-of="designs" aria-label="Find designs"; } span class="soft" { "Ticked designs are drawn below. Values of several absorbers are separated by |." } }
+        div class="tools" { label { "Find " input type="search" data-of="designs" aria-label="Find designs"; }
+            label { input type="checkbox" id="radians"; " radians" }
+            span class="soft" { "Ticked designs are drawn below. Values of several absorbers are separated by |." } }
         div class="scroll" { table id="designs" class="sorts" {
             thead { tr {
                 th { "design" } @for p in &columns { th { (p.label.replace('/', ", ")) } } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
@@ -150,7 +155,7 @@ fn response(results: &Results) -> Markup {
     html! {
         h2 { "Response over speed" }
         div class="tools" {
-            label { "Quantity " select id="quantity" { @for q in quantities { option value=(data::key(q)) { (data::label(q)) } } } }
+            label { "Quantity " select id="quantity" { @for q in quantities { option value=(data::key(q)) { (data::label(q)) } } @if !results.heat.is_empty() { option value=(data::TEMPERATURE.0) { (data::TEMPERATURE.1) } } } }
             label { "Order " select id="order" { option value="all" { "all together" } @for (i, o) in results.system.excitation.orders.iter().enumerate() { option value=(i) { (o) } } } }
             label { input type="checkbox" id="log"; " logarithmic" }
             span class="soft" { "Drag to zoom, double-click or Escape for all; arrow keys read out." }

@@ -1,4 +1,3 @@
-"use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#3a8fc4", "#000000", "#7a3db8"];
 const dashes = ["", "6 3", "2 2", "8 3 2 3"];
@@ -38,7 +37,7 @@ class Chart {
   show(series, vertical) { this.series = series; if (vertical) this.vertical = vertical; this.draw(); }
   // What each curve is; given designs on a front tell their names themselves.
   tellSeries() {
-    this.legend.replaceChildren(...this.series.filter(s => s.line || !s.points).map(s => {
+    this.legend.replaceChildren(...this.series.filter(s => !s.quiet && (s.line || !s.points)).map(s => {
       const item = document.createElement("span"), mark = svg("svg", { viewBox: "0 0 28 8", width: 28, height: 8, "aria-hidden": true }, item);
       svg("line", { x1: 0, x2: 28, y1: 4, y2: 4, stroke: s.colour, "stroke-width": 2.5, "stroke-dasharray": s.dash || "" }, mark);
       item.append(" " + s.name);
@@ -59,13 +58,16 @@ class Chart {
     for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: this.right, y1: this.py(y), y2: this.py(y), stroke: "#e3e7eb" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
     svg("text", { x: (70 + this.right) / 2, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
     svg("text", { x: 14, y: 185, "text-anchor": "middle", transform: "rotate(-90 14 185)" }, this.svg).textContent = this.vertical;
+    if (this.band) { const [a, b] = this.band.map(x => Math.min(this.right, Math.max(70, this.px(x)))); svg("rect", { x: a, width: b - a, y: 20, height: 330, fill: "#0072b2", opacity: 0.07 }, this.svg); }
     const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); svg("rect", { x: 70, y: 10, width: this.right - 70, height: 340 }, clip);
     const inner = svg("g", { "clip-path": "url(#" + this.box.id + "-clip)" }, this.svg);
     for (const s of this.series) {
       if (s.points) { s.x.forEach((x, i) => { const c = svg("circle", { cx: this.px(x), cy: this.py(s.y[i]), r: s.size || 4, fill: s.hollow && s.hollow[i] ? "#fff" : s.colour, stroke: s.colour, "stroke-width": 1.5 }, inner); if (s.click) { c.style.cursor = "pointer"; c.addEventListener("click", () => s.click(i)); } }); if (!s.line) continue; }
       let path = "", pen = false;
       s.x.forEach((x, i) => { const y = s.y[i]; if (y === null || this.log && y <= 0) { pen = false; return; } path += (pen ? "L" : "M") + this.px(x).toFixed(2) + " " + this.py(y).toFixed(2); pen = true; });
-      svg("path", { d: path, fill: "none", stroke: s.colour, "stroke-width": 1.8, "stroke-dasharray": s.dash || "" }, inner);
+      svg("path", { d: path, fill: "none", stroke: s.colour, "stroke-width": s.thin ? 0.8 : 1.8, "stroke-dasharray": s.dash || "" }, inner);
+      const last = s.x.length - 1, ex = this.px(s.x[last]), ey = this.py(s.y[last]);
+      if (s.end && ex > 70 && ex <= this.right + 1 && ey >= 10 && ey <= 351) svg("text", { x: ex + 3, y: ey + 3 }, this.svg).textContent = s.end;
     }
     this.mark = svg("line", { y1: 20, y2: 350, stroke: "#57606a", "stroke-dasharray": "3 3", visibility: "hidden" }, this.svg);
   }
@@ -88,20 +90,24 @@ class Chart {
 
 const response = new Chart("response", "speed, rpm", "");
 const margin = new Chart("margin", "speed, rpm", "safety factor");
+const campbell = new Chart("campbell", "speed, rpm", "frequency, Hz");
+const shape = new Chart("shape", "station", "relative angle");
 const front = new Chart("front", data.front ? data.front.x : "", data.front ? data.front.y : "");
 const by = id => document.getElementById(id);
+// The unit that the reader has chosen in place of one of the tables, and the factor to it.
+const chosenUnit = unit => unit === "°" && by("radians").checked ? ["rad", Math.PI / 180] : [unit, 1];
 
 function showResponse() {
   const quantity = by("quantity").value, order = by("order").value, first = data.quantities[0].name;
   by("order").disabled = quantity !== first;
-  const list = [];
+  const known = data.quantities.find(q => q.name === quantity), [unit, factor] = chosenUnit(known.unit), list = [];
   for (const name of names.filter(n => chosen.has(n))) {
     const own = data.sweeps[name] && data.sweeps[name][quantity];
     if (!own) continue;
     const y = order === "all" || quantity !== first ? own.total : own.orders[Number(order)];
-    list.push({ name, x: data.speeds, y, ...style(name) });
+    list.push({ name, x: data.speeds, y: y.map(v => v === null ? null : v * factor), ...style(name) });
   }
-  const label = data.quantities.find(q => q.name === quantity).label + (order !== "all" && quantity === first ? ", order " + data.orders[Number(order)] : "");
+  const label = known.label + ", " + unit + (order !== "all" && quantity === first ? ", order " + data.orders[Number(order)] : "");
   response.log = by("log").checked;
   response.show(list, label);
 }
@@ -112,14 +118,54 @@ function showMargin() {
 }
 function showFront() {
   if (!front.box) return;
-  const list = data.front.fronts.map((f, i) => ({ name: f.name, x: f.x, y: f.y, points: true, line: true, size: 3, hollow: f.dominated, colour: colours[i % colours.length], dash: dashes[1], tell: k => f.name + ": " + f.told[k], click: k => { by("picked").textContent = f.name + ": " + f.told[k]; } }));
-  for (const d of data.designs.filter(d => d.front)) list.push({ name: d.name, x: [d.front[0]], y: [d.front[1]], points: true, size: chosen.has(d.name) ? 8 : 5, colour: style(d.name).colour, hollow: [!chosen.has(d.name)], tell: () => d.name + ": " + d.told, click: () => toggle(d.name) });
+  const of = data.front.y.match(/, (°)$/), [unit, factor] = chosenUnit(of ? of[1] : ""), to = y => y * factor;
+  front.vertical = of ? data.front.y.slice(0, -1) + unit : data.front.y;
+  const list = data.front.fronts.map((f, i) => ({ name: f.name, x: f.x, y: f.y.map(to), points: true, line: true, size: 3, hollow: f.dominated, colour: colours[i % colours.length], dash: dashes[1], tell: k => f.name + ": " + f.told[k], click: k => { by("picked").textContent = f.name + ": " + f.told[k]; } }));
+  for (const d of data.designs.filter(d => d.front)) list.push({ name: d.name, x: [d.front[0]], y: [to(d.front[1])], points: true, size: chosen.has(d.name) ? 8 : 5, colour: style(d.name).colour, hollow: [!chosen.has(d.name)], tell: () => d.name + ": " + d.told, click: () => toggle(d.name) });
   front.show(list);
+}
+// Order lines, natural frequencies of the chain and of the chosen designs, and where they meet.
+function showCampbell() {
+  const modes = data.modes, low = Math.min(...data.speeds), high = Math.max(...data.speeds), right = 1.03 * high;
+  const reached = Math.max(0, ...modes.orders.map(o => o.hz_per_rpm)) * high;
+  const systems = [{ name: "chain alone", frequencies: modes.chain, colour: "#57606a", dash: "" }];
+  for (const name of names.filter(n => chosen.has(n) && modes.designs[n])) systems.push({ name, frequencies: modes.designs[name], ...style(name) });
+  for (const s of systems) s.frequencies = s.frequencies.filter(f => f <= reached);
+  const top = 1.05 * Math.max(...systems.flatMap(s => s.frequencies), modes.chain[0] || 1), list = [];
+  for (const o of modes.orders) { const end = Math.min(right, top / o.hz_per_rpm); list.push({ name: "order " + o.name, quiet: true, thin: true, end: o.name, x: [0, end], y: [0, end * o.hz_per_rpm], colour: "#8c959f" }); }
+  for (const s of systems) {
+    s.frequencies.forEach((f, i) => list.push({ name: s.name, quiet: i > 0, x: [0, right], y: [f, f], colour: s.colour, dash: s.dash }));
+    const met = modes.orders.flatMap(o => s.frequencies.map((f, mode) => ({ order: o.name, f, mode, speed: f / o.hz_per_rpm }))).filter(m => m.speed >= low && m.speed <= high);
+    list.push({ name: s.name, quiet: true, points: true, size: 4, colour: s.colour, x: met.map(m => m.speed), y: met.map(m => m.f), tell: i => s.name + ": order " + met[i].order + " meets " + short(met[i].f) + " Hz at " + short(met[i].speed) + " rpm", click: i => { if (s === systems[0] && met[i].mode < modes.shapes.length) { by("mode").value = met[i].mode; showShape(); } } });
+  }
+  campbell.band = [low, high];
+  campbell.show(list);
+}
+function showShape() {
+  const mode = data.modes.shapes[Number(by("mode").value)];
+  if (!mode) return;
+  shape.show([{ name: short(mode.hz) + " Hz", points: true, line: data.modes.row, x: mode.angles.map((_, i) => i + 1), y: mode.angles, colour: "#57606a", tell: i => data.modes.stations[i] + ": " + short(mode.angles[i]) }]);
+}
+// Columns of angles in the unit chosen.
+function showUnits() {
+  for (const head of document.querySelectorAll("table.sorts th")) {
+    const button = head.querySelector("button"), own = head.dataset.own || button.textContent, of = own.match(/, (°)$/);
+    if (!of) continue;
+    head.dataset.own = own;
+    const [unit, factor] = chosenUnit(of[1]);
+    button.textContent = own.slice(0, -of[1].length) + unit;
+    for (const row of head.closest("table").tBodies[0].rows) {
+      const cell = row.cells[head.cellIndex];
+      if (cell.dataset.own === undefined) cell.dataset.own = cell.textContent;
+      cell.textContent = factor === 1 ? cell.dataset.own : cell.dataset.own.replace(/[0-9]+(\.[0-9]+)?(e[+-]?[0-9]+)?/g, v => short(Number(v) * factor));
+    }
+  }
+  showResponse(); showFront();
 }
 function showRows() {
   for (const row of document.querySelectorAll("tr[data-design]")) { const on = chosen.has(row.dataset.design); row.classList.toggle("chosen", on); const box = row.querySelector("input"); if (box) box.checked = on; }
 }
-function show() { showRows(); showResponse(); showMargin(); showFront(); }
+function show() { showRows(); showResponse(); showMargin(); showFront(); showCampbell(); }
 function toggle(name) { if (chosen.has(name)) chosen.delete(name); else chosen.add(name); show(); }
 
 for (const row of document.querySelectorAll("tr[data-design]")) {
@@ -128,16 +174,10 @@ for (const row of document.querySelectorAll("tr[data-design]")) {
   row.querySelector(".swatch").style.background = style(row.dataset.design).colour;
   box.addEventListener("change", () => toggle(row.dataset.design));
 }
-for (const table of document.querySelectorAll("table.sorts")) table.querySelectorAll("th").forEach((head, column) => {
-  const button = document.createElement("button"); button.textContent = head.textContent; head.replaceChildren(button);
-  button.addEventListener("click", () => {
-    const down = head.getAttribute("aria-sort") === "ascending", rows = [...table.tBodies[0].rows], key = r => r.cells[column].textContent.trim();
-    table.querySelectorAll("th").forEach(h => h.removeAttribute("aria-sort")); head.setAttribute("aria-sort", down ? "descending" : "ascending");
-    rows.sort((a, b) => { const x = parseFloat(key(a)), y = parseFloat(key(b)), c = isNaN(x) || isNaN(y) ? (isNaN(x) ? 1 : 0) - (isNaN(y) ? 1 : 0) || key(a).localeCompare(key(b)) : x - y; return down ? -c : c; });
-    table.tBodies[0].append(...rows);
-  });
-});
-for (const filter of document.querySelectorAll("input[type=search]")) filter.addEventListener("input", () => { for (const row of document.getElementById(filter.dataset.of).tBodies[0].rows) row.hidden = !row.textContent.toLowerCase().includes(filter.value.toLowerCase()); });
 for (const id of ["quantity", "order", "log"]) by(id).addEventListener("change", showResponse);
+by("radians").addEventListener("change", showUnits);
+data.modes.shapes.forEach((s, i) => { const o = document.createElement("option"); o.value = i; o.textContent = (i + 1) + ": " + short(s.hz) + " Hz"; by("mode").append(o); });
+by("mode").addEventListener("change", showShape);
 if (by("criterion")) by("criterion").addEventListener("change", showMargin);
 show();
+showShape();

@@ -11,8 +11,14 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 
+/// Name of the page of a folder.
+pub(crate) const PAGE: &str = "report.html";
+
 /// How pages look.
 pub(super) const STYLE: &str = include_str!("page.css");
+
+/// Tables that sort and filter.
+pub(super) const TABLES: &str = include_str!("tables.js");
 
 /// Parameters that some design has, each once.
 pub(super) fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {

@@ -3,7 +3,7 @@
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
-use crate::analysis::audit::largest_resonance;
+use crate::analysis::audit::strongest_orders;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
@@ -11,15 +11,11 @@ use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 
 /// Order lines drawn: those with the largest resonances in the range.
-const MOST_ORDERS: usize = 12;
+pub(crate) const MOST_ORDERS: usize = 12;
 
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let all = &results.system.excitation.orders;
-    let mut chosen: Vec<usize> = (0..all.len()).collect();
-    chosen.sort_by(|a, b| largest_resonance(study, &results.system, *b).total_cmp(&largest_resonance(study, &results.system, *a)));
-    chosen.truncate(MOST_ORDERS);
-    chosen.sort_unstable();
-    let orders: Vec<Order> = chosen.iter().map(|n| all[*n]).collect();
+    let chosen = strongest_orders(study, &results.system, MOST_ORDERS);
+    let orders: Vec<Order> = chosen.iter().map(|n| results.system.excitation.orders[*n]).collect();
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let right = canvas::round_up(1.02 * high).min(1.15 * high);
     let own = study.modes.frequencies_hz();

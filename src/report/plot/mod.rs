@@ -1,6 +1,6 @@
 //! Plots as SVG, with PNG beside it.
 
-mod campbell;
+pub(crate) mod campbell;
 mod canvas;
 pub mod chart;
 pub mod comparison;

@@ -12,6 +12,33 @@ use crate::benchmark::model_accuracy::ModelError;
 use crate::benchmark::savings::Savings;
 use crate::benchmark::speed_accuracy::{Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
+use crate::benchmark::{Chart, Common};
+
+/// All that is measured on a study.
+pub(crate) fn of_study(chart: &Chart) -> String {
+    let engine = &chart.study.engine.name;
+    let mut parts = Vec::new();
+    if chart.methods.probes.is_empty() {
+        parts.push(format!("{engine}: no design with one absorber to probe\n"));
+    } else {
+        let names: Vec<&str> = chart.methods.probes.iter().map(|p| p.0.as_str()).collect();
+        parts.push(format!("{engine}: peak twist of {} probe designs ({})\n", names.len(), names.join(", ")));
+        parts.push(methods(&chart.methods));
+        parts.push(ways(&chart.methods));
+    }
+    parts.extend(chart.savings.as_ref().map(savings));
+    parts.extend((!chart.margins.is_empty()).then(|| margins(&chart.margins)));
+    parts.extend((!chart.laws.is_empty()).then(|| laws(&chart.laws)));
+    parts.extend((!chart.fronts.is_empty()).then(|| fronts(&chart.fronts)));
+    parts.extend((!chart.models.is_empty()).then(|| models("What a simpler model costs, error of the peak:", &chart.models)));
+    parts.join("\n")
+}
+
+/// What is the same for all studies.
+pub(crate) fn common(common: &Common) -> String {
+    let grid = models("Without refinement a grid misses the peak of one mode, share:", std::slice::from_ref(&common.grid));
+    [growth(&common.growth), energy(&common.energy), grid, stability(&common.map)].join("\n")
+}
 
 fn duration(seconds: f64) -> String {
     if seconds < 1e-3 { format!("{:.1} µs", 1e6 * seconds) } else { format!("{:.2} ms", 1e3 * seconds) }

@@ -1,0 +1,39 @@
+//! Natural frequencies over speed and the shapes of the modes.
+
+use super::numbers::{digits, list};
+use crate::analysis::Results;
+use crate::analysis::audit::strongest_orders;
+use crate::analysis::curves::holzer;
+use crate::input::Study;
+use crate::report::plot::campbell::MOST_ORDERS;
+use crate::units::HZ_PER_RPM;
+use maud::{Markup, html};
+use serde_json::{Map, Value, json};
+
+/// Both views.
+pub(super) fn modes() -> Markup {
+    html! {
+        h2 { "Natural frequencies and mode shapes" }
+        p class="soft" { "Orders of the engine that meet a natural frequency excite it. Grey: the chain without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
+        div id="campbell" {}
+        div class="tools" { label { "Mode of the chain " select id="mode" {} } }
+        div id="shape" {}
+    }
+}
+
+/// What the script draws: order lines, frequencies of the chain and of each design, and the first shapes of the chain.
+pub(super) fn data(study: &Study, results: &Results) -> Value {
+    let orders = strongest_orders(study, &results.system, MOST_ORDERS).into_iter().map(|n| results.system.excitation.orders[n]);
+    let orders: Vec<Value> = orders.map(|o| json!({ "name": o.to_string(), "hz_per_rpm": o.value() * HZ_PER_RPM })).collect();
+    let designs = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).filter(|d| !d.absorbers.is_empty());
+    let designs: Map<String, Value> = designs.map(|d| (d.name.clone(), list(&d.frequencies_hz))).collect();
+    let rows = holzer(study);
+    let shape = |mode: usize| {
+        let own = || rows.iter().filter(|r| r.mode == mode);
+        let hz = own().next().map_or(Value::Null, |r| digits(r.frequency_hz));
+        json!({ "hz": hz, "angles": own().map(|r| digits(r.angle)).collect::<Vec<_>>() })
+    };
+    let shapes: Vec<Value> = (1..=rows.iter().map(|r| r.mode).max().unwrap_or(0)).map(shape).collect();
+    let stations: Vec<&str> = study.chain.stations.iter().map(|s| s.name.as_str()).collect();
+    json!({ "orders": orders, "chain": list(&study.modes.frequencies_hz()), "designs": designs, "shapes": shapes, "stations": stations, "row": study.chain.is_row() })
+}

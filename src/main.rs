@@ -1,7 +1,8 @@
 //! The `hartog` command.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, keys, new, report, run, size};
+use hartog::cli::{chart, check, compare, curves, fatigue, import, keys, new, report, run, shell, size};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Designs torsional vibration absorbers for engine crankshafts.
@@ -26,6 +27,8 @@ enum Command {
     Run(run::Arguments),
     /// Write a commented study and engine to begin with, which run at once.
     New(new::Arguments),
+    /// Write a study and engine round a chain of one's own: a mass-elastic table or an assembly of openTorsion.
+    Import(import::Arguments),
     /// Tell what may stand in files: every key with its unit, range, default and an example; or a JSON Schema for editors.
     Keys(keys::Arguments),
     /// Check a study and print the model it describes: chain, modes, pressure, what would be computed.
@@ -47,6 +50,11 @@ enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
+    /// Write a manual page of every command.
+    Man {
+        /// Folder for the pages.
+        folder: PathBuf,
+    },
 }
 
 fn main() -> ExitCode {
@@ -55,7 +63,9 @@ fn main() -> ExitCode {
     ExitCode::from(match cli.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Completions { shell } => new::completions(shell, &mut Cli::command()),
+        Command::Completions { shell } => shell::completions(shell, &mut Cli::command()),
+        Command::Man { folder } => shell::manual(&folder, &mut Cli::command()),
+        Command::Import(arguments) => import::import(&arguments),
         Command::Keys(arguments) => keys::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),

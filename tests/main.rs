@@ -21,6 +21,7 @@ mod forces;
 mod generated;
 mod grammar;
 mod hostile;
+mod import;
 mod in_operation;
 mod keys;
 mod large_twist;

@@ -52,3 +52,15 @@ fn shells_complete_commands() {
     let text = String::from_utf8_lossy(&printed.get_output().stdout).into_owned();
     assert!(["run", "check", "new", "chart"].iter().all(|c| text.contains(c)) && text.contains("--resume"));
 }
+
+/// A manual page of the program and of each command, with the options of it.
+#[test]
+fn every_command_has_a_page_of_the_manual() {
+    let folder = tempfile::tempdir().expect("a folder");
+    hartog(&["man", &folder.path().to_string_lossy()]).success();
+    for command in ["run", "check", "new", "import", "chart", "compare", "report"] {
+        let page = std::fs::read_to_string(folder.path().join(format!("hartog-{command}.1"))).expect("a page");
+        assert!(page.contains(".SH SYNOPSIS") && page.contains(".SH DESCRIPTION"), "{command}");
+    }
+    assert!(folder.path().join("hartog.1").exists());
+}

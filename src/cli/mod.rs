@@ -5,11 +5,13 @@ pub mod compare;
 pub mod curves;
 pub mod exit;
 pub mod fatigue;
+pub mod import;
 pub mod keys;
 pub mod new;
 pub mod progress;
 pub mod report;
 pub mod run;
+pub mod shell;
 pub mod size;
 mod watched;
 

@@ -1,9 +1,9 @@
 //! `hartog new`: a study and an engine to begin with.
 
-use super::exit::{BAD_INPUT, DONE, fail, say};
+use super::exit::{DONE, fail, say};
 use crate::report::Folder;
 use crate::report::example::{Arrangement, Example, Gas};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// How cylinders stand.
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
@@ -12,6 +12,15 @@ pub enum Engine {
     InLine,
     /// In two banks, two on a throw.
     V,
+}
+
+impl Engine {
+    pub(super) fn arrangement(self) -> Arrangement {
+        match self {
+            Self::InLine => Arrangement::InLine,
+            Self::V => Arrangement::V,
+        }
+    }
 }
 
 /// What is known of the gas.
@@ -25,6 +34,17 @@ pub enum Pressure {
     Measured,
     /// Harmonics of the torque of a throw, with a sample table.
     Harmonics,
+}
+
+impl Pressure {
+    pub(super) fn gas(self) -> Gas {
+        match self {
+            Self::Wiebe => Gas::Wiebe,
+            Self::Otto => Gas::Otto,
+            Self::Measured => Gas::Measured,
+            Self::Harmonics => Gas::Harmonics,
+        }
+    }
 }
 
 /// Arguments of `new`.
@@ -46,47 +66,32 @@ pub struct Arguments {
 
 /// Writes a commented study and engine that run at once.
 pub fn new(arguments: &Arguments) -> u8 {
-    let arrangement = match arguments.engine {
-        Engine::InLine => Arrangement::InLine,
-        Engine::V => Arrangement::V,
-    };
+    let arrangement = arguments.engine.arrangement();
     let cylinders = usize::from(arguments.cylinders);
     if arrangement == Arrangement::V && !cylinders.is_multiple_of(2) {
         return fail(&format!("error: found {cylinders} cylinders of a V engine, expected an even number: two are on a throw"));
     }
-    let gas = match arguments.pressure {
-        Pressure::Wiebe => Gas::Wiebe,
-        Pressure::Otto => Gas::Otto,
-        Pressure::Measured => Gas::Measured,
-        Pressure::Harmonics => Gas::Harmonics,
-    };
-    let files = Example { arrangement, cylinders, gas }.files();
-    if let Some(there) = files.iter().map(|f| arguments.folder.join(f.0)).find(|path| path.exists()) {
-        return fail(&format!("error: {} is there already, and would be lost; name another folder", there.display()));
-    }
-    let written =
-        Folder::create(&arguments.folder).and_then(|folder| files.iter().try_for_each(|(name, text)| folder.write(name, text.as_bytes())));
-    if let Err(error) = written {
-        return fail(&error);
-    }
-    let names: Vec<&str> = files.iter().map(|f| f.0).collect();
-    let folder = arguments.folder.display();
-    say(&format!(
-        "{} written to {folder}: every value is an example. Replace them, look at what they mean with\n  hartog check {folder}/study.toml\nand run with\n  hartog run {folder}/study.toml\n",
-        names.join(", ")
-    ));
-    DONE
-}
-
-/// Prints what a shell needs to complete commands and options.
-pub fn completions(shell: clap_complete::Shell, command: &mut clap::Command) -> u8 {
-    let mut text = Vec::new();
-    clap_complete::generate(shell, command, "hartog", &mut text);
-    match String::from_utf8(text) {
-        Ok(text) => {
-            super::exit::say_raw(&text);
+    let example = Example { arrangement, cylinders, gas: arguments.pressure.gas(), chain: None, traces: None };
+    match write(&example, &arguments.folder) {
+        Ok(names) => {
+            let folder = arguments.folder.display();
+            say(&format!(
+                "{names} written to {folder}: every value is an example. Replace them, look at what they mean with\n  hartog check {folder}/study.toml\nand run with\n  hartog run {folder}/study.toml\n"
+            ));
             DONE
         }
-        Err(_) => BAD_INPUT,
+        Err(code) => code,
     }
+}
+
+/// Writes an example where none of its files is there already, and tells their names.
+pub(super) fn write(example: &Example, folder: &Path) -> Result<String, u8> {
+    let files = example.files();
+    if let Some(there) = files.iter().map(|f| folder.join(f.0)).find(|path| path.exists()) {
+        return Err(fail(&format!("error: {} is there already, and would be lost; name another folder", there.display())));
+    }
+    let written = Folder::create(folder).and_then(|folder| files.iter().try_for_each(|(name, text)| folder.write(name, text.as_bytes())));
+    written.map_err(|error| fail(&error))?;
+    let names: Vec<&str> = files.iter().map(|f| f.0).collect();
+    Ok(names.join(", "))
 }

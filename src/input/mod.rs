@@ -4,6 +4,7 @@ mod at;
 pub mod error;
 mod excerpt;
 mod files;
+pub(crate) mod import;
 pub mod keys;
 pub mod measure;
 pub mod published;
@@ -13,6 +14,7 @@ mod validation;
 
 pub use error::InputError;
 pub(crate) use files::{InputFile, noted};
+pub(crate) use import::{FoundChain, FoundStation, FoundTraces};
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;

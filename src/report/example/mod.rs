@@ -1,5 +1,9 @@
 //! A study and an engine to begin with: every value is an example, to be replaced by those of an own engine.
 
+mod stations;
+
+use crate::input::{FoundChain, FoundStation, FoundTraces};
+use stations::PULLEY;
 use std::fmt::Write;
 
 /// How cylinders stand.
@@ -19,11 +23,15 @@ pub(crate) enum Gas {
 }
 
 /// What an example is of.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Example {
     pub arrangement: Arrangement,
     pub cylinders: usize,
     pub gas: Gas,
+    /// A chain of one's own in place of that of the example.
+    pub chain: Option<FoundChain>,
+    /// Pressures of one's own in place of those of the example.
+    pub traces: Option<FoundTraces>,
 }
 
 /// Name and text of each file.
@@ -38,9 +46,6 @@ const RATIO: f64 = 16.0;
 const EXPONENT: f64 = 1.33;
 const INTAKE: f64 = 1.5;
 const RISE: f64 = 1.6;
-/// Inertia of a throw and of the pulley, kg m².
-const THROW: f64 = 0.02;
-const PULLEY: f64 = 0.01;
 
 /// Firing order of cylinders (or throws) in line.
 fn order(count: usize) -> Vec<usize> {
@@ -59,7 +64,7 @@ impl Example {
     pub fn files(&self) -> Files {
         let mut files = vec![("study.toml", self.study()), ("engine.toml", self.engine())];
         match self.gas {
-            Gas::Measured => files.push(("pressure.csv", pressure())),
+            Gas::Measured => files.push(("pressure.csv", self.traces.as_ref().map_or_else(pressure, measured))),
             Gas::Harmonics => files.push(("harmonics.csv", harmonics())),
             Gas::Wiebe | Gas::Otto => {}
         }
@@ -72,18 +77,31 @@ impl Example {
 
     /// A ring of three times the pulley, tuned low as optima of such engines are.
     fn study(&self) -> String {
-        let ring = 3.0 * PULLEY;
+        let hub = self.chain.as_ref().map_or(PULLEY, |c| c.stations[0].inertia);
+        let ring = 3.0 * hub;
+        // several traces say where the pressure is known
+        let speeds = self.traces.iter().flat_map(|t| &t.traces).map(|t| t.0);
+        let (low, high) = match &self.traces {
+            Some(t) if t.traces.len() > 1 => (speeds.clone().fold(f64::INFINITY, f64::min), speeds.fold(0.0, f64::max)),
+            _ => (800.0, 4000.0),
+        };
         let values = [
-            ("@HIGH@", 4000.0),
+            ("@LOW@", low),
+            ("@HIGH@", high),
             ("@RING@", ring),
             ("@LEAST_RING@", ring / 5.0),
             ("@MOST_RING@", 3.0 * ring),
-            ("@STIFFNESS@", 3e4),
-            ("@DAMPING@", 10.0),
+            ("@STIFFNESS@", 1e6 * ring),
+            ("@DAMPING@", ring / 3e-3),
         ];
-        values.iter().fold(include_str!("study.toml").to_owned(), |text, (key, value)| {
+        let text = values.iter().fold(include_str!("study.toml").to_owned(), |text, (key, value)| {
             text.replace(key, &format!("{}", (value * 1e6f64).round() / 1e6))
-        })
+        });
+        let (first, last) = self
+            .chain
+            .as_ref()
+            .map_or(("pulley".into(), "flywheel".into()), |c| (c.stations[0].name.clone(), c.stations[c.stations.len() - 1].name.clone()));
+        text.replace("@FIRST@", &stations::quoted(&first)).replace("@LAST@", &stations::quoted(&last))
     }
 
     fn layout(&self) -> String {
@@ -129,20 +147,23 @@ impl Example {
             "# An engine with its torsional chain. Every value is an example: replace it by your own; `hartog keys` tells of all keys.\nname = \"own engine\"\nstrokes = 4\n",
         );
         if self.gas != Gas::Harmonics {
-            text += "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n";
+            text += match self.chain {
+                None => "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n",
+                Some(_) => "reciprocating_inertia = \"none\"   # the inertias below hold all; \"mean\": they hold rotating parts only\n",
+            };
             text += &geometry;
         }
         let _ = write!(text, "\n{}\n{gas}", self.layout());
-        text += "\n# [damping]                      # of the whole chain, instead of damping_to_ground below\n# fraction_of_critical = 0.02    # of the first mode\n";
-        text += "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next. A table does as well:\n# chain.file = \"chain.csv\"       # station, inertia_kg_m2, stiffness_to_next_n_m_per_rad, throws\n[[station]]\nname = \"pulley\"\n";
-        let _ = write!(text, "inertia_kg_m2 = {PULLEY}\nstiffness_to_next_n_m_per_rad = 3e5\n");
-        for t in 1..=self.throws() {
-            let _ = write!(
-                text,
-                "\n[[station]]\nname = \"throw_{t}\"\nthrows = [{t}]\ninertia_kg_m2 = {THROW}\nstiffness_to_next_n_m_per_rad = 9e5\ndamping_to_ground_n_m_s_per_rad = 2      # assumption\n"
-            );
-        }
-        text + "\n[[station]]                      # the last one\nname = \"flywheel\"\ninertia_kg_m2 = 0.9\n"
+        let damps = |s: &FoundStation| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0;
+        text += match &self.chain {
+            Some(chain) if !chain.stations.iter().any(damps) => {
+                "\n[damping]                        # of the whole chain: an assumption, as what was imported says nothing of it\nfraction_of_critical = 0.02      # of the first mode\n"
+            }
+            _ => {
+                "\n# [damping]                      # of the whole chain, instead of that of the stations below\n# fraction_of_critical = 0.02    # of the first mode\n"
+            }
+        };
+        text + &self.chain.as_ref().map_or_else(|| stations::sample(self.throws()), stations::found)
     }
 }
 
@@ -167,6 +188,17 @@ fn pressure() -> String {
             _ => closed,
         };
         let _ = writeln!(text, "{deg},{:.4},{:.4}", burnt(RISE), burnt(0.9 * RISE));
+    }
+    text
+}
+
+/// Traces as they were imported.
+fn measured(found: &FoundTraces) -> String {
+    let heads: Vec<String> = found.traces.iter().map(|t| format!("{}_rpm_bar", t.0)).collect();
+    let mut text = format!("crank_deg,{}\n", heads.join(","));
+    for (i, angle) in found.angles.iter().enumerate() {
+        let cells: Vec<String> = found.traces.iter().map(|t| t.1[i].to_string()).collect();
+        let _ = writeln!(text, "{angle},{}", cells.join(","));
     }
     text
 }

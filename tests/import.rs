@@ -1,0 +1,160 @@
+//! Chains and pressures of other programs: what `hartog import` writes is read, and is the chain that was given.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::Path;
+
+fn import(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("hartog").expect("built").current_dir(folder).arg("import").args(arguments).assert()
+}
+
+fn refused(folder: &Path, arguments: &[&str]) -> String {
+    String::from_utf8_lossy(&import(folder, arguments).code(2).get_output().stderr).into_owned()
+}
+
+/// One chain as a spreadsheet of two countries saves it, with units of two sizes and our own columns: each is the same chain, with the same frequencies.
+#[test]
+fn a_table_is_read_as_it_was_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = [
+        (
+            "semicolons.csv",
+            "No;Mass;Inertia [kg m²];Stiffness to next [MNm/rad]\n1;hub;0,0062;0,062\n2;throw 1;0,0081;0,41\n3;wheel;0,315;\n",
+        ),
+        ("tabs.csv", "Station\tJ (kg cm2)\tk (kN m/rad)\nhub\t62\t62\nthrow 1\t81\t410\nwheel\t3150\t-\n"),
+        (
+            "own.csv",
+            "station,inertia_kg_m2,stiffness_to_next_n_m_per_rad,throws\nhub,0.0062,62000,\nthrow 1,0.0081,410000,1\nwheel,0.315,,\n",
+        ),
+    ];
+    let mut found = Vec::new();
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("written");
+        let own = format!("{name}_study");
+        let throws: &[&str] = if name == "own.csv" { &[] } else { &["--throws", "throw 1"] };
+        import(folder.path(), &[&[name, &own], throws].concat()).success();
+        let study = hartog::input::read(&folder.path().join(own).join("study.toml")).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let stations: Vec<(String, usize)> = study.chain.stations.iter().map(|s| (s.name.clone(), s.throws.len())).collect();
+        assert_eq!(stations, [("hub".to_owned(), 0), ("throw 1".into(), 1), ("wheel".into(), 0)], "{name}");
+        found.push(study.modes.frequencies_hz());
+    }
+    for (a, b) in found.iter().flatten().zip(found[2].iter().cycle()) {
+        assert!((a / b - 1.0).abs() < 1e-12, "{found:?}");
+    }
+}
+
+/// Three disks of openTorsion against the roots of their characteristic equation, omega⁴ - omega² (k1/J1 + (k1 + k2)/J2 + k2/J3) + k1 k2 (J1 + J2 + J3)/(J1 J2 J3) = 0;
+/// a shaft of two halves in series is the same shaft; a continuous shaft is G I/L with half its inertia at each end.
+#[test]
+fn an_assembly_of_opentorsion_keeps_its_frequencies() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let disk = |name: &str, inertia: f64| {
+        format!("{{\"name\":\"{name}\",\"elements\":[{{\"name\":\"d\",\"type\":\"Disk\",\"inertia\":{inertia},\"damping\":0}}]}}")
+    };
+    let shaft = |name: &str, stiffness: f64| {
+        format!(
+            "{{\"name\":\"{name}\",\"elements\":[{{\"name\":\"s\",\"type\":\"ShaftDiscrete\",\"stiffness\":{stiffness},\"damping\":0}}]}}"
+        )
+    };
+    let joined = |names: &[&str]| names.windows(2).map(|p| format!("[\"{}.x\",\"{}.x\"]", p[0], p[1])).collect::<Vec<_>>().join(",");
+    let (j, k) = ([8.35e6, 4.03e3, 8.38e4], [2.1e8, 4.49e9]);
+    let names = ["Turbine", "Half", "Other half", "Coupling", "Shaft", "Rotor"];
+    let parts = [
+        disk(names[0], j[0]),
+        shaft(names[1], 2.0 * k[0]),
+        shaft(names[2], 2.0 * k[0]),
+        disk(names[3], j[1]),
+        shaft(names[4], k[1]),
+        disk(names[5], j[2]),
+    ];
+    let text = format!("{{\"components\":[{}],\"structure\":[{}]}}", parts.join(","), joined(&names));
+    fs::write(folder.path().join("three.json"), text).expect("written");
+    import(folder.path(), &["three.json", "three", "--throws", "Coupling"]).success();
+    let study = hartog::input::read(&folder.path().join("three/study.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let sum = k[0] / j[0] + (k[0] + k[1]) / j[1] + k[1] / j[2];
+    let product = k[0] * k[1] * j.iter().sum::<f64>() / j.iter().product::<f64>();
+    let root = (sum * sum / 4.0 - product).sqrt();
+    let squares = [product / (sum / 2.0 + root), sum / 2.0 + root];
+    for (f, square) in study.modes.frequencies_hz().iter().zip(squares) {
+        let expected = f64::sqrt(square) / std::f64::consts::TAU;
+        assert!((f / expected - 1.0).abs() < 1e-9, "{f} {expected}");
+    }
+    let continuous = "{\"name\":\"Shaft\",\"elements\":[{\"type\":\"ShaftContinuous\",\"length\":500,\"innerDiameter\":0,\"outerDiameter\":60,\"damping\":0}]}";
+    let text =
+        format!("{{\"components\":[{},{continuous},{}],\"structure\":[{}]}}", disk("A", 0.1), disk("B", 0.2), joined(&["A", "Shaft", "B"]));
+    fs::write(folder.path().join("shaft.json"), text).expect("written");
+    import(folder.path(), &["shaft.json", "shaft", "--throws", "A"]).success();
+    let study = hartog::input::read(&folder.path().join("shaft/study.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let polar = std::f64::consts::PI / 32.0 * 0.06f64.powi(4);
+    let (stiffness, inertia) = (80e9 * polar / 0.5, 8000.0 * polar * 0.5);
+    let stations = &study.chain.stations;
+    assert!((stations[0].stiffness_to_next / stiffness - 1.0).abs() < 1e-12);
+    assert!(
+        (stations[0].inertia / (0.1 + inertia / 2.0) - 1.0).abs() < 1e-12
+            && (stations[1].inertia / (0.2 + inertia / 2.0) - 1.0).abs() < 1e-12
+    );
+}
+
+/// Traces of two speeds, in megapascal from -360 degrees, are the engine's pressure in bar.
+#[test]
+fn traces_are_taken_with_their_units() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(
+        folder.path().join("chain.csv"),
+        "Mass,Inertia [kg m2],Stiffness to next [N m/rad]\nhub,0.01,3e5\nthrow,0.02,9e5\nwheel,0.9,\n",
+    )
+    .expect("written");
+    for (name, scale) in [("slow.csv", 1.0), ("fast.csv", 1.2)] {
+        let peak = |deg: f64| 0.12 + scale * 8.0 * (-(deg / 40.0) * (deg / 40.0)).exp();
+        let rows: String = (-360..360).map(|d| format!("{d};{:.5}\n", peak(f64::from(d)))).collect();
+        fs::write(folder.path().join(name), format!("CA [deg];p cyl [MPa]\n{rows}")).expect("written");
+    }
+    import(folder.path(), &["chain.csv", "own", "--throws", "throw", "--trace", "1000=slow.csv", "--trace", "3000=fast.csv"]).success();
+    let mut check = Command::cargo_bin("hartog").expect("built");
+    let check = check.current_dir(folder.path()).args(["check", "own/study.toml"]).assert().success();
+    let text = String::from_utf8_lossy(&check.get_output().stdout).into_owned();
+    assert!(text.contains("measured, 2 speeds") && text.contains("81.2") && text.contains("97.2"), "{text}");
+}
+
+/// What is not understood is named, with what was expected; nothing is written.
+#[test]
+fn what_is_not_understood_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = folder.path();
+    let good = "Mass,Inertia [kg m2],Stiffness to next [N m/rad]\nhub,0.01,3e5\nthrow,0.02,9e5\nwheel,0.9,\n";
+    fs::write(place.join("good.csv"), good).expect("written");
+    let gear =
+        "{\"components\":[{\"name\":\"A\",\"elements\":[{\"type\":\"Disk\",\"inertia\":1},{\"type\":\"GearElement\",\"inertia\":1}]}]}";
+    let ring = "{\"components\":[{\"name\":\"A\",\"elements\":[]},{\"name\":\"B\",\"elements\":[]}],\"structure\":[[\"A.x\",\"B.x\"],[\"B.x\",\"A.x\"]]}";
+    let tables = [
+        ("no_unit.csv", good.replace(" [kg m2]", ""), "found no unit, expected one in the header, such as `Inertia [kg m2]`"),
+        ("foot.csv", good.replace("[kg m2]", "[lb ft2]"), "found the unit `lb ft2`, expected one of kgm2"),
+        ("milli.csv", good.replace("[N m/rad]", "[mN m/rad]"), "found the unit `mN m/rad`"),
+        ("no_inertia.csv", good.replace("Inertia [kg m2]", "Weight [kg]"), "expected one like `Inertia [kg m2]`"),
+        ("twice.csv", good.replace("throw,", "hub,"), "found station `hub` a second time"),
+        ("massless.csv", good.replace("0.02", "0"), "expected an inertia above zero"),
+        ("thousands.csv", good.replace("3e5", "\"300,000\""), "expected a number with one decimal point"),
+        ("hole.csv", good.replace("9e5", ""), "found no stiffness from `throw` to the next station"),
+        ("behind.csv", good.replace("0.9,", "0.9,5"), "found a stiffness behind the last station"),
+        ("empty.csv", String::new(), "expected one like `Station` among them"),
+        ("gear.json", gear.into(), "found the gear `A`"),
+        ("ring.json", ring.into(), "found components in a ring"),
+        ("half.json", "{\"components\":[".into(), "found no assembly of openTorsion"),
+    ];
+    for (name, text, words) in tables {
+        fs::write(place.join(name), text).expect("written");
+        let told = refused(place, &[name, "own", "--throws", "throw"]);
+        assert!(told.contains(words), "{name}: {told}");
+    }
+    for (arguments, words) in [
+        (vec!["good.csv", "own"], "found no station with a throw, expected --throws with some of `hub`, `throw`, `wheel`"),
+        (vec!["good.csv", "own", "--throws", "crank"], "found `crank` in --throws"),
+        (vec!["good.csv", "own", "--throws", "throw", "--trace", "fast=good.csv"], "expected a speed in rpm and a file"),
+        (vec!["good.csv", "own", "--throws", "throw", "--trace", "2000=good.csv"], "expected one like `Angle [deg]` among them"),
+        (vec!["good.csv", "own", "--throws", "throw", "--trace", "2000=nowhere.csv"], "nowhere.csv"),
+    ] {
+        let told = refused(place, &arguments);
+        assert!(told.contains(words), "{arguments:?}: {told}");
+    }
+    assert!(!place.join("own").exists(), "something was written");
+}

@@ -2,6 +2,7 @@
 
 use super::DesignResult;
 use super::in_operation::{AtSpeed, Balance, Follower, Rule};
+use crate::absorber::Mounted;
 use crate::input::Study;
 use crate::objective::PeakFinder;
 use crate::response::{ResponseError, Work};
@@ -49,15 +50,24 @@ pub(crate) fn heat<'d>(
     finder: &PeakFinder,
     shown: &[&'d DesignResult],
 ) -> Result<Vec<HeatOfDesign>, (&'d DesignResult, ResponseError)> {
-    let one = |d: &&'d DesignResult| {
-        let of = Follower::of(&d.absorbers, |m| m.thermal.is_some())?;
-        let limit = of.law.material()?.thermal?.cooling.limit;
-        let at = |speed: &f64| at(study, finder, &of, limit, *speed);
-        let points = finder.grid.speed_rpm.par_iter().map(at).collect::<Result<_, _>>();
-        let found = points.map(|points| HeatOfDesign { design: d.name.clone(), absorber: of.index, limit, points });
-        Some(found.map_err(|error| (*d, error)))
-    };
+    let one = |d: &&'d DesignResult| of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
     shown.iter().filter_map(one).collect()
+}
+
+/// A design, where one of its absorbers says what cools it.
+///
+/// # Errors
+/// As [`heat`].
+pub(crate) fn of_design(
+    study: &Study,
+    finder: &PeakFinder,
+    (name, design): (&str, &[Mounted]),
+) -> Result<Option<HeatOfDesign>, ResponseError> {
+    let Some(of) = Follower::of(design, |m| m.thermal.is_some()) else { return Ok(None) };
+    let Some(limit) = of.law.material().and_then(|m| m.thermal).map(|t| t.cooling.limit) else { return Ok(None) };
+    let at = |speed: &f64| at(study, finder, &of, limit, *speed);
+    let points = finder.grid.speed_rpm.par_iter().map(at).collect::<Result<_, _>>()?;
+    Ok(Some(HeatOfDesign { design: name.to_owned(), absorber: of.index, limit, points }))
 }
 
 fn at(study: &Study, finder: &PeakFinder, of: &Follower, limit: f64, speed_rpm: f64) -> Result<HeatAt, ResponseError> {

@@ -15,7 +15,7 @@ pub mod diagram;
 mod duty;
 pub mod evaluate;
 pub mod families;
-mod heat;
+pub(crate) mod heat;
 pub(crate) mod in_operation;
 pub(crate) mod large_twist;
 mod large_twist_measures;

@@ -3,11 +3,12 @@
 use crate::absorber::closed_forms::{EngineMode, h_infinity_ring};
 use crate::absorber::{Absorber, Declaration, HARDENING, Mounted, Operating, TYPES, Tuned};
 use crate::analysis::timing::{Repeats, median_seconds};
-use crate::analysis::{RunError, audit, families, large_twist};
+use crate::analysis::{RunError, audit, families, heat::of_design as heat, large_twist};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::Study;
+use crate::input::{OptimiseSpec, Study};
 use crate::objective::{Measure, Over, PeakFinder};
+use crate::optimise::starts::starts;
 use crate::response::{Grid, Method, Quantity, Receptance, Work};
 
 /// A type, started by its last closed form on the first mode.
@@ -25,7 +26,7 @@ pub struct LawCost {
 
 const REPEATS: Repeats = Repeats { least: 3, most: 31, seconds: 0.1 };
 
-/// Of every type that is no spring and damper, with the ring of the study; nothing where it optimises no synthesised quantity.
+/// Of every type that is no spring and damper, with the ring of the study, and what stiffening springs and heat cost; nothing where it optimises no synthesised quantity.
 ///
 /// # Errors
 /// [`RunError`] where a design has no finite peak.
@@ -53,6 +54,7 @@ pub fn measure(study: &Study) -> Result<Vec<LawCost>, RunError> {
     }
     if study.twist == quantity {
         list.extend(balanced(study, &finder, (spec.station(0), ring), mode)?);
+        list.extend(heated(study, spec, &finder, &modes)?);
     }
     Ok(list)
 }
@@ -71,6 +73,23 @@ fn balanced(study: &Study, finder: &PeakFinder, (station, ring): (usize, f64), m
     let taken = peak(finder, &constant, study.twist).map_err(failed)?;
     let plain = median_seconds(REPEATS, || peak(finder, &constant, study.twist).map(|_| ())).map_err(failed)?;
     Ok(Some(LawCost { name: "hardening, by harmonic balance", seconds, plain, error: (taken / found.twist - 1.0).abs() }))
+}
+
+/// The first family of the study whose material says what cools it, at its first closed form: all its temperatures in balance at every speed, on one thread, against its refined peak at the reference
+/// temperature.
+fn heated(study: &Study, spec: &OptimiseSpec, finder: &PeakFinder, modes: &[Vec<EngineMode>]) -> Result<Option<LawCost>, RunError> {
+    let cooled = |m: &Mounted| m.absorber.law().is_some_and(|l| l.material().is_some_and(|material| material.thermal.is_some()));
+    let first = |f: &families::Family| starts(&f.space, modes, 0, spec.seed).first().map(|start| f.space.design(&start.1));
+    let designs = families::wanted(spec, modes).into_iter().filter_map(|f| Some((f.name.clone(), first(&f)?)));
+    let Some((name, design)) = designs.into_iter().find(|d| d.1.iter().any(cooled)) else { return Ok(None) };
+    let Ok(one) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return Ok(None) };
+    let failed = |error| RunError { what: format!("`{name}`"), error };
+    let balances = || one.install(|| heat(study, finder, (&name, &design)));
+    let Some(found) = balances().map_err(failed)? else { return Ok(None) };
+    let seconds = median_seconds(REPEATS, || balances().map(|_| ())).map_err(failed)?;
+    let plain = median_seconds(REPEATS, || peak(finder, &design, study.twist).map(|_| ())).map_err(failed)?;
+    let (taken, warm) = (peak(finder, &design, study.twist).map_err(failed)?, found.points.iter().map(|p| p.twist).fold(0.0, f64::max));
+    Ok(Some(LawCost { name: "balance of heat", seconds, plain, error: (taken / warm - 1.0).abs() }))
 }
 
 fn peak(finder: &PeakFinder, design: &[Mounted], quantity: Quantity) -> Result<f64, crate::response::ResponseError> {

@@ -2,6 +2,7 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use hartog::cli::{chart, check, compare, curves, fatigue, import, keys, new, report, run, shell, size};
+use hartog::report::formats::Format;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -19,6 +20,9 @@ struct Cli {
     /// Print all columns of all tables, however wide [default: those that decide, in at most 100 columns].
     #[arg(long, global = true)]
     wide: bool,
+    /// Write plots as PDF, and tables as Parquet, beside SVG, PNG and CSV.
+    #[arg(long, global = true, value_enum, value_delimiter = ',', value_name = "FORMATS")]
+    format: Vec<Format>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -60,6 +64,7 @@ enum Command {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     hartog::cli::exit::width(cli.wide);
+    cli.format.iter().for_each(|f| f.ask());
     ExitCode::from(match cli.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::New(arguments) => new::new(&arguments),

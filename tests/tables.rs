@@ -26,6 +26,106 @@ struct Group {
     total: f64,
 }
 
+/// With `every_station` each order of the torque of a shaft is its stiffness times the difference of the angles of its ends, as phasors: the chain has no damping in its shafts.
+///
+/// Tolerance: seven digits of amplitudes and 1e-4 degrees of phases, of angles that nearly cancel where the chain rolls as one.
+#[test]
+fn every_station_and_shaft_on_request() {
+    let folder = tempfile::tempdir().expect("folder");
+    let own = folder.path().join("own").to_string_lossy().into_owned();
+    assert!(hartog(&["new", &own]).status.success());
+    let text = std::fs::read_to_string(format!("{own}/study.toml")).expect("a study");
+    let text = text.split("[optimise]").next().expect("a study").replace("step = 20", "step = 400") + "[response]\nevery_station = true\n";
+    std::fs::write(format!("{own}/study.toml"), text).expect("written");
+    assert!(hartog(&["run", &format!("{own}/study.toml"), "--quiet", "--out", &own]).status.success());
+    let mut phasors: BTreeMap<[String; 4], [f64; 2]> = BTreeMap::new();
+    for row in rows(folder.path().join("own").as_path(), "response.csv").iter().filter(|r| r["kind"] == "order" && r["design"] == "none") {
+        let phase = value(row, "phase_deg").to_radians();
+        let of = value(row, "amplitude");
+        let key = [&row["quantity"], &row["where"], &row["speed_rpm"], &row["order"]].map(Clone::clone);
+        phasors.insert(key, [of * phase.cos(), of * phase.sin()]);
+    }
+    let chain = ["pulley", "throw_1", "throw_2", "throw_3", "throw_4", "flywheel"];
+    let mut looked_at = 0;
+    for (i, pair) in chain.windows(2).enumerate() {
+        let stiffness = if i == 0 { 3e5 } else { 9e5 };
+        let shaft = format!("{}-{}", pair[0], pair[1]);
+        for ([.., speed, order], torque) in phasors.iter().filter(|p| p.0[0] == "torque" && p.0[1] == shaft) {
+            let angle = |station: &str| phasors[&["amplitude".into(), station.to_owned(), speed.clone(), order.clone()]];
+            let (a, b) = (angle(pair[0]), angle(pair[1]));
+            let size = torque[0].hypot(torque[1]) + stiffness * (a[0].hypot(a[1]) + b[0].hypot(b[1])).to_radians();
+            for part in 0..2 {
+                let expected = stiffness * (a[part] - b[part]).to_radians();
+                assert_close(torque[part], expected, 0.0, 3e-6 * size, &format!("{shaft} at {speed} rpm, order {order}"));
+            }
+            looked_at += 1;
+        }
+    }
+    assert_eq!(looked_at, 5 * 24 * 9);
+}
+
+/// Every table but that of times as Parquet holds what its CSV holds, numbers as doubles and empty cells as nulls; every plot is a page of PDF of its printed width, 170 mm, with its words as text; files do
+/// not depend on the number of threads; a run that is not asked for them takes them away.
+#[test]
+fn parquet_and_pdf_stand_beside_tables_and_plots() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    let folders = [tempfile::tempdir().expect("folder"), tempfile::tempdir().expect("folder")];
+    let names = |folder: &Path, end: &str| -> Vec<String> {
+        let all = std::fs::read_dir(folder).expect("a folder").map(|e| e.expect("an entry").file_name().to_string_lossy().into_owned());
+        let mut own: Vec<String> = all.filter_map(|n| n.strip_suffix(end).map(str::to_owned)).collect();
+        own.sort();
+        own
+    };
+    let run = |folder: &Path, more: &[&str]| {
+        let out = folder.to_string_lossy().into_owned();
+        let arguments = [&["run", "studies/den_hartog.toml", "--quiet", "--out", &out], more].concat();
+        assert!(hartog(&arguments).status.success());
+    };
+    run(folders[0].path(), &["--format", "pdf,parquet", "--threads", "1"]);
+    run(folders[1].path(), &["--format", "parquet", "--format", "pdf", "--threads", "8"]);
+    let folder = folders[0].path();
+    let (tables, plots) = (names(folder, ".parquet"), names(folder, ".pdf"));
+    let csv: Vec<String> = names(folder, ".csv").into_iter().filter(|n| n != "timing").collect();
+    assert_eq!((&tables, &plots), (&csv, &names(folder, ".svg")));
+    assert!(tables.len() >= 4 && plots.len() >= 4, "{tables:?} {plots:?}");
+    for name in tables.iter().map(|n| format!("{n}.parquet")).chain(plots.iter().map(|n| format!("{n}.pdf"))) {
+        let [first, second] = [0, 1].map(|i| std::fs::read(folders[i].path().join(&name)).expect("a file"));
+        assert!(first == second, "{name}");
+    }
+    let mut numbers = 0;
+    for table in &tables {
+        let file = std::fs::File::open(folder.join(format!("{table}.parquet"))).expect("a file");
+        let reader = SerializedFileReader::new(file).expect("parquet");
+        let own: Vec<_> = reader.get_row_iter(None).expect("rows").map(|r| r.expect("a row")).collect();
+        let expected = rows(folder, &format!("{table}.csv"));
+        assert_eq!(own.len(), expected.len(), "{table}");
+        for (row, expected) in own.iter().zip(&expected) {
+            for (head, field) in row.get_column_iter() {
+                let cell = &expected[head];
+                match field {
+                    parquet::record::Field::Null => assert_eq!(cell, "", "{table} {head}"),
+                    parquet::record::Field::Double(x) => {
+                        assert_eq!(*x, cell.parse::<f64>().expect("a number"), "{table} {head}");
+                        numbers += 1;
+                    }
+                    parquet::record::Field::Str(text) => assert_eq!(text, cell, "{table} {head}"),
+                    other => panic!("{table} {head}: {other}"),
+                }
+            }
+        }
+    }
+    assert!(numbers > 1000, "{numbers}");
+    for plot in &plots {
+        let bytes = std::fs::read(folder.join(format!("{plot}.pdf"))).expect("a file");
+        let text = String::from_utf8_lossy(&bytes);
+        let width = text.split("/MediaBox [0 0 ").nth(1).and_then(|t| t.split(' ').next()).and_then(|w| w.parse::<f64>().ok());
+        assert!(bytes.starts_with(b"%PDF-") && text.contains("/Type /Font"), "{plot}: no page of PDF with text");
+        assert_close(width.expect("a page"), 170.0 / 25.4 * 72.0, 1e-3, 0.0, plot);
+    }
+    run(folder, &[]);
+    assert_eq!((names(folder, ".parquet").len(), names(folder, ".pdf").len()), (0, 0));
+}
+
 /// Amplitudes and phases of `response.csv` are those of a cos(n theta + phi): added up over a cycle, they have the half peak-to-peak of their row of totals.
 ///
 /// Tolerance: phases are given to 1e-4 degrees (2e-6 rad) and sums are sampled 4000 times in two turns: (12 x 2 pi x 2 / 4000)²/8 of the highest order.

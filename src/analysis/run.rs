@@ -245,7 +245,8 @@ fn over_speed(
         .par_iter()
         .map(|d| {
             let named = (d.name.as_str(), d.conditions.as_slice());
-            let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, (study.twist, study.hub), &mut Work::default());
+            let swept =
+                sweeps::sweeps(finders, &own, named, &d.absorbers, (study.twist, study.hub, study.every_station), &mut Work::default());
             swept.map_err(|error| of_design(d, error))
         })
         .collect::<Result<Vec<_>, _>>()?;

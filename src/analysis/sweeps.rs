@@ -99,7 +99,7 @@ impl QuantitySweep {
 pub struct Sweeps {
     /// Name of the design.
     pub design: String,
-    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, then the twist in each condition.
+    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, every other station where the study asks for it, then the twist in each condition.
     pub quantities: Vec<QuantitySweep>,
 }
 
@@ -118,7 +118,7 @@ pub fn sweeps(
     grid: &Grid,
     (name, conditions): (&str, &[ConditionResult]),
     design: &[Mounted],
-    (twist, hub): (Quantity, usize),
+    (twist, hub, every_station): (Quantity, usize, bool),
     work: &mut Work,
 ) -> Result<Sweeps, ResponseError> {
     let finder = &finders[0];
@@ -128,11 +128,16 @@ pub fn sweeps(
     let mut wanted = vec![(Swept::Twist, twist), (Swept::Amplitude, Quantity::Twist { from: hub, to: None })];
     wanted.extend((0..chain.len() - 1).map(|s| (Swept::Torque, Quantity::ShaftTorque(s))));
     wanted.extend((0..design.len()).map(|i| (Swept::RingTwist, Quantity::RingTwist(i))));
+    if every_station {
+        let others = (0..chain.len()).filter(|s| *s != hub).map(|from| (Swept::Amplitude, Quantity::Twist { from, to: None }));
+        wanted.extend(others);
+    }
     let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
     let mut quantities = Vec::new();
     for ((of, quantity), phasors) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?) {
-        // single orders of twist and hub are kept; the rest would make the table many times as long
-        quantities.push(QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), matches!(of, Swept::Twist | Swept::Amplitude)));
+        // single orders of twist and hub are kept; the rest would make the table many times as long, and is asked for
+        let keeps_orders = every_station || matches!(of, Swept::Twist | Swept::Amplitude);
+        quantities.push(QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), keeps_orders));
         if let Quantity::RingTwist(ring) = quantity {
             let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
             let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();

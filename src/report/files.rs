@@ -1,5 +1,7 @@
 //! Whole files or none: each is written under a temporary name and renamed. One run at a time writes to a folder, and tells in `summary.json`, its last file, that all are there and of one run.
 
+use super::formats::Format;
+use super::parquet;
 use std::fs::{File, TryLockError};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -130,7 +132,8 @@ impl Folder {
     /// # Errors
     /// [`WriteError`] where one is there and cannot be removed.
     pub fn remove(&self, names: &[&str]) -> Result<(), WriteError> {
-        for name in names {
+        let beside = names.iter().flat_map(|name| [Format::Pdf, Format::Parquet].into_iter().filter_map(|f| f.beside(name)));
+        for name in names.iter().map(|n| (*n).to_owned()).chain(beside) {
             let path = self.path.join(name);
             if path.is_file() {
                 self.begin()?;
@@ -149,7 +152,7 @@ impl Folder {
         let mut old = Vec::new();
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
             let name = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
-            let plot = name.starts_with(prefix) && (name.ends_with(".svg") || name.ends_with(".png"));
+            let plot = name.starts_with(prefix) && [".svg", ".png", ".pdf"].iter().any(|end| name.ends_with(end));
             if plot && !self.written.lock().unwrap_or_else(PoisonError::into_inner).contains(&name) {
                 old.push(name);
             }
@@ -202,7 +205,18 @@ impl Folder {
         self.begin()?;
         file.persist(&target).map_err(|e| failed(e.error))?;
         self.written.lock().unwrap_or_else(PoisonError::into_inner).push(name.to_owned());
-        Ok(())
+        match Format::Parquet.beside(name).filter(|_| name != TIMES) {
+            Some(own) if Format::Parquet.is_wanted() => self.convert(&target, &own),
+            Some(own) => self.remove(&[&own]),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes a table as Parquet, from its `.csv`.
+    fn convert(&self, csv: &Path, name: &str) -> Result<(), WriteError> {
+        let mut stream = self.stream()?;
+        parquet::convert(csv, &mut stream).map_err(|e| WriteError { path: self.path.join(name), reason: e.to_string() })?;
+        self.keep(stream, name)
     }
 }
 

@@ -3,8 +3,10 @@
 pub mod csv;
 pub(crate) mod example;
 pub mod files;
+pub mod formats;
 pub(crate) mod journal;
 mod page;
+mod parquet;
 pub mod plot;
 pub(crate) mod record;
 mod summary;

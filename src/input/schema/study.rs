@@ -151,6 +151,10 @@ pub(crate) struct RawResponse {
     /// Whether peaks are sought between the speeds of the sweep.
     #[schemars(extend("default" = true, "examples" = [true]))]
     pub refine_peaks: Option<bool>,
+    /// Whether `response.csv` has the amplitude of every station and the torque of every shaft, order by order; without it single orders of the twist and of the hub, and all else by its sum.
+    #[serde(default)]
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub every_station: bool,
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]

@@ -70,6 +70,8 @@ pub struct Study {
     pub tolerance: f64,
     /// Whether peaks are refined between speeds.
     pub refine_peaks: bool,
+    /// Whether sweeps keep every station and shaft, order by order.
+    pub every_station: bool,
     /// Given designs.
     pub designs: Vec<DesignSpec>,
     /// Catalogues of absorbers.

@@ -189,8 +189,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let temperatures = material_states::of_conditions(check, study);
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
     let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
-    let optimise = study.optimise.as_ref();
-    let optimise = optimise.and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
+    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
     let hub = match (&optimise, designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).find(|d| !d.absorbers.is_empty())) {
         (Some(o), _) => o.station(0),
         (None, Some(d)) => station_of(&d.absorbers, 0),
@@ -243,6 +242,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         method: study.response.method.into(),
         tolerance,
         refine_peaks: study.response.refine_peaks.unwrap_or(true),
+        every_station: study.response.every_station,
         designs,
         catalogues,
         hub,

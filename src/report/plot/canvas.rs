@@ -1,7 +1,9 @@
 //! A drawing surface: SVG with sub-pixel coordinates, its PNG, and the look shared by all plots.
 
+use super::pdf::pdf;
 use crate::numerics::elementary::Elementary;
 use crate::report::files::{Folder, WriteError};
+use crate::report::formats::Format;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
@@ -16,6 +18,9 @@ const PNG_ZOOM: f32 = 1.875;
 pub(crate) const WIDTH: u32 = 720;
 /// Pixels of the PNG per metre of paper.
 const PIXELS_PER_M: u32 = (WIDTH as f32 * PNG_ZOOM / 0.17) as u32;
+
+/// Units per inch of paper.
+const UNITS_PER_INCH: f32 = WIDTH as f32 / 0.17 * 0.0254;
 
 /// A drawing area of the SVG backend.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -151,7 +156,12 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     let svg = svg.replacen(&drawn, &format!("width=\"{width}\" height=\"{height}\""), 1);
     folder.write(&format!("{name}.svg"), svg.as_bytes())?;
     let png = png(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
-    folder.write(&format!("{name}.png"), &png)
+    folder.write(&format!("{name}.png"), &png)?;
+    let own = format!("{name}.pdf");
+    match Format::Pdf.is_wanted() {
+        true => folder.write(&own, &pdf(&svg, UNITS_PER_INCH).ok_or_else(|| failed("the picture could not be written as PDF".into()))?),
+        false => folder.remove(&[&own]),
+    }
 }
 
 fn png(svg: &str) -> Option<Vec<u8>> {

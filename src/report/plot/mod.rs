@@ -16,6 +16,7 @@ mod legend;
 mod margin;
 pub mod models;
 mod pareto;
+mod pdf;
 mod response;
 mod robust;
 

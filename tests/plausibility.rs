@@ -34,11 +34,16 @@ fn shipped_studies_are_likely() {
 /// ring held by kN m/rad.
 #[test]
 fn slips_are_told_of() {
-    let slips: [(&str, &str, &str, &str); 6] = [
+    let slips: [(&str, &str, &str, &str); 11] = [
         ("engine.toml", "crank_radius_mm = 50 ", "crank_radius_mm = 100 ", "`crank_radius_mm` is half the stroke"),
         ("engine.toml", "bore_mm = 95", "bore_mm = 9.5", "the bore is 9.500 mm"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 200 ", "of critical, above 20 %"),
         ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 0.9", "is its stiffness in N m/rad"),
+        ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 900", "would twist a shaft between throws"),
+        ("engine.toml", "piston_mass_kg = 0.9", "piston_mass_kg = 900", "is its mass in kg"),
+        ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 0 ", "nothing damps the chain"),
+        ("study.toml", "ring_inertia_kg_m2.fixed = 0.03", "ring_inertia_kg_m2.fixed = 30", "more than the whole chain"),
+        ("pressure.csv", "turned", "", "are zero degrees of the pressure at top dead centre"),
         ("pressure.csv", "", "00000", "is its unit what the column says?"),
         (
             "study.toml",
@@ -53,7 +58,13 @@ fn slips_are_told_of() {
         hartog(&["new", &new.to_string_lossy(), "--cylinders", "4", "--pressure", "measured"]);
         let path = new.join(file);
         let text = fs::read_to_string(&path).expect("a file");
-        let slip = if from.is_empty() {
+        let slip = if from == "turned" {
+            // by a right angle: later by 90 rows, a degree each
+            let (head, rows): (Vec<&str>, Vec<&str>) = text.lines().partition(|l| !l.starts_with(|c: char| c.is_ascii_digit()));
+            let cells = |i: usize| rows[(i + rows.len() - 1 - 90) % (rows.len() - 1)].split_once(',').expect("columns").1;
+            let turned = (0..rows.len()).map(|i| format!("{i},{}", cells(i)));
+            head.into_iter().map(str::to_owned).chain(turned).collect::<Vec<_>>().join("\n")
+        } else if from.is_empty() {
             // bar to Pa: five more places before the point
             let value = |cell: &str| cell.parse::<f64>().map_or(cell.to_owned(), |v| (v * 1e5).to_string());
             let row = |line: &str| match line.split_once(',') {

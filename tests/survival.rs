@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -83,6 +84,18 @@ fn kills(study: &str, count: usize, threads: &str) -> usize {
     (0..count).filter(|_| killed_and_resumed(study, time.mul_f64(random.random()), [threads, threads], &expected)).count()
 }
 
+/// That study and the files of a whole run of it, which several tests compare with.
+fn whole() -> &'static (String, BTreeMap<String, Vec<u8>>) {
+    static WHOLE: OnceLock<(String, BTreeMap<String, Vec<u8>>)> = OnceLock::new();
+    WHOLE.get_or_init(|| {
+        let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("survival");
+        fs::create_dir_all(&place).expect("a folder");
+        let (study, out) = (short(&place), tempfile::tempdir().expect("a folder"));
+        ended(run(&study, out.path(), &[]));
+        (study, files(out.path()))
+    })
+}
+
 /// What a run that is killed once it has done so many searches has left of its journal.
 fn journal_left(study: &str, folder: &Path, searches: usize) -> PathBuf {
     let journal = folder.join("journal.log");
@@ -100,17 +113,14 @@ fn journal_left(study: &str, folder: &Path, searches: usize) -> PathBuf {
 /// A run that was killed goes on by another number of threads to the same files, whatever it had done.
 #[test]
 fn killed_runs_go_on() {
-    let (inputs, whole) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
-    let study = short(inputs.path());
-    ended(run(&study, whole.path(), &[]));
-    let expected = files(whole.path());
+    let (study, expected) = whole();
     assert!(!expected.contains_key("journal.log"), "a complete run needs no journal");
     for (searches, threads) in [(0, "8"), (10, "2"), (60, "1")] {
         let folder = tempfile::tempdir().expect("a folder");
-        journal_left(&study, folder.path(), searches);
-        ended(run(&study, folder.path(), &["--resume", "--threads", threads]));
+        journal_left(study, folder.path(), searches);
+        ended(run(study, folder.path(), &["--resume", "--threads", threads]));
         let own = files(folder.path());
-        assert!(differing(&expected, &own).is_empty(), "after {searches} searches: {:?} differ", differing(&expected, &own));
+        assert!(differing(expected, &own).is_empty(), "after {searches} searches: {:?} differ", differing(expected, &own));
     }
 }
 
@@ -129,12 +139,9 @@ fn fifty_kills_of_a_long_run() {
 
 /// Bytes of a journal changed, left out or put in at random: refused by the line, or of no consequence.
 fn damage(count: usize) {
-    let inputs = tempfile::tempdir().expect("a folder");
-    let study = short(inputs.path());
-    let (whole, killed) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
-    ended(run(&study, whole.path(), &[]));
-    let expected = files(whole.path());
-    let journal = journal_left(&study, killed.path(), 10);
+    let (study, expected) = whole();
+    let killed = tempfile::tempdir().expect("a folder");
+    let journal = journal_left(study, killed.path(), 10);
     let bytes = fs::read(&journal).expect("bytes");
     let mut random = Xoshiro256PlusPlus::seed_from_u64(4);
     let (mut refused, mut harmless) = (0, 0);
@@ -150,7 +157,7 @@ fn damage(count: usize) {
             }
         }
         fs::write(&journal, &damaged).expect("written");
-        let output = ended(run(&study, killed.path(), &["--resume"]));
+        let output = ended(run(study, killed.path(), &["--resume"]));
         if output.status.code() == Some(2) {
             let text = error(&output);
             assert!(text.contains("journal.log, line ") && text.contains("is damaged"), "{text}");
@@ -158,7 +165,7 @@ fn damage(count: usize) {
         } else {
             assert!(output.status.success(), "{}", error(&output));
             let own = files(killed.path());
-            assert!(differing(&expected, &own).is_empty(), "{:?} differ", differing(&expected, &own));
+            assert!(differing(expected, &own).is_empty(), "{:?} differ", differing(expected, &own));
             harmless += 1;
         }
     }
@@ -248,25 +255,22 @@ fn an_interrupt_leaves_what_is_known() {
 #[cfg(unix)]
 #[test]
 fn a_full_disk_costs_no_search() {
-    let (inputs, whole) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
-    let study = short(inputs.path());
-    ended(run(&study, whole.path(), &[]));
-    let expected = files(whole.path());
+    let (study, expected) = whole();
     for blocks in ["8", "64"] {
         let folder = tempfile::tempdir().expect("a folder");
         let out = folder.path().to_string_lossy().into_owned();
         let script = "trap '' XFSZ; ulimit -f \"$1\"; exec \"$0\" run \"$2\" --out \"$3\"";
-        let full = Command::new("bash").args(["-c", script, env!("CARGO_BIN_EXE_hartog"), blocks, &study, &out]).output().expect("runs");
+        let full = Command::new("bash").args(["-c", script, env!("CARGO_BIN_EXE_hartog"), blocks, study, &out]).output().expect("runs");
         assert_eq!(full.status.code(), Some(2));
         assert!(error(&full).contains("no file may be as large here") && error(&full).contains("add --resume"), "{}", error(&full));
         let left = files(folder.path());
         assert!(!left.contains_key("summary.json") && left.keys().all(|name| !name.starts_with(".hartog")), "{:?}", left.keys());
         let unlike = |(name, bytes): (&String, &Vec<u8>)| name != "journal.log" && expected.get(name) != Some(bytes);
         assert!(!left.iter().any(unlike), "no half of a file");
-        let resumed = ended(run(&study, folder.path(), &["--resume"]));
+        let resumed = ended(run(study, folder.path(), &["--resume"]));
         let said = String::from_utf8_lossy(&resumed.stdout).into_owned();
         assert!(said.contains("searches of the interrupted run are known"), "{said}");
         let own = files(folder.path());
-        assert!(differing(&expected, &own).is_empty(), "{blocks} blocks: {:?} differ", differing(&expected, &own));
+        assert!(differing(expected, &own).is_empty(), "{blocks} blocks: {:?} differ", differing(expected, &own));
     }
 }

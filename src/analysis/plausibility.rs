@@ -2,7 +2,7 @@
 
 use crate::engine::excitation::Audit;
 use crate::engine::{Geometry, Source};
-use crate::input::Study;
+use crate::input::{Size, Study};
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR};
 
 /// Something unlikely.
@@ -42,6 +42,31 @@ pub(crate) enum Implausible {
     RodRatio(f64),
     /// A pressure known at one speed, rpm, that is taken for a range.
     OneSpeed(f64),
+    /// Piston, kg, over the cube of the bore, kg/m³.
+    PistonMass {
+        /// kg.
+        mass: f64,
+        /// kg/m³.
+        over_cube: f64,
+    },
+    /// Indicated mean pressure over the peak.
+    Fullness {
+        /// rpm.
+        speed_rpm: f64,
+        /// The ratio.
+        ratio: f64,
+    },
+    /// Twist of the softest shaft between throws by the gas force of one cylinder at its peak, rad.
+    Windup(f64),
+    /// A ring that may be larger, kg m², than all inertias of the chain together, kg m².
+    Ring {
+        /// Of the ring.
+        ring: f64,
+        /// Of the chain.
+        chain: f64,
+    },
+    /// A chain without damping in a design without absorber.
+    Undamped,
     /// Lowest natural frequency of the chain, Hz.
     NaturalFrequency(f64),
     /// Damping ratio of a mode of the chain, from 0.
@@ -70,6 +95,12 @@ const MEAN: std::ops::RangeInclusive<f64> = 0.0..=40.0;
 const PISTON_SPEED: f64 = 30.0;
 /// Share of a speed by which another may differ and be called the same.
 const NEAR: f64 = 0.05;
+/// kg/m³: cars have 1000 to 1500, crossheads with their rods up to 10000.
+const PISTON: std::ops::RangeInclusive<f64> = 100.0..=30_000.0;
+/// Of the peak: 0.1 to 0.25 where burning begins near dead centre.
+const FULLNESS: f64 = 0.32;
+/// rad: cranks of cars have a hundredth.
+const WINDUP: f64 = 0.15;
 /// mm.
 const BORE: f64 = 20.0;
 /// Engines for cars have 0.7 to 1.3, slow two-strokes up to 5 with crossheads.
@@ -96,6 +127,10 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         worst(|a| a.indicated_mean_pressure / PA_PER_BAR, MEAN).map(|(speed_rpm, bar)| Implausible::MeanPressure { speed_rpm, bar }),
     );
     if let Source::Cylinder { geometry, .. } = &study.engine.source {
+        let fullness = |a: &Audit| a.indicated_mean_pressure / a.peak_pressure;
+        let full = audit.iter().max_by(|a, b| fullness(a).total_cmp(&fullness(b))).filter(|a| fullness(a) > FULLNESS);
+        found.extend(full.map(|a| Implausible::Fullness { speed_rpm: a.speed_rpm, ratio: fullness(a) }));
+        found.extend(windup(study, geometry, audit).filter(|twist| *twist > WINDUP).map(Implausible::Windup));
         let far = |known: f64| study.speeds_rpm.iter().any(|s| (s / known - 1.0).abs() > NEAR);
         found.extend(if let [only] = audit { Some(only.speed_rpm).filter(|s| far(*s)).map(Implausible::OneSpeed) } else { None });
         found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
@@ -105,6 +140,12 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     found.extend(lowest.filter(|f| !FREQUENCY.contains(f)).map(Implausible::NaturalFrequency));
     let damped = modes.iter().enumerate().map(|(mode, m)| (mode, study.modes.damping_ratio(*m))).find(|(_, ratio)| *ratio > DAMPING);
     found.extend(damped.map(|(mode, ratio)| Implausible::DampingRatio { mode, ratio }));
+    found.extend(rings(study));
+    let stations = &study.chain.stations;
+    let damps = stations.iter().any(|s| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0 || s.loss_factor_to_next > 0.0);
+    if !damps && study.designs.iter().any(|d| d.absorbers.is_empty()) {
+        found.push(Implausible::Undamped);
+    }
     for design in &study.designs {
         for (absorber, m) in design.absorbers.iter().enumerate() {
             let (Some(stiffness), Some(lowest)) = (m.absorber.stiffness().filter(|k| *k > 0.0), lowest) else { continue };
@@ -115,6 +156,26 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         }
     }
     found
+}
+
+/// The largest ring that an optimum may have, where it is larger than the chain.
+fn rings(study: &Study) -> Option<Implausible> {
+    let chain = study.chain.total_inertia();
+    let largest = |size: &Size| match size {
+        Size::Between(_, most) => *most,
+        Size::Each(list) => list.iter().copied().fold(0.0, f64::max),
+    };
+    let ring = study.optimise.iter().flat_map(|o| &o.absorbers).map(|a| largest(&a.size)).fold(0.0, f64::max);
+    (ring > chain).then_some(Implausible::Ring { ring, chain })
+}
+
+/// Twist of the softest shaft from a throw to the next station with one by the gas force of a cylinder at its peak on the crank radius, rad.
+fn windup(study: &Study, geometry: &Geometry, audit: &[Audit]) -> Option<f64> {
+    let peak = audit.iter().map(|a| a.peak_pressure).fold(0.0, f64::max);
+    let torque = peak * geometry.piston_area() * geometry.slider_crank.crank_radius;
+    let between = study.chain.stations.windows(2).filter(|s| !s[0].throws.is_empty() && !s[1].throws.is_empty());
+    let softest = between.map(|s| s[0].stiffness_to_next).filter(|k| *k > 0.0).fold(f64::INFINITY, f64::min);
+    (study.chain.is_row() && softest.is_finite()).then_some(torque / softest)
 }
 
 fn of_cylinder(g: &Geometry, speed_rpm: f64) -> Vec<Implausible> {
@@ -129,6 +190,10 @@ fn of_cylinder(g: &Geometry, speed_rpm: f64) -> Vec<Implausible> {
     }
     if !STROKE.contains(&(stroke / bore)) {
         found.push(Implausible::Stroke { stroke_mm: stroke / M_PER_MM, over_bore: stroke / bore });
+    }
+    let over_cube = g.piston_mass / bore.powi(3);
+    if g.piston_mass > 0.0 && !PISTON.contains(&over_cube) {
+        found.push(Implausible::PistonMass { mass: g.piston_mass, over_cube });
     }
     let ratio = g.slider_crank.crank_radius / g.slider_crank.rod_length;
     if !ROD_RATIO.contains(&ratio) {

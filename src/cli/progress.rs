@@ -2,25 +2,27 @@
 
 use crate::analysis::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Bar on standard error.
 #[derive(Debug)]
-pub(crate) struct Bar(ProgressBar);
+pub(crate) struct Bar(ProgressBar, AtomicBool);
 
 impl Default for Bar {
     fn default() -> Self {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(10));
+        // shown from the first stage on
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("  {msg:<24} {bar:32} {pos}/{len}  {elapsed}, {eta} left  {prefix}") {
             bar.set_style(style);
         }
-        Self(bar)
+        Self(bar, AtomicBool::new(false))
     }
 }
 
 impl Bar {
     /// Shows nothing.
     pub(crate) fn hidden() -> Self {
-        Self(ProgressBar::hidden())
+        Self(ProgressBar::hidden(), AtomicBool::new(true))
     }
 
     /// Tells of the best so far.
@@ -31,9 +33,12 @@ impl Bar {
 
 impl Progress for Bar {
     fn stage(&self, name: &str, steps: usize) {
-        self.0.reset();
         self.0.set_length(steps as u64);
         self.0.set_message(name.to_owned());
+        self.0.reset();
+        if !self.1.swap(true, Ordering::Relaxed) {
+            self.0.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+        }
     }
     fn step(&self) {
         self.0.inc(1);

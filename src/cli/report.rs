@@ -35,6 +35,7 @@ pub fn report(arguments: &Arguments) -> u8 {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
+    let searches = study.optimise.is_some();
     (study.optimise, study.front, study.robust) = (None, None, None);
     study.more_objectives.clear();
     if matches!(study.engine.source, Source::Cylinder { .. }) && !study.conditions.contains(&Condition::Misfire) {
@@ -64,5 +65,10 @@ pub fn report(arguments: &Arguments) -> u8 {
         path.display(),
         crate::report::CLASSIFICATION
     ));
+    if searches {
+        say(
+            "The optima of the study are not in it: `hartog run` finds them, and one that is written as a [[design]] into the study is reported.\n",
+        );
+    }
     if results.designs.iter().all(|d| d.limits.iter().all(|l| crate::objective::holds(*l))) { DONE } else { FAILED }
 }

@@ -3,8 +3,9 @@
 use super::table::{Table, number, optional};
 use crate::absorber::{Host, Mounted, Parameter, TYPES};
 use crate::analysis::{DesignResult, Results};
+use crate::drivetrain::natural;
 use crate::report::files::{Folder, WriteError};
-use crate::units::{DEG_PER_RAD, PA_PER_MPA};
+use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, PA_PER_MPA};
 
 /// Parameters of all types, each once, then those of laws that a program brought.
 fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
@@ -49,7 +50,8 @@ pub fn absorbers(results: &Results, folder: &Folder) -> Result<(), WriteError> {
             let made_of = load.made_of;
             let rubber = made_of.and_then(|m| m.rubber);
             row.push(optional(made_of.map(|m| m.factor)));
-            row.extend([rubber.map(|r| r.0), rubber.map(|r| r.1 / PA_PER_MPA), rubber.map(|r| r.2)].map(optional));
+            let own = m.absorber.law().and_then(|law| natural::own(&**law)).map(|omega| omega * HZ_PER_RAD_PER_S);
+            row.extend([rubber.map(|r| r.0).or(own), rubber.map(|r| r.1 / PA_PER_MPA), rubber.map(|r| r.2)].map(optional));
             row.push(optional(made_of.and_then(|m| m.viscosity)));
             row.push(optional(made_of.map(|m| 100.0 * m.strain)));
             table.row(row);

@@ -21,10 +21,18 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "limits_hold",
         "dominated",
     ];
+    // of types that have more than a spring and a damper
+    let mut others: Vec<&str> = Vec::new();
+    for key in results.fronts.iter().flat_map(|f| f.declaration.parameters).map(|p| p.key) {
+        if !header.contains(&key) && !others.contains(&key) {
+            others.push(key);
+        }
+    }
+    header.extend(&others);
     header.extend(study.more_objectives.iter().map(|o| o.column.as_str()));
     let mut table = Table::new(&header);
     for front in &results.fronts {
-        for (point, others) in front.front.points.iter().zip(&front.others) {
+        for (point, values) in front.front.points.iter().zip(&front.others) {
             let a = &point.design[0].absorber;
             let mut row = vec![
                 front.declaration.name.to_owned(),
@@ -36,7 +44,8 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 (point.excess <= HELD).to_string(),
                 point.dominated.to_string(),
             ];
-            row.extend(study.more_objectives.iter().zip(others).map(|(o, v)| number(in_unit_of(o, *v))));
+            row.extend(others.iter().map(|key| optional(a.value(key))));
+            row.extend(study.more_objectives.iter().zip(values).map(|(o, v)| number(in_unit_of(o, *v))));
             table.row(row);
         }
     }

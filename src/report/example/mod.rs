@@ -101,7 +101,9 @@ impl Example {
             .chain
             .as_ref()
             .map_or(("pulley".into(), "flywheel".into()), |c| (c.stations[0].name.clone(), c.stations[c.stations.len() - 1].name.clone()));
-        text.replace("@FIRST@", &stations::quoted(&first)).replace("@LAST@", &stations::quoted(&last))
+        // of an engine of one's own no absorber is known
+        let optional = if self.chain.is_some() { "# " } else { "" };
+        text.replace("@OPTIONAL@", optional).replace("@FIRST@", &stations::quoted(&first)).replace("@LAST@", &stations::quoted(&last))
     }
 
     fn layout(&self) -> String {
@@ -149,7 +151,9 @@ impl Example {
         if self.gas != Gas::Harmonics {
             text += match self.chain {
                 None => "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n",
-                Some(_) => "reciprocating_inertia = \"none\"   # the inertias below hold all; \"mean\": they hold rotating parts only\n",
+                Some(_) => {
+                    "reciprocating_inertia = \"none\"   # assumption of the import: the inertias below hold the reciprocating masses; \"mean\" adds them\n"
+                }
             };
             text += &geometry;
         }

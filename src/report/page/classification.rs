@@ -106,7 +106,7 @@ fn designs(results: &Results) -> Markup {
         h2 { "Designs" }
         p class="soft" { "Twist and torque: half peak-to-peak of all orders together at the worst speed; heat: largest mean power of all absorbers." }
         div class="scroll" { table {
-            thead { tr { th { "design" } @for p in &columns { th { (p.label.replace('/', ", ")) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } } }
+            thead { tr { th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } } }
             tbody { @for d in &results.designs { tr {
                 td { (d.name) }
                 @for p in &columns { td { (d.absorbers.iter().map(|m| dash(m.absorber.value(p.key).map(short))).collect::<Vec<_>>().join(" | ")) } }

@@ -57,7 +57,8 @@ fn told(d: &DesignResult) -> String {
     let of = |m: &crate::absorber::Mounted| {
         let law = m.absorber.law()?;
         let parts = law.declaration().parameters.iter().zip(law.values());
-        let values: Vec<String> = parts.map(|(p, v)| format!("{} {}", p.label.replace('/', ", "), crate::report::text::short(v))).collect();
+        let values: Vec<String> =
+            parts.map(|(p, v)| format!("{} {}", p.label.replacen('/', ", ", 1), crate::report::text::short(v))).collect();
         Some(values.join("; "))
     };
     d.absorbers.iter().filter_map(of).collect::<Vec<_>>().join(" | ")

@@ -82,7 +82,7 @@ fn question(study: &Study, results: &Results) -> Markup {
     let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective);
     html! {
         h1 { (study.engine.name) ": " (study.name) }
-        p { "Which absorber makes the " (study.objective.label) " least from " (low) " to " (high) " rpm"
+        p { "Which absorber makes the " (study.objective.label) " smallest from " (low) " to " (high) " rpm"
             @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) } }
             "?" }
         @if let Some(o) = best(results) {
@@ -98,9 +98,9 @@ fn question(study: &Study, results: &Results) -> Markup {
                 (o.optimum.agreeing()) " of " (o.optimum.starts.len()) " starts agree; first-order residual "
                 (format!("{:.0e}", o.optimum.outcome.kkt_residual)) "; " (o.scan.designs) " designs elsewhere and " (o.nearby.designs) " near it "
                 @if o.scan.better || o.nearby.better { "were looked at, one of which led to it." } @else { "are no better." }
-                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " It lies on bounds of its own:" }
+                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " It lies on these bounds:" }
             }
-            @if !o.on_bounds.is_empty() { ul { @for line in bounds(o) { li class="bad" { (line.trim()) } } } }
+            @if !o.on_bounds.is_empty() { ul { @for line in bounds(o) { li class="bad" { (line.trim().replace('`', "")) } } } }
         } @else { p class="answer" { "The study asks for no optimum: its designs are compared." } }
     }
 }
@@ -122,7 +122,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
             span class="soft" { "Ticked designs are drawn below. Values of several absorbers are separated by |." } }
         div class="scroll" { table id="designs" class="sorts" {
             thead { tr {
-                th { "design" } @for p in &columns { th { (p.label.replace('/', ", ")) } } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
+                th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
                 @if other { th { (study.objective.label) } } @if !study.limits.is_empty() { th { "limits" } }
             } }
             tbody { @for d in all() {

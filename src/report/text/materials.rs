@@ -54,7 +54,9 @@ pub(crate) fn heat(results: &Results) -> String {
 /// Whether laws have to be as they are; empty where all are constant springs and dampers.
 pub(crate) fn simplest(study: &Study, results: &Results) -> String {
     let tolerance = format!("{} %", significant(100.0 * study.tolerance, 2));
-    let word = |d: &SimplestLaw| format!("{} ({} % at {:.0} Hz)", d.design, significant(100.0 * d.error, 2), d.hz);
+    let word = |d: &SimplestLaw| {
+        format!("{} (with its values at {:.0} Hz the peak errs by {} %)", d.design, d.hz, significant(100.0 * d.error, 2))
+    };
     let (does, differs): (Vec<_>, Vec<_>) = results.simplest.iter().partition(|d| d.error <= study.tolerance);
     let mut text = String::new();
     for (list, verdict) in [(does, "is enough"), (differs, "is NOT enough")] {

@@ -2,6 +2,7 @@
 
 use super::table::significant;
 use crate::analysis::OptimumResult;
+use crate::drivetrain::natural;
 use crate::units::HZ_PER_RAD_PER_S;
 
 /// Loss factors of rubber in torsional absorbers.
@@ -20,6 +21,12 @@ pub(super) fn parameters(o: &OptimumResult) -> Vec<String> {
                 significant(loss, 3),
                 significant(own * HZ_PER_RAD_PER_S, 4)
             ));
+        } else if let Some(law) = mounted.absorber.law()
+            && let (Some(own), Some(loss)) = (natural::own(&**law), natural::own_loss_factor(&**law))
+        {
+            let hint = if mounted.absorber.value("loss_factor").is_some() { format!("; rubber has {RUBBER}") } else { String::new() };
+            let hz = significant(own * HZ_PER_RAD_PER_S, 4);
+            lines.push(format!("  {which}the ring on its held hub has {hz} Hz and there a loss factor of {}{hint}", significant(loss, 3)));
         }
     }
     lines.extend(bounds(o));
@@ -34,8 +41,10 @@ pub(crate) fn bounds(o: &OptimumResult) -> Vec<String> {
         let which = if o.design.absorbers.len() > 1 { format!("absorber {}: ", hit.absorber + 1) } else { String::new() };
         let (key, end) = (declaration.parameters[hit.parameter].key, if hit.upper { "upper" } else { "lower" });
         let price = match hit.price {
-            Some(price) if price > WORTH_SAYING => format!(": one per cent further would bring {} %", significant(price, 2)),
-            Some(_) => ": further would bring nothing".to_owned(),
+            Some(price) if price > WORTH_SAYING => {
+                format!(": one per cent further, all else tuned anew, would improve the objective by {} %", significant(price, 2))
+            }
+            Some(_) => ": further out nothing would improve".to_owned(),
             None => String::new(),
         };
         lines.push(format!("  {which}`{key}` lies on its {end} bound, {}{price}", significant(hit.bound, 4)));

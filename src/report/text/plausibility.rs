@@ -2,6 +2,7 @@
 
 use super::short;
 use crate::analysis::plausibility::Implausible;
+use crate::units::DEG_PER_RAD;
 
 /// One sentence each, with what may be the reason.
 pub(crate) fn implausible(found: &[Implausible]) -> Vec<String> {
@@ -37,6 +38,27 @@ fn sentence(found: &Implausible) -> String {
             short(*ratio)
         ),
         Implausible::OneSpeed(rpm) => format!("the pressure is known at {rpm} rpm only and taken for all speeds of the study"),
+        Implausible::PistonMass { mass, over_cube } => format!(
+            "the piston has {} kg, {} kg/m³ of the cube of the bore, outside 100 to 30000: is its mass in kg, the bore in mm?",
+            short(*mass),
+            short(*over_cube)
+        ),
+        Implausible::Fullness { speed_rpm, ratio } => format!(
+            "the indicated mean pressure is {} of the peak at {speed_rpm} rpm, above 0.32: are zero degrees of the pressure at top dead centre of firing?",
+            short(*ratio)
+        ),
+        Implausible::Windup(twist) => format!(
+            "the gas force of one cylinder would twist a shaft between throws by {}°: is the stiffness of the chain in N m/rad?",
+            short(twist * DEG_PER_RAD)
+        ),
+        Implausible::Ring { ring, chain } => format!(
+            "a ring of an optimum may have {} kg m², more than the whole chain with {}: is it in kg m²?",
+            short(*ring),
+            short(*chain)
+        ),
+        Implausible::Undamped => {
+            "nothing damps the chain, so that a resonance without absorber has no finite amplitude: the engine file may say `damping.fraction_of_critical`".into()
+        }
         Implausible::NaturalFrequency(hz) => {
             format!(
                 "the lowest natural frequency of the chain is {} Hz, outside 1 to 10000 Hz: is its stiffness in N m/rad, its inertia in kg m²?",

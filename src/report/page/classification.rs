@@ -1,13 +1,13 @@
 //! `classification.html`: the calculation that a classification society asks for, on A4 pages.
 
-use super::parts::{STYLE, conditions, limits, model, parameters, picture, provenance};
+use super::parts::{conditions, limits, model, page, parameters, picture, provenance};
 use crate::analysis::Results;
 use crate::analysis::classification::{ABOVE, Classification};
 use crate::input::{InputFile, Study};
 use crate::report::files::{Folder, WriteError};
 use crate::report::text::{dash, short};
 use crate::units::DEG_PER_RAD;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// Its name.
 pub(crate) const CLASSIFICATION: &str = "classification.html";
@@ -17,33 +17,22 @@ pub(crate) const CLASSIFICATION: &str = "classification.html";
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, c: &Classification, folder: &Folder) -> Result<(), WriteError> {
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (study.engine.name) ": torsional vibration calculation" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                h1 { (study.engine.name) ": torsional vibration calculation" }
-                p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study." }
-                (model(study))
-                (holzer(c))
-                (sums(c))
-                (criticals(c))
-                (designs(results))
-                (shafts(c))
-                (conditions(results))
-                (limits(study, results))
-                (barred(study, results))
-                (plots(results, folder))
-                (provenance(study, inputs, results))
-            }
-        }
+    let body = html! {
+        h1 { (study.engine.name) ": torsional vibration calculation" }
+        p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study." }
+        (model(study))
+        (holzer(c))
+        (sums(c))
+        (criticals(c))
+        (designs(results))
+        (shafts(c))
+        (conditions(results))
+        (limits(study, results))
+        (barred(study, results))
+        (plots(results, folder))
+        (provenance(study, inputs, results))
     };
-    folder.write(CLASSIFICATION, page.into_string().as_bytes())
+    folder.write(CLASSIFICATION, page(&format!("{}: torsional vibration calculation", study.engine.name), &body).as_bytes())
 }
 
 fn holzer(c: &Classification) -> Markup {

@@ -1,9 +1,9 @@
 //! `report.html` of what has no page of its own: what was printed, and the plots and tables of the folder.
 
-use super::parts::{PAGE, STYLE, TABLES, picture};
+use super::parts::{PAGE, TABLES, page, picture};
 use crate::report::files::{Folder, WriteError};
 use crate::report::text::{short, width};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 use std::path::Path;
 
 /// Rows above which a table is only named.
@@ -21,36 +21,25 @@ pub(crate) fn write(title: &str, printed: impl Fn() -> String, folder: &Folder) 
     let stem = |name: &str, end: &str| name.strip_suffix(end).map(str::to_owned);
     let pictures: Vec<String> = names.iter().filter_map(|n| stem(n, ".svg")).collect();
     let tables: Vec<String> = names.iter().filter_map(|n| stem(n, ".csv")).collect();
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (title) " – hartog" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                h1 { (title) }
-                h2 { "In short" }
-                div class="scroll" { pre { (printed.trim_end()) } }
-                @if !pictures.is_empty() {
-                    h2 { "Plots" }
-                    div class="pair large" { @for name in &pictures { @if let Some(source) = picture(folder, &format!("{name}.svg")) {
-                        figure { img src=(source) alt=(in_words(name)); figcaption class="soft" { (in_words(name)) } }
-                    } } }
-                }
-                @if !tables.is_empty() {
-                    h2 { "Tables" }
-                    p class="soft" { "Numbers of four significant digits; the files beside this page hold all of them." }
-                    @for name in &tables { (table(folder, name)) }
-                }
-                p class="soft" { "hartog " (env!("CARGO_PKG_VERSION")) ". `summary.json` beside this page names every file with its size and checksum." }
-                script { (PreEscaped(TABLES)) }
-            }
+    let body = html! {
+        h1 { (title) }
+        h2 { "In short" }
+        div class="scroll" { pre { (printed.trim_end()) } }
+        @if !pictures.is_empty() {
+            h2 { "Plots" }
+            div class="pair large" { @for name in &pictures { @if let Some(source) = picture(folder, &format!("{name}.svg")) {
+                figure { img src=(source) alt=(in_words(name)); figcaption class="soft" { (in_words(name)) } }
+            } } }
         }
+        @if !tables.is_empty() {
+            h2 { "Tables" }
+            p class="soft" { "Numbers of four significant digits; the files beside this page hold all of them." }
+            @for name in &tables { (table(folder, name)) }
+        }
+        p class="soft" { "hartog " (env!("CARGO_PKG_VERSION")) ". `summary.json` beside this page names every file with its size and checksum." }
+        script { (PreEscaped(TABLES)) }
     };
-    folder.write(PAGE, page.into_string().as_bytes())
+    folder.write(PAGE, page(&format!("{title} – hartog"), &body).as_bytes())
 }
 
 /// The name of a file as a caption.

@@ -16,8 +16,8 @@ use crate::analysis::{DesignResult, OptimumResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, InputFile, Study};
 use crate::report::text::{bounds, dash, short};
 use crate::units::DEG_PER_RAD;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
-use parts::{STYLE, TABLES, conditions, limits, model, parameters, picture, provenance};
+use maud::{Markup, PreEscaped, html};
+use parts::{TABLES, conditions, limits, model, page, parameters, picture, provenance};
 
 const SCRIPT: &str = include_str!("page.js");
 
@@ -26,38 +26,27 @@ const SCRIPT: &str = include_str!("page.js");
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    folder.write(PAGE, page(study, inputs, results, folder).into_string().as_bytes())
+    folder.write(PAGE, page(&format!("{} – hartog", study.name), &body(study, inputs, results, folder)).as_bytes())
 }
 
-fn page(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Markup {
+fn body(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Markup {
     // a closing tag within a text would end the script
     let data = data::data(study, results).to_string().replace("</", "<\\/");
     html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (study.name) " – hartog" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                (question(study, results))
-                (designs(study, results))
-                (front(results))
-                (response(results))
-                (margins(study, results))
-                (limits(study, results))
-                (modes::modes())
-                (certificates(study, results))
-                (conditions(results))
-                (model(study))
-                (plots(study, results, folder))
-                (provenance(study, inputs, results))
-                script type="application/json" id="data" { (PreEscaped(data)) }
-                script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
-            }
-        }
+        (question(study, results))
+        (designs(study, results))
+        (front(results))
+        (response(results))
+        (margins(study, results))
+        (limits(study, results))
+        (modes::modes())
+        (certificates(study, results))
+        (conditions(results))
+        (model(study))
+        (plots(study, results, folder))
+        (provenance(study, inputs, results))
+        script type="application/json" id="data" { (PreEscaped(data)) }
+        script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
     }
 }
 

@@ -9,16 +9,33 @@ use crate::report::text::{check, dash, short, width};
 use crate::units::DEG_PER_RAD;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use maud::{Markup, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// Name of the page of a folder.
 pub(crate) const PAGE: &str = "report.html";
 
 /// How pages look.
-pub(super) const STYLE: &str = include_str!("page.css");
+const STYLE: &str = include_str!("page.css");
 
 /// Tables that sort and filter.
 pub(super) const TABLES: &str = include_str!("tables.js");
+
+/// A page that needs nothing from elsewhere.
+pub(super) fn page(title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body { (body) }
+        }
+    };
+    page.into_string()
+}
 
 /// Parameters that some design has, each once.
 pub(super) fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {

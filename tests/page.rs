@@ -110,6 +110,11 @@ fn pages_work_in_a_browser() {
                          if (!document.querySelector('#campbell path')) told.push('no frequencies');";
             let (_, told) = after(browser, &page, width, modes);
             assert_eq!(told, "", "{study}: modes");
+            let fronts = "const s = document.getElementById('fronts'), picked = () => document.getElementById('picked').textContent; \
+                          if (s) for (const o of s.options) { s.value = o.value; s.dispatchEvent(new Event('change')); document.getElementById('picked').textContent = ''; \
+                          document.querySelector('#front circle').dispatchEvent(new Event('click')); if (!picked().includes('kg m²')) told.push(o.textContent + ' tells ' + picked()); }";
+            let (_, told) = after(browser, &page, width, fronts);
+            assert_eq!(told, "", "{study}: fronts");
             let (dom, told) = after(browser, &page, width, &format!("for (const b of {boxes}) if (!b.checked) {{ b.click(); break; }}"));
             let more = dom.matches("type=\"checkbox\" aria-label=\"draw").count().min(drawn + 1);
             assert_eq!((curves(&dom, "response"), told.as_str()), (more, ""), "{study}");
@@ -160,10 +165,14 @@ fn pages_of_other_commands_work_in_a_browser() {
         for width in [1280, 390] {
             let sorts = "document.querySelectorAll('details').forEach(d => d.open = true); document.querySelector('th button').click(); \
                          const f = document.querySelector('input[type=search]'); f.value = 'no such value'; f.dispatchEvent(new Event('input')); \
-                         if ([...document.getElementById(f.dataset.of).tBodies[0].rows].some(r => !r.hidden)) told.push('rows stay');";
+                         if ([...document.getElementById(f.dataset.of).tBodies[0].rows].some(r => !r.hidden)) told.push('rows stay'); \
+                         const inches = document.getElementById('inches'), metric = [...document.querySelectorAll('table.sorts th')].filter(h => /_mm$/.test(h.textContent)); \
+                         const cells = () => metric.map(h => Number(h.closest('table').tBodies[0].rows[0].cells[h.cellIndex].textContent)), before = cells(); \
+                         if (inches) { inches.click(); cells().forEach((v, i) => { if (!(Math.abs(v * 25.4 / before[i] - 1) < 1e-3)) told.push(before[i] + ' mm became ' + v); }); }";
             let (dom, told) = after(browser, &page, width, &format!("{CONTRAST} {sorts}"));
             assert_eq!(told, "", "{command:?}");
             assert!(dom.contains("aria-sort=\"ascending\"") && dom.contains("data:image/svg+xml"), "{command:?}");
+            assert!(command[0] != "size" || dom.contains("crankpin_diameter_in"), "{command:?}: no inches");
         }
     }
 }

@@ -31,10 +31,10 @@ fn shipped_studies_are_likely() {
 }
 
 /// Slips that pass every check of single values are told of by what they do: the stroke for the radius, pressures in Pa in a column of bar, a chain in MN m/rad, a bore in cm, damping a hundred times too large, a
-/// ring held by kN m/rad.
+/// ring held by kN m/rad, angles of firing of a two-stroke in a four-stroke.
 #[test]
 fn slips_are_told_of() {
-    let slips: [(&str, &str, &str, &str); 11] = [
+    let slips: [(&str, &str, &str, &str); 12] = [
         ("engine.toml", "crank_radius_mm = 50 ", "crank_radius_mm = 100 ", "`crank_radius_mm` is half the stroke"),
         ("engine.toml", "bore_mm = 95", "bore_mm = 9.5", "the bore is 9.500 mm"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 200 ", "of critical, above 20 %"),
@@ -42,6 +42,7 @@ fn slips_are_told_of() {
         ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 900", "would twist a shaft between throws"),
         ("engine.toml", "piston_mass_kg = 0.9", "piston_mass_kg = 900", "is its mass in kg"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 0 ", "nothing damps the chain"),
+        ("engine.toml", "firing_deg = [0.0, 180.0, 360.0, 540.0]", "firing_deg = [0, 90, 180, 270]", "no cylinder fires for 450"),
         ("study.toml", "ring_inertia_kg_m2.fixed = 0.03", "ring_inertia_kg_m2.fixed = 30", "more than the whole chain"),
         ("pressure.csv", "turned", "", "are zero degrees of the pressure at top dead centre"),
         ("pressure.csv", "", "00000", "is its unit what the column says?"),

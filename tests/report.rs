@@ -80,12 +80,44 @@ fn criticals_are_the_peaks_of_the_response() {
             r["design"] == "none"
                 && r["condition"] == "firing"
                 && r["quantity"] == "amplitude"
+                && r["where"] == "pulley"
                 && r["order"] == critical["order"]
                 && (value(r, "speed_rpm") / value(critical, "critical_rpm") - 1.0).abs() < 0.05
         };
         let peak = response.iter().filter(near).map(|r| value(r, "amplitude")).fold(0.0, f64::max);
         assert_close(value(critical, "resonance_deg"), peak, 0.1, 0.0, &critical["order"]);
     }
+}
+
+/// With `--optima` the report holds the optima that `run` finds, to the last digit, and the torque of each shaft in each condition: with the ring locked more than with the ring at work.
+#[test]
+fn optima_are_reported_on_request() {
+    let (folder, run) = (tempfile::tempdir().expect("folder"), tempfile::tempdir().expect("folder"));
+    let own = tempfile::tempdir().expect("folder");
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/mendes_mwm6.toml")).expect("a study");
+    let engine = format!("{}/studies/engines", env!("CARGO_MANIFEST_DIR"));
+    let study = own.path().join("study.toml");
+    let text = text.split("[published]").next().expect("a study").replace("engines/", &format!("{engine}/"));
+    std::fs::write(&study, text.replace("[\"firing\", \"misfire\"]", "[\"firing\", \"absorber_locked\"]")).expect("written");
+    let hartog = |command: &str, more: &[&str], out: &Path| {
+        let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+        let output = c.arg(command).arg(&study).args(more).arg("--out").arg(out).output().expect("runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    hartog("report", &["--optima"], folder.path());
+    hartog("run", &["--quiet"], run.path());
+    let peaks = |folder: &Path| -> Vec<(String, String)> {
+        rows(folder, "designs.csv").iter().map(|r| (r["design"].clone(), r["peak_twist_deg"].clone())).collect()
+    };
+    let found = peaks(run.path());
+    assert!(found.iter().any(|d| d.0.starts_with("optimum_")));
+    assert_eq!(peaks(folder.path()), found);
+    let torques = rows(folder.path(), "shaft_torques.csv");
+    let largest = |condition: &str| {
+        let own = torques.iter().filter(|r| r["design"].starts_with("optimum_") && r["condition"] == condition);
+        own.map(|r| value(r, "torque_n_m")).fold(0.0, f64::max)
+    };
+    assert!(largest("absorber_locked") > 1.2 * largest("firing") && largest("misfire") > 0.0, "{torques:?}");
 }
 
 /// A misfire is looked at although the study does not ask for it; the page needs nothing from elsewhere and has every part that is asked for; nothing is searched for.

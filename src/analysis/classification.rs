@@ -7,6 +7,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::numerics::C64;
+use crate::objective::Condition;
 use crate::units::HZ_PER_RAD_PER_S;
 
 /// By how much an order drives a mode of the chain without absorber.
@@ -53,6 +54,8 @@ pub(crate) struct InRange {
 pub(crate) struct ShaftTorque {
     /// Name of the design.
     pub design: String,
+    /// The condition; of misfires the one that is worst.
+    pub condition: Condition,
     /// The stations it joins.
     pub shaft: String,
     /// All orders together, half peak-to-peak, at the speeds of the study, N m.
@@ -130,6 +133,7 @@ fn shafts(study: &Study, results: &Results) -> Vec<ShaftTorque> {
             let worst = study.speeds_rpm.iter().zip(&q.total).max_by(|a, b| a.1.total_cmp(b.1));
             list.extend(worst.map(|(speed_rpm, torque)| ShaftTorque {
                 design: sweep.design.clone(),
+                condition: q.condition,
                 shaft: q.place.clone(),
                 torque: *torque,
                 speed_rpm: *speed_rpm,

@@ -65,6 +65,13 @@ pub(crate) enum Implausible {
         /// Of the chain.
         chain: f64,
     },
+    /// Cylinders that fire in part of the cycle only: the longest pause, degrees, and that of even firing.
+    Firing {
+        /// Degrees.
+        longest: f64,
+        /// Degrees.
+        even: f64,
+    },
     /// A chain without damping in a design without absorber.
     Undamped,
     /// Lowest natural frequency of the chain, Hz.
@@ -99,6 +106,8 @@ const NEAR: f64 = 0.05;
 const PISTON: std::ops::RangeInclusive<f64> = 100.0..=30_000.0;
 /// Of the peak: 0.1 to 0.25 where burning begins near dead centre.
 const FULLNESS: f64 = 0.32;
+/// Longest pause between firings over that of even firing: parallel twins at 180 degrees have 1.5, cylinders that fire in pairs up to 1.9.
+const PAUSE: f64 = 1.95;
 /// rad: cranks of cars have a hundredth.
 const WINDUP: f64 = 0.15;
 /// mm.
@@ -131,6 +140,9 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         let full = audit.iter().max_by(|a, b| fullness(a).total_cmp(&fullness(b))).filter(|a| fullness(a) > FULLNESS);
         found.extend(full.map(|a| Implausible::Fullness { speed_rpm: a.speed_rpm, ratio: fullness(a) }));
         found.extend(windup(study, geometry, audit).filter(|twist| *twist > WINDUP).map(Implausible::Windup));
+        found.extend(
+            pause(study).filter(|(longest, even)| *longest > PAUSE * even).map(|(longest, even)| Implausible::Firing { longest, even }),
+        );
         let far = |known: f64| study.speeds_rpm.iter().any(|s| (s / known - 1.0).abs() > NEAR);
         found.extend(if let [only] = audit { Some(only.speed_rpm).filter(|s| far(*s)).map(Implausible::OneSpeed) } else { None });
         found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
@@ -156,6 +168,16 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         }
     }
     found
+}
+
+/// The longest pause between firings and that of even firing, degrees; nothing of one cylinder.
+fn pause(study: &Study) -> Option<(f64, f64)> {
+    let cycle = study.engine.cycle_deg();
+    let mut firing: Vec<f64> = study.engine.layout.firing_deg.iter().map(|f| f.rem_euclid(cycle)).collect();
+    firing.sort_by(f64::total_cmp);
+    let last = cycle - firing.last()? + firing.first()?;
+    let longest = firing.windows(2).map(|w| w[1] - w[0]).fold(last, f64::max);
+    (firing.len() > 1).then(|| (longest, cycle / firing.len() as f64))
 }
 
 /// The largest ring that an optimum may have, where it is larger than the chain.

@@ -14,7 +14,7 @@ use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
 use super::simplest::{self, SimplestLaw};
 use super::strain::{self, StrainOfDesign};
-use super::sweeps::{self, Sweeps};
+use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::Clock;
 use super::wanted::Wanted;
@@ -245,8 +245,7 @@ fn over_speed(
         .par_iter()
         .map(|d| {
             let named = (d.name.as_str(), d.conditions.as_slice());
-            let swept =
-                sweeps::sweeps(finders, &own, named, &d.absorbers, (study.twist, study.hub, study.every_station), &mut Work::default());
+            let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, Asked::by(study), &mut Work::default());
             swept.map_err(|error| of_design(d, error))
         })
         .collect::<Result<Vec<_>, _>>()?;

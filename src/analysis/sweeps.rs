@@ -5,6 +5,7 @@ use super::in_operation::absorbers;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
 use crate::engine::Units;
+use crate::input::Study;
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, PeakFinder};
@@ -99,7 +100,7 @@ impl QuantitySweep {
 pub struct Sweeps {
     /// Name of the design.
     pub design: String,
-    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, every other station where the study asks for it, then the twist in each condition.
+    /// Twist, hub, then the torque of each shaft, ring twist and power of each absorber, every other station where the study asks for it, then the twist in each condition, with the torque of each shaft where that is asked for.
     pub quantities: Vec<QuantitySweep>,
 }
 
@@ -109,18 +110,40 @@ fn finder_of<'a, 'f>(finders: &'f [PeakFinder<'a>], c: &ConditionResult) -> &'f 
     engines_in(c.condition, finders).find(units).unwrap_or(&finders[0])
 }
 
+/// What is swept besides the torque of every shaft, and the twist and power of every ring.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Asked {
+    /// The twist.
+    pub twist: Quantity,
+    /// The station that carries the absorbers.
+    pub hub: usize,
+    /// All stations, and all orders of all.
+    pub every_station: bool,
+    /// The torque of every shaft in every condition.
+    pub torque_in_conditions: bool,
+}
+
+impl Asked {
+    /// By a study.
+    pub(crate) fn by(study: &Study) -> Self {
+        let Study { twist, hub, every_station, torque_in_conditions, .. } = *study;
+        Self { twist, hub, every_station, torque_in_conditions }
+    }
+}
+
 /// Computes the sweeps of a design on `grid` (the study's own speeds).
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
-pub fn sweeps(
+pub(crate) fn sweeps(
     finders: &[PeakFinder],
     grid: &Grid,
     (name, conditions): (&str, &[ConditionResult]),
     design: &[Mounted],
-    (twist, hub, every_station): (Quantity, usize, bool),
+    asked: Asked,
     work: &mut Work,
 ) -> Result<Sweeps, ResponseError> {
+    let Asked { twist, hub, every_station, torque_in_conditions } = asked;
     let finder = &finders[0];
     let direct = Direct::new(finder.system, grid);
     let orders = finder.system.orders();
@@ -152,12 +175,19 @@ pub fn sweeps(
     }
     for c in conditions {
         let finder = finder_of(finders, c);
-        let mut phasors = Vec::new();
-        Direct::new(finder.system, grid).sweep(&absorbers(c.condition, finder, design)?, twist, &mut phasors, work)?;
+        let mut wanted = vec![(Swept::Twist, twist)];
+        if torque_in_conditions {
+            wanted.extend((0..chain.len() - 1).map(|s| (Swept::Torque, Quantity::ShaftTorque(s))));
+        }
+        let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
+        let phasors = Direct::new(finder.system, grid).sweep_each(&absorbers(c.condition, finder, design)?, &list, work)?;
         // cylinders that differ bring orders of their own
         let differ = finder.system.excitation.units != Units::Equal;
-        let swept = QuantitySweep::new((Swept::Twist, twist.place(chain)), (finder, &phasors), differ);
-        quantities.push(QuantitySweep { condition: c.condition, ..swept });
+        for ((of, quantity), phasors) in wanted.into_iter().zip(phasors) {
+            let keeps_orders = differ && (every_station || of == Swept::Twist);
+            let swept = QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), keeps_orders);
+            quantities.push(QuantitySweep { condition: c.condition, ..swept });
+        }
     }
     Ok(Sweeps { design: name.to_owned(), quantities })
 }

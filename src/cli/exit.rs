@@ -72,6 +72,7 @@ pub fn threads(count: Option<usize>) {
 
 /// What is printed fits the terminal, a hundred columns at most; `wide`: all columns of all tables, however wide.
 pub fn width(wide: bool) {
-    let terminal = terminal_size::terminal_size().map_or(USUAL, |(columns, _)| usize::from(columns.0));
+    let stated = || std::env::var("COLUMNS").ok()?.parse().ok();
+    let terminal = terminal_size::terminal_size().map(|(columns, _)| usize::from(columns.0)).or_else(stated).unwrap_or(USUAL);
     set((!wide).then_some(terminal.min(USUAL)));
 }

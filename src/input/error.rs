@@ -220,9 +220,24 @@ impl Source {
     /// The first mistake of grammar, key or type.
     pub fn parse<T: serde::de::DeserializeOwned>(&self) -> Result<T, InputError> {
         toml::from_str(&self.text).map_err(|e| {
-            let (message, help) = reword(e.message());
-            self.mistake(e.span().unwrap_or(0..0), message, help).into()
+            let span = e.span().unwrap_or(0..0);
+            let (message, help) = self.decimal_comma(&span).map_or_else(|| reword(e.message()), |found| (found, None));
+            self.mistake(span, message, help).into()
         })
+    }
+}
+
+impl Source {
+    /// A comma between digits where one value was expected.
+    fn decimal_comma(&self, span: &Range<usize>) -> Option<String> {
+        let (before, rest) = self.text.split_at_checked(span.start)?;
+        let digits = |c: char| c.is_ascii_digit();
+        let whole = &before[before.trim_end_matches(digits).len()..];
+        let decimals = rest.strip_prefix(',')?;
+        let decimals = &decimals[..decimals.len() - decimals.trim_start_matches(digits).len()];
+        let stands_alone = before[..before.len() - whole.len()].trim_end_matches([' ', '-', '+']).ends_with('=');
+        (stands_alone && !whole.is_empty() && !decimals.is_empty())
+            .then(|| format!("found the decimal comma of `{whole},{decimals}`, expected a point: `{whole}.{decimals}`"))
     }
 }
 

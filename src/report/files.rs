@@ -112,9 +112,9 @@ impl Folder {
         &self.path
     }
 
-    /// How many files were written, besides the one that tells of them.
+    /// How many files were written.
     pub fn written(&self) -> usize {
-        self.written.lock().unwrap_or_else(PoisonError::into_inner).iter().filter(|n| *n != SUMMARY).count()
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
     /// Whether this run has written a file of that name.

@@ -8,8 +8,8 @@ use crate::units::HZ_PER_RPM;
 pub enum ResponseError {
     /// Nothing limits the amplitude.
     #[error(
-        "resonance without damping: order {order} at {speed_rpm:.1} rpm ({frequency_hz:.2} Hz) has no finite amplitude; give the chain or \
-         the absorber some damping, or keep the resonance out of the speed range"
+        "resonance without damping: order {order} at {speed_rpm:.1} rpm ({frequency_hz:.2} Hz) has no finite amplitude; give the chain \
+         (`damping.fraction_of_critical` of the engine file) or the absorber some damping, or keep the resonance out of the speed range"
     )]
     Unbounded {
         /// The order.

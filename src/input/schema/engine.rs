@@ -15,7 +15,7 @@ pub(crate) struct RawEngine {
     /// Strokes of the cycle.
     #[schemars(extend("enum" = [2, 4], "examples" = [4]))]
     pub strokes: At<i64>,
-    /// What of the moving masses the inertias of the stations leave out: `mean` adds the mean of piston and rod, `none` adds nothing.
+    /// What of the moving masses the inertias of the stations leave out: `mean` adds the mean of piston and rod, `none` adds nothing. Without it `none` where all inertias of stations are given, and `mean` for those of throws that follow from dimensions.
     #[schemars(extend("examples" = ["mean"]))]
     pub reciprocating_inertia: Option<At<RawReciprocating>>,
     /// Slider-crank mechanism; required unless the torque comes from harmonics.

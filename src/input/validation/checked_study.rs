@@ -72,6 +72,8 @@ pub struct Study {
     pub refine_peaks: bool,
     /// Whether sweeps keep every station and shaft, order by order.
     pub every_station: bool,
+    /// Whether the sweeps have the torque of every shaft in every condition, too.
+    pub torque_in_conditions: bool,
     /// Given designs.
     pub designs: Vec<DesignSpec>,
     /// Catalogues of absorbers.

@@ -228,13 +228,13 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     if study.design.is_empty() && study.catalogue.is_empty() && study.optimise.is_none() {
         check.wrong(&study.engine, "found neither a design nor a catalogue nor [optimise], expected at least one of them in a study");
     }
-    let twist = reported_twist(&objective, &base.chain, hub);
     Some(Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
         crank_engine: brake_curve.then(|| base.engine.of_brake_curve()),
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
         reciprocating: base.reciprocating,
         engine: base.engine,
+        twist: reported_twist(&objective, &base.chain, hub),
         chain: base.chain,
         modes,
         speeds_rpm: base.speeds_rpm,
@@ -243,10 +243,10 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         tolerance,
         refine_peaks: study.response.refine_peaks.unwrap_or(true),
         every_station: study.response.every_station,
+        torque_in_conditions: false,
         designs,
         catalogues,
         hub,
-        twist,
         objective,
         more_objectives,
         combined,

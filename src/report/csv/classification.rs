@@ -32,9 +32,9 @@ pub(crate) fn classification(c: &Classification, folder: &Folder) -> Result<(), 
         criticals.row(first(&critical.of).chain(rest.map(optional)));
     }
     criticals.save(folder, "criticals.csv")?;
-    let mut shafts = Table::new(&["design", "shaft", "torque_n_m", "speed_rpm"]);
+    let mut shafts = Table::new(&["design", "condition", "shaft", "torque_n_m", "speed_rpm"]);
     for s in &c.shafts {
-        shafts.row([s.design.clone(), s.shaft.clone(), number(s.torque), number(s.speed_rpm)]);
+        shafts.row([s.design.clone(), s.condition.name().to_owned(), s.shaft.clone(), number(s.torque), number(s.speed_rpm)]);
     }
     shafts.save(folder, "shaft_torques.csv")
 }

@@ -16,7 +16,7 @@ pub(super) fn quoted(text: &str) -> String {
 /// One of so many throws, every value an example.
 pub(super) fn sample(throws: usize) -> String {
     let mut text = String::from(
-        "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next. A table does as well:\n# chain.file = \"chain.csv\"       # station, inertia_kg_m2, stiffness_to_next_n_m_per_rad, throws\n[[station]]\nname = \"pulley\"\n",
+        "\n# The chain from the free end to the flywheel: inertias, and the shaft from each to the next. A table does as well, in place of all [[station]]:\n# [chain]\n# file = \"chain.csv\"             # station, inertia_kg_m2, stiffness_to_next_n_m_per_rad, throws\n[[station]]\nname = \"pulley\"\n",
     );
     let _ = write!(text, "inertia_kg_m2 = {PULLEY}\nstiffness_to_next_n_m_per_rad = 3e5\n");
     for t in 1..=throws {

@@ -19,7 +19,7 @@ pub(crate) const CLASSIFICATION: &str = "classification.html";
 pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, c: &Classification, folder: &Folder) -> Result<(), WriteError> {
     let body = html! {
         h1 { (study.engine.name) ": torsional vibration calculation" }
-        p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study." }
+        p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study" @if !results.optima.is_empty() { " and of its optima" } "." }
         (model(study))
         (holzer(c))
         (sums(c))
@@ -90,13 +90,14 @@ fn criticals(c: &Classification) -> Markup {
 }
 
 fn designs(results: &Results) -> Markup {
-    let columns = parameters(results.designs.iter());
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let columns = parameters(all());
     html! {
         h2 { "Designs" }
         p class="soft" { "Twist and torque: half peak-to-peak of all orders together at the worst speed; heat: largest mean power of all absorbers." }
         div class="scroll" { table {
             thead { tr { th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } } }
-            tbody { @for d in &results.designs { tr {
+            tbody { @for d in all() { tr {
                 td { (d.name) }
                 @for p in &columns { td { (d.absorbers.iter().map(|m| dash(m.absorber.value(p.key).map(short))).collect::<Vec<_>>().join(" | ")) } }
                 td { (dash(d.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
@@ -109,16 +110,17 @@ fn designs(results: &Results) -> Markup {
 fn shafts(c: &Classification) -> Markup {
     html! {
         h2 { "Vibratory torque of the shafts" }
-        p class="soft" { "Largest of the speeds of the study, all orders together; over speed in the plots." }
+        p class="soft" { "Largest of the speeds of the study, all orders together; over speed in the plots. Of misfires that of the cylinder whose twist is worst." }
         div class="scroll" { table {
-            thead { tr { th { "design" } th class="words" { "shaft" } th { "torque, N m" } th { "at rpm" } } }
-            tbody { @for s in &c.shafts { tr { td { (s.design) } td class="words" { (s.shaft) } td { (short(s.torque)) } td { (format!("{:.0}", s.speed_rpm)) } } } }
+            thead { tr { th { "design" } th { "condition" } th class="words" { "shaft" } th { "torque, N m" } th { "at rpm" } } }
+            tbody { @for s in &c.shafts { tr { td { (s.design) } td { (s.condition.name().replace('_', " ")) } td class="words" { (s.shaft) } td { (short(s.torque)) } td { (format!("{:.0}", s.speed_rpm)) } } } }
         } }
     }
 }
 
 fn barred(study: &Study, results: &Results) -> Markup {
-    let all = || results.designs.iter().flat_map(|d| d.barred.iter().map(move |b| (d, b)));
+    let designs = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let all = || designs().flat_map(|d| d.barred.iter().map(move |b| (d, b)));
     html! { @if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
         h2 { "Barred speed ranges" }
         @if all().next().is_none() { p { "No design needs one." } } @else {

@@ -1,12 +1,11 @@
 //! What the script of the page draws, as JSON; five significant digits, which is more than a screen shows.
 
-use super::modes;
 use super::numbers::{digits, list};
+use super::{fronts, modes};
 use crate::analysis::sweeps::QuantitySweep;
 use crate::analysis::{DesignResult, Results, Sweeps};
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::report::csv::in_unit;
 use serde_json::{Map, Value, json};
 
 /// Designs whose curves are on the page: those that are swept, the given ones first.
@@ -52,63 +51,10 @@ fn margins(study: &Study, results: &Results) -> Value {
     Value::Object(results.margins.iter().map(of).collect())
 }
 
-/// A design in words: its parameters.
-fn told(d: &DesignResult) -> String {
-    let of = |m: &crate::absorber::Mounted| {
-        let law = m.absorber.law()?;
-        let parts = law.declaration().parameters.iter().zip(law.values());
-        let values: Vec<String> =
-            parts.map(|(p, v)| format!("{} {}", p.label.replacen('/', ", ", 1), crate::report::text::short(v))).collect();
-        Some(values.join("; "))
-    };
-    d.absorbers.iter().filter_map(of).collect::<Vec<_>>().join(" | ")
-}
-
-/// The fronts over ring inertia.
-fn front(study: &Study, results: &Results) -> Option<Value> {
-    if results.fronts.is_empty() {
-        return None;
-    }
-    let fronts = results.fronts.iter().map(|f| {
-        let points = &f.front.points;
-        let x: Vec<f64> = points.iter().map(|p| p.design[0].absorber.ring_inertia()).collect();
-        let y: Vec<f64> = points.iter().map(|p| in_unit(study, p.value)).collect();
-        let words = |p: &crate::optimise::FrontPoint| {
-            let a = &p.design[0].absorber;
-            let number = |symbol: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {symbol} {}", crate::report::text::short(v)));
-            format!(
-                "ring {} kg m²{}{}: {}{}",
-                crate::report::text::short(a.ring_inertia()),
-                number("k", a.stiffness()),
-                number("c", a.damping()),
-                crate::report::text::short(in_unit(study, p.value)),
-                study.objective.unit.suffix()
-            )
-        };
-        let dominated: Vec<bool> = points.iter().map(|p| p.dominated).collect();
-        json!({ "name": f.declaration.name, "x": list(&x), "y": list(&y), "dominated": dominated, "told": points.iter().map(words).collect::<Vec<_>>() })
-    });
-    let fronts: Vec<Value> = fronts.collect();
-    Some(
-        json!({ "x": "ring inertia, kg m²", "y": format!("{}{}", study.objective.label, comma(study.objective.unit.suffix())), "fronts": fronts }),
-    )
-}
-
-fn comma(unit: &str) -> String {
-    let unit = unit.trim();
-    if unit.is_empty() { String::new() } else { format!(", {unit}") }
-}
-
 /// Everything.
 pub(super) fn data(study: &Study, results: &Results) -> Value {
     let shown = shown(results);
-    let design = |d: &&DesignResult| {
-        let place = d.objective.filter(|_| !d.absorbers.is_empty()).map(|v| {
-            let ring: f64 = d.absorbers.iter().map(|m| m.absorber.ring_inertia()).sum();
-            json!([digits(ring), digits(in_unit(study, v))])
-        });
-        json!({ "name": d.name, "front": place, "told": told(d) })
-    };
+    let design = |d: &&DesignResult| json!({ "name": d.name, "told": fronts::told(&d.absorbers) });
     let none = shown.iter().find(|d| d.absorbers.is_empty()).or(shown.first()).map(|d| d.name.clone());
     let best = results
         .optima
@@ -130,6 +76,6 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
         "sweeps": sweeps,
         "margins": margins(study, results),
         "modes": modes::data(study, results),
-        "front": front(study, results),
+        "fronts": fronts::data(study, results, &shown),
     })
 }

@@ -3,6 +3,7 @@
 mod classification;
 mod data;
 mod folder;
+mod fronts;
 mod modes;
 mod numbers;
 mod parts;
@@ -35,7 +36,7 @@ fn body(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder)
     html! {
         (question(study, results))
         (designs(study, results))
-        (front(results))
+        (fronts::fronts(results))
         (response(results))
         (margins(study, results))
         (limits(study, results))
@@ -128,15 +129,6 @@ fn designs(study: &Study, results: &Results) -> Markup {
             } }
         } }
     }
-}
-
-fn front(results: &Results) -> Markup {
-    html! { @if !results.fronts.is_empty() {
-        h2 { "Front over ring inertia" }
-        p class="soft" { "Each point is the best absorber of its ring; filled points are not dominated. Given designs and optima stand beside it: a click draws one below." }
-        div id="front" {}
-        p id="picked" class="read" {}
-    } }
 }
 
 fn response(results: &Results) -> Markup {

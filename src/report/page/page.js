@@ -51,9 +51,12 @@ class Chart {
     const xs = this.series.flatMap(s => s.x); if (!xs.length) return;
     [this.x0, this.x1] = this.view || [Math.min(...xs), Math.max(...xs)];
     if (this.x0 === this.x1) this.x1 += 1;
+    // points need room on all sides
+    const room = this.x1 - this.x0; if (this.room && !this.view) { this.x0 -= 0.04 * room; this.x1 += 0.04 * room; }
     const ys = this.series.flatMap(s => s.y.filter((y, i) => y !== null && s.x[i] >= this.x0 && s.x[i] <= this.x1 && (!this.log || y > 0)));
     if (!ys.length) return;
     this.y1 = Math.max(...ys) * 1.05 || 1; this.y0 = this.log ? Math.max(Math.min(...ys) * 0.9, this.y1 * 1e-6) : Math.min(0, ...ys);
+    const least = Math.min(...ys); if (this.room && least > 0.3 * this.y1) this.y0 = least - 0.08 * (this.y1 - least);
     for (const x of ticks(this.x0, this.x1, false, this.width < 600 ? 3 : 6)) { svg("line", { x1: this.px(x), x2: this.px(x), y1: 20, y2: 350, stroke: "#e3e7eb" }, this.svg); svg("text", { x: this.px(x), y: 367, "text-anchor": "middle" }, this.svg).textContent = short(x); }
     for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: this.right, y1: this.py(y), y2: this.py(y), stroke: "#e3e7eb" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
     svg("text", { x: (70 + this.right) / 2, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
@@ -92,7 +95,8 @@ const response = new Chart("response", "speed, rpm", "");
 const margin = new Chart("margin", "speed, rpm", "safety factor");
 const campbell = new Chart("campbell", "speed, rpm", "frequency, Hz");
 const shape = new Chart("shape", "station", "relative angle");
-const front = new Chart("front", data.front ? data.front.x : "", data.front ? data.front.y : "");
+const front = new Chart("front", "", "");
+front.room = true;
 const by = id => document.getElementById(id);
 // The unit that the reader has chosen in place of one of the tables, and the factor to it.
 const chosenUnit = unit => unit === "°" && by("radians").checked ? ["rad", Math.PI / 180] : [unit, 1];
@@ -118,10 +122,17 @@ function showMargin() {
 }
 function showFront() {
   if (!front.box) return;
-  const of = data.front.y.match(/, (°)$/), [unit, factor] = chosenUnit(of ? of[1] : ""), to = y => y * factor;
-  front.vertical = of ? data.front.y.slice(0, -1) + unit : data.front.y;
-  const list = data.front.fronts.map((f, i) => ({ name: f.name, x: f.x, y: f.y.map(to), points: true, line: true, size: 3, hollow: f.dominated, colour: colours[i % colours.length], dash: dashes[1], tell: k => f.name + ": " + f.told[k], click: k => { by("picked").textContent = f.name + ": " + f.told[k]; } }));
-  for (const d of data.designs.filter(d => d.front)) list.push({ name: d.name, x: [d.front[0]], y: [to(d.front[1])], points: true, size: chosen.has(d.name) ? 8 : 5, colour: style(d.name).colour, hollow: [!chosen.has(d.name)], tell: () => d.name + ": " + d.told, click: () => toggle(d.name) });
+  const f = data.fronts[Number(by("fronts").value)];
+  const turned = axis => { const of = axis.match(/, (°)$/), [unit, factor] = chosenUnit(of ? of[1] : ""); return [of ? axis.slice(0, -1) + unit : axis, v => v * factor]; };
+  const [horizontal, right] = turned(f.x), [vertical, up] = turned(f.y);
+  front.horizontal = horizontal; front.vertical = vertical;
+  const list = f.fronts.map((g, i) => ({ name: g.name, x: g.x.map(right), y: g.y.map(up), points: true, line: true, size: 3, hollow: g.dominated, colour: colours[i % colours.length], dash: dashes[1], tell: k => g.name + ": " + g.told[k], click: k => { by("picked").textContent = g.name + ": " + g.told[k]; } }));
+  // designs far out would hide what the front tells
+  const far = [list.flatMap(s => s.x), list.flatMap(s => s.y)].map(v => 2 * Math.max(...v) - Math.min(...v));
+  for (const d of data.designs.filter(d => f.designs[d.name])) {
+    const [x, y] = f.designs[d.name], at = [right(x), up(y)];
+    if (at[0] <= far[0] && at[1] <= far[1]) list.push({ name: d.name, x: [at[0]], y: [at[1]], points: true, size: chosen.has(d.name) ? 8 : 5, colour: style(d.name).colour, hollow: [!chosen.has(d.name)], tell: () => d.name + ": " + d.told, click: () => toggle(d.name) });
+  }
   front.show(list);
 }
 // Order lines, natural frequencies of the chain and of the chosen designs, and where they meet.
@@ -178,6 +189,8 @@ for (const id of ["quantity", "order", "log"]) by(id).addEventListener("change",
 by("radians").addEventListener("change", showUnits);
 data.modes.shapes.forEach((s, i) => { const o = document.createElement("option"); o.value = i; o.textContent = (i + 1) + ": " + short(s.hz) + " Hz"; by("mode").append(o); });
 by("mode").addEventListener("change", showShape);
+data.fronts.forEach((f, i) => { const o = document.createElement("option"); o.value = i; o.textContent = f.title; by("fronts").append(o); });
+if (front.box) by("fronts").addEventListener("change", showFront);
 if (by("criterion")) by("criterion").addEventListener("change", showMargin);
 show();
 showShape();

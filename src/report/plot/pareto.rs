@@ -46,7 +46,7 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         suffix => format!(" / {suffix}"),
     };
     let stroke = |i: usize, kind: &str| Stroke { style: line(colour(kind), 22), ..Stroke::of(i, 22) };
-    let levels = [(none, "no absorber", Stroke::dashed(line(BLACK, 12))), (floor, "forced floor", Stroke::dashed(line(GREY, 12)))];
+    let levels = [(none, "no absorber", Stroke::dashed(line(BLACK, 12))), (floor, "quasi-static", Stroke::dashed(line(GREY, 12)))];
     let mut entries: Vec<Entry> = lines
         .iter()
         .enumerate()

@@ -56,6 +56,11 @@ fn sentence(found: &Implausible) -> String {
             short(*ring),
             short(*chain)
         ),
+        Implausible::Firing { longest, even } => format!(
+            "no cylinder fires for {}° of the cycle, where even firing has {}°: do all cylinders have their angle within the cycle in `firing_deg`?",
+            short(*longest),
+            short(*even)
+        ),
         Implausible::Undamped => {
             "nothing damps the chain, so that a resonance without absorber has no finite amplitude: the engine file may say `damping.fraction_of_critical`".into()
         }

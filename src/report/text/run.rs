@@ -259,11 +259,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
     if let Some(floor) = results.forced_floor.filter(|_| *held == [Condition::Firing]) {
         let none = results.designs.iter().find(|d| d.absorbers.is_empty());
         let beside = none.map_or_else(String::new, |d| format!("; with its resonances it is {}", value(study, objective(d))));
-        let _ = writeln!(
-            text,
-            "Forced floor: {} would be left of the engine without absorber if nothing resonated{beside}.",
-            value(study, floor)
-        );
+        let _ = writeln!(text, "Quasi-static, as if nothing resonated, the engine without absorber has {}{beside}.", value(study, floor));
     }
     let with = || results.designs.iter().filter(|d| !d.absorbers.is_empty());
     let any_holds = with().any(DesignResult::within_limits);

@@ -246,3 +246,43 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
         }
     }
 }
+
+/// No resonance hides between the speeds of a study, whatever the law of the ring: on the six with a hundredth of its damping, steps of 40 rpm, each type at a third, once and three times its typical
+/// values, with all its losses, a tenth and a hundredth of them. The refined peak is not below a sweep in steps of half a rpm (1e-9 for rounding), and is the response at
+/// its speed.
+#[test]
+fn no_resonance_hides_between_speeds() {
+    let s = study("villalva_i6_thesis");
+    let mut chain = s.chain.clone();
+    chain.stations.iter_mut().for_each(|station| {
+        station.damping_to_ground *= 0.01;
+        station.damping_to_next *= 0.01;
+    });
+    let sys = System::new(chain, system(&s).excitation);
+    let (first, last) = (s.speeds_rpm[0], s.speeds_rpm[s.speeds_rpm.len() - 1]);
+    let speeds = |step: f64| (0..=((last - first) / step) as usize).map(|i| first + step * i as f64).collect::<Vec<_>>();
+    let (coarse, fine) = (Grid::new(&speeds(40.0), &sys.excitation.tabulated_rpm), Grid::new(&speeds(0.5), &[]));
+    let method = Method::Receptance(Receptance::new(&sys, &coarse, 0, &[s.twist]));
+    let finder = PeakFinder::new(&sys, &coarse, &method, true);
+    let scan = Method::Receptance(Receptance::new(&sys, &fine, 0, &[s.twist]));
+    let scanned = PeakFinder::new(&sys, &fine, &scan, false);
+    let measure = Measure::new(vec![s.twist], Over::Synthesis);
+    let mut narrow = 0;
+    for declaration in laws_of_small_twist() {
+        for (detuned, loss) in [(0.3, 1.0), (0.3, 0.01), (1.0, 0.1), (1.0, 0.01), (3.0, 0.1), (3.0, 0.01)] {
+            let mut values = typical(&s, declaration, 0.05, detuned);
+            values.iter_mut().zip(declaration.parameters).filter(|(_, p)| p.dissipative).for_each(|(v, _)| *v *= loss);
+            let design = [Mounted::on_station(0, Absorber::Ring((declaration.build)(&values)))];
+            let peak = |finder: &PeakFinder| finder.peak(&design, &measure, &mut Work::default()).expect("damped").expect("excited");
+            let (found, least) = (peak(&finder), peak(&scanned));
+            let what = format!("{} of {values:?}: {found:?} against {least:?}", declaration.name);
+            assert!(found.value >= least.value * (1.0 - 1e-9), "{what}");
+            let there = Grid::new(&[found.speed_rpm], &[]);
+            let mut phasors = Vec::new();
+            Direct::new(&sys, &there).sweep(&design, s.twist, &mut phasors, &mut Work::default()).expect("damped");
+            assert_close(found.value, finder.synthesis(&phasors)[0], 1e-9, 0.0, &what);
+            narrow += usize::from(coarse.speed_rpm.iter().all(|speed| (speed - found.speed_rpm).abs() > 1.0));
+        }
+    }
+    assert!(narrow > 20, "{narrow} of the peaks lie between speeds");
+}

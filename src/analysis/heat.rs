@@ -5,7 +5,7 @@ use super::in_operation::{AtSpeed, Balance, Follower, Rule};
 use crate::absorber::Mounted;
 use crate::input::Study;
 use crate::objective::PeakFinder;
-use crate::response::{ResponseError, Work};
+use crate::response::{Hosts, ResponseError, Work};
 use rayon::prelude::*;
 
 /// An absorber at one speed.
@@ -50,7 +50,9 @@ pub(crate) fn heat<'d>(
     finder: &PeakFinder,
     shown: &[&'d DesignResult],
 ) -> Result<Vec<HeatOfDesign>, (&'d DesignResult, ResponseError)> {
-    let one = |d: &&'d DesignResult| of_design(study, finder, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
+    let cooled = shown.iter().filter(|d| Follower::of(&d.absorbers, |m| m.thermal.is_some()).is_some());
+    let hosts = Hosts::of(&finder.direct, cooled.map(|d| d.absorbers.as_slice()));
+    let one = |d: &&'d DesignResult| of_design(study, finder, &hosts, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
     shown.iter().filter_map(one).collect()
 }
 
@@ -61,17 +63,24 @@ pub(crate) fn heat<'d>(
 pub(crate) fn of_design(
     study: &Study,
     finder: &PeakFinder,
+    hosts: &Hosts,
     (name, design): (&str, &[Mounted]),
 ) -> Result<Option<HeatOfDesign>, ResponseError> {
     let Some(of) = Follower::of(design, |m| m.thermal.is_some()) else { return Ok(None) };
     let Some(limit) = of.law.material().and_then(|m| m.thermal).map(|t| t.cooling.limit) else { return Ok(None) };
-    let at = |speed: &f64| at(study, finder, &of, limit, *speed);
-    let points = finder.grid.speed_rpm.par_iter().map(at).collect::<Result<_, _>>()?;
+    let at = |(i, speed): (usize, &f64)| at(study, finder, (&of, limit), *speed, (hosts, i));
+    let points = finder.grid.speed_rpm.par_iter().enumerate().map(at).collect::<Result<_, _>>()?;
     Ok(Some(HeatOfDesign { design: name.to_owned(), absorber: of.index, limit, points }))
 }
 
-fn at(study: &Study, finder: &PeakFinder, of: &Follower, limit: f64, speed_rpm: f64) -> Result<HeatAt, ResponseError> {
-    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm);
+fn at(
+    study: &Study,
+    finder: &PeakFinder,
+    (of, limit): (&Follower, f64),
+    speed_rpm: f64,
+    known: (&Hosts, usize),
+) -> Result<HeatAt, ResponseError> {
+    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm, Some(known));
     let balances = own.balances()?;
     let law = own.at(Some(balances.first().map_or(limit, |b| b.celsius)))?;
     let phasors = finder.direct.at_each(&own.with(&law), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);

@@ -10,7 +10,7 @@ use crate::numerics::elementary::Elementary;
 use crate::numerics::roots::roots;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Condition, PeakFinder};
-use crate::response::{Direct, Grid, OpenLaw, ResponseError};
+use crate::response::{Direct, Grid, Hosts, OpenLaw, ResponseError};
 use crate::units::RAD_PER_S_PER_RPM;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -83,9 +83,15 @@ pub(crate) struct AtSpeed<'a> {
 }
 
 impl<'a> AtSpeed<'a> {
-    /// Of a design at a speed.
-    pub fn new((direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser), of: &Follower<'a>, rule: Rule, speed_rpm: f64) -> Self {
-        Self { open: OpenLaw::new(direct, (of.design, of.index), speed_rpm), synthesiser, law: of.law.clone(), speed_rpm, rule }
+    /// Of a design at a speed; `known`: hosts, and which speed of their grid this is.
+    pub fn new(
+        (direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser),
+        of: &Follower<'a>,
+        rule: Rule,
+        speed_rpm: f64,
+        known: Option<(&'a Hosts, usize)>,
+    ) -> Self {
+        Self { open: OpenLaw::new(direct, (of.design, of.index), speed_rpm, known), synthesiser, law: of.law.clone(), speed_rpm, rule }
     }
 
     /// All strains between the least and the most that agree with themselves at a temperature (°C; where nothing is known of that, the reference), ascending; the lowest is met from rest.
@@ -126,7 +132,7 @@ impl<'a> AtSpeed<'a> {
     /// As [`Self::strains`].
     pub(crate) fn power_at(&self, celsius: f64) -> Result<f64, ResponseError> {
         let law = self.at(Some(celsius))?;
-        Ok(self.open.power(&law, &self.open.ring_twist(&law)?))
+        self.open.power(&law)
     }
 
     /// Temperature that is reached from cold, °C: the limit where it overheats, nothing where nothing cools it.
@@ -176,7 +182,7 @@ impl InOperation {
     fn find(&self, speed_rpm: f64) -> Result<Arc<dyn Law>, ResponseError> {
         let direct = Direct::new(&self.system, &self.grid);
         let of = Follower { design: &self.design, index: self.index, law: self.law.clone() };
-        let at = AtSpeed::new((&direct, &self.synthesiser), &of, Rule::HalfPeakToPeak, speed_rpm);
+        let at = AtSpeed::new((&direct, &self.synthesiser), &of, Rule::HalfPeakToPeak, speed_rpm, None);
         at.at(at.celsius()?)
     }
 

@@ -8,7 +8,7 @@ use super::in_operation::{AtSpeed, Follower, Rule};
 use crate::input::Study;
 use crate::numerics::maximise::maximise;
 use crate::objective::PeakFinder;
-use crate::response::{ResponseError, Work};
+use crate::response::{Hosts, ResponseError, Work};
 use rayon::prelude::*;
 
 /// A design at one speed.
@@ -47,15 +47,24 @@ pub(crate) fn strain<'d>(
     shown: &[&'d DesignResult],
 ) -> Result<Vec<StrainOfDesign>, (&'d DesignResult, ResponseError)> {
     let followed = shown.iter().filter_map(|d| Some((*d, Follower::of(&d.absorbers, |m| m.amplitude.is_some())?)));
-    let each = followed.flat_map(|(d, of)| Rule::ALL.map(|rule| (d, of.clone(), rule)));
-    each.map(|(d, of, rule)| by_rule(study, finder, d, (&of, rule)).map_err(|error| (d, error))).collect()
+    let followed: Vec<_> = followed.collect();
+    let hosts = Hosts::of(&finder.direct, followed.iter().map(|f| f.1.design));
+    let each = followed.into_iter().flat_map(|(d, of)| Rule::ALL.map(|rule| (d, of.clone(), rule)));
+    each.map(|(d, of, rule)| by_rule(study, finder, &hosts, d, (&of, rule)).map_err(|error| (d, error))).collect()
 }
 
-fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (of, rule): (&Follower, Rule)) -> Result<StrainOfDesign, ResponseError> {
-    let at = |speed_rpm: f64| at(study, finder, of, rule, speed_rpm);
-    let points = finder.grid.speed_rpm.par_iter().map(|s| at(*s)).collect::<Result<Vec<StrainAt>, _>>()?;
+fn by_rule(
+    study: &Study,
+    finder: &PeakFinder,
+    hosts: &Hosts,
+    d: &DesignResult,
+    (of, rule): (&Follower, Rule),
+) -> Result<StrainOfDesign, ResponseError> {
+    let points = finder.grid.speed_rpm.par_iter().enumerate();
+    let points = points.map(|(i, s)| at(study, finder, (of, rule), *s, Some((hosts, i)))).collect::<Result<Vec<StrainAt>, _>>()?;
     let best = (0..points.len()).fold(0, |m, i| if points[i].twist > points[m].twist { i } else { m });
     let mut peak = points[best].clone();
+    let at = |speed_rpm: f64| at(study, finder, (of, rule), speed_rpm, None);
     if finder.refine {
         let (low, high) = (points[best.saturating_sub(1)].speed_rpm, points[(best + 1).min(points.len() - 1)].speed_rpm);
         if low < high {
@@ -68,8 +77,14 @@ fn by_rule(study: &Study, finder: &PeakFinder, d: &DesignResult, (of, rule): (&F
     Ok(StrainOfDesign { design: d.name.clone(), absorber: of.index, rule, points, peak })
 }
 
-fn at(study: &Study, finder: &PeakFinder, of: &Follower, rule: Rule, speed_rpm: f64) -> Result<StrainAt, ResponseError> {
-    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, rule, speed_rpm);
+fn at(
+    study: &Study,
+    finder: &PeakFinder,
+    (of, rule): (&Follower, Rule),
+    speed_rpm: f64,
+    known: Option<(&Hosts, usize)>,
+) -> Result<StrainAt, ResponseError> {
+    let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, rule, speed_rpm, known);
     let celsius = own.celsius()?;
     let strains = own.strains(celsius)?;
     let phasors = finder.direct.at_each(&own.with(&own.at(celsius)?), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);

@@ -9,7 +9,7 @@ use crate::engine::Excitation;
 use crate::input::{OptimiseSpec, Study};
 use crate::objective::{Measure, Over, PeakFinder};
 use crate::optimise::starts::starts;
-use crate::response::{Grid, Method, Quantity, Receptance, Work};
+use crate::response::{Grid, Hosts, Method, Quantity, Receptance, Work};
 
 /// A type, started by its last closed form on the first mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +84,9 @@ fn heated(study: &Study, spec: &OptimiseSpec, finder: &PeakFinder, modes: &[Vec<
     let Some((name, design)) = designs.into_iter().find(|d| d.1.iter().any(cooled)) else { return Ok(None) };
     let Ok(one) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return Ok(None) };
     let failed = |error| RunError { what: format!("`{name}`"), error };
-    let balances = || one.install(|| heat(study, finder, (&name, &design)));
+    // what the chain does to its station is solved once a study, as it is for the plain ring
+    let hosts = Hosts::of(&finder.direct, std::iter::once(design.as_slice()));
+    let balances = || one.install(|| heat(study, finder, &hosts, (&name, &design)));
     let Some(found) = balances().map_err(failed)? else { return Ok(None) };
     let seconds = median_seconds(REPEATS, || balances().map(|_| ())).map_err(failed)?;
     let plain = median_seconds(REPEATS, || peak(finder, &design, study.twist).map(|_| ())).map_err(failed)?;

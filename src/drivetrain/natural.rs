@@ -21,6 +21,10 @@ const SCREENED: f64 = 1e-9;
 const DIFFERENCE: f64 = 1e-5;
 /// Relative change of an own frequency that is good enough where the iteration is slow.
 const NEARLY: f64 = 1e-3;
+/// Frequencies between two of the chain at which a law is looked at.
+const SCAN: usize = 24;
+/// Screened eigenvalues closer than this are one.
+const SAME_MOTION: f64 = 1e-7;
 /// Frequencies closer than this are one.
 const SAME: f64 = 1e-9;
 /// Rounds after which an iteration is given up that changes no less than this share of its last change.
@@ -66,6 +70,11 @@ impl Basis {
         }
     }
 
+    /// How many modes.
+    pub(crate) fn len(&self) -> usize {
+        self.stiffness.len()
+    }
+
     /// Eigenvalues s (1/s) of chain and absorbers, those with positive imaginary part; nothing where they cannot be computed. Laws that depend on the
     /// speed of the shaft are taken at the speed at which `order` has the frequency of the motion.
     pub fn eigenvalues(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
@@ -85,9 +94,50 @@ impl Basis {
         if law.spring_and_damper().is_some() {
             return self.eigenvalues(design, order);
         }
-        let rough = self.with(design, |law| at_frequency(law, self.typical(law, order), order))?;
+        let typical = |law: &dyn Law| at_frequency(law, self.typical(law, order), order);
         let near = |s: &C64| self.newton(mounted, law.as_ref(), station, *s, order);
-        rough.iter().map(near).collect::<Option<_>>().or_else(|| self.eigenvalues(design, order))
+        let found = |rough: &[C64]| different(rough.iter().filter_map(near).collect());
+        // motions without damping lead to those that are hardly damped, and are found in a tenth of the time
+        let undamped = self.undamped(design, &typical)?;
+        let first = found(&undamped);
+        if first.len() == undamped.len() {
+            return Some(first);
+        }
+        // a law that is far from its typical spring: where it crosses the chain at its own frequency, and the chain alone
+        let more = self.crossings(mounted, law.as_ref(), station, order);
+        let alone = self.stiffness.iter().map(|k| C64::new(0.0, k.sqrt())).filter(|s| s.im > 0.0);
+        let all = found(&undamped.iter().copied().chain(more).chain(alone).collect::<Vec<_>>());
+        // it may leave its ring no motion of its own, but takes away no other; a pendulum tuned to the order holds its station, and leaves fewer
+        if law.depends_on_speed() || all.len() + 1 >= undamped.len() { Some(all) } else { self.eigenvalues(design, order) }
+    }
+
+    /// Frequencies of the chain with one ring, without damping, as a scan between those of the chain tells: (k - J w²)(1 - w² m H) = J w² k H with k = Re S(w).
+    fn crossings(&self, mounted: &Mounted, law: &dyn Law, station: usize, order: f64) -> Vec<C64> {
+        let shape = |i: usize| self.shapes[(station, i)] * self.shapes[(station, i)];
+        let missing = |w: f64| {
+            let square = w * w;
+            let h: f64 = self.stiffness.iter().enumerate().map(|(i, k)| shape(i) / (k - square)).sum();
+            let (k, ring) = (at_frequency(law, w, order).stiffness, law.ring_inertia() * square);
+            (k - ring) * (1.0 - square * mounted.hub_inertia * h) - ring * k * h
+        };
+        let own: Vec<f64> = self.stiffness.iter().map(|k| k.max(0.0).sqrt()).collect();
+        let top = 1.1 * own.iter().copied().fold(0.0, f64::max);
+        let mut list = Vec::new();
+        for (low, high) in own.iter().copied().zip(own.iter().copied().skip(1).chain([top])).filter(|(low, high)| low < high) {
+            let at = |i: usize| low + (high - low) * (i as f64 + 0.5) / SCAN as f64;
+            let values: Vec<f64> = (0..SCAN).map(|i| missing(at(i))).collect();
+            let crossed = |i: &usize| values[*i] * values[*i + 1] <= 0.0;
+            list.extend((0..SCAN - 1).filter(crossed).map(|i| C64::new(0.0, 0.5 * (at(i) + at(i + 1)))));
+        }
+        list
+    }
+
+    /// Eigenvalues with these springs and no damping.
+    fn undamped(&self, design: &[Mounted], spring: &impl Fn(&dyn Law) -> SpringAndDamper) -> Option<Vec<C64>> {
+        let [m, _, k] = self.matrices(design, spring);
+        let squares = eigen::undamped(&m, &k)?;
+        let largest = squares.last().copied().unwrap_or(0.0).sqrt();
+        Some(squares.into_iter().map(|s| s.max(0.0).sqrt()).filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect())
     }
 
     /// A frequency at which a law may be taken for constant: that of its ring on a held hub.
@@ -145,7 +195,8 @@ impl Basis {
 
     /// The eigenvalue near a screened one with laws taken at its frequency, all damping counted: what screening leaves out is of the order of the square of the damping.
     pub(crate) fn near(&self, design: &[Mounted], s: C64, order: f64) -> Option<C64> {
-        self.settled(design, s, order, 1)
+        let [m, c, k] = self.matrices(design, &|law: &dyn Law| at_frequency(law, s.im, order));
+        eigen::near(&m, &c, &k, s).or_else(|| self.settled(design, s, order, 1))
     }
 
     /// The eigenvalue near `s` with laws taken at its own frequency, by iteration.
@@ -167,6 +218,16 @@ impl Basis {
 
     /// Eigenvalues with these springs and dampers.
     fn with(&self, design: &[Mounted], spring: impl Fn(&dyn Law) -> SpringAndDamper) -> Option<Vec<C64>> {
+        let [m, c, k] = self.matrices(design, &spring);
+        let mut s = eigen::quadratic(&m, &c, &k)?;
+        // a double zero eigenvalue is split by rounding: to about the square root of the rounding of the largest
+        let largest = s.iter().map(|s| s.im).fold(0.0, f64::max);
+        s.retain(|s| s.im > 1e-6 * largest);
+        Some(s)
+    }
+
+    /// Mass, damping and stiffness with these springs and dampers: the modes first, then the rings.
+    fn matrices(&self, design: &[Mounted], spring: &impl Fn(&dyn Law) -> SpringAndDamper) -> [DMatrix<f64>; 3] {
         let kept = self.stiffness.len();
         let moving = design.iter().filter(|m| m.absorber.law().is_some()).count();
         let n = kept + moving;
@@ -192,11 +253,7 @@ impl Basis {
             k.ger(spring.stiffness, &twist, &twist, 1.0);
             c.ger(spring.damping, &twist, &twist, 1.0);
         }
-        let mut s = eigen::quadratic(&m, &c, &k)?;
-        // a double zero eigenvalue is split by rounding: to about the square root of the rounding of the largest
-        let largest = s.iter().map(|s| s.im).fold(0.0, f64::max);
-        s.retain(|s| s.im > 1e-6 * largest);
-        Some(s)
+        [m, c, k]
     }
 
     /// Motion of what carries a hub, in the coordinates: a row of the modes, or that of a ring.
@@ -211,6 +268,13 @@ impl Basis {
             }
         }
     }
+}
+
+/// Eigenvalues by frequency, each once.
+fn different(mut list: Vec<C64>) -> Vec<C64> {
+    list.sort_by(|a, b| a.im.total_cmp(&b.im));
+    list.dedup_by(|b, a| (*b - *a).norm() <= SAME_MOTION * b.norm());
+    list
 }
 
 /// Number of a ring among those that move.

@@ -1,7 +1,12 @@
 //! Eigenpairs of undamped and damped systems with a diagonal mass matrix.
 
 use super::C64;
-use nalgebra::{DMatrix, Schur, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
+
+/// Rounds of inverse iteration, the relative change at which it ends, and how far it may lead.
+const MOST_ITERATIONS: usize = 20;
+const SETTLED: f64 = 1e-12;
+const STRAYED: f64 = 0.05;
 
 /// Eigenpairs of K phi = lambda M phi for symmetric K and diagonal M, ascending, one for each mass that is not zero; the columns of the second value
 /// are scaled to phi' M phi = 1. Solved as the symmetric problem M^-1/2 K M^-1/2. Coordinates without mass follow the others statically, or stay
@@ -36,6 +41,47 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
     let vectors = DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, order[j])] / root[i]);
     (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
+}
+
+/// Squares of the circular frequencies of M x'' + K x = 0 with positive definite M and symmetric K, ascending. Nothing where M is not that or something is not finite.
+pub(crate) fn undamped(m: &DMatrix<f64>, k: &DMatrix<f64>) -> Option<Vec<f64>> {
+    let lower = m.clone().cholesky()?.unpack();
+    let half = lower.solve_lower_triangular(k)?.transpose();
+    let reduced = lower.solve_lower_triangular(&half)?;
+    if !reduced.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let mut squares: Vec<f64> = reduced.symmetric_eigenvalues().iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    Some(squares)
+}
+
+/// The eigenvalue of M s² + C s + K nearest to `first`, by inverse iteration with its quotient (Ruhe 1973, SIAM J. Numer. Anal. 10), which converges quadratically. Nothing where it leads elsewhere.
+pub(crate) fn near(m: &DMatrix<f64>, c: &DMatrix<f64>, k: &DMatrix<f64>, first: C64) -> Option<C64> {
+    let n = m.nrows();
+    let mut s = first;
+    // neither along nor across any one motion
+    let mut x = DVector::from_fn(n, |i, _| C64::from(1.0 + 0.3 * ((7 * i) % 5) as f64));
+    for _ in 0..MOST_ITERATIONS {
+        let at = DMatrix::from_fn(n, n, |i, j| s * (s * m[(i, j)] + c[(i, j)]) + k[(i, j)]);
+        let slope = DMatrix::from_fn(n, n, |i, j| 2.0 * s * m[(i, j)] + c[(i, j)]);
+        let next = at.lu().solve(&(slope * &x))?;
+        let largest = next.icamax();
+        let change = x[largest] / next[largest];
+        if !change.is_finite() {
+            // s is an eigenvalue to the last digit
+            return (s.is_finite()).then_some(s);
+        }
+        s -= change;
+        x = &next / next[largest];
+        if (s - first).norm() > STRAYED * first.norm() {
+            return None;
+        }
+        if change.norm() <= SETTLED * s.norm() {
+            return Some(s);
+        }
+    }
+    None
 }
 
 /// Eigenvalues s (1/s, both of each conjugate pair) of M s² + C s + K with positive definite M, from the companion form. Nothing where the

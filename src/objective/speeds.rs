@@ -137,7 +137,7 @@ impl Resonances {
         if is_constant(design) {
             return self.full.eigenvalues(design, order).unwrap_or(first);
         }
-        let all = if heavy { first } else { self.full.screened(design, order).unwrap_or(first) };
+        let all = if heavy || self.full.len() == self.basis.len() { first } else { self.full.screened(design, order).unwrap_or(first) };
         all.into_iter().map(|s| if narrow(&s) { self.full.near(design, s, order).unwrap_or(s) } else { s }).collect()
     }
 }

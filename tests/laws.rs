@@ -2,7 +2,7 @@
 
 use crate::support::{assert_close, study, system};
 use hartog::absorber::closed_forms::EngineMode;
-use hartog::absorber::{Absorber, Declaration, Host, Mounted, Operating, Range, Surroundings, TYPES};
+use hartog::absorber::{Absorber, Declaration, Follows, Host, Mounted, Operating, Range, Surroundings, TYPES};
 use hartog::drivetrain::System;
 use hartog::input::Study;
 use hartog::numerics::{C64, I, ZERO};
@@ -285,4 +285,36 @@ fn no_resonance_hides_between_speeds() {
         }
     }
     assert!(narrow > 20, "{narrow} of the peaks lie between speeds");
+}
+
+/// A law that tells S by the factor of temperature tells the same as the law whose parameters follow by that factor, to 1e-13.
+#[test]
+fn factors_of_temperature() {
+    let s = study("villalva_i6_thesis");
+    let points: Vec<Operating> = (1..40)
+        .map(|i| Operating { omega: 60.0 * f64::from(i), shaft_speed: 120.0 })
+        .chain([Operating { omega: 0.0, shaft_speed: 120.0 }])
+        .collect();
+    let mut told = 0;
+    for declaration in every_law() {
+        let values = typical(&s, declaration, 0.05, 0.8);
+        let law = (declaration.build)(&values);
+        let Some(each) = law.followed_each(&points) else { continue };
+        told += 1;
+        for factor in [1e-3, 0.3, 1.0, 7.0, 1e4] {
+            let follow = |(p, v): (&hartog::absorber::Parameter, &f64)| match p.follows {
+                Follows::Nothing => *v,
+                Follows::Factor => v * factor,
+                Follows::Inverse => v / factor,
+            };
+            let followed = law.rebuilt(&declaration.parameters.iter().zip(&values).map(follow).collect::<Vec<_>>());
+            let mut found = vec![ZERO; points.len()];
+            each(factor, &mut found);
+            for (found, at) in found.iter().zip(&points) {
+                let expected = followed.dynamic_stiffness(*at);
+                assert!((found - expected).norm() <= 1e-13 * expected.norm(), "{} at {at:?}: {found} against {expected}", declaration.name);
+            }
+        }
+    }
+    assert!(told >= 2, "{told}");
 }

@@ -9,7 +9,7 @@ use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring in silicone oil.
@@ -60,7 +60,12 @@ fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 impl Carreau {
     /// (i omega tau)^a.
     fn power(&self, omega: f64) -> C64 {
-        imaginary_power(omega * self.relaxation_time, self.transition)
+        ImaginaryPower::new(self.transition).of(omega * self.relaxation_time)
+    }
+
+    /// S of z = (i omega tau)^a.
+    fn stiffness_of(&self, omega: f64, z: C64) -> C64 {
+        C64::new(0.0, omega * self.damping) * (1.0 + z).power((self.flow_index - 1.0) / self.transition)
     }
 }
 
@@ -75,8 +80,11 @@ impl Law for Carreau {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        let z = self.power(at.omega);
-        C64::new(0.0, at.omega * self.damping) * (1.0 + z).power((self.flow_index - 1.0) / self.transition)
+        self.stiffness_of(at.omega, self.power(at.omega))
+    }
+    fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
+        let power = ImaginaryPower::new(self.transition);
+        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness_of(at.omega, power.of(at.omega * self.relaxation_time)));
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (a, n) = (self.transition, self.flow_index);

@@ -5,10 +5,11 @@
 
 use super::dynamic_stiffness::Operating;
 use super::fractional_zener::{EXPONENT, start};
-use super::law::{ClosedForm, Declaration, Law};
+use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
-use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use crate::numerics::elementary::Elementary;
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring on a spring beside a springpot.
@@ -52,11 +53,24 @@ impl Law for FractionalKelvin {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        self.stiffness * (1.0 + imaginary_power(at.omega * self.relaxation_time, self.exponent))
+        self.stiffness * (1.0 + ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
+    }
+    fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
+        let power = ImaginaryPower::new(self.exponent);
+        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness * (1.0 + power.of(at.omega * self.relaxation_time)));
+    }
+    fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
+        // temperature puts its factor on the relaxation time
+        let power = ImaginaryPower::new(self.exponent);
+        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
+        Some(Box::new(move |factor, out| {
+            let share = factor.power(self.exponent);
+            own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness * (1.0 + z * share));
+        }))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;
-        let z = imaginary_power(x, self.exponent);
+        let z = ImaginaryPower::new(self.exponent).of(x);
         vec![C64::default(), 1.0 + z, self.stiffness * self.exponent * z / self.relaxation_time, self.stiffness * z * imaginary_ln(x)]
     }
 }

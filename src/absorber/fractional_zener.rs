@@ -4,11 +4,12 @@
 
 use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::Operating;
-use super::law::{ClosedForm, Declaration, Law};
+use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::{C64, imaginary_ln, imaginary_power};
+use crate::numerics::elementary::Elementary;
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring on rubber of four numbers.
@@ -54,6 +55,13 @@ pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
     vec![ring_inertia, ring_inertia * omega * omega / (1.0 + z.re), 1e3, time, 0.5]
 }
 
+impl FractionalZener {
+    /// S of z = (i omega tau)^alpha.
+    fn stiffness_of(&self, z: C64) -> C64 {
+        self.stiffness * (1.0 + self.glass_ratio * z) / (1.0 + z)
+    }
+}
+
 impl Law for FractionalZener {
     fn declaration(&self) -> &'static Declaration {
         &FRACTIONAL_ZENER
@@ -65,12 +73,24 @@ impl Law for FractionalZener {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        let z = imaginary_power(at.omega * self.relaxation_time, self.exponent);
-        self.stiffness * (1.0 + self.glass_ratio * z) / (1.0 + z)
+        self.stiffness_of(ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
+    }
+    fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
+        let power = ImaginaryPower::new(self.exponent);
+        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness_of(power.of(at.omega * self.relaxation_time)));
+    }
+    fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
+        // temperature puts its factor on the relaxation time
+        let power = ImaginaryPower::new(self.exponent);
+        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
+        Some(Box::new(move |factor, out| {
+            let share = factor.power(self.exponent);
+            own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness_of(z * share));
+        }))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;
-        let z = imaginary_power(x, self.exponent);
+        let z = ImaginaryPower::new(self.exponent).of(x);
         let by_power = self.stiffness * (self.glass_ratio - 1.0) / ((1.0 + z) * (1.0 + z));
         vec![
             C64::default(),

@@ -11,6 +11,9 @@ use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+/// S at some points, by a factor.
+pub(crate) type ByFactor<'s> = Box<dyn Fn(f64, &mut [C64]) + 's>;
+
 /// The law of a ring: torque from hub to ring per twist between them, S(omega, shaft speed), N m/rad. A law is passive (Im S >= 0 for omega > 0).
 pub trait Law: Debug + Send + Sync {
     /// The type, with its parameters.
@@ -63,6 +66,11 @@ pub trait Law: Debug + Send + Sync {
         for (out, at) in out.iter_mut().zip(at) {
             *out = self.dynamic_stiffness(*at);
         }
+    }
+
+    /// S at some points by the factor that temperature puts on the material ([`Parameter::follows`]), where what does not depend on it is worth computing once.
+    fn followed_each<'s>(&'s self, _: &'s [Operating]) -> Option<ByFactor<'s>> {
+        None
     }
 
     /// Mean power dissipated at one frequency by a twist of this amplitude (rad, zero to peak), W: omega Im S |twist|²/2.

@@ -2,7 +2,7 @@
 
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
-use super::law::{Declaration, Law};
+use super::law::{ByFactor, Declaration, Law};
 use super::material::Material;
 use super::state::State;
 use crate::numerics::C64;
@@ -76,6 +76,9 @@ macro_rules! stands_in {
         }
         fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
             self.$now.dynamic_stiffness_each(at, out);
+        }
+        fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
+            self.$now.followed_each(at)
         }
     };
 }

@@ -119,7 +119,13 @@ impl<'a> AtSpeed<'a> {
     pub fn balances(&self) -> Result<Vec<Balance>, ResponseError> {
         let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(Vec::new()) };
         let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
-        let mut missing = |celsius: f64| Ok(celsius - base - resistance * self.power_at(celsius)?);
+        let mut quick =
+            self.law.material().is_none_or(|m| m.amplitude.is_none()).then(|| self.open.power_by_factor(self.law.as_ref())).flatten();
+        let mut power = |celsius: f64| match quick.as_mut().map(|power| power(thermal.law.factor(celsius))) {
+            Some(power) if power.is_finite() => Ok(power),
+            _ => self.power_at(celsius),
+        };
+        let mut missing = |celsius: f64| Ok(celsius - base - resistance * power(celsius)?);
         let found = roots(base, thermal.cooling.limit, SAMPLES, &mut missing)?;
         // F rises through every other zero, the first among them
         let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: self.power_at(celsius)?, stable: i % 2 == 0 });

@@ -10,6 +10,7 @@ pub mod matrix_exponential;
 pub mod maximise;
 pub mod nearest;
 pub(crate) mod periodic_sums;
+pub(crate) mod product;
 pub mod quadrature;
 pub(crate) mod roots;
 pub(crate) mod sparse;
@@ -26,14 +27,29 @@ pub const I: C64 = C64::new(0.0, 1.0);
 /// Complex zero.
 pub const ZERO: C64 = C64::new(0.0, 0.0);
 
-/// (i y)^a for y >= 0, on the principal branch.
-pub(crate) fn imaginary_power(y: f64, a: f64) -> C64 {
-    let (sin, cos) = (a * std::f64::consts::FRAC_PI_2).sine_cosine();
-    if y == 0.0 {
-        return C64::from(y.power(a));
+/// (i y)^a for y >= 0 on the principal branch, for many y.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ImaginaryPower {
+    exponent: f64,
+    /// i^a.
+    turn: C64,
+}
+
+impl ImaginaryPower {
+    /// For an exponent a.
+    pub fn new(exponent: f64) -> Self {
+        let (sin, cos) = (exponent * std::f64::consts::FRAC_PI_2).sine_cosine();
+        Self { exponent, turn: C64::new(cos, sin) }
     }
-    // a tenth of the time of a power that is exact to half a digit
-    C64::new(cos, sin) * (a * y.logarithm()).exponential()
+
+    /// At y.
+    pub fn of(self, y: f64) -> C64 {
+        if y == 0.0 {
+            return C64::from(y.power(self.exponent));
+        }
+        // a tenth of the time of a power that is exact to half a digit
+        self.turn * (self.exponent * y.logarithm()).exponential()
+    }
 }
 
 /// ln(i y) for y > 0, on the principal branch.

@@ -112,11 +112,25 @@ impl<'a> OpenLaw<'a> {
         Ok(self.at.iter().zip(&twist).map(|(at, y)| law.dissipated_power(*at, y.norm())).sum())
     }
 
+    /// The same by the factor that temperature puts on the material of a law, where that is quicker; it is not finite where the whole has to be solved.
+    pub fn power_by_factor<'s>(&'s self, law: &'s dyn Law) -> Option<impl FnMut(f64) -> f64 + 's> {
+        let (host, each) = (self.host.as_ref()?, law.followed_each(&self.at)?);
+        let (ring, mut stiffness) = (law.ring_inertia(), vec![ZERO; self.at.len()]);
+        Some(move |factor: f64| {
+            each(factor, &mut stiffness);
+            self.of_stiffness(ring, &stiffness, host).map(|(twist, rate)| 0.5 * rate * twist.norm_sqr()).sum()
+        })
+    }
+
     /// Twist of the ring and omega Im S for each order.
-    fn on_host(&self, law: &Arc<dyn Law>, host: &[(C64, C64)]) -> impl Iterator<Item = (C64, f64)> {
+    fn on_host<'s>(&'s self, law: &Arc<dyn Law>, host: &'s [(C64, C64)]) -> impl Iterator<Item = (C64, f64)> + 's {
         let mut stiffness = vec![ZERO; self.at.len()];
         law.dynamic_stiffness_each(&self.at, &mut stiffness);
-        let ring = law.ring_inertia();
+        self.of_stiffness(law.ring_inertia(), &stiffness, host).collect::<Vec<_>>().into_iter()
+    }
+
+    /// The same where S is known.
+    fn of_stiffness<'s>(&'s self, ring: f64, stiffness: &'s [C64], host: &'s [(C64, C64)]) -> impl Iterator<Item = (C64, f64)> + 's {
         self.at.iter().zip(stiffness).zip(host).map(move |((at, s), (u0, receptance))| {
             let inertial = ring * at.omega * at.omega;
             (inertial * u0 / (s - inertial * (1.0 + s * receptance)), at.omega * s.im)

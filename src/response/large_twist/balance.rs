@@ -13,6 +13,8 @@ use std::sync::Arc;
 
 /// A step of Newton's method is the last when it is this share of the motion: the error it leaves is about the square of that.
 const LAST_STEP: f64 = 1e-8;
+/// A step of this share of the motion leads so near that its Jacobian serves the next.
+pub(super) const NEAR: f64 = 1e-2;
 /// Steps of Newton's method times the cube of the unknowns: some seconds.
 const MOST_WORK: f64 = 1e10;
 /// Most steps from a start that may be far.
@@ -245,7 +247,15 @@ impl<'a> Balance<'a> {
         if reactions.iter().any(|(own, torque)| !(own.value.is_finite() && torque.value.is_finite())) {
             return None;
         }
-        let packed = |f: &dyn Fn(&(Reaction, Reaction)) -> C64| self.transform.spectra(reactions.iter().map(f).collect());
+        let packed = |f: &dyn Fn(&(Reaction, Reaction)) -> C64| {
+            let samples: Vec<C64> = reactions.iter().map(f).collect();
+            // most slopes are constants
+            if samples.iter().all(|z| *z == samples[0]) {
+                [samples[0].re, samples[0].im].map(Spectrum::constant)
+            } else {
+                self.transform.spectra(samples)
+            }
+        };
         let [own, torque] = packed(&|r| C64::new(r.0.value, r.1.value));
         let (mut own_by, mut torque_by) = (Vec::new(), Vec::new());
         for i in (0..5).filter(|_| with_slopes) {
@@ -309,22 +319,34 @@ impl<'a> Balance<'a> {
     /// Newton's method at a speed; nothing where it does not converge in so many steps.
     pub(super) fn newton(&self, linear: &Linear, start: &DVector<f64>, most: usize, work: &mut Work) -> Option<Found> {
         let mut x = start.clone();
-        let mut jacobian = DMatrix::zeros(x.len(), x.len());
+        // near the solution one Jacobian serves several steps, as long as each is a tenth of the one before
+        let (mut kept, mut last) = (None, f64::INFINITY);
         for _ in 0..most {
-            work.harmonic_balances += 1;
-            let missing = self.missing(linear, &x, Some(&mut jacobian))?;
-            let lu = jacobian.clone().lu();
+            let is_kept = kept.is_some();
+            let (missing, lu) = match kept.take() {
+                Some(lu) => (self.missing(linear, &x, None)?, lu),
+                None => {
+                    work.harmonic_balances += 1;
+                    let mut jacobian = DMatrix::zeros(x.len(), x.len());
+                    let missing = self.missing(linear, &x, Some(&mut jacobian))?;
+                    (missing, jacobian.lu())
+                }
+            };
             let step = lu.solve(&missing)?;
             x -= &step;
             if !x.iter().all(|x| x.is_finite()) {
                 return None;
             }
-            if step.amax() <= LAST_STEP * x.amax() {
+            let (size, reach) = (step.amax(), x.amax());
+            let error = if is_kept { size * size / last } else { size * size / reach };
+            if size <= LAST_STEP * reach && error <= LAST_STEP * LAST_STEP * reach {
                 // the sign alone: the product of so many may leave the range of numbers
                 let negative = lu.u().diagonal().iter().filter(|d| **d < 0.0).count();
                 let even = negative.is_multiple_of(2) == (lu.p().determinant::<f64>() > 0.0);
                 return Some(Found { x, even });
             }
+            let converges = size <= if is_kept { 0.1 * last } else { NEAR * reach };
+            (kept, last) = (converges.then_some(lu), size);
         }
         None
     }

@@ -51,20 +51,25 @@ impl Transform {
     }
 }
 
-/// Coefficients of e^{i k psi} for k from 0 to 2 H; those of -k are their conjugates.
+/// Coefficients of e^{i k psi} for k from 0 to 2 H, or of a constant; those of -k are their conjugates.
 #[derive(Debug, Clone)]
 pub(super) struct Spectrum(pub Vec<C64>);
 
 impl Spectrum {
+    /// Of a function that is the same everywhere.
+    pub fn constant(value: f64) -> Self {
+        Self(vec![C64::from(value)])
+    }
+
     /// Of any sign.
     fn at(&self, k: isize) -> C64 {
-        let found = self.0[k.unsigned_abs()];
+        let found = self.0.get(k.unsigned_abs()).copied().unwrap_or(ZERO);
         if k < 0 { found.conj() } else { found }
     }
 
     /// Phasor of a harmonic.
     pub fn phasor(&self, k: usize) -> C64 {
-        if k == 0 { self.0[0] } else { 2.0 * self.0[k] }
+        if k == 0 { self.0[0] } else { 2.0 * self.at(k as isize) }
     }
 }
 
@@ -73,6 +78,9 @@ fn pair(products: &[(&Spectrum, C64)], h: usize, k: usize) -> (C64, C64) {
     let (h, k) = (h as isize, k as isize);
     let (mut p, mut q) = (ZERO, ZERO);
     for (spectrum, factor) in products {
+        if spectrum.0.len() == 1 && h != k {
+            continue;
+        }
         p += spectrum.at(h - k) * factor;
         q += spectrum.at(h + k) * factor.conj();
     }

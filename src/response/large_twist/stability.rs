@@ -9,6 +9,7 @@ use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
 use crate::numerics::matrix_exponential::matrix_exponential;
+use crate::numerics::product::multiply;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
@@ -70,7 +71,7 @@ fn multiplier(in_time: &InTime, reactions: &[(Reaction, Reaction)], stride: usiz
             row.iter_mut().zip(held).for_each(|(now, held)| *now = (*now - held) * dt);
         }
         kick(&mut monodromy, rows, &change);
-        if j + 1 < steps { &full } else { &half }.mul_to(&monodromy, &mut next);
+        multiply(if j + 1 < steps { &full } else { &half }, &monodromy, &mut next);
         std::mem::swap(&mut monodromy, &mut next);
     }
     largest_multiplier(&monodromy, in_time)

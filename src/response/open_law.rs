@@ -113,7 +113,7 @@ impl<'a> OpenLaw<'a> {
     }
 
     /// The same by the factor that temperature puts on the material of a law, where that is quicker; it is not finite where the whole has to be solved.
-    pub fn power_by_factor<'s>(&'s self, law: &'s dyn Law) -> Option<impl FnMut(f64) -> f64 + 's> {
+    pub(crate) fn power_by_factor<'s>(&'s self, law: &'s dyn Law) -> Option<impl FnMut(f64) -> f64 + 's> {
         let (host, each) = (self.host.as_ref()?, law.followed_each(&self.at)?);
         let (ring, mut stiffness) = (law.ring_inertia(), vec![ZERO; self.at.len()]);
         Some(move |factor: f64| {

@@ -1,6 +1,6 @@
 //! Pseudo-arc-length continuation \[Keller 1977\]: a step along the tangent of the curve, then back to the curve at right angles to it, through folds.
 
-use super::balance::{Balance, NEAR};
+use super::balance::Balance;
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
@@ -179,41 +179,27 @@ impl<'w, 'a> Arc<'w, 'a> {
     fn step(&mut self, from: &Place, length: f64) -> Result<Option<(Place, usize)>, ResponseError> {
         let n = from.x.len();
         let mut moved = &from.tangent * length;
-        let (mut by_speed, mut kept, mut last) = (None, None, f64::INFINITY);
+        let mut by_speed = None;
         for steps in 1..=MOST {
             let (x, speed_rpm) = (&from.x + moved.rows(0, n) * self.scale, from.speed_rpm + moved[n] * self.width());
             // there is no motion at no speed
             if speed_rpm <= 0.0 {
                 return Ok(None);
             }
-            let is_kept = kept.is_some();
-            // near the curve one matrix serves several steps, as long as each is a tenth of the one before
-            let (lu, missing) = match kept.take() {
-                Some(lu) => match self.balance.missing(&self.balance.linear(speed_rpm)?, &x, None) {
-                    Some(missing) => (lu, missing),
-                    None => return Ok(None),
-                },
-                None => match self.bordered(&x, speed_rpm, &from.tangent, &mut by_speed)? {
-                    Some((matrix, missing)) => (matrix.lu(), missing),
-                    None => return Ok(None),
-                },
-            };
+            let Some((matrix, missing)) = self.bordered(&x, speed_rpm, &from.tangent, &mut by_speed)? else { return Ok(None) };
             let mut right = DVector::zeros(n + 1);
             right.rows_mut(0, n).copy_from(&missing);
             right[n] = from.tangent.dot(&moved) - length;
+            let lu = matrix.lu();
             let Some(step) = lu.solve(&right).filter(|s| s.iter().all(|x| x.is_finite())) else { return Ok(None) };
             moved -= &step;
-            let (size, reach) = (step.amax(), 1.0 + x.amax() / self.scale);
-            let error = if is_kept { size * size / last } else { size * size / reach };
-            if size <= LAST_STEP * reach && error <= LAST_STEP * LAST_STEP * reach {
+            if step.amax() <= LAST_STEP * (1.0 + x.amax() / self.scale) {
                 let Some(tangent) = lu.solve(&ahead(n)).map(|t| t.normalize()) else { return Ok(None) };
                 let place =
                     Place { x: &from.x + moved.rows(0, n) * self.scale, speed_rpm: from.speed_rpm + moved[n] * self.width(), tangent };
                 // a sharp turn within a step is another branch
                 return Ok((place.tangent.dot(&from.tangent) > 0.5).then_some((place, steps)));
             }
-            let converges = size <= if is_kept { 0.1 * last } else { NEAR * reach };
-            (kept, last) = (converges.then_some(lu), size);
         }
         Ok(None)
     }

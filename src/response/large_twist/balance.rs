@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// A step of Newton's method is the last when it is this share of the motion: the error it leaves is about the square of that.
 const LAST_STEP: f64 = 1e-8;
 /// A step of this share of the motion leads so near that its Jacobian serves the next.
-pub(super) const NEAR: f64 = 1e-2;
+const NEAR: f64 = 1e-2;
 /// Steps of Newton's method times the cube of the unknowns: some seconds.
 const MOST_WORK: f64 = 1e10;
 /// Most steps from a start that may be far.
@@ -320,13 +320,14 @@ impl<'a> Balance<'a> {
     pub(super) fn newton(&self, linear: &Linear, start: &DVector<f64>, most: usize, work: &mut Work) -> Option<Found> {
         let mut x = start.clone();
         // near the solution one Jacobian serves several steps, as long as each is a tenth of the one before
-        let (mut kept, mut last) = (None, f64::INFINITY);
-        for _ in 0..most {
+        let (mut kept, mut last, mut factored) = (None, f64::INFINITY, 0);
+        while kept.is_some() || factored < most {
             let is_kept = kept.is_some();
             let (missing, lu) = match kept.take() {
                 Some(lu) => (self.missing(linear, &x, None)?, lu),
                 None => {
                     work.harmonic_balances += 1;
+                    factored += 1;
                     let mut jacobian = DMatrix::zeros(x.len(), x.len());
                     let missing = self.missing(linear, &x, Some(&mut jacobian))?;
                     (missing, jacobian.lu())
@@ -338,8 +339,9 @@ impl<'a> Balance<'a> {
                 return None;
             }
             let (size, reach) = (step.amax(), x.amax());
-            let error = if is_kept { size * size / last } else { size * size / reach };
-            if size <= LAST_STEP * reach && error <= LAST_STEP * LAST_STEP * reach {
+            // the error that is left: the square of the step, or as much less than the step as that is less than the one before
+            let scale = if is_kept { last } else { reach };
+            if size <= LAST_STEP * reach && size * size <= LAST_STEP * LAST_STEP * reach * scale {
                 // the sign alone: the product of so many may leave the range of numbers
                 let negative = lu.u().diagonal().iter().filter(|d| **d < 0.0).count();
                 let even = negative.is_multiple_of(2) == (lu.p().determinant::<f64>() > 0.0);

@@ -1,7 +1,7 @@
 //! Torque of every throw as complex amplitudes of engine orders, at any speed.
 
-use super::forces::{Moment, friction_torque, gas_torque, inertia_torque_per_omega2};
-use super::pressure::{sample_angle, samples};
+use super::forces::{Moment, friction_torque, gas_force, inertia_torque_per_omega2};
+use super::pressure::{each_revolution, sample_angle, samples};
 use super::{Engine, Geometry, HarmonicTable, Order, Source};
 use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
@@ -81,13 +81,14 @@ pub struct Excitation {
 
 /// Torque of the gas and of liner friction over a cycle. Friction depends on the inertia forces at `speed_rpm` and, between tabulated speeds, is
 /// interpolated with the gas.
-fn torque_without_inertia(geometry: &Geometry, trace: &[f64], speed_rpm: f64) -> Vec<f64> {
+fn torque_without_inertia((geometry, strokes): (&Geometry, u32), trace: &[f64], speed_rpm: f64) -> Vec<f64> {
     let omega = speed_rpm * RAD_PER_S_PER_RPM;
-    let at = |(j, &pressure): (usize, &f64)| {
-        let theta = sample_angle(j);
-        gas_torque(geometry, pressure, theta) + friction_torque(geometry, Moment { pressure, theta, omega })
+    let levers = each_revolution(strokes, |theta| geometry.slider_crank.motion(theta).slope);
+    let at = |(j, (&pressure, lever)): (usize, (&f64, f64))| {
+        let friction = friction_torque(geometry, Moment { pressure, theta: sample_angle(j), omega });
+        gas_force(geometry, pressure) * lever + friction
     };
-    trace.iter().enumerate().map(at).collect()
+    trace.iter().zip(levers).enumerate().map(at).collect()
 }
 
 impl Excitation {
@@ -132,7 +133,7 @@ impl Excitation {
         let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
         let change = |(index, fired): (usize, &Vec<C64>)| -> Vec<C64> {
             let trace = pressure.motored(index, geometry, engine.strokes);
-            let torque = torque_without_inertia(geometry, &trace, pressure.speeds_rpm()[index]);
+            let torque = torque_without_inertia((geometry, engine.strokes), &trace, pressure.speeds_rpm()[index]);
             analyser.analyse(&torque).iter().zip(fired).map(|(m, f)| m - f).collect()
         };
         Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
@@ -183,7 +184,7 @@ impl Excitation {
         let mut audit = Vec::new();
         for (index, &speed_rpm) in pressure.speeds_rpm().iter().enumerate() {
             let trace = pressure.trace(index, geometry, engine.strokes, cylinders);
-            let torque = torque_without_inertia(geometry, &trace, speed_rpm);
+            let torque = torque_without_inertia((geometry, engine.strokes), &trace, speed_rpm);
             let mean = torque.iter().sum::<f64>() / n as f64;
             gas.push(analyser.analyse(&torque));
             audit.push(Audit {
@@ -194,7 +195,7 @@ impl Excitation {
                 brake_torque: pressure.brake_torque(index),
             });
         }
-        let inertia: Vec<f64> = (0..n).map(|j| inertia_torque_per_omega2(geometry, sample_angle(j))).collect();
+        let inertia = each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(geometry, theta));
         Self {
             inertia: analyser.analyse(&inertia),
             phases: (0..engine.layout.throws()).map(|t| phases(engine.layout.firing_on_throw(t), &orders)).collect(),
@@ -267,9 +268,8 @@ fn inertia_of(engine: &Engine, table: &HarmonicTable, order_limit: f64) -> Vec<(
     let Some(masses) = &table.masses else { return Vec::new() };
     let orders = Order::up_to(order_limit, engine.strokes);
     let harmonics: Vec<u32> = orders.iter().map(|o| o.per_cycle(engine.strokes)).collect();
-    let n = samples(engine.strokes);
-    let torque: Vec<f64> = (0..n).map(|j| inertia_torque_per_omega2(masses, sample_angle(j))).collect();
-    let found = Analyser::new(n, &harmonics).analyse(&torque);
+    let torque = each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(masses, theta));
+    let found = Analyser::new(torque.len(), &harmonics).analyse(&torque);
     let largest = found.iter().map(|c| c.norm()).fold(0.0, f64::max);
     orders.into_iter().zip(found).filter(|(_, c)| c.norm() > ROUNDING * largest).collect()
 }

@@ -25,7 +25,14 @@ impl<'a> Analyser<'a> {
         self.harmonics
             .iter()
             .map(|&h| {
-                let sum: C64 = samples.iter().enumerate().map(|(j, &f)| self.turn[(j * h as usize) % n] * f).sum();
+                let step = h as usize % n;
+                let mut place = 0;
+                let mut sum = C64::default();
+                for &f in samples {
+                    sum += self.turn[place] * f;
+                    place += step;
+                    place -= if place >= n { n } else { 0 };
+                }
                 sum * (if h == 0 { 1.0 } else { 2.0 } / n as f64)
             })
             .collect()

@@ -6,6 +6,7 @@ mod balance;
 mod newton_euler;
 mod traditional;
 mod unit_forces;
+pub(crate) use balance::gas_force;
 pub use balance::{Moment, UnitForces};
 pub use newton_euler::newton_euler;
 pub use traditional::traditional;

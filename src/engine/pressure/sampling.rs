@@ -15,6 +15,12 @@ pub fn sample_angle(j: usize) -> f64 {
     j as f64 * SAMPLE_DEG * RAD_PER_DEG
 }
 
+/// What repeats with every revolution, at the samples of a working cycle.
+pub(crate) fn each_revolution<T: Clone>(strokes: u32, at_angle: impl Fn(f64) -> T) -> Vec<T> {
+    let revolution: Vec<T> = (0..samples(2)).map(|j| at_angle(sample_angle(j))).collect();
+    revolution.iter().cycle().take(samples(strokes)).cloned().collect()
+}
+
 /// Where a sample lies in the cycle: the angle from -180° to 180° round firing dead centre, or the gas exchange in between.
 pub(crate) fn closed_part_deg(j: usize, n: usize) -> Option<f64> {
     let deg = j as f64 * SAMPLE_DEG;

@@ -1,6 +1,6 @@
 //! Single-zone cycle with heat release after Wiebe, whose area gives an indicated mean pressure.
 
-use super::sampling::{SAMPLE_DEG, closed_part_deg, sample_angle, samples};
+use super::sampling::{SAMPLE_DEG, closed_part_deg, each_revolution, sample_angle};
 use crate::engine::Geometry;
 use crate::numerics::elementary::Elementary;
 
@@ -26,6 +26,17 @@ pub struct Wiebe {
     pub heat_capacity_ratio: f64,
 }
 
+/// The gas in the cylinder at an angle.
+#[derive(Clone, Copy)]
+struct Gas {
+    /// Volume over piston area, m.
+    height: f64,
+    /// dx/dtheta, m/rad.
+    slope: f64,
+    /// height^-k.
+    isentrope: f64,
+}
+
 /// Wiebe's a: 99.9 % of the heat is released at the end of the burn.
 const EFFICIENCY: f64 = 6.907_755_278_982_137;
 
@@ -38,16 +49,18 @@ impl Wiebe {
 
     /// Without heat: compression and expansion along one line.
     pub(super) fn motored(&self, geometry: &Geometry, strokes: u32) -> Vec<f64> {
-        let (heights, _) = self.heights(geometry, strokes);
-        let isentrope: Vec<f64> = heights.iter().map(|h| h.power(-self.heat_capacity_ratio)).collect();
-        self.compressed(geometry, &isentrope)
+        let gas = self.gas(geometry, strokes);
+        self.compressed(geometry, &gas)
     }
 
-    /// Height of the gas over its piston area at every sample, m, and dx/dtheta, m/rad.
-    fn heights(&self, geometry: &Geometry, strokes: u32) -> (Vec<f64>, Vec<f64>) {
+    /// The gas at every sample.
+    fn gas(&self, geometry: &Geometry, strokes: u32) -> Vec<Gas> {
         let clearance = self.clearance(geometry);
-        let motion = (0..samples(strokes)).map(|j| geometry.slider_crank.motion(sample_angle(j)));
-        motion.map(|m| (clearance + m.travel, m.slope)).unzip()
+        each_revolution(strokes, |theta| {
+            let motion = geometry.slider_crank.motion(theta);
+            let height = clearance + motion.travel;
+            Gas { height, slope: motion.slope, isentrope: height.power(-self.heat_capacity_ratio) }
+        })
     }
 
     /// Clearance volume over piston area, m.
@@ -55,37 +68,36 @@ impl Wiebe {
         2.0 * geometry.slider_crank.crank_radius / (self.compression_ratio - 1.0)
     }
 
-    /// Boost pressure compressed and expanded where the valves are closed; `isentrope`: height^-k.
-    fn compressed(&self, geometry: &Geometry, isentrope: &[f64]) -> Vec<f64> {
+    /// Boost pressure compressed and expanded where the valves are closed.
+    fn compressed(&self, geometry: &Geometry, gas: &[Gas]) -> Vec<f64> {
         let constant = (self.compression_ratio * self.clearance(geometry)).power(self.heat_capacity_ratio);
-        let n = isentrope.len();
-        let at = |(j, i): (usize, &f64)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * i } else { 1.0 };
-        isentrope.iter().enumerate().map(at).collect()
+        let n = gas.len();
+        let at = |(j, g): (usize, &Gas)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * g.isentrope } else { 1.0 };
+        gas.iter().enumerate().map(at).collect()
     }
 
     /// d(p V^k) = (k - 1) V^(k - 1) dQ is linear in the heat: the pressure is that of the motored cycle plus heat times a unit trace,
     /// and the heat follows from the area.
     pub(super) fn trace(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
         let k = self.heat_capacity_ratio;
-        let (heights, slopes) = self.heights(geometry, strokes);
-        let n = heights.len();
-        let isentrope: Vec<f64> = heights.iter().map(|h| h.power(-k)).collect();
-        let motored = self.compressed(geometry, &isentrope);
+        let gas = self.gas(geometry, strokes);
+        let n = gas.len();
+        let motored = self.compressed(geometry, &gas);
         let mut unit = vec![0.0; n];
-        let mut released = 0.0;
+        let (mut released, mut burnt) = (0.0, self.burnt(-180.0));
         let half_turn = (180.0 / SAMPLE_DEG).round() as usize;
         for step in 0..2 * half_turn {
             let (j, next) = ((n - half_turn + step) % n, (n - half_turn + step + 1) % n);
             let deg = step as f64 * SAMPLE_DEG - 180.0;
-            let share = self.burnt(deg + SAMPLE_DEG) - self.burnt(deg);
-            if share > 0.0 {
-                released += share * (0.5 * (heights[j] + heights[next])).power(k - 1.0);
+            let before = std::mem::replace(&mut burnt, self.burnt(deg + SAMPLE_DEG));
+            if burnt > before {
+                released += (burnt - before) * (0.5 * (gas[j].height + gas[next].height)).power(k - 1.0);
             }
             if closed_part_deg(next, n).is_some() {
-                unit[next] = released * isentrope[next];
+                unit[next] = released * gas[next].isentrope;
             }
         }
-        let work = |p: &[f64]| -> f64 { p.iter().zip(&slopes).map(|(p, slope)| p * slope).sum() };
+        let work = |p: &[f64]| -> f64 { p.iter().zip(&gas).map(|(p, g)| p * g.slope).sum() };
         let wanted = self.indicated_mean_pressure[index] * 2.0 * geometry.slider_crank.crank_radius / sample_angle(1);
         let heat = (wanted - work(&motored)) / work(&unit);
         motored.iter().zip(&unit).map(|(m, u)| m + heat * u).collect()

@@ -67,9 +67,19 @@ fn exact_measurements_give_exact_inputs() {
     assert!(c.rows.len() >= 16 && c.rms().1 < 1e-8 && c.rms().0 > 1e-4, "{:?}", c.rms());
 }
 
-/// With noise of 0.01° the true inputs lie within three standard errors in at least 95 of 100 seeds.
+/// With noise of 0.01° the true inputs lie within three standard errors in at least 95 of 100 seeds; here in 19 of the first 20.
 #[test]
 fn standard_errors_cover_the_truth() {
+    covers_the_truth(20);
+}
+
+#[test]
+#[ignore = "half a minute of processor time"]
+fn standard_errors_of_a_hundred_seeds() {
+    covers_the_truth(100);
+}
+
+fn covers_the_truth(seeds: u64) {
     let exact = synthetic(&TRUTH);
     let covered = |seed: u64| {
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
@@ -85,9 +95,9 @@ fn standard_errors_cover_the_truth() {
         let c = fitted(&s);
         c.inputs.iter().zip(TRUTH).all(|(i, truth)| (i.value - truth.1).abs() <= 3.0 * i.standard_error.expect("rows to spare"))
     };
-    let count = (0..100u64).into_par_iter().filter(|seed| covered(*seed)).count();
-    println!("{count} of 100 seeds");
-    assert!(count >= 95, "{count} of 100");
+    let count = (0..seeds).into_par_iter().filter(|seed| covered(*seed)).count() as u64;
+    println!("{count} of {seeds} seeds");
+    assert!(100 * count >= 95 * seeds, "{count} of {seeds}");
 }
 
 /// Inputs that the rows cannot tell apart or do not see are named: the loss factor of all shafts beside the damping of the throws,

@@ -56,4 +56,5 @@ mod support;
 mod surface;
 mod survival;
 mod tables;
+mod threads;
 mod trees;

@@ -241,9 +241,9 @@ fn long_chain(random: &mut Xoshiro256PlusPlus, count: usize) -> Study {
 }
 
 /// Measured on long chains with inertias and stiffnesses over six decades: closed forms of the first modes and random points may all miss the tuned ring that is best (in the 17th of these chains the
-/// starts ended 19 % above, at a locked ring). Designs elsewhere find it, and no design of a scan of 350 is lower. What is left if nothing resonates is no more than what the chain does without
+/// starts ended 19 % above, at a locked ring). Designs elsewhere find it, and no design of a scan of 350 (in the usual test of every third) is lower. What is left if nothing resonates is no more than what the chain does without
 /// absorber: soft links do not follow the torque as if static.
-fn long_chains(which: impl Fn(usize) -> bool) {
+fn long_chains(which: impl Fn(usize) -> bool, stride: usize) {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(46);
     let mut better = 0;
     for i in 0..24 {
@@ -260,7 +260,7 @@ fn long_chains(which: impl Fn(usize) -> bool) {
         let method = Method::Receptance(Receptance::new(&sys, &grid, 0, &[s.twist]));
         let finder = PeakFinder::new(&sys, &grid, &method, true);
         let value = |design: &[Mounted]| finder.peak(design, &s.objective.measure, &mut Work::default());
-        for (a, b) in (0..35).flat_map(|a| (0..10).map(move |b| (a, b))) {
+        for (a, b) in (0..35).flat_map(|a| (0..10).map(move |b| (a, b))).step_by(stride) {
             let omega = 10.0 * 2000f64.powf(f64::from(a) / 34.0);
             let damping = 2.0 * 0.05 * omega * 10f64.powf(-2.5 + f64::from(b) / 3.0);
             let peak = value(&[on(0, Kind::Tuned, 0.05, 0.05 * omega * omega, damping)]);
@@ -275,11 +275,11 @@ fn long_chains(which: impl Fn(usize) -> bool) {
 
 #[test]
 fn a_long_chain() {
-    long_chains(|i| i == 16);
+    long_chains(|i| i == 16, 3);
 }
 
 #[test]
 #[ignore = "about four minutes"]
 fn long_chains_of_all_kinds() {
-    long_chains(|_| true);
+    long_chains(|_| true, 1);
 }

@@ -1,11 +1,13 @@
 //! Shared by all tests.
 
+use assert_cmd::Command;
 use hartog::absorber::{Absorber, Mounted, Tuned, Undamped, Viscous};
 use hartog::drivetrain::{Chain, Station, System};
 use hartog::engine::HarmonicTable;
 use hartog::engine::{Engine, Excitation, Layout, Order, Source};
 use hartog::input::Study;
 use hartog::numerics::C64;
+use std::fs;
 use std::path::Path;
 
 /// Fails unless |actual - expected| <= atol + rtol |expected|.
@@ -78,4 +80,36 @@ pub fn one_throw(harmonics: &[(u32, f64)]) -> Excitation {
 pub fn h_infinity_peak(mu: f64) -> f64 {
     let difference = (8.0 + 9.0 * mu).powi(2) * (16.0 + 9.0 * mu) - 128.0 * (4.0 + 3.0 * mu).powf(1.5);
     (difference / (27.0 * mu * mu * (32.0 + 27.0 * mu))).sqrt()
+}
+
+/// The command, as a user of this folder calls it.
+pub fn hartog() -> Command {
+    let mut c = Command::cargo_bin("hartog").expect("built");
+    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    c
+}
+
+/// The text of a file that a command wrote.
+pub fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// A copy of a shipped study with some text replaced, beside its engines and published tables.
+pub fn variant(folder: &Path, name: &str, changes: &[(&str, &str)]) -> std::path::PathBuf {
+    let studies = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
+    for part in ["engines", "published"] {
+        fs::create_dir_all(folder.join(part)).expect("writable");
+        for file in fs::read_dir(studies.join(part)).expect(part) {
+            let file = file.expect(part);
+            fs::copy(file.path(), folder.join(part).join(file.file_name())).expect("copied");
+        }
+    }
+    let mut text = fs::read_to_string(studies.join(format!("{name}.toml"))).expect("study");
+    for (from, to) in changes {
+        assert!(text.contains(from), "{name} has `{from}`");
+        text = text.replace(from, to);
+    }
+    let path = folder.join(format!("{name}.toml"));
+    fs::write(&path, text).expect("written");
+    path
 }

@@ -1,6 +1,7 @@
 //! The torsional system: stations and shafts with their modes, the torque on them, and natural frequencies with absorbers.
 
 pub mod chain;
+mod characteristic;
 mod difference;
 pub mod modes;
 pub mod natural;

@@ -3,6 +3,7 @@
 //! A law that is no constant spring and damper is taken as the spring and damper it is at the frequency of each motion, found by iteration.
 
 use super::chain::Chain;
+use super::characteristic::Characteristic;
 use super::modes::Modes;
 use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::{C64, eigen};
@@ -16,15 +17,8 @@ const FASTEST: f64 = 1e4;
 /// Rounds of the iteration for laws that depend on frequency, and the change at which it ends.
 const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
-/// Relative change at which screening ends, and steps of its differences.
-const SCREENED: f64 = 1e-9;
-const DIFFERENCE: f64 = 1e-5;
 /// Relative change of an own frequency that is good enough where the iteration is slow.
 const NEARLY: f64 = 1e-3;
-/// Frequencies between two of the chain at which a law is looked at.
-const SCAN: usize = 24;
-/// Screened eigenvalues closer than this are one.
-const SAME_MOTION: f64 = 1e-7;
 /// Frequencies closer than this are one.
 const SAME: f64 = 1e-9;
 /// Rounds after which an iteration is given up that changes no less than this share of its last change.
@@ -51,7 +45,7 @@ pub fn depends_on_speed(design: &[Mounted]) -> bool {
 }
 
 /// The spring and damper that a law is at a frequency (rad/s), the shaft turning at that frequency over `order`.
-fn at_frequency(law: &dyn Law, omega: f64, order: f64) -> SpringAndDamper {
+pub(super) fn at_frequency(law: &dyn Law, omega: f64, order: f64) -> SpringAndDamper {
     law.spring_and_damper().unwrap_or_else(|| {
         let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega / order });
         SpringAndDamper { stiffness: s.re, damping: s.im / omega }
@@ -82,101 +76,50 @@ impl Basis {
         if is_constant(design) {
             return self.with(design, |law| at_frequency(law, 1.0, order));
         }
-        let start = self.with(design, |law| at_frequency(law, self.typical(law, order), order))?;
+        let start = self.with(design, |law| at_frequency(law, typical(self, law, order), order))?;
         start.into_iter().map(|s| self.settled(design, s, order, MOST_ROUNDS)).collect()
     }
 
-    /// Eigenvalues good enough to tell which motions are hardly damped: of one ring on a station, each by Newton's method on its characteristic equation with the law at its own frequency, from those with
-    /// a constant spring and damper; damping between different modes of the chain is left out. All others as [`Basis::eigenvalues`] has them.
+    /// Eigenvalues good enough to tell which motions are hardly damped: of laws that depend on frequency by the characteristic equation, from motions without damping, which are found in a tenth of the time; of all
+    /// others as [`Basis::eigenvalues`] has them.
     pub(crate) fn screened(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
-        let [mounted] = design else { return self.eigenvalues(design, order) };
-        let (Absorber::Ring(law), Host::Station(station)) = (&mounted.absorber, mounted.on) else { return self.eigenvalues(design, order) };
-        if law.spring_and_damper().is_some() {
+        let linked = self.with_rigid_links(design);
+        if is_constant(&linked) {
             return self.eigenvalues(design, order);
         }
-        let typical = |law: &dyn Law| at_frequency(law, self.typical(law, order), order);
-        let near = |s: &C64| self.newton(mounted, law.as_ref(), station, *s, order);
-        let found = |rough: &[C64]| different(rough.iter().filter_map(near).collect());
-        // motions without damping lead to those that are hardly damped, and are found in a tenth of the time
-        let undamped = self.undamped(design, &typical)?;
-        let first = found(&undamped);
-        if first.len() == undamped.len() {
-            return Some(first);
+        match Characteristic::new(self, &linked, order).screened() {
+            Some((all, true)) => Some(all),
+            _ => self.eigenvalues(design, order),
         }
-        // a law that is far from its typical spring: where it crosses the chain at its own frequency, and the chain alone
-        let more = self.crossings(mounted, law.as_ref(), station, order);
-        let alone = self.stiffness.iter().map(|k| C64::new(0.0, k.sqrt())).filter(|s| s.im > 0.0);
-        let all = found(&undamped.iter().copied().chain(more).chain(alone).collect::<Vec<_>>());
-        // it may leave its ring no motion of its own, but takes away no other; a pendulum tuned to the order holds its station, and leaves fewer
-        if law.depends_on_speed() || all.len() + 1 >= undamped.len() { Some(all) } else { self.eigenvalues(design, order) }
     }
 
-    /// Frequencies of the chain with one ring, without damping, as a scan between those of the chain tells: (k - J w²)(1 - w² m H) = J w² k H with k = Re S(w).
-    fn crossings(&self, mounted: &Mounted, law: &dyn Law, station: usize, order: f64) -> Vec<C64> {
-        let shape = |i: usize| self.shapes[(station, i)] * self.shapes[(station, i)];
-        let missing = |w: f64| {
-            let square = w * w;
-            let h: f64 = self.stiffness.iter().enumerate().map(|(i, k)| shape(i) / (k - square)).sum();
-            let (k, ring) = (at_frequency(law, w, order).stiffness, law.ring_inertia() * square);
-            (k - ring) * (1.0 - square * mounted.hub_inertia * h) - ring * k * h
-        };
-        let own: Vec<f64> = self.stiffness.iter().map(|k| k.max(0.0).sqrt()).collect();
-        let top = 1.1 * own.iter().copied().fold(0.0, f64::max);
-        let mut list = Vec::new();
-        for (low, high) in own.iter().copied().zip(own.iter().copied().skip(1).chain([top])).filter(|(low, high)| low < high) {
-            let at = |i: usize| low + (high - low) * (i as f64 + 0.5) / SCAN as f64;
-            let values: Vec<f64> = (0..SCAN).map(|i| missing(at(i))).collect();
-            let crossed = |i: &usize| values[*i] * values[*i + 1] <= 0.0;
-            list.extend((0..SCAN - 1).filter(crossed).map(|i| C64::new(0.0, 0.5 * (at(i) + at(i + 1)))));
-        }
-        list
+    /// Circular frequencies of the modes, rad/s.
+    pub(super) fn omegas(&self) -> impl Iterator<Item = f64> {
+        self.stiffness.iter().map(|k| k.max(0.0).sqrt())
+    }
+
+    /// The mode whose frequency is nearest.
+    pub(super) fn nearest(&self, omega: f64) -> Option<usize> {
+        let apart = |i: usize| (self.stiffness[i].sqrt() - omega).abs();
+        (0..self.stiffness.len()).min_by(|a, b| apart(*a).total_cmp(&apart(*b)))
+    }
+
+    /// s² + s c + k of a mode of unit modal mass.
+    pub(super) fn modal(&self, mode: usize, s: C64, damped: bool) -> C64 {
+        s * s + self.stiffness[mode] + if damped { s * self.damping[(mode, mode)] } else { C64::ZERO }
+    }
+
+    /// Motion of a station in a mode.
+    pub(super) fn shape(&self, station: usize, mode: usize) -> f64 {
+        self.shapes[(station, mode)]
     }
 
     /// Eigenvalues with these springs and no damping.
-    fn undamped(&self, design: &[Mounted], spring: &impl Fn(&dyn Law) -> SpringAndDamper) -> Option<Vec<C64>> {
+    pub(super) fn undamped(&self, design: &[Mounted], spring: &impl Fn(&dyn Law) -> SpringAndDamper) -> Option<Vec<C64>> {
         let [m, _, k] = self.matrices(design, spring);
         let squares = eigen::undamped(&m, &k)?;
         let largest = squares.last().copied().unwrap_or(0.0).sqrt();
         Some(squares.into_iter().map(|s| s.max(0.0).sqrt()).filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect())
-    }
-
-    /// A frequency at which a law may be taken for constant: that of its ring on a held hub.
-    fn typical(&self, law: &dyn Law, order: f64) -> f64 {
-        let first = self.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
-        own_frequency(law, first, order).unwrap_or(first)
-    }
-
-    /// The eigenvalue near `s` of the chain with one ring: (S + J s²)(1 + m s² H) + S J s² H = 0 with H the receptance of the station, times the denominator of its nearest mode.
-    fn newton(&self, mounted: &Mounted, law: &dyn Law, station: usize, mut s: C64, order: f64) -> Option<C64> {
-        let modal = |i: usize, s: C64| s * s + s * self.damping[(i, i)] + self.stiffness[i];
-        let shape = |i: usize| self.shapes[(station, i)] * self.shapes[(station, i)];
-        let nearest = (0..self.stiffness.len()).min_by(|a, b| {
-            let apart = |i: usize| (self.stiffness[i].sqrt() - s.im).abs();
-            apart(*a).total_cmp(&apart(*b))
-        })?;
-        let g = |s: C64| {
-            let own = modal(nearest, s);
-            let others = (0..self.stiffness.len()).filter(|i| *i != nearest);
-            let h: C64 = others.map(|i| shape(i) / modal(i, s)).sum::<C64>() * own + shape(nearest);
-            let spring = at_frequency(law, s.im, order);
-            let link = spring.stiffness + s * spring.damping;
-            let ring = s * s * law.ring_inertia();
-            (link + ring) * (own + s * s * mounted.hub_inertia * h) + link * ring * h
-        };
-        let start = s;
-        for _ in 0..MOST_ROUNDS {
-            let step = s * DIFFERENCE;
-            let here = g(s);
-            let change = here * step * 2.0 / (g(s + step) - g(s - step));
-            s -= change;
-            if !(s.im > 0.0 && (s - start).norm() < 0.5 * start.norm()) {
-                return None;
-            }
-            if change.norm() <= SCREENED * s.norm() {
-                return Some(s);
-            }
-        }
-        None
     }
 
     /// The design with rings on rings locked where their own motion is this many times faster than the highest mode: it is lost in the rounding of an
@@ -270,11 +213,10 @@ impl Basis {
     }
 }
 
-/// Eigenvalues by frequency, each once.
-fn different(mut list: Vec<C64>) -> Vec<C64> {
-    list.sort_by(|a, b| a.im.total_cmp(&b.im));
-    list.dedup_by(|b, a| (*b - *a).norm() <= SAME_MOTION * b.norm());
-    list
+/// A frequency at which a law may be taken for constant: that of its ring on a held hub.
+pub(super) fn typical(basis: &Basis, law: &dyn Law, order: f64) -> f64 {
+    let first = basis.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
+    own_frequency(law, first, order).unwrap_or(first)
 }
 
 /// Number of a ring among those that move.

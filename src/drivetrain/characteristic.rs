@@ -1,0 +1,178 @@
+//! Hardly damped motions of chain and absorbers by Newton's method on their characteristic equation: laws are taken at the frequency of each motion without an eigenvalue solver a round.
+
+use super::natural::{Basis, at_frequency, typical};
+use crate::absorber::{Absorber, Host, Law, Mounted};
+use crate::numerics::C64;
+use nalgebra::DMatrix;
+use std::ops::Add;
+
+/// Rounds of Newton's method.
+const MOST_ROUNDS: usize = 30;
+/// Relative change at which it ends, and steps of its differences.
+const SCREENED: f64 = 1e-9;
+const DIFFERENCE: f64 = 1e-5;
+/// Frequencies between two of the chain at which a law is looked at.
+const SCAN: usize = 24;
+/// Eigenvalues closer than this are one.
+const SAME_MOTION: f64 = 1e-7;
+
+/// What absorbers do to what carries them, moment over angle: a fraction, so that it has no poles at the frequencies of the rings.
+#[derive(Clone, Copy)]
+struct Load {
+    above: C64,
+    below: C64,
+}
+
+impl Load {
+    const NONE: Self = Self { above: C64 { re: 0.0, im: 0.0 }, below: C64 { re: 1.0, im: 0.0 } };
+
+    fn inertia(inertia: f64, s: C64) -> Self {
+        Self { above: s * s * inertia, ..Self::NONE }
+    }
+
+    /// Behind a link.
+    fn behind(self, link: C64) -> Self {
+        Self { above: link * self.above, below: link * self.below + self.above }
+    }
+}
+
+impl Add for Load {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        if other.below == C64::ONE {
+            return Self { above: self.above + other.above * self.below, ..self };
+        }
+        Self { above: self.above * other.below + other.above * self.below, below: self.below * other.below }
+    }
+}
+
+/// The characteristic equation of a chain with absorbers: det(I + H Z) = 0 with the receptances H between the stations that carry absorbers and the loads Z of these, times the denominators of the loads and of
+/// one mode, so that it has no pole near that mode. Damping between different modes of the chain is left out.
+pub(super) struct Characteristic<'a> {
+    basis: &'a Basis,
+    design: &'a [Mounted],
+    /// Stations that carry absorbers, each once.
+    stations: Vec<usize>,
+    order: f64,
+}
+
+impl<'a> Characteristic<'a> {
+    /// With laws that depend on the speed of the shaft taken at the speed at which `order` has the frequency of the motion.
+    pub fn new(basis: &'a Basis, design: &'a [Mounted], order: f64) -> Self {
+        let mut stations: Vec<usize> = design
+            .iter()
+            .filter_map(|m| match m.on {
+                Host::Station(station) => Some(station),
+                Host::Ring(_) => None,
+            })
+            .collect();
+        stations.sort_unstable();
+        stations.dedup();
+        Self { basis, design, stations, order }
+    }
+
+    /// Eigenvalues near the motions without damping, each once, and whether they are all; good enough to tell which motions are hardly damped.
+    pub fn screened(&self) -> Option<(Vec<C64>, bool)> {
+        let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order), self.order);
+        let undamped = self.basis.undamped(self.design, &own)?;
+        let found = |rough: &[C64]| different(rough.iter().filter_map(|s| self.near(*s)).collect());
+        let first = found(&undamped);
+        if first.len() == undamped.len() {
+            return Some((first, true));
+        }
+        // a law that is far from its typical spring: where it crosses the chain at its own frequency, and the chain alone
+        let alone = self.basis.omegas().map(|w| C64::new(0.0, w)).filter(|s| s.im > 0.0);
+        let all = found(&undamped.iter().copied().chain(self.crossings()).chain(alone).collect::<Vec<_>>());
+        // laws may leave their rings no motion of their own, but take away no other; a pendulum tuned to the order holds its station, and leaves fewer
+        let laws = || self.design.iter().filter_map(|m| m.absorber.law());
+        let complete = laws().any(|law| law.depends_on_speed()) || all.len() + laws().count() >= undamped.len();
+        Some((all, complete))
+    }
+
+    /// The eigenvalue near `s`.
+    fn near(&self, mut s: C64) -> Option<C64> {
+        let nearest = self.basis.nearest(s.im)?;
+        let start = s;
+        for _ in 0..MOST_ROUNDS {
+            let step = s * DIFFERENCE;
+            let here = self.at(s, nearest, true);
+            let change = here * step * 2.0 / (self.at(s + step, nearest, true) - self.at(s - step, nearest, true));
+            s -= change;
+            if !(s.im > 0.0 && (s - start).norm() < 0.5 * start.norm()) {
+                return None;
+            }
+            if change.norm() <= SCREENED * s.norm() {
+                return Some(s);
+            }
+        }
+        None
+    }
+
+    /// Frequencies without damping, as a scan between those of the chain tells.
+    fn crossings(&self) -> Vec<C64> {
+        let own: Vec<f64> = self.basis.omegas().collect();
+        let top = 1.1 * own.iter().copied().fold(0.0, f64::max);
+        let mut list = Vec::new();
+        let ends = own.iter().copied().zip(own.iter().copied().skip(1).chain([top])).enumerate();
+        for (nearest, (low, high)) in ends.filter(|(_, (low, high))| low < high) {
+            let place = |i: usize| low + (high - low) * (i as f64 + 0.5) / SCAN as f64;
+            let values: Vec<f64> = (0..SCAN).map(|i| self.at(C64::new(0.0, place(i)), nearest, false).re).collect();
+            let crossed = |i: &usize| values[*i] * values[*i + 1] <= 0.0;
+            list.extend((0..SCAN - 1).filter(crossed).map(|i| C64::new(0.0, 0.5 * (place(i) + place(i + 1)))));
+        }
+        list
+    }
+
+    /// Its left side; `damped`: whether damping counts.
+    fn at(&self, s: C64, nearest: usize, damped: bool) -> C64 {
+        let loads: Vec<Load> = self.stations.iter().map(|p| self.load(Host::Station(*p), s, damped)).collect();
+        let own = self.basis.modal(nearest, s, damped);
+        let others = || (0..self.basis.len()).filter(|i| *i != nearest);
+        let shape = |mode: usize, p: usize| self.basis.shape(self.stations[p], mode);
+        if let [load] = loads[..] {
+            let h: C64 = others().map(|i| shape(i, 0) * shape(i, 0) / self.basis.modal(i, s, damped)).sum();
+            return own * (load.below + h * load.above) + load.above * (shape(nearest, 0) * shape(nearest, 0));
+        }
+        // the mode is a row and a column of its own: det(A + u v'/own) own = det [A, -u; v', own]
+        let n = loads.len();
+        let mut all = DMatrix::zeros(n + 1, n + 1);
+        for i in others() {
+            let receptance = C64::ONE / self.basis.modal(i, s, damped);
+            for (p, q) in (0..n).flat_map(|p| (0..n).map(move |q| (p, q))) {
+                all[(p, q)] += receptance * loads[q].above * (shape(i, p) * shape(i, q));
+            }
+        }
+        for (p, load) in loads.iter().enumerate() {
+            all[(p, p)] += load.below;
+            all[(p, n)] = C64::from(-shape(nearest, p));
+            all[(n, p)] = load.above * shape(nearest, p);
+        }
+        all[(n, n)] = own;
+        all.determinant()
+    }
+
+    /// All that is carried by a station or a ring.
+    fn load(&self, on: Host, s: C64, damped: bool) -> Load {
+        let carried = self.design.iter().enumerate().filter(|(_, m)| m.on == on);
+        let all = carried.map(|(index, mounted)| {
+            let further = self.load(Host::Ring(index), s, damped);
+            match &mounted.absorber {
+                Absorber::Ring(law) => {
+                    let spring = at_frequency(law.as_ref(), s.im, self.order);
+                    let link = if damped { spring.stiffness + s * spring.damping } else { spring.stiffness.into() };
+                    (Load::inertia(law.ring_inertia(), s) + further).behind(link) + Load::inertia(mounted.hub_inertia, s)
+                }
+                Absorber::Locked { ring_inertia } => further + Load::inertia(mounted.hub_inertia + ring_inertia, s),
+            }
+        });
+        all.fold(Load::NONE, Add::add)
+    }
+}
+
+/// Eigenvalues by frequency, each once.
+fn different(mut list: Vec<C64>) -> Vec<C64> {
+    list.sort_by(|a, b| a.im.total_cmp(&b.im));
+    list.dedup_by(|b, a| (*b - *a).norm() <= SAME_MOTION * b.norm());
+    list
+}

@@ -10,50 +10,10 @@
 // every loop runs over the lanes of several arrays at once
 #![allow(clippy::needless_range_loop)]
 
+use super::lane::{LANES, Lane};
 use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
 use crate::drivetrain::{Chain, Station};
 use crate::numerics::C64;
-
-/// Points solved together.
-pub(crate) const LANES: usize = 8;
-
-/// A complex number of each point.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Lane {
-    re: [f64; LANES],
-    im: [f64; LANES],
-}
-
-impl Lane {
-    /// Zero at every point.
-    pub const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
-
-    /// Of one point.
-    pub fn get(&self, lane: usize) -> C64 {
-        C64::new(self.re[lane], self.im[lane])
-    }
-
-    /// The sum at each point.
-    pub(crate) fn plus(&self, other: &Self) -> Self {
-        let mut sum = *self;
-        for l in 0..LANES {
-            sum.re[l] += other.re[l];
-            sum.im[l] += other.im[l];
-        }
-        sum
-    }
-
-    /// Real multiples at each point.
-    #[inline(always)]
-    pub(crate) fn times(&self, factor: f64) -> Self {
-        Self { re: self.re.map(|x| factor * x), im: self.im.map(|x| factor * x) }
-    }
-
-    /// Sets that of one point.
-    pub fn set(&mut self, lane: usize, value: C64) {
-        (self.re[lane], self.im[lane]) = (value.re, value.im);
-    }
-}
 
 /// Points that are solved together: frequencies and torques in, angles out.
 #[derive(Debug, Clone)]

@@ -1,7 +1,8 @@
 //! Direct solution: the dynamic stiffness of chain and absorbers, tridiagonal once the rings are condensed onto their stations.
 
-use super::batch::{Block, LANES, Lane};
+use super::batch::Block;
 use super::factored::Factored;
+use super::lane::{LANES, Lane};
 use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};

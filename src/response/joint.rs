@@ -4,16 +4,14 @@
 //! z = N/D of every absorber: (D + H N) q = u0 with q the angles over their denominators, and y = y0 - h N q, exactly.
 
 use super::direct::BasePoint;
+use super::joint_lanes::{LARGEST_CANCELLATION, Points, Table};
+use super::lane::{LANES, Lane};
 use super::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::mounted::station_of;
-use crate::absorber::{Condensed, Mounted, Operating};
+use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
-use crate::numerics::{C64, ZERO};
+use crate::numerics::C64;
 use crate::units::RAD_PER_S_PER_RPM;
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
-
-/// Where terms are this many times their sum, or receptances of two stations this nearly alike, the direct solve takes over.
-const LARGEST_CANCELLATION: f64 = 1e5;
 
 /// Tables of the base for absorbers on some stations.
 #[derive(Debug)]
@@ -21,8 +19,8 @@ pub struct JointReceptance<'a> {
     direct: Direct<'a>,
     stations: Vec<usize>,
     quantities: Vec<Quantity>,
-    /// Speed by speed, the orders of a speed together; nothing where the base is singular or the stations can hardly be told apart.
-    points: Vec<Option<BasePoint>>,
+    /// Speed by speed, the orders of a speed together.
+    tables: Vec<Table>,
     /// Solves spent on the tables.
     pub setup: Work,
 }
@@ -34,14 +32,20 @@ impl<'a> JointReceptance<'a> {
         let direct = Direct::new(system, grid);
         let quantities: Vec<Quantity> = quantities.iter().copied().filter(|q| !matches!(q, Quantity::RingTwist(_))).collect();
         let mut setup = Work::default();
-        let mut points = Vec::with_capacity(grid.len() * system.orders());
-        for &speed_rpm in &grid.speed_rpm {
-            for order in 0..system.orders() {
-                let base = direct.base(stations, &quantities, order, speed_rpm, &mut setup).ok();
-                points.push(base.filter(|b| b.is_finite() && distinct(b)));
-            }
-        }
-        Self { direct, stations: stations.to_vec(), quantities, points, setup }
+        let places: Vec<(usize, f64)> =
+            grid.speed_rpm.iter().flat_map(|speed_rpm| (0..system.orders()).map(move |order| (order, *speed_rpm))).collect();
+        let table = |places: &[(usize, f64)]| {
+            let mut bases = places.iter().map(|(order, speed_rpm)| {
+                let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
+                let at = Operating { omega: system.excitation.orders[*order].value() * shaft_speed, shaft_speed };
+                let base = direct.base(stations, &quantities, *order, *speed_rpm, &mut setup).ok();
+                // useless where the base is singular or the stations can hardly be told apart
+                (at, base.filter(|b| b.is_finite() && distinct(b)))
+            });
+            table(&mut bases, stations.len(), quantities.len())
+        };
+        let tables = places.chunks(LANES).map(table).collect();
+        Self { direct, stations: stations.to_vec(), quantities, tables, setup }
     }
 
     /// Index of a quantity in the tables, where they answer for this design; for the twist of a ring any.
@@ -50,35 +54,31 @@ impl<'a> JointReceptance<'a> {
         let index = if matches!(quantity, Quantity::RingTwist(_)) { Some(0) } else { self.quantities.iter().position(|q| *q == quantity) };
         index.filter(|_| known && !design.is_empty())
     }
+}
 
-    /// The phasor at a point of the tables; nothing where it has to be solved directly.
-    fn phasor_at(&self, base: &BasePoint, condensed: &Condensed, quantity: Quantity, index: usize) -> Option<C64> {
-        let place = |station: usize| self.stations.iter().position(|s| *s == station).unwrap_or_default();
-        let hubs = &condensed.hubs;
-        let matrix = |k: usize, l: usize| {
-            let own = if k == l { hubs[k].denominator } else { ZERO };
-            own + base.receptance[(place(hubs[k].station), place(hubs[l].station))] * hubs[l].numerator
-        };
-        let right = |k: usize| base.stations[place(hubs[k].station)];
-        let q = match hubs.len() {
-            1 => vec![right(0) / matrix(0, 0)],
-            2 => SMatrix::<C64, 2, 2>::from_fn(matrix).lu().solve(&SVector::<C64, 2>::from_fn(|k, _| right(k)))?.as_slice().to_vec(),
-            3 => SMatrix::<C64, 3, 3>::from_fn(matrix).lu().solve(&SVector::<C64, 3>::from_fn(|k, _| right(k)))?.as_slice().to_vec(),
-            n => DMatrix::from_fn(n, n, matrix).lu().solve(&DVector::from_fn(n, |k, _| right(k)))?.as_slice().to_vec(),
-        };
-        if let Quantity::RingTwist(a) = quantity {
-            let ring = &condensed.rings[a];
-            return Some(ring.twist * q[ring.hub]);
+/// Points of a table one after the other; past the last one it is repeated.
+fn table(bases: &mut dyn Iterator<Item = (Operating, Option<BasePoint>)>, stations: usize, quantities: usize) -> Table {
+    let lanes = |n: usize| vec![Lane::ZERO; n];
+    let mut table = Table {
+        at: [Operating { omega: 0.0, shaft_speed: 0.0 }; LANES],
+        usable: [false; LANES],
+        stations: lanes(stations),
+        receptance: lanes(stations * stations),
+        outputs: vec![(Lane::ZERO, lanes(stations)); quantities],
+    };
+    for (lane, (at, base)) in bases.enumerate() {
+        table.at[lane..].fill(at);
+        let Some(base) = base else { continue };
+        table.usable[lane] = true;
+        table.stations.iter_mut().zip(&base.stations).for_each(|(to, from)| to.set(lane, *from));
+        let across = (0..stations).flat_map(|i| (0..stations).map(move |j| (i, j)));
+        table.receptance.iter_mut().zip(across).for_each(|(to, from)| to.set(lane, base.receptance[from]));
+        for ((value, per_torque), (own, each)) in table.outputs.iter_mut().zip(&base.outputs) {
+            value.set(lane, *own);
+            per_torque.iter_mut().zip(each).for_each(|(to, from)| to.set(lane, *from));
         }
-        let (output, per_torque) = &base.outputs[index];
-        let (mut y, mut size) = (*output, output.norm());
-        for (hub, q) in hubs.iter().zip(&q) {
-            let term = per_torque[place(hub.station)] * hub.numerator * q;
-            y -= term;
-            size += term.norm();
-        }
-        (y.is_finite() && size <= LARGEST_CANCELLATION * y.norm()).then_some(y)
     }
+    table
 }
 
 /// Whether the receptances of any two stations can be told apart.
@@ -110,37 +110,40 @@ impl Response for JointReceptance<'_> {
     }
 
     fn sweep(&self, design: &[Mounted], quantity: Quantity, out: &mut Vec<C64>, work: &mut Work) -> Result<(), ResponseError> {
-        let Some(index) = self.answers(design, quantity) else { return self.direct.sweep(design, quantity, out, work) };
-        let (system, orders) = (self.system(), self.system().orders());
-        let mut condensed = Condensed::default();
-        out.clear();
-        for (i, base) in self.points.iter().enumerate() {
-            let (order, speed_rpm) = (i % orders, self.grid().speed_rpm[i / orders]);
-            let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
-            work.receptance_points += 1;
-            let found = base.as_ref().and_then(|base| {
-                condensed.set(design, Operating { omega: system.excitation.orders[order].value() * shaft_speed, shaft_speed });
-                self.phasor_at(base, &condensed, quantity, index)
-            });
-            out.push(match found {
-                Some(y) => y,
-                None => {
-                    work.singular_points += 1;
-                    self.direct.order_at(design, quantity, order, speed_rpm, work)?
-                }
-            });
+        if self.answers(design, quantity).is_none() {
+            return self.direct.sweep(design, quantity, out, work);
         }
+        *out = self.sweep_each(design, &[quantity], work)?.pop().unwrap_or_default();
         Ok(())
     }
 
     fn sweep_each(&self, design: &[Mounted], quantities: &[Quantity], work: &mut Work) -> Result<Vec<Vec<C64>>, ResponseError> {
-        if quantities.iter().any(|q| self.answers(design, *q).is_none()) {
+        let Some(indices) = quantities.iter().map(|q| self.answers(design, *q)).collect::<Option<Vec<usize>>>() else {
             return self.direct.sweep_each(design, quantities, work);
-        }
-        let one = |q: &Quantity| {
-            let mut out = Vec::new();
-            self.sweep(design, *q, &mut out, work).map(|()| out)
         };
-        quantities.iter().map(one).collect()
+        let orders = self.system().orders();
+        let count = self.grid().len() * orders;
+        let place = |station: usize| self.stations.iter().position(|s| *s == station).unwrap_or_default();
+        let mut all = vec![Vec::with_capacity(count); quantities.len()];
+        let mut points = Points::default();
+        for (table, first) in self.tables.iter().zip((0..count).step_by(LANES)) {
+            points.solve(table, design, place);
+            for ((quantity, index), out) in quantities.iter().zip(&indices).zip(&mut all) {
+                let (values, reliable) = match quantity {
+                    Quantity::RingTwist(absorber) => points.twist(table, *absorber),
+                    _ => points.output(table, *index),
+                };
+                for (lane, point) in (first..count.min(first + LANES)).enumerate() {
+                    work.receptance_points += 1;
+                    out.push(if reliable[lane] {
+                        values.get(lane)
+                    } else {
+                        work.singular_points += 1;
+                        self.direct.order_at(design, *quantity, point % orders, self.grid().speed_rpm[point / orders], work)?
+                    });
+                }
+            }
+        }
+        Ok(all)
     }
 }

@@ -111,12 +111,19 @@ impl<'a> Follower<'a> {
     fn best_of_points(&self, most: f64, points: &[&[f64]], work: &mut Work) -> Result<Option<Level>, ResponseError> {
         let limits = self.limits(most);
         let problem = self.within(&limits, self.problem.objectives);
+        let ends: Vec<(Option<Outcome>, Work)> = points
+            .par_iter()
+            .map(|point| {
+                let mut work = Work::default();
+                let outcome = minimax::minimise(&problem, point, &mut work).ok();
+                let finite = outcome.filter(|o| self.values(&o.point, &mut work).is_ok());
+                (finite, work)
+            })
+            .collect();
         let mut best: Option<Outcome> = None;
-        for point in points {
-            let Ok(outcome) = minimax::minimise(&problem, point, work) else { continue };
-            if self.values(&outcome.point, work).is_err() {
-                continue;
-            }
+        for (outcome, spent) in ends {
+            *work += spent;
+            let Some(outcome) = outcome else { continue };
             best = Some(match best {
                 Some(b) if b.merit() <= outcome.merit() => b,
                 _ => outcome,
@@ -156,13 +163,22 @@ impl<'a> Follower<'a> {
         let seconds = [self.second.measure.in_si()];
         let problem = self.within(&limits, &seconds);
         let starts = (self.starts)(&self.problem.space);
+        let own = last.outcome.point.clone();
+        let points: Vec<Vec<f64>> = std::iter::once(own).chain(starts.into_iter().map(|s| s.1)).collect();
+        let ends: Vec<(Option<(Outcome, [f64; 2])>, Work)> = points
+            .par_iter()
+            .map(|point| {
+                let mut work = Work::default();
+                let lower = |o: &Outcome| o.rows.hold() && o.rows.objective() < last.values[1] * (1.0 - WORTH);
+                let outcome = minimax::minimise(&problem, point, &mut work).ok().filter(lower);
+                let level = outcome.and_then(|o| self.values(&o.point, &mut work).ok().map(|values| (o, values)));
+                (level, work)
+            })
+            .collect();
         let mut best = last;
-        for point in std::iter::once(best.outcome.point.clone()).chain(starts.into_iter().map(|s| s.1)) {
-            let Ok(outcome) = minimax::minimise(&problem, &point, work) else { continue };
-            if !outcome.rows.hold() || outcome.rows.objective() >= best.values[1] * (1.0 - WORTH) {
-                continue;
-            }
-            let Ok(values) = self.values(&outcome.point, work) else { continue };
+        for (level, spent) in ends {
+            *work += spent;
+            let Some((outcome, values)) = level.filter(|l| l.0.rows.objective() < best.values[1] * (1.0 - WORTH)) else { continue };
             best = Level { most: values[1], values, outcome };
         }
         Ok(best)
@@ -172,11 +188,17 @@ impl<'a> Follower<'a> {
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
         let seconds = [self.second.measure.in_si()];
         let least_second = self.within(self.problem.limits, &seconds);
-        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), Finish::All, &|| {})?;
+        let starts = (self.starts)(&least_second.space);
+        let mut searched = Work::default();
+        let (found, last) =
+            rayon::join(|| search::optimise(&least_second, &starts, Finish::All, &|| {}), || self.searched(f64::MAX, &mut searched));
+        let found = found?;
         *work += found.stages.seeds;
         *work += found.stages.search;
         *work += found.stages.minimax;
-        let Some(last) = self.searched(f64::MAX, work)? else { return Ok(None) };
+        let last = last?;
+        *work += searched;
+        let Some(last) = last else { return Ok(None) };
         let last = self.least_of_second(last, work)?;
         let least = found.outcome.rows.objective();
         if !found.outcome.rows.hold() {

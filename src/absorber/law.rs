@@ -73,11 +73,11 @@ pub trait Law: Debug + Send + Sync {
         None
     }
 
-    /// Mean power dissipated at one frequency by a twist of this amplitude (rad, zero to peak), W: omega Im S |twist|²/2.
-    fn dissipated_power(&self, at: Operating, twist_amplitude: f64) -> f64 {
+    /// Mean power dissipated at one frequency by a twist whose amplitude (rad, zero to peak) has this square, W: omega Im S |twist|²/2.
+    fn dissipated_power(&self, at: Operating, twist_square: f64) -> f64 {
         match self.spring_and_damper() {
-            Some(s) => 0.5 * s.damping * (at.omega * twist_amplitude).powi(2),
-            None => 0.5 * at.omega * self.dynamic_stiffness(at).im * twist_amplitude * twist_amplitude,
+            Some(s) => 0.5 * s.damping * at.omega * at.omega * twist_square,
+            None => 0.5 * at.omega * self.dynamic_stiffness(at).im * twist_square,
         }
     }
 }

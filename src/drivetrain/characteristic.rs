@@ -1,6 +1,6 @@
 //! Hardly damped motions of chain and absorbers by Newton's method on their characteristic equation: laws are taken at the frequency of each motion without an eigenvalue solver a round.
 
-use super::natural::{Basis, at_frequency, typical};
+use super::natural::{Basis, at_frequency, is_constant, typical};
 use crate::absorber::{Absorber, Host, Law, Mounted};
 use crate::numerics::C64;
 use nalgebra::DMatrix;
@@ -49,7 +49,7 @@ impl Add for Load {
 
 /// The characteristic equation of a chain with absorbers: det(I + H Z) = 0 with the receptances H between the stations that carry absorbers and the loads Z of these, times the denominators of the loads and of
 /// one mode, so that it has no pole near that mode. Damping between different modes of the chain is left out.
-pub(super) struct Characteristic<'a> {
+struct Characteristic<'a> {
     basis: &'a Basis,
     design: &'a [Mounted],
     /// Stations that carry absorbers, each once.
@@ -59,7 +59,7 @@ pub(super) struct Characteristic<'a> {
 
 impl<'a> Characteristic<'a> {
     /// With laws that depend on the speed of the shaft taken at the speed at which `order` has the frequency of the motion.
-    pub fn new(basis: &'a Basis, design: &'a [Mounted], order: f64) -> Self {
+    fn new(basis: &'a Basis, design: &'a [Mounted], order: f64) -> Self {
         let mut stations: Vec<usize> = design
             .iter()
             .filter_map(|m| match m.on {
@@ -73,7 +73,7 @@ impl<'a> Characteristic<'a> {
     }
 
     /// Eigenvalues near the motions without damping, each once, and whether they are all; good enough to tell which motions are hardly damped.
-    pub fn screened(&self) -> Option<(Vec<C64>, bool)> {
+    fn motions(&self) -> Option<(Vec<C64>, bool)> {
         let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order), self.order);
         let undamped = self.basis.undamped(self.design, &own)?;
         let found = |rough: &[C64]| different(rough.iter().filter_map(|s| self.near(*s)).collect());
@@ -167,6 +167,21 @@ impl<'a> Characteristic<'a> {
             }
         });
         all.fold(Load::NONE, Add::add)
+    }
+}
+
+impl Basis {
+    /// Eigenvalues good enough to tell which motions are hardly damped: of laws that depend on frequency by the characteristic equation, from motions without damping, which are found in a tenth of the time; of all
+    /// others as [`Basis::eigenvalues`] has them.
+    pub(crate) fn screened(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
+        let linked = self.with_rigid_links(design);
+        if is_constant(&linked) {
+            return self.eigenvalues(design, order);
+        }
+        match Characteristic::new(self, &linked, order).motions() {
+            Some((all, true)) => Some(all),
+            _ => self.eigenvalues(design, order),
+        }
     }
 }
 

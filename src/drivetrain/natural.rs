@@ -3,7 +3,6 @@
 //! A law that is no constant spring and damper is taken as the spring and damper it is at the frequency of each motion, found by iteration.
 
 use super::chain::Chain;
-use super::characteristic::Characteristic;
 use super::modes::Modes;
 use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::{C64, eigen};
@@ -80,19 +79,6 @@ impl Basis {
         start.into_iter().map(|s| self.settled(design, s, order, MOST_ROUNDS)).collect()
     }
 
-    /// Eigenvalues good enough to tell which motions are hardly damped: of laws that depend on frequency by the characteristic equation, from motions without damping, which are found in a tenth of the time; of all
-    /// others as [`Basis::eigenvalues`] has them.
-    pub(crate) fn screened(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
-        let linked = self.with_rigid_links(design);
-        if is_constant(&linked) {
-            return self.eigenvalues(design, order);
-        }
-        match Characteristic::new(self, &linked, order).screened() {
-            Some((all, true)) => Some(all),
-            _ => self.eigenvalues(design, order),
-        }
-    }
-
     /// Circular frequencies of the modes, rad/s.
     pub(super) fn omegas(&self) -> impl Iterator<Item = f64> {
         self.stiffness.iter().map(|k| k.max(0.0).sqrt())
@@ -124,7 +110,7 @@ impl Basis {
 
     /// The design with rings on rings locked where their own motion is this many times faster than the highest mode: it is lost in the rounding of an
     /// eigenvalue solver, and with it everything else. The frequencies of the rest change by less than the square of its inverse.
-    fn with_rigid_links(&self, design: &[Mounted]) -> Vec<Mounted> {
+    pub(super) fn with_rigid_links(&self, design: &[Mounted]) -> Vec<Mounted> {
         let fast = FASTEST * self.stiffness.iter().fold(0.0, |m: f64, k| m.max(k.sqrt()));
         let is_rigid = |m: &Mounted| {
             let on_ring = m.absorber.law().filter(|_| matches!(m.on, Host::Ring(_)));

@@ -64,7 +64,7 @@ impl PeakFinder<'_> {
             self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
             for (n, (sum, y)) in by_order.iter_mut().zip(&y).enumerate() {
                 let at = self.operating(n, speed_rpm);
-                *sum += law.dissipated_power(at, y.norm());
+                *sum += law.dissipated_power(at, y.norm_sqr());
             }
         }
         Ok(by_order.iter().enumerate().fold((0, 0.0), |m, (n, p)| if *p > m.1 { (n, *p) } else { m }))

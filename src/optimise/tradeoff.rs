@@ -165,21 +165,23 @@ impl<'a> Follower<'a> {
         let starts = (self.starts)(&self.problem.space);
         let own = last.outcome.point.clone();
         let points: Vec<Vec<f64>> = std::iter::once(own).chain(starts.into_iter().map(|s| s.1)).collect();
-        let ends: Vec<(Option<(Outcome, [f64; 2])>, Work)> = points
+        let ends: Vec<(Option<Level>, Work)> = points
             .par_iter()
             .map(|point| {
                 let mut work = Work::default();
                 let lower = |o: &Outcome| o.rows.hold() && o.rows.objective() < last.values[1] * (1.0 - WORTH);
                 let outcome = minimax::minimise(&problem, point, &mut work).ok().filter(lower);
-                let level = outcome.and_then(|o| self.values(&o.point, &mut work).ok().map(|values| (o, values)));
+                let level = outcome.and_then(|outcome| {
+                    let values = self.values(&outcome.point, &mut work).ok()?;
+                    Some(Level { most: values[1], values, outcome })
+                });
                 (level, work)
             })
             .collect();
         let mut best = last;
         for (level, spent) in ends {
             *work += spent;
-            let Some((outcome, values)) = level.filter(|l| l.0.rows.objective() < best.values[1] * (1.0 - WORTH)) else { continue };
-            best = Level { most: values[1], values, outcome };
+            best = level.filter(|l| l.outcome.rows.objective() < best.values[1] * (1.0 - WORTH)).unwrap_or(best);
         }
         Ok(best)
     }

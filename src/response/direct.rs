@@ -293,7 +293,7 @@ impl<'a> Direct<'a> {
         let Some(law) = design[index].absorber.law() else { return 0.0 };
         let rate = |n: usize| self.system.excitation.orders[n].omega(speed_rpm);
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
-        twist.iter().enumerate().map(|(n, y)| law.dissipated_power(Operating { omega: rate(n), shaft_speed }, y.norm())).sum()
+        twist.iter().enumerate().map(|(n, y)| law.dissipated_power(Operating { omega: rate(n), shaft_speed }, y.norm_sqr())).sum()
     }
 }
 

@@ -11,29 +11,29 @@ pub(crate) const LANES: usize = 8;
 /// A complex number of each point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lane {
-    pub re: [f64; LANES],
-    pub im: [f64; LANES],
+    pub(crate) re: [f64; LANES],
+    pub(crate) im: [f64; LANES],
 }
 
 impl Lane {
     /// Zero at every point.
-    pub const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
+    pub(crate) const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
     /// One at every point.
-    pub const ONE: Self = Self { re: [1.0; LANES], im: [0.0; LANES] };
+    pub(crate) const ONE: Self = Self { re: [1.0; LANES], im: [0.0; LANES] };
 
     /// Of one point.
-    pub fn get(&self, lane: usize) -> C64 {
+    pub(crate) fn get(&self, lane: usize) -> C64 {
         C64::new(self.re[lane], self.im[lane])
     }
 
     /// Sets that of one point.
-    pub fn set(&mut self, lane: usize, value: C64) {
+    pub(crate) fn set(&mut self, lane: usize, value: C64) {
         (self.re[lane], self.im[lane]) = (value.re, value.im);
     }
 
     /// The sum at each point.
     #[inline(always)]
-    pub fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         let mut sum = *self;
         for l in 0..LANES {
             sum.re[l] += other.re[l];
@@ -44,7 +44,7 @@ impl Lane {
 
     /// The difference at each point.
     #[inline(always)]
-    pub fn minus(&self, other: &Self) -> Self {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
         let mut difference = *self;
         for l in 0..LANES {
             difference.re[l] -= other.re[l];
@@ -55,13 +55,13 @@ impl Lane {
 
     /// Real multiples at each point.
     #[inline(always)]
-    pub fn times(&self, factor: f64) -> Self {
+    pub(crate) fn times(&self, factor: f64) -> Self {
         Self { re: self.re.map(|x| factor * x), im: self.im.map(|x| factor * x) }
     }
 
     /// Real multiples, of each point its own.
     #[inline(always)]
-    pub fn scaled(&self, factor: &[f64; LANES]) -> Self {
+    pub(crate) fn scaled(&self, factor: &[f64; LANES]) -> Self {
         let mut product = *self;
         for l in 0..LANES {
             product.re[l] *= factor[l];
@@ -72,7 +72,7 @@ impl Lane {
 
     /// The product at each point.
     #[inline(always)]
-    pub fn by(&self, other: &Self) -> Self {
+    pub(crate) fn by(&self, other: &Self) -> Self {
         let mut product = Self::ZERO;
         for l in 0..LANES {
             product.re[l] = self.re[l] * other.re[l] - self.im[l] * other.im[l];
@@ -83,7 +83,7 @@ impl Lane {
 
     /// The quotient at each point.
     #[inline(always)]
-    pub fn over(&self, other: &Self) -> Self {
+    pub(crate) fn over(&self, other: &Self) -> Self {
         let mut quotient = Self::ZERO;
         for l in 0..LANES {
             let scale = 1.0 / (other.re[l] * other.re[l] + other.im[l] * other.im[l]);
@@ -95,7 +95,7 @@ impl Lane {
 
     /// Absolute values.
     #[inline(always)]
-    pub fn norm(&self) -> [f64; LANES] {
+    pub(crate) fn norm(&self) -> [f64; LANES] {
         let mut norm = [0.0; LANES];
         for l in 0..LANES {
             norm[l] = (self.re[l] * self.re[l] + self.im[l] * self.im[l]).sqrt();

@@ -109,7 +109,7 @@ impl<'a> OpenLaw<'a> {
             }
         }
         let twist = self.ring_twist(law)?;
-        Ok(self.at.iter().zip(&twist).map(|(at, y)| law.dissipated_power(*at, y.norm())).sum())
+        Ok(self.at.iter().zip(&twist).map(|(at, y)| law.dissipated_power(*at, y.norm_sqr())).sum())
     }
 
     /// The same by the factor that temperature puts on the material of a law, where that is quicker; it is not finite where the whole has to be solved.

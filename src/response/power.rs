@@ -111,6 +111,6 @@ fn physical(method: &dyn Response, design: &[Mounted], at: Operating, bodies: &M
         viscous(s.damping_to_next, y) + 0.5 * omega * s.stiffness_to_next * s.loss_factor_to_next * y.norm_sqr()
     };
     let shafts: f64 = stations.iter().zip(&bodies.shafts).map(shaft).sum();
-    let rings: f64 = design.iter().zip(&bodies.rings).filter_map(|(m, y)| Some(m.absorber.law()?.dissipated_power(at, y.norm()))).sum();
+    let rings: f64 = design.iter().zip(&bodies.rings).filter_map(|(m, y)| Some(m.absorber.law()?.dissipated_power(at, y.norm_sqr()))).sum();
     ground + shafts + rings
 }

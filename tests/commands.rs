@@ -261,7 +261,7 @@ fn chart_writes_speed_and_accuracy() {
     let output =
         hartog().args(["chart", "studies/den_hartog.toml", "--out"]).arg(folder.path()).assert().code(0).get_output().stdout.clone();
     let text = String::from_utf8_lossy(&output);
-    assert!(text.contains("Stability: 29 scenarios") && !text.contains("DEFECT"), "{text}");
+    assert!(text.contains("Stability: 30 scenarios") && !text.contains("DEFECT"), "{text}");
     let table = read(folder.path(), "speed_accuracy.csv");
     assert!(table.starts_with("method,setting,seconds_per_design,peak_error,stable,note\n"));
     let error = |method: &str, setting: &str| -> f64 {

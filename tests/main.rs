@@ -43,6 +43,7 @@ mod pairs;
 mod peaks;
 mod planes;
 mod plausibility;
+mod prony;
 mod real_absorbers;
 mod report;
 mod responses;

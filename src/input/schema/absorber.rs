@@ -89,6 +89,33 @@ pub(crate) struct RawMeasured {
     pub temperature_c: Option<At<f64>>,
 }
 
+/// A ring on a Prony series.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawProny {
+    /// Inertia of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    pub ring_inertia_kg_m2: At<f64>,
+    /// Stiffness at low frequency: of rubber; an oil has none.
+    #[schemars(extend("minimum" = 0, "examples" = [60000]))]
+    pub stiffness_n_m_per_rad: At<f64>,
+    /// Springs, each in series with a damper, beside it.
+    #[schemars(extend("minItems" = 1, "examples" = [[{"stiffness_n_m_per_rad": 20000, "relaxation_time_s": 0.001}]]))]
+    pub branches: At<Vec<RawBranch>>,
+}
+
+/// A spring in series with a damper.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawBranch {
+    /// Stiffness of the spring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [20000]))]
+    pub stiffness_n_m_per_rad: At<f64>,
+    /// Damping of the damper over that stiffness.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.001]))]
+    pub relaxation_time_s: At<f64>,
+}
+
 /// A type with its values.
 #[derive(Debug)]
 pub(crate) enum RawType {
@@ -97,6 +124,7 @@ pub(crate) enum RawType {
     Locked(RawLocked),
     Seeded(RawSeeded),
     Measured(RawMeasured),
+    Prony(RawProny),
 }
 
 /// A type by its word.
@@ -172,7 +200,7 @@ fn words() -> &'static Words {
                 family.push(key);
             }
         }
-        Words { types: kinds.iter().copied().chain(["locked", "seeded", "measured"]).collect(), kinds, keys, family }
+        Words { types: kinds.iter().copied().chain(["locked", "seeded", "measured", "prony"]).collect(), kinds, keys, family }
     })
 }
 
@@ -236,6 +264,7 @@ impl<'de> Deserialize<'de> for RawType {
                     "locked" => variant.newtype_variant().map(RawType::Locked),
                     "seeded" => variant.newtype_variant().map(RawType::Seeded),
                     "measured" => variant.newtype_variant().map(RawType::Measured),
+                    "prony" => variant.newtype_variant().map(RawType::Prony),
                     _ => variant.newtype_variant_seed(Values(index)).map(|values| RawType::Declared(TYPES[index], values)),
                 }
             }

@@ -1,6 +1,6 @@
 //! What files may hold, as JSON Schema: from the types that read them.
 
-use super::absorber::{RawEngineInertia, RawKind, RawLocked, RawMeasured, RawOn, RawOptimised, RawSeeded, RawSize, RawType};
+use super::absorber::{RawEngineInertia, RawKind, RawLocked, RawMeasured, RawOn, RawOptimised, RawProny, RawSeeded, RawSize, RawType};
 use super::engine::RawEngine;
 use super::material::RawMaterialFile;
 use super::material_states::RawMaterialStates;
@@ -182,6 +182,7 @@ impl JsonSchema for RawType {
         list.push(("locked", "A ring that is fixed to its hub.", generator.subschema_for::<RawLocked>().to_value()));
         list.push(("seeded", "A ring with stiffness and damping by a closed form.", generator.subschema_for::<RawSeeded>().to_value()));
         list.push(("measured", "A ring on measured stiffness.", generator.subschema_for::<RawMeasured>().to_value()));
+        list.push(("prony", "A ring on a Prony series.", generator.subschema_for::<RawProny>().to_value()));
         one_of(list)
     }
 }

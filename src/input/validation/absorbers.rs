@@ -4,10 +4,10 @@ use super::material_states::{Temperatures, material};
 use super::named::{station, table};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::measured::Measured;
-use crate::absorber::{Absorber, Host, Mounted, Parameter, Range, WithMaterial, types};
+use crate::absorber::{Absorber, Branch, Host, Mounted, Parameter, Prony, Range, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
-use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawSeeded, RawType};
+use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawProny, RawSeeded, RawType};
 use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::study::{RawDesign, RawStudy};
 use crate::input::tables::measured_law;
@@ -166,6 +166,7 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             Absorber::Ring((declaration.build)(&values))
         }
         RawType::Measured(m) => measured(check, m, of)?,
+        RawType::Prony(p) => prony(check, p),
         RawType::Locked(l) => Absorber::Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) },
         RawType::Seeded(s) => {
             if let (Host::Ring(_), _) = place? {
@@ -227,6 +228,21 @@ fn measured(check: &mut Check, raw: &RawMeasured, of: Reaches) -> Option<Absorbe
     }
     let Temperatures { cold, hot } = of.temperatures;
     Some(Measured { ring_inertia, scale: 1.0, celsius, table: found, cold, hot }.into())
+}
+
+/// A ring on a Prony series.
+fn prony(check: &mut Check, raw: &RawProny) -> Absorber {
+    let ring_inertia = check.positive(&raw.ring_inertia_kg_m2);
+    let stiffness = check.not_negative(&raw.stiffness_n_m_per_rad);
+    if raw.branches.get_ref().is_empty() {
+        check.wrong(&raw.branches, "found no branch, expected at least one");
+    }
+    let branches = raw
+        .branches
+        .get_ref()
+        .iter()
+        .map(|b| Branch { stiffness: check.positive(&b.stiffness_n_m_per_rad), relaxation_time: check.positive(&b.relaxation_time_s) });
+    Prony { ring_inertia, stiffness, branches: branches.collect(), stiffness_scale: 1.0, time_scale: 1.0 }.into()
 }
 
 /// Engine inertia at a station for the closed forms and the first elastic mode's frequency; nothing where no elastic mode moves there.

@@ -27,6 +27,7 @@ mod keys;
 mod large_twist;
 mod laws;
 mod layering;
+mod life;
 mod limits;
 mod load;
 mod long;

@@ -3,6 +3,7 @@
 use super::cooling::Cooling;
 use super::geometry::Geometry;
 use super::kraus::Kraus;
+use super::life::StrainLife;
 use super::state::State;
 use super::temperature::TemperatureLaw;
 
@@ -35,6 +36,8 @@ pub struct Material {
     pub geometry: Option<Geometry>,
     /// How it follows the amplitude of its strain, where the geometry tells that.
     pub amplitude: Option<Kraus>,
+    /// Cycles of that strain that it bears.
+    pub life: Option<StrainLife>,
 }
 
 impl Material {

@@ -1,6 +1,7 @@
 //! What designs do at the points of a duty: speeds and loads at which the engine runs for shares of its time.
 
 use super::DesignResult;
+use super::life::{self, LifeOverDuty};
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::engine::{Engine, Excitation, Load, Source};
@@ -29,6 +30,8 @@ pub struct DutyOfDesign {
     pub design: String,
     /// In the order of the study.
     pub points: Vec<DutyResult>,
+    /// Of absorbers whose material says how many cycles of strain it bears.
+    pub lives: Vec<LifeOverDuty>,
 }
 
 impl DutyOfDesign {
@@ -67,7 +70,9 @@ pub(crate) fn duty<'d>(study: &Study, shown: &[&'d DesignResult]) -> Result<Vec<
     let systems: Vec<(DutyPoint, DutyLoad)> = systems(study).collect();
     let all = |d: &&'d DesignResult| {
         let points = systems.iter().map(|(point, system)| at(study, &system.system, *point, &d.absorbers)).collect::<Result<_, _>>();
-        Ok(DutyOfDesign { design: d.name.clone(), points: points.map_err(|error| (*d, error))? })
+        let lives = life::over(systems.iter().map(|(point, system)| (*point, &system.system)), &d.absorbers);
+        let failed = |error| (*d, error);
+        Ok(DutyOfDesign { design: d.name.clone(), points: points.map_err(failed)?, lives: lives.map_err(failed)? })
     };
     if systems.is_empty() { Ok(Vec::new()) } else { shown.iter().map(all).collect() }
 }

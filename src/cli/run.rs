@@ -137,6 +137,7 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results) {
     let sections = [
         text::margin::margins(study, results),
         text::duty(results),
+        text::life(results),
         text::catalogue(study, results),
         text::simplest(study, results),
         text::made_of(results),

@@ -12,6 +12,7 @@ pub mod nearest;
 pub(crate) mod periodic_sums;
 pub(crate) mod product;
 pub mod quadrature;
+pub mod rainflow;
 pub(crate) mod roots;
 pub(crate) mod sparse;
 pub mod synthesis;

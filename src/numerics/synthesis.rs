@@ -21,10 +21,10 @@ pub struct Extremes {
 
 /// A local maximum of the sum, or of its negative.
 #[derive(Debug, Clone, Copy)]
-struct Local {
-    angle: f64,
-    value: f64,
-    bend: f64,
+pub(super) struct Local {
+    pub(super) angle: f64,
+    pub(super) value: f64,
+    pub(super) bend: f64,
 }
 
 /// Samples of a sum over a period, kept for reuse.
@@ -224,7 +224,7 @@ impl Synthesiser {
         -(sum(0..self.evens, 1.0, even_sine) + sum(self.evens..self.sorted.len(), odd_cosine, odd_sine))
     }
 
-    fn samples(&self, phasors: &[C64]) -> Samples {
+    pub(super) fn samples(&self, phasors: &[C64]) -> Samples {
         let mut samples = Samples::default();
         self.sample(phasors, &mut samples);
         samples
@@ -241,7 +241,7 @@ impl Synthesiser {
     /// Local maxima of `sign` f, no further than `below` under the largest, which comes first. A maximum lies within half a step of a
     /// sample, so a sample further down than that can hide none. Maxima are told by the slope, which changes sign between two samples: on a
     /// shoulder the samples themselves may fall all the way across one.
-    fn local_maxima(&self, phasors: &[C64], samples: &Samples, sign: f64, below: f64) -> Vec<Local> {
+    pub(super) fn local_maxima(&self, phasors: &[C64], samples: &Samples, sign: f64, below: f64) -> Vec<Local> {
         let (n, step) = (samples.values.len(), self.step());
         let top = if sign > 0.0 { samples.high } else { -samples.low };
         let f = &samples.values;

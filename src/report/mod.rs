@@ -47,6 +47,7 @@ pub(crate) fn write_run(
     csv::catalogue(study, results, folder)?;
     csv::absorbers(results, folder)?;
     csv::duty(results, folder)?;
+    csv::life(results, folder)?;
     csv::heat(results, folder)?;
     csv::strain(results, folder)?;
     csv::large_twist(results, folder)?;

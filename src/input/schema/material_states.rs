@@ -37,6 +37,8 @@ pub(crate) struct RawMaterialStates {
     pub geometry: Option<At<RawGeometry>>,
     /// How rubber follows its strain.
     pub amplitude: Option<At<RawAmplitude>>,
+    /// Cycles of strain that the material bears, counted over the duty.
+    pub life: Option<At<RawLife>>,
     /// By the key of a material parameter its value or bounds, in a family.
     #[serde(default)]
     #[schemars(extend("propertyNames" = { "enum": parameter_keys() }, "examples" = [{"loss_factor": {"fixed": 0.2}}]))]
@@ -179,6 +181,21 @@ pub(crate) struct RawKraus {
     /// Strain that the values of the law are given for.
     #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.01]))]
     pub reference_strain: At<f64>,
+}
+
+/// Cycles of strain that a material bears.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawLife {
+    /// Amplitude of shear strain, zero to peak.
+    #[schemars(extend("minimum" = 1e-6, "maximum" = 10, "examples" = [0.1]))]
+    pub reference_strain: At<f64>,
+    /// Cycles of that amplitude until it fails.
+    #[schemars(extend("minimum" = 1, "maximum" = 1e20, "examples" = [1e8]))]
+    pub reference_cycles: At<f64>,
+    /// Power of the strain by which cycles become fewer.
+    #[schemars(extend("minimum" = 1, "maximum" = 30, "examples" = [5]))]
+    pub exponent: At<f64>,
 }
 
 /// What of a material is sheared.

@@ -1,11 +1,13 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
 use crate::absorber::parameter::STIFFNESS;
-use crate::absorber::{Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, TemperatureLaw, Thermal, ToAir};
+use crate::absorber::{
+    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, TemperatureLaw, Thermal, ToAir,
+};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::RawType;
 use crate::input::schema::material_states::{
-    RawAmplitude, RawCooling, RawGeometry, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
+    RawAmplitude, RawCooling, RawGeometry, RawLife, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
 };
 use crate::input::schema::study::{RawCondition, RawStudy};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
@@ -32,6 +34,8 @@ pub struct MaterialSpec {
     pub geometry: Option<Geometry>,
     /// How it follows the amplitude of its strain.
     pub amplitude: Option<Kraus>,
+    /// Cycles of that strain that it bears.
+    pub life: Option<StrainLife>,
     /// Bounds of its properties by their keys.
     pub properties: Vec<(&'static str, (f64, f64))>,
 }
@@ -72,13 +76,23 @@ pub(super) fn conditions(study: &RawStudy) -> impl Iterator<Item = &At<RawCondit
 
 /// Conditions that need what the study does not say.
 fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatures) {
-    let designed = study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
-    let optimised = study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
-    let said = designed.chain(optimised).map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
+    let designed = || study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
+    let optimised = || study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
+    let materials = || designed().chain(optimised());
+    let said = materials().map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
     let measured =
         study.design.iter().flat_map(|d| &d.absorber).any(|a| matches!(&a.kind, RawType::Measured(m) if m.temperature_c.is_some()));
     let (warms, ages) = said.fold((false, false), |all, a| (all.0 || a.0, all.1 || a.1));
     let warms = warms || measured;
+    if study.duty.is_empty() {
+        let each = materials().filter_map(|m| m.get_ref().life.as_ref());
+        each.for_each(|l| {
+            check.wrong(
+                l,
+                "found how many cycles of strain a material bears, expected `duty = [...]` in the study, over which they are counted",
+            )
+        });
+    }
     for raw in conditions(study) {
         let (word, given, followed, key) = match raw.get_ref() {
             RawCondition::Cold => ("cold", temperatures.cold.is_some(), warms, "temperature"),
@@ -133,7 +147,8 @@ pub(super) fn material(
     let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
     let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
     let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));
-    MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, properties: Vec::new() }
+    let life = raw.life.as_ref().map(|l| life(check, l, geometry));
+    MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new() }
 }
 
 /// A parameter that may age: any but the ring, as long as no factor leads out of its range.
@@ -237,6 +252,22 @@ fn amplitude(check: &mut Check, at: &At<RawAmplitude>, (declaration, geometry): 
     }
 }
 
+/// Cycles of the strain that the geometry tells.
+fn life(check: &mut Check, at: &At<RawLife>, geometry: Option<Geometry>) -> StrainLife {
+    let raw = at.get_ref();
+    if geometry.is_none() {
+        check.wrong(
+            at,
+            "found how many cycles of strain a material bears, expected `geometry` beside it, which tells the strain of a twist",
+        );
+    }
+    StrainLife {
+        strain: check.within(&raw.reference_strain, 1e-6..=10.0, "a shear strain from 1e-6 to 10, 0.05 for 5 %"),
+        cycles: check.within(&raw.reference_cycles, 1.0..=1e20, "a number of cycles from 1 to 1e20"),
+        exponent: check.within(&raw.exponent, 1.0..=30.0, "an exponent from 1 to 30"),
+    }
+}
+
 /// What cools an absorber whose material follows temperature by a law.
 fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) -> Option<Cooling> {
     let raw = at.get_ref();
@@ -277,6 +308,6 @@ impl MaterialSpec {
             states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| of(p.key)).collect() });
         }
         let thermal = self.temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling });
-        Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude }
+        Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude, life: self.life }
     }
 }

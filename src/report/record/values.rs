@@ -82,6 +82,10 @@ pub(crate) fn values(study: &Study, results: &Results, d: &DesignResult) -> Vec<
         all.put(firing.name(), "implied_loss_factor", (m.absorber.implied_loss_factor().map(|l| l.0), "1"), place());
         all.put(firing.name(), "strain", (load.made_of.map(|m| 100.0 * m.strain), "%"), place());
     }
+    for life in results.duty.iter().filter(|o| o.design == d.name).flat_map(|o| &o.lives) {
+        let hours = Some(life.hours()).filter(|h| h.is_finite());
+        all.put(firing.name(), "life_over_duty", (hours, "h"), Quantity::RingTwist(life.absorber).place(&results.system.chain));
+    }
     let objective = &study.objective;
     all.put(HELD, "objective", (d.objective.map(|v| objective.unit.shown(v)), objective.unit.symbol()), objective.place.clone());
     for c in &d.conditions {

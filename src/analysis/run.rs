@@ -201,19 +201,28 @@ fn methods<'a>(study: &Study, systems: &'a [System], grid: &'a Grid, progress: &
 
 /// The given designs.
 fn designs<'d>(
-    given: impl Iterator<Item = &'d DesignSpec> + Clone,
+    given: impl Iterator<Item = &'d DesignSpec>,
     finders: &[PeakFinder],
     wanted: &Wanted,
     progress: &dyn Progress,
     clock: &mut Clock,
 ) -> Result<Vec<DesignResult>, RunError> {
-    progress.stage("designs", given.clone().count());
+    let given: Vec<&DesignSpec> = given.collect();
+    progress.stage("designs", given.len());
+    let evaluated: Vec<(Result<DesignResult, RunError>, Work)> = given
+        .par_iter()
+        .map(|d| {
+            let mut work = Work::default();
+            let result = evaluate::evaluate(finders, &d.name, &d.absorbers, wanted, &mut work);
+            progress.step();
+            (result.map_err(|e| RunError { what: format!("design `{}`{}", d.name, &e.what[d.name.len()..]), ..e }), work)
+        })
+        .collect();
     let mut work = Work::default();
     let mut designs = Vec::new();
-    for d in given {
-        let result = evaluate::evaluate(finders, &d.name, &d.absorbers, wanted, &mut work);
-        designs.push(result.map_err(|e| RunError { what: format!("design `{}`{}", d.name, &e.what[d.name.len()..]), ..e })?);
-        progress.step();
+    for (result, spent) in evaluated {
+        work += spent;
+        designs.push(result?);
     }
     clock.lap("designs", work);
     Ok(designs)

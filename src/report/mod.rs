@@ -68,8 +68,6 @@ pub(crate) fn write_run(
         csv::optima(study, results, folder)?;
         csv::sensitivities(results, folder)?;
     }
-    csv::response(study, results, folder)?;
-    csv::margin::margin(study, results, folder)?;
     if results.fronts.is_empty() {
         folder.remove(&["pareto.csv", "pareto.svg", "pareto.png"])?;
     } else {
@@ -80,8 +78,14 @@ pub(crate) fn write_run(
     } else {
         csv::front(study, results, folder)?
     }
-    written();
-    plot::run(study, results, folder, written)?;
+    // the large tables beside the plots; the first failure in this order is told
+    let large = || {
+        let (response, margin) = rayon::join(|| csv::response(study, results, folder), || csv::margin::margin(study, results, folder));
+        written();
+        response.and(margin)
+    };
+    let (tables, plots) = rayon::join(large, || plot::run(study, results, folder, written));
+    tables.and(plots)?;
     folder.remove_other_plots("response_")?;
     folder.remove_other_plots("front_")?;
     record::write(study, inputs, results, folder)?;

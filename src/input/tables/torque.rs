@@ -9,6 +9,10 @@ use crate::numerics::C64;
 use crate::units::{PA_PER_BAR, RAD_PER_DEG};
 use std::path::Path;
 
+/// Steps within this share of each other are alike; wide ones are this many times as long, and no more than this share of all.
+const SAME_STEP: f64 = 0.05;
+const WIDE: f64 = 1.5;
+const FEW: f64 = 0.05;
 /// Full load, per cent.
 const FULL: f64 = 100.0;
 
@@ -18,6 +22,18 @@ fn speed_and_load(name: &str) -> Option<(f64, f64)> {
     let load = if rest.is_empty() { "100" } else { rest.strip_prefix('_')?.strip_suffix("_percent")? };
     let (speed, load) = (speed.parse::<f64>().ok()?, load.parse::<f64>().ok()?);
     (speed.is_finite() && speed > 0.0 && (0.0..=100.0 * LARGEST_LOAD).contains(&load)).then_some((speed, load))
+}
+
+/// Where rows are missing, with the step of the others: the first of a few wide steps among steps that are alike.
+fn hole(crank_deg: &[f64]) -> Option<(usize, f64)> {
+    let steps: Vec<f64> = crank_deg.windows(2).map(|w| w[1] - w[0]).collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = sorted[sorted.len() / 2];
+    let alike = steps.iter().filter(|s| (**s / usual - 1.0).abs() < SAME_STEP).count();
+    // a table that is finer in a part of the cycle has many steps of either kind
+    let few = steps.len() - alike <= (FEW * steps.len() as f64) as usize;
+    steps.iter().position(|s| few && *s > WIDE * usual).map(|i| (i, usual))
 }
 
 /// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute, at full load; at part load
@@ -58,6 +74,11 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
         if pair[1] <= pair[0] {
             return Err(table.at(row.0, angle, format!("found {} after {}, expected ascending angles", pair[1], pair[0])));
         }
+    }
+    if let Some((i, step)) = hole(&crank_deg) {
+        let (from, to) = (crank_deg[i], crank_deg[i + 1]);
+        let found = format!("found a step from {from} to {to} among steps of {step}, expected no row to be missing");
+        return Err(table.at(rows[i + 1].0, angle, found));
     }
     let widest = crank_deg.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
     let span = crank_deg[crank_deg.len() - 1] - crank_deg[0];

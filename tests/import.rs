@@ -148,7 +148,10 @@ fn what_is_not_understood_is_named() {
         let told = refused(place, &[name, "own", "--throws", "throw"]);
         assert!(told.contains(words), "{name}: {told}");
     }
+    let trace = |missing: i32| -> String { (-360..360).filter(|d| *d != missing).map(|d| format!("{d};1.0\n")).collect() };
+    fs::write(place.join("row.csv"), format!("CA [deg];p cyl [bar]\n{}", trace(-7))).expect("written");
     for (arguments, words) in [
+        (vec!["good.csv", "own", "--throws", "throw", "--trace", "2000=row.csv"], "found a step from -8 to -6 degrees among steps of 1"),
         (vec!["good.csv", "own"], "found no station with a throw, expected --throws with some of `hub`, `throw`, `wheel`"),
         (vec!["good.csv", "own", "--throws", "crank"], "found `crank` in --throws"),
         (vec!["good.csv", "own", "--throws", "throw", "--trace", "fast=good.csv"], "expected a speed in rpm and a file"),

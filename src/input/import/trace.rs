@@ -3,6 +3,7 @@
 use super::sheet::Sheet;
 use super::unit::{Units, factor, parts};
 use crate::input::error::InputError;
+use crate::input::tables::hole;
 use std::path::PathBuf;
 
 const ANGLE: (Units, &str) =
@@ -33,6 +34,9 @@ pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError
             value.map(|x| x * factor).ok_or_else(|| sheet.at(*row, column, "found an empty cell, expected a number".into()))
         };
         let angles: Vec<f64> = sheet.rows.iter().map(|r| cell(r, angle)).collect::<Result<_, _>>()?;
+        if let Some((i, message)) = hole(&angles) {
+            return Err(sheet.at(sheet.rows[i].0, angle.0, message));
+        }
         let pressures = sheet.rows.iter().map(|r| cell(r, pressure)).collect::<Result<_, _>>()?;
         if found.traces.is_empty() {
             found.angles = angles;

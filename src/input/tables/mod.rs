@@ -21,5 +21,5 @@ pub use multiaxial::{histories, multiaxial};
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub(crate) use rounds::published_rounds;
 pub(crate) use superposed::Superposed;
-pub(crate) use torque::{pressure_traces, torque_harmonics};
+pub(crate) use torque::{hole, pressure_traces, torque_harmonics};
 pub(crate) use unit_loads::{UnitLoadReader, UnitPoint};

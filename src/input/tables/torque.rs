@@ -24,16 +24,21 @@ fn speed_and_load(name: &str) -> Option<(f64, f64)> {
     (speed.is_finite() && speed > 0.0 && (0.0..=100.0 * LARGEST_LOAD).contains(&load)).then_some((speed, load))
 }
 
-/// Where rows are missing, with the step of the others: the first of a few wide steps among steps that are alike.
-fn hole(crank_deg: &[f64]) -> Option<(usize, f64)> {
+/// The row after the first that are missing, and what is found there: one of a few wide steps among steps that are alike.
+pub(crate) fn hole(crank_deg: &[f64]) -> Option<(usize, String)> {
     let steps: Vec<f64> = crank_deg.windows(2).map(|w| w[1] - w[0]).collect();
     let mut sorted = steps.clone();
     sorted.sort_by(f64::total_cmp);
-    let usual = sorted[sorted.len() / 2];
+    let usual = *sorted.get(sorted.len() / 2)?;
     let alike = steps.iter().filter(|s| (**s / usual - 1.0).abs() < SAME_STEP).count();
     // a table that is finer in a part of the cycle has many steps of either kind
     let few = steps.len() - alike <= (FEW * steps.len() as f64) as usize;
-    steps.iter().position(|s| few && *s > WIDE * usual).map(|i| (i, usual))
+    let found = |i: usize| {
+        // units in radian leave rounding
+        let [from, to, usual] = [crank_deg[i], crank_deg[i + 1], usual].map(|deg| (1e6 * deg).round() / 1e6);
+        (i + 1, format!("found a step from {from} to {to} degrees among steps of {usual}, expected no row to be missing"))
+    };
+    steps.iter().position(|s| few && *s > WIDE * usual).map(found)
 }
 
 /// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute, at full load; at part load
@@ -75,10 +80,8 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
             return Err(table.at(row.0, angle, format!("found {} after {}, expected ascending angles", pair[1], pair[0])));
         }
     }
-    if let Some((i, step)) = hole(&crank_deg) {
-        let (from, to) = (crank_deg[i], crank_deg[i + 1]);
-        let found = format!("found a step from {from} to {to} among steps of {step}, expected no row to be missing");
-        return Err(table.at(rows[i + 1].0, angle, found));
+    if let Some((i, found)) = hole(&crank_deg) {
+        return Err(table.at(rows[i].0, angle, found));
     }
     let widest = crank_deg.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
     let span = crank_deg[crank_deg.len() - 1] - crank_deg[0];

@@ -17,6 +17,7 @@ mod enclosing;
 mod engines;
 mod examples;
 mod fatigue;
+mod fit;
 mod forces;
 mod generated;
 mod grammar;

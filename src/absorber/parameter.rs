@@ -16,6 +16,17 @@ pub enum Range {
 }
 
 impl Range {
+    /// Whether a value makes sense.
+    pub(crate) fn holds(self, x: f64) -> bool {
+        x.is_finite()
+            && match self {
+                Self::Positive => x > 0.0,
+                Self::NotNegative => x >= 0.0,
+                Self::Above(least) => x > least,
+                Self::Within(low, high) => (low..=high).contains(&x),
+            }
+    }
+
     /// The value in it that is nearest to one of the right sign.
     pub(crate) fn nearest(self, x: f64) -> f64 {
         match self {

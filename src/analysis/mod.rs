@@ -15,6 +15,7 @@ pub mod diagram;
 mod duty;
 pub mod evaluate;
 pub mod families;
+pub mod fit_law;
 pub(crate) mod heat;
 pub(crate) mod in_operation;
 pub(crate) mod large_twist;

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod curves;
 pub mod exit;
 pub mod fatigue;
+pub mod fit;
 pub mod import;
 pub mod keys;
 pub mod new;

@@ -22,6 +22,7 @@ pub(crate) const UNFINISHED: &str = "unfinished.csv";
 
 use crate::analysis::classification::Classification;
 use crate::analysis::curves::{Figure, HolzerRow};
+use crate::analysis::fit_law::LawFit;
 use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
 use crate::benchmark::Chart;
@@ -131,6 +132,16 @@ pub(crate) fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Fo
         plot::curves::figure(figure, folder)?;
     }
     csv::curves::holzer(holzer, folder)
+}
+
+/// Writes the table and plot of a law beside what it was fitted to.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+pub(crate) fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError> {
+    let figure = fit.figure();
+    csv::curves::figure(&figure, folder)?;
+    plot::curves::figure(&figure, folder)
 }
 
 /// Writes printed rounds of sizing beside ours, or removes those of an earlier run where there are none.

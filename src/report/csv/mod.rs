@@ -46,7 +46,7 @@ pub use response::response;
 pub use robust::robust;
 pub use sensitivities::sensitivities;
 pub use strain::strain;
-pub(crate) use table::in_unit;
 pub use table::number;
+pub(crate) use table::{in_unit, rounded};
 pub use timing::timing;
 pub use values::values;

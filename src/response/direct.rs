@@ -108,16 +108,27 @@ impl<'a> Direct<'a> {
         quantities: &[Quantity],
         speeds: &[f64],
         work: &mut Work,
+        put: impl FnMut(usize, usize, C64),
+    ) -> Result<(), ResponseError> {
+        let orders = self.system.orders();
+        let places = speeds.iter().flat_map(|speed| (0..orders).map(move |order| (order, *speed)));
+        self.places(design, quantities, (speeds.len() * orders, places), work, put)
+    }
+
+    /// The same at so many places: an order and a speed each.
+    pub(super) fn places(
+        &self,
+        design: &[Mounted],
+        quantities: &[Quantity],
+        (count, mut places): (usize, impl Iterator<Item = (usize, f64)>),
+        work: &mut Work,
         mut put: impl FnMut(usize, usize, C64),
     ) -> Result<(), ResponseError> {
-        let (system, orders) = (self.system, self.system.orders());
-        let count = speeds.len() * orders;
-        if count == 0 {
-            return Ok(());
-        }
+        let system = self.system;
+        let Some(mut place) = places.next() else { return Ok(()) };
         let mut block = Block::new(&system.chain, design.len());
-        let (mut speed, mut order) = (0, 0);
-        let mut torques = system.torques(speeds[0]);
+        let mut torques = system.torques(place.1);
+        let mut at = [place; LANES];
         let mut scalar: Option<Factored> = None;
         let made_of: Vec<Output> = quantities.iter().map(|q| self.output(*q)).collect();
         let mut outputs = Vec::with_capacity(quantities.len());
@@ -125,19 +136,20 @@ impl<'a> Direct<'a> {
             let mut still = [true; LANES];
             block.x.fill(Lane::ZERO);
             for (lane, still) in still.iter_mut().enumerate() {
-                block.omega[lane] = system.excitation.orders[order].omega(speeds[speed]);
-                block.shaft_speed[lane] = speeds[speed] * RAD_PER_S_PER_RPM;
+                let (order, speed) = place;
+                at[lane] = place;
+                block.omega[lane] = system.excitation.orders[order].omega(speed);
+                block.shaft_speed[lane] = speed * RAD_PER_S_PER_RPM;
                 torques.each(order, |station, torque| {
                     *still &= torque == ZERO;
                     block.x[station].set(lane, torque);
                 });
                 // lanes beyond the last point repeat it
-                if first + lane + 1 < count {
-                    order += 1;
-                    if order == orders {
-                        (speed, order) = (speed + 1, 0);
-                        torques = system.torques(speeds[speed]);
+                if let Some(next) = places.next() {
+                    if next.1 != speed {
+                        torques = system.torques(next.1);
                     }
+                    place = next;
                 }
             }
             block.solve(&system.chain.stations, design);
@@ -152,8 +164,7 @@ impl<'a> Direct<'a> {
                     outputs.iter().enumerate().for_each(|(i, y)| put(i, point, y.get(lane)));
                 } else {
                     let solver = scalar.get_or_insert_with(|| Factored::new(system));
-                    let at = (point % orders, speeds[point / orders]);
-                    solver.phasors(design, quantities, at, work, |i, y| put(i, point, y))?;
+                    solver.phasors(design, quantities, at[lane], work, |i, y| put(i, point, y))?;
                 }
             }
         }

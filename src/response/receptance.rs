@@ -109,11 +109,12 @@ impl<'a> Receptance<'a> {
         mut put: impl FnMut(usize, C64),
     ) -> Result<(), ResponseError> {
         let orders = self.direct.system.orders();
-        for &point in &self.singular[table] {
-            work.singular_points += 1;
-            let speed_rpm = self.direct.grid().speed_rpm[point / orders];
-            put(point, self.direct.order_at(design, quantity, point % orders, speed_rpm, work)?);
-        }
+        let singular = &self.singular[table];
+        let places = singular.iter().map(|point| (point % orders, self.direct.grid().speed_rpm[point / orders]));
+        self.direct.places(design, &[quantity], (singular.len(), places), work, |_, i, y| {
+            put(singular[i], y);
+        })?;
+        work.singular_points += singular.len() as u64;
         Ok(())
     }
 }

@@ -8,11 +8,12 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Host, Mounted, Surroundings};
 use crate::input::{FrontSpec, Size, Study};
 use crate::numerics::elementary::Elementary;
-use crate::objective::PeakFinder;
 use crate::objective::surrogate::{Scratch, Surrogate};
-use crate::response::{Quantity, Receptance, Response, Work};
+use crate::objective::{Measure, PeakFinder};
+use crate::response::{Receptance, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use rayon::prelude::*;
 
 /// How searches find peaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -63,6 +64,8 @@ pub struct Choice {
 pub(crate) const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
 /// Random probe designs, and their seed.
 const PROBES: usize = 256;
+/// The same where the measure is the largest of several quantities.
+const FEWER_PROBES: usize = 16;
 const SEED: u64 = 2014;
 /// Random designs lie within this many e-folds of a closed form, in every parameter but the ring inertia.
 const SPREAD: f64 = 2.0;
@@ -121,21 +124,22 @@ pub(crate) fn named_designs(study: &Study, random: &[Mounted]) -> Vec<Mounted> {
     if named.is_empty() { random.iter().take(3).cloned().collect() } else { named }
 }
 
-/// Chooses the strategy for a study. `receptance`: its tables.
-pub fn choose(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, receptance: &Receptance) -> Choice {
+/// Chooses the strategy of searches by one of the objectives of a study. `receptance`: its tables.
+pub fn choose(study: &Study, measure: &Measure, modes: &[Vec<EngineMode>], finder: &PeakFinder, receptance: &Receptance) -> Choice {
     let stations = finder.system.chain.len();
-    let random = random_absorbers(study, modes, PROBES, SEED);
+    let random = random_absorbers(study, modes, if measure.quantities.len() == 1 { PROBES } else { FEWER_PROBES }, SEED);
     let mut named = named_designs(study, &random);
     let mut considered = Vec::new();
     // the exact strategy, on the designs that have names; one without a finite peak is reported where it is evaluated
-    let measure = &study.objective.measure;
     let mut work = Work::default();
     named.retain(|m| finder.peak(std::slice::from_ref(m), measure, &mut work).is_ok());
     let exact = nominal(&work, stations) / named.len().max(1) as f64;
     considered.push(Considered { strategy: Strategy::Exact, seconds: exact, error: 0.0 });
-    if let Some(quantity) = measure.synthesised().filter(|_| finder.is_smooth()) {
+    if finder.is_smooth() {
         let all: Vec<Mounted> = named.iter().chain(&random).cloned().collect();
-        considered.extend(tables(receptance, quantity, &all, study.tolerance, exact, stations));
+        let surrogate = |stride: usize| Surrogate::of(receptance, measure, finder.margin, stride);
+        let strides = STRIDES.into_iter().filter(|s| *s == 1 || 2 * s < receptance.grid().len());
+        considered.extend(tables(&surrogate, strides, &all, study.tolerance, exact, stations));
     }
     considered.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let is_good = |c: &&Considered| c.error <= study.tolerance && c.strategy != Strategy::Exact && c.seconds < WORTH * exact;
@@ -146,16 +150,22 @@ pub fn choose(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, rec
 
 /// Tables at several strides: their own estimate, and the difference to the tables at every speed, which shows peaks that were missed. A design whose own
 /// estimate is too large is evaluated exactly, and paid for so.
-fn tables(receptance: &Receptance, quantity: Quantity, probes: &[Mounted], tolerance: f64, exact: f64, stations: usize) -> Vec<Considered> {
+fn tables<'s>(
+    surrogate: &(dyn Fn(usize) -> Option<Surrogate<'s>> + Sync),
+    strides: impl Iterator<Item = usize>,
+    probes: &[Mounted],
+    tolerance: f64,
+    exact: f64,
+    stations: usize,
+) -> Vec<Considered> {
     let peaks = |stride: usize| -> Option<Vec<(f64, f64, f64)>> {
-        let surrogate = Surrogate::new(receptance, quantity, stride)?;
-        let mut scratch = Scratch::default();
-        let one = |m: &Mounted| {
+        let surrogate = surrogate(stride)?;
+        let one = |scratch: &mut Scratch, m: &Mounted| {
             let mut work = Work::default();
-            let found = surrogate.peak(m, &mut scratch, &mut work);
+            let found = surrogate.peak(m, scratch, &mut work);
             (found.value, found.error, nominal(&work, stations))
         };
-        Some(probes.iter().filter(|m| surrogate.takes(m)).map(one).collect())
+        Some(probes.par_iter().filter(|m| surrogate.takes(m)).map_init(Scratch::default, one).collect())
     };
     let Some(all) = peaks(1).filter(|all| !all.is_empty()) else { return Vec::new() };
     let at = |stride: usize| {
@@ -171,6 +181,5 @@ fn tables(receptance: &Receptance, quantity: Quantity, probes: &[Mounted], toler
         }
         Some(Considered { strategy: Strategy::Tables(stride), seconds: seconds / found.len() as f64, error })
     };
-    let speeds = receptance.grid().len();
-    STRIDES.iter().filter(|s| **s == 1 || 2 * **s < speeds).filter_map(|s| at(*s)).collect()
+    strides.filter_map(at).collect()
 }

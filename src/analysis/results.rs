@@ -120,8 +120,8 @@ pub struct Results {
     pub system: System,
     /// Method of the sweeps.
     pub method: &'static str,
-    /// What searches evaluate designs by, where the method is `auto`.
-    pub choice: Option<Choice>,
+    /// What searches by each objective evaluate designs by, where the method is `auto`.
+    pub choices: Vec<Choice>,
     /// Absorbers of catalogues, the best first.
     pub catalogue: Vec<Ranked>,
     /// Given designs, and the best of catalogues.

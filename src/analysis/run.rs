@@ -100,9 +100,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     };
     let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
     let modes = modes(study, &systems[0]);
-    let choice = choice(study, &modes, &finders[0]);
-    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogate(study, choice.as_ref(), finder)).collect();
-    if choice.is_some() {
+    let choices = choices(study, &modes, &finders[0]);
+    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogates(study, &choices, finder)).collect();
+    if !choices.is_empty() {
         clock.lap("choice", Work::default());
     }
     let measures = margins::measures(study);
@@ -137,7 +137,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         study,
         calibration: None,
         method,
-        choice,
+        choices,
         catalogue,
         designs,
         optima,
@@ -304,22 +304,24 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
     }
 }
 
-/// What searches are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
-fn choice(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder) -> Option<Choice> {
+/// What searches by each objective of the study are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
+fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder) -> Vec<Choice> {
     match finder.method {
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
-            Some(choice::choose(study, modes, finder, r))
+            study.objectives().map(|o| choice::choose(study, &o.measure, modes, finder, r)).collect()
         }
-        _ => None,
+        _ => Vec::new(),
     }
 }
 
 /// A finder that searches may ask for surrogate peaks, as chosen.
-fn surrogate<'a>(study: &Study, choice: Option<&Choice>, finder: PeakFinder<'a>) -> PeakFinder<'a> {
-    match (choice.map(|c| c.chosen.strategy), study.objective.measure.synthesised(), finder.method) {
-        (Some(Strategy::Tables(stride)), Some(quantity), Method::Receptance(r)) => {
-            finder.with_surrogate(Surrogate::new(r, quantity, stride), quantity, study.tolerance)
+fn surrogates<'a>(study: &Study, choices: &[Choice], finder: PeakFinder<'a>) -> PeakFinder<'a> {
+    let Method::Receptance(r) = finder.method else { return finder };
+    choices.iter().zip(study.objectives()).fold(finder, |finder, (choice, objective)| match choice.chosen.strategy {
+        Strategy::Tables(stride) => {
+            let surrogate = Surrogate::of(r, &objective.measure, finder.margin, stride);
+            finder.with_surrogate(surrogate, study.tolerance)
         }
-        _ => finder,
-    }
+        Strategy::Exact => finder,
+    })
 }

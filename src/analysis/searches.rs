@@ -72,10 +72,10 @@ impl<'a> Searches<'a> {
         wanted: &'a Wanted<'a>,
         progress: &'a dyn Progress,
     ) -> Self {
-        let objectives = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| o.measure.in_si()).collect();
+        let objectives = study.objectives().map(|o| o.measure.in_si()).collect();
         let limits = study.limits.iter().map(LimitSpec::to_limit).collect();
         let combined = study.combined.iter().flat_map(|c| c.parts.iter().map(LimitSpec::to_limit)).collect();
-        let duty = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| terms(study, &o.measure)).collect();
+        let duty = study.objectives().map(|o| terms(study, &o.measure)).collect();
         Self { study, finders, load_cases, objectives, duty, combined, limits, modes, wanted, progress }
     }
 

@@ -110,7 +110,7 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let finder = PeakFinder::new(&system, &grid, &method, true);
     let designs = choice::random_absorbers(study, &modes, DESIGNS, SEED);
     let (Method::Receptance(receptance), false) = (&method, designs.is_empty()) else { return Ok(None) };
-    let choice = choice::choose(study, &modes, &finder, receptance);
+    let choice = choice::choose(study, &study.objective.measure, &modes, &finder, receptance);
     let (full, skipping, identical) = skipping(&finder, &designs[..IN_FULL], quantity).map_err(failed)?;
     let surrogate = match choice.chosen.strategy {
         Strategy::Tables(stride) => Surrogate::new(receptance, quantity, stride),

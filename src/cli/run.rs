@@ -156,7 +156,8 @@ fn print(study: &Study, calibration: Option<&Calibration>, results: &Results) {
 
 /// What the run took.
 fn costs(results: &Results, timing: &[Timing]) -> String {
-    let mut out = text::choice(results).map_or_else(String::new, |choice| format!("\n{choice}"));
+    let choices = text::choices(results);
+    let mut out = if choices.is_empty() { choices } else { format!("\n{choices}") };
     let cost: Vec<String> = timing
         .iter()
         .filter_map(|t| t.stage.strip_prefix("one_design_").map(|what| format!("{} {}", what.replace('_', " "), duration(t.seconds))))

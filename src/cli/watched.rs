@@ -62,7 +62,7 @@ impl Memory for Watched {
 /// An interrupt (Ctrl-C) ends the run: the best designs so far are written, marked as unfinished; the journal stays.
 pub(crate) fn end_at_interrupt(study: &Study, folder: &Arc<Folder>, journal: &Arc<Journal>) {
     let (folder, journal) = (folder.clone(), journal.clone());
-    let units: Vec<UnitOf> = std::iter::once(&study.objective).chain(&study.more_objectives).map(|o| o.unit).collect();
+    let units: Vec<UnitOf> = study.objectives().map(|o| o.unit).collect();
     let end = move || {
         let shown = |objective: usize, value: f64| {
             let unit = units.get(objective).copied().unwrap_or(UnitOf::Ratio);

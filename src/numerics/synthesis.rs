@@ -42,6 +42,11 @@ impl Samples {
     pub fn half_peak_to_peak(&self) -> f64 {
         0.5 * (self.high - self.low)
     }
+
+    /// Their extremes, a little inside those of the sum; at angle zero.
+    pub(crate) fn extremes(&self) -> Extremes {
+        Extremes { half_peak_to_peak: self.half_peak_to_peak(), middle: 0.5 * (self.high + self.low), ..Extremes::default() }
+    }
 }
 
 impl Extremes {

@@ -43,8 +43,8 @@ pub struct PeakFinder<'a> {
     pub margin: Option<&'a Margin>,
     /// For means over a duty.
     pub(super) duty: &'a [DutyLoad],
-    /// Tables for searches, with the quantity they are of and the largest error they may have.
-    pub(super) surrogate: Option<(Surrogate, Quantity, f64)>,
+    /// Tables for searches, with the largest error they may have.
+    pub(super) surrogates: Vec<(Surrogate<'a>, f64)>,
 }
 
 /// Peaks found so far.
@@ -96,7 +96,7 @@ impl<'a> PeakFinder<'a> {
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
             margin: None,
             duty: &[],
-            surrogate: None,
+            surrogates: Vec::new(),
         }
     }
 

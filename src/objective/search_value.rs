@@ -4,13 +4,13 @@ use super::measure::Measure;
 use super::peak_search::PeakFinder;
 use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
-use crate::response::{Quantity, ResponseError, Work};
+use crate::response::{ResponseError, Work};
 
-impl PeakFinder<'_> {
-    /// Lets searches ask tables first, for the synthesis of `quantity`; a peak whose estimated error is above `tolerance` is found exactly.
+impl<'a> PeakFinder<'a> {
+    /// Lets searches ask tables first for their measure; a peak whose estimated error is above `tolerance` is found exactly.
     #[must_use]
-    pub(crate) fn with_surrogate(mut self, surrogate: Option<Surrogate>, quantity: Quantity, tolerance: f64) -> Self {
-        self.surrogate = surrogate.map(|q| (q, quantity, tolerance));
+    pub(crate) fn with_surrogate(mut self, surrogate: Option<Surrogate<'a>>, tolerance: f64) -> Self {
+        self.surrogates.extend(surrogate.map(|s| (s, tolerance)));
         self
     }
 
@@ -33,9 +33,8 @@ impl PeakFinder<'_> {
     }
 
     /// The tables for a measure, where there are any, and the error they may have.
-    fn surrogate(&self, measure: &Measure) -> Option<(&Surrogate, f64)> {
-        let (surrogate, quantity, tolerance) = self.surrogate.as_ref()?;
-        (measure.synthesised() == Some(*quantity)).then_some((surrogate, *tolerance))
+    fn surrogate(&self, measure: &Measure) -> Option<(&Surrogate<'a>, f64)> {
+        self.surrogates.iter().find(|s| s.0.measure() == measure).map(|(surrogate, tolerance)| (surrogate, *tolerance))
     }
 
     /// Index of the design of one absorber with the lowest peak, by tables, among those that they answer for; nothing without tables.

@@ -1,7 +1,10 @@
-//! The peak of a synthesis over speed from tables alone, for searches that look at many designs: every few speeds first, then the grid speeds round
-//! the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
+//! The peak of a synthesis over speed, or of how much of the crank's strength it uses, from tables alone, for searches that look at many designs: every few
+//! speeds first, then the grid speeds round the largest values, then the vertex of a parabola. No direct solution; an estimate of its own error.
 
+use super::measure::{Measure, Over, Within};
+use super::point_metric::PointMetric;
 use crate::absorber::{Host, Law, Mounted};
+use crate::crankshaft::Margin;
 use crate::drivetrain::natural;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
@@ -11,24 +14,57 @@ use crate::response::{Quantity, Receptance, Response, Work};
 /// A surrogate peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimated {
-    /// Half peak-to-peak, rad or N m.
+    /// Half peak-to-peak, rad or N m; share of the strength.
     pub value: f64,
     /// Estimate of its error, relative.
     pub error: f64,
 }
 
-/// Finds surrogate peaks of one quantity for absorbers on one station.
+/// Finds surrogate peaks of one measure for absorbers on one station.
 #[derive(Debug, Clone)]
-pub struct Surrogate {
+pub struct Surrogate<'a> {
+    measure: Measure,
+    margin: Option<&'a Margin>,
     stride: usize,
     speed_rpm: Vec<f64>,
     kink: Vec<bool>,
     orders: usize,
-    /// Rows of every `stride`-th speed and of the last, and the indices of their speeds.
-    coarse: Rows,
+    /// Of every quantity of the measure.
+    tables: Vec<Table>,
+    /// Indices of the speeds of its coarse rows.
     coarse_index: Vec<usize>,
-    fine: Rows,
     synthesiser: Synthesiser,
+}
+
+/// Tables of one quantity.
+#[derive(Debug, Clone)]
+struct Table {
+    /// Rows of every so many speeds, and of the last.
+    coarse: Rows,
+    /// Rows of all speeds.
+    fine: Rows,
+}
+
+/// The phasors of one quantity of one design, speed by speed, and what is made of them.
+struct Curve<'s> {
+    rows: &'s Rows,
+    metric: PointMetric<'s>,
+    mounted: &'s Mounted,
+    speed_rpm: &'s [f64],
+    synthesiser: &'s Synthesiser,
+}
+
+impl Curve<'_> {
+    /// The extremes one Newton step or two from known ones.
+    fn near(&self, i: usize, from: &Extremes, steps: usize, row: &mut [C64]) -> Extremes {
+        self.rows.phasors(self.mounted, i, row);
+        (0..steps).fold(*from, |known, _| self.synthesiser.near(row, &known))
+    }
+
+    /// Value at a speed of the grid.
+    fn value(&self, i: usize, extremes: &Extremes) -> f64 {
+        self.metric.value(self.speed_rpm[i], extremes, &[])
+    }
 }
 
 /// Buffers of one thread, and what the last designs were given up for.
@@ -39,8 +75,8 @@ pub struct Scratch {
     values: Vec<f64>,
     samples: Samples,
     row: Vec<C64>,
-    /// Coarse speeds at which designs were given up, the latest first.
-    fatal: Vec<usize>,
+    /// Quantities and coarse speeds at which designs were given up, the latest first.
+    fatal: Vec<(usize, usize)>,
 }
 
 /// Local maxima among the coarse speeds that are looked at closely, the largest first, and the share of the largest that they must reach.
@@ -63,22 +99,44 @@ const LEAST_DAMPING: f64 = 0.02;
 /// Speeds remembered for giving up early.
 const REMEMBERED: usize = 3;
 
-impl Surrogate {
-    /// For every `stride`-th speed of the grid; nothing where the quantity has no table without holes.
+impl<'a> Surrogate<'a> {
+    /// Of the synthesis of a quantity, by every `stride`-th speed of the grid; nothing where the quantity has no table without holes.
     pub fn new(receptance: &Receptance, quantity: Quantity, stride: usize) -> Option<Self> {
+        Self::of(receptance, &Measure::new(vec![quantity], Over::Synthesis), None, stride)
+    }
+
+    /// Of a measure; nothing of one that tables cannot answer for: over a part of the range, or by a criterion that asks for the whole sum.
+    pub fn of(receptance: &Receptance, measure: &Measure, margin: Option<&'a Margin>, stride: usize) -> Option<Self> {
+        let extremes_decide = match measure.over {
+            Over::Synthesis => measure.quantities.len() == 1,
+            Over::Margin(criterion) => margin.is_some_and(|m| !m.is_multiaxial(criterion)),
+            _ => false,
+        };
+        if !extremes_decide || measure.within != Within::default() {
+            return None;
+        }
         let (system, grid) = (receptance.system(), receptance.grid());
         let last = grid.len() - 1;
         let coarse_index: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+        let table = |q: &Quantity| {
+            Some(Table { coarse: receptance.rows(*q, coarse_index.iter().copied())?, fine: receptance.rows(*q, 0..grid.len())? })
+        };
         Some(Self {
+            measure: measure.clone(),
+            margin,
             stride,
             speed_rpm: grid.speed_rpm.clone(),
             kink: grid.kink.clone(),
             orders: system.orders(),
-            coarse: receptance.rows(quantity, coarse_index.iter().copied())?,
-            fine: receptance.rows(quantity, 0..grid.len())?,
+            tables: measure.quantities.iter().map(table).collect::<Option<_>>()?,
             coarse_index,
             synthesiser: Synthesiser::new(&system.excitation.harmonics),
         })
+    }
+
+    /// What it answers for.
+    pub(super) fn measure(&self) -> &Measure {
+        &self.measure
     }
 
     /// Every how many grid speeds are looked at first.
@@ -96,7 +154,8 @@ impl Surrogate {
             }
             None => law.depends_on_speed() || !natural::own_loss_factor(law).is_none_or(|loss| 0.5 * loss >= LEAST_DAMPING),
         };
-        mounted.on == Host::Station(self.fine.station) && !mounted.absorber.law().is_some_and(|law| hides(law.as_ref()))
+        let station = self.tables.first().map(|t| Host::Station(t.fine.station));
+        station == Some(mounted.on) && !mounted.absorber.law().is_some_and(|law| hides(law.as_ref()))
     }
 
     /// The peak of an absorber on the table's station.
@@ -104,45 +163,64 @@ impl Surrogate {
         self.peak_below(mounted, f64::INFINITY, s, work).unwrap_or(Estimated { value: f64::INFINITY, error: 0.0 })
     }
 
+    fn metric(&self, table: usize) -> PointMetric<'_> {
+        PointMetric::of(self.measure.over, self.measure.quantities[table], &self.measure.within, self.margin, None)
+    }
+
+    fn coarse_speed(&self, i: usize) -> f64 {
+        self.speed_rpm[self.coarse_index[i]]
+    }
+
     /// The peak, or nothing where the values at the coarse speeds show that it lies above `best`: such a design cannot win.
     pub fn peak_below(&self, mounted: &Mounted, best: f64, s: &mut Scratch, work: &mut Work) -> Option<Estimated> {
         if best.is_finite() && self.is_hopeless(mounted, best, s, work) {
             return None;
         }
-        let count = self.coarse.len();
-        s.phasors.resize(count * self.orders, C64::ZERO);
-        self.coarse.phasors(mounted, 0, &mut s.phasors);
+        let (count, tables) = (self.coarse_index.len(), self.tables.len());
+        s.phasors.resize(tables * count * self.orders, C64::ZERO);
+        for (table, phasors) in self.tables.iter().zip(s.phasors.chunks_mut((count * self.orders).max(1))) {
+            table.coarse.phasors(mounted, 0, phasors);
+        }
         work.receptance_points += s.phasors.len() as u64;
         s.bounds.clear();
         s.bounds.extend(s.phasors.chunks(self.orders).map(bound));
         s.values.clear();
-        s.values.resize(count, f64::NEG_INFINITY);
-        let first = (0..count).fold(0, |m, i| if s.bounds[i] > s.bounds[m] { i } else { m });
-        let (mut top, mut share) = (0.0, 0.0);
-        for i in std::iter::once(first).chain(0..count) {
-            if s.values[i] > f64::NEG_INFINITY || s.bounds[i] * share * OVERSTATED < top {
-                continue;
+        s.values.resize(tables * count, f64::NEG_INFINITY);
+        let mut top = 0.0;
+        for table in 0..tables {
+            let metric = self.metric(table);
+            let own = table * count..(table + 1) * count;
+            let first = own.clone().fold(own.start, |m, i| if s.bounds[i] > s.bounds[m] { i } else { m });
+            let mut share = 0.0;
+            for i in std::iter::once(first).chain(own) {
+                let speed = self.coarse_speed(i % count);
+                let able = s.bounds[i] * share * OVERSTATED;
+                if s.values[i] > f64::NEG_INFINITY || (share > 0.0 && metric.at_most(speed, able, able) < top) {
+                    continue;
+                }
+                self.synthesiser.sample(&s.phasors[i * self.orders..(i + 1) * self.orders], &mut s.samples);
+                work.syntheses += 1;
+                s.values[i] = metric.value(speed, &s.samples.extremes(), &[]);
+                if s.values[i] > best {
+                    s.fatal.insert(0, (table, i % count));
+                    s.fatal.truncate(REMEMBERED);
+                    return None;
+                }
+                top = if s.values[i] > top { s.values[i] } else { top };
+                let sampled = s.samples.half_peak_to_peak();
+                share = if s.bounds[i] > 0.0 { f64::max(share, sampled / s.bounds[i]) } else { share };
             }
-            self.synthesiser.sample(&s.phasors[i * self.orders..(i + 1) * self.orders], &mut s.samples);
-            work.syntheses += 1;
-            s.values[i] = s.samples.half_peak_to_peak();
-            if s.values[i] > best {
-                s.fatal.insert(0, i);
-                s.fatal.truncate(REMEMBERED);
-                return None;
-            }
-            top = if s.values[i] > top { s.values[i] } else { top };
-            share = if s.bounds[i] > 0.0 { f64::max(share, s.values[i] / s.bounds[i]) } else { share };
         }
         let is_top = |i: &usize| {
-            let beside = |j: usize| s.values.get(j).is_none_or(|v| s.values[*i] >= *v);
+            let own = i / count * count..(i / count + 1) * count;
+            let beside = |j: usize| !own.contains(&j) || s.values[*i] >= s.values[j];
             s.values[*i] >= TOP_SHARE * top && beside(i.wrapping_sub(1)) && beside(i + 1)
         };
-        let mut tops: Vec<usize> = (0..count).filter(is_top).collect();
+        let mut tops: Vec<usize> = (0..tables * count).filter(is_top).collect();
         tops.sort_by(|a, b| s.values[*b].total_cmp(&s.values[*a]));
         let mut found = Estimated { value: 0.0, error: 0.0 };
         for &i in tops.iter().take(TOPS) {
-            let peak = self.closely(mounted, self.coarse_index[i], s, work);
+            let peak = self.closely((mounted, i / count), self.coarse_index[i % count], s, work);
             if peak.value > found.value {
                 found = peak;
             }
@@ -154,11 +232,12 @@ impl Surrogate {
     fn is_hopeless(&self, mounted: &Mounted, best: f64, s: &mut Scratch, work: &mut Work) -> bool {
         s.row.resize(self.orders, C64::ZERO);
         for place in 0..s.fatal.len() {
-            self.coarse.phasors(mounted, s.fatal[place], &mut s.row);
+            let (table, i) = s.fatal[place];
+            self.tables[table].coarse.phasors(mounted, i, &mut s.row);
             self.synthesiser.sample(&s.row, &mut s.samples);
             work.receptance_points += self.orders as u64;
             work.syntheses += 1;
-            if s.samples.half_peak_to_peak() > best {
+            if self.metric(table).value(self.coarse_speed(i), &s.samples.extremes(), &[]) > best {
                 s.fatal[..=place].rotate_right(1);
                 return true;
             }
@@ -167,42 +246,45 @@ impl Surrogate {
     }
 
     /// Climbs along the grid from speed `start`, then to the vertices of the branches near the top.
-    fn closely(&self, mounted: &Mounted, start: usize, s: &mut Scratch, work: &mut Work) -> Estimated {
+    fn closely(&self, (mounted, table): (&Mounted, usize), start: usize, s: &mut Scratch, work: &mut Work) -> Estimated {
         let last = self.speed_rpm.len() - 1;
         let mut row = std::mem::take(&mut s.row);
         row.resize(self.orders, C64::ZERO);
-        let mut whole = |i: usize| -> Extremes {
-            self.fine.phasors(mounted, i, &mut row);
+        let (rows, metric) = (&self.tables[table].fine, self.metric(table));
+        let curve = Curve { rows, metric, mounted, speed_rpm: &self.speed_rpm, synthesiser: &self.synthesiser };
+        // extremes, and the value that they make
+        let mut whole = |i: usize| -> (Extremes, f64) {
+            rows.phasors(mounted, i, &mut row);
             self.synthesiser.sample(&row, &mut s.samples);
             work.receptance_points += self.orders as u64;
             work.syntheses += 1;
-            self.synthesiser.near_samples(&row, &s.samples)
+            let extremes = self.synthesiser.near_samples(&row, &s.samples);
+            (extremes, curve.value(i, &extremes))
         };
-        let none = Extremes::default();
+        let none = (Extremes::default(), 0.0);
         let (mut i, mut here) = (start, whole(start));
         let (mut low, mut high) = (None, None);
         // every step climbs
         loop {
             let left = *low.get_or_insert_with(|| if i > 0 { whole(i - 1) } else { none });
-            if left.half_peak_to_peak > here.half_peak_to_peak {
+            if left.1 > here.1 {
                 (high, here, low, i) = (Some(here), left, None, i - 1);
                 continue;
             }
             let right = *high.get_or_insert_with(|| if i < last { whole(i + 1) } else { none });
-            if right.half_peak_to_peak > here.half_peak_to_peak {
+            if right.1 > here.1 {
                 (low, here, high, i) = (Some(here), right, None, i + 1);
                 continue;
             }
             break;
         }
-        let mut found = self.branch(mounted, i, &here, &mut row);
+        let mut found = self.branch(&curve, i, &here.0, &mut row);
         // where a neighbour's extremes lie elsewhere in the cycle, that branch may rise higher between the two speeds
         for (known, at) in [(low, i.wrapping_sub(1)), (high, i + 1)] {
-            let Some(known) = known.filter(|k| k.half_peak_to_peak > 0.0) else { continue };
-            self.fine.phasors(mounted, at, &mut row);
-            let followed = self.synthesiser.near(&row, &here).half_peak_to_peak;
-            if known.half_peak_to_peak > followed * (1.0 + OTHER_BRANCH) {
-                let other = self.branch(mounted, at, &known, &mut row);
+            let Some(known) = known.filter(|k| k.1 > 0.0) else { continue };
+            let followed = curve.value(at, &curve.near(at, &here.0, 1, &mut row));
+            if known.1 > followed * (1.0 + OTHER_BRANCH) {
+                let other = self.branch(&curve, at, &known.0, &mut row);
                 if other.value > found.value {
                     found = other;
                 }
@@ -214,25 +296,24 @@ impl Surrogate {
 
     /// The maximum of one branch of extremes near grid speed `i`: the parabola of 1/v² through the neighbours, exact for a single resonance. Its error
     /// shows against the one through speeds twice as far.
-    fn branch(&self, mounted: &Mounted, i: usize, known: &Extremes, row: &mut [C64]) -> Estimated {
+    fn branch(&self, curve: &Curve, i: usize, known: &Extremes, row: &mut [C64]) -> Estimated {
         let last = self.speed_rpm.len() - 1;
-        let mut at = |i: usize, from: &Extremes| -> Extremes {
-            self.fine.phasors(mounted, i, row);
-            self.synthesiser.near(row, &self.synthesiser.near(row, from))
+        let mut at = |i: usize, from: &Extremes| -> (Extremes, f64) {
+            let extremes = curve.near(i, from, 2, row);
+            (extremes, curve.value(i, &extremes))
         };
-        let middle = at(i, known);
-        let value = middle.half_peak_to_peak;
+        let (middle, value) = at(i, known);
         if i < 2 || i + 2 > last {
             return Estimated { value, error: if i == 0 || i == last { ROUNDING } else { BESIDE_END } };
         }
         let (left, right) = (at(i - 1, &middle), at(i + 1, &middle));
-        let (far_left, far_right) = (at(i - 2, &left), at(i + 2, &right));
-        let through = |a: usize, b: usize, ends: [&Extremes; 2]| {
+        let (far_left, far_right) = (at(i - 2, &left.0), at(i + 2, &right.0));
+        let through = |a: usize, b: usize, ends: [f64; 2]| {
             let x = [a, i, b].map(|i| self.speed_rpm[i]);
-            let q = [ends[0], &middle, ends[1]].map(|e| e.half_peak_to_peak.powi(-2));
+            let q = [ends[0], value, ends[1]].map(|v| v.powi(-2));
             vertex(x, q).map_or(value, |q| 1.0 / q.sqrt())
         };
-        let (near, far) = (through(i - 1, i + 1, [&left, &right]), through(i - 2, i + 2, [&far_left, &far_right]));
+        let (near, far) = (through(i - 1, i + 1, [left.1, right.1]), through(i - 2, i + 2, [far_left.1, far_right.1]));
         let error = SAFETY * (near - far).abs() / near + ROUNDING;
         // across a kink of the torque a parabola tells little: the peak is on the kink, or between the values and the parabola
         if self.kink[i] {

@@ -11,7 +11,7 @@ pub(crate) fn about(study: &Study, inputs: &[InputFile], results: &Results) -> M
     about.insert("inputs".into(), inputs.iter().map(input).collect());
     about.insert("seed".into(), study.optimise.as_ref().map(|o| o.seed).into());
     about.insert("method".into(), results.method.into());
-    about.insert("searches_by".into(), results.choice.as_ref().map(|c| c.chosen.strategy.label()).into());
+    about.insert("searches_by".into(), results.choices.first().map(|c| c.chosen.strategy.label()).into());
     about.insert("limits_hold".into(), results.limits_hold().into());
     about.insert("optima".into(), results.optima.iter().map(optimum).collect());
     about

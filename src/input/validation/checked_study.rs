@@ -117,6 +117,11 @@ pub struct Study {
 }
 
 impl Study {
+    /// The objectives of the study, the first before the others.
+    pub(crate) fn objectives(&self) -> impl Iterator<Item = &MeasureSpec> {
+        std::iter::once(&self.objective).chain(&self.more_objectives)
+    }
+
     /// An objective: the first, or one of those after it.
     pub(crate) fn objective_of(&self, index: usize) -> &MeasureSpec {
         let combined = || self.combined.as_ref().filter(|_| index > self.more_objectives.len()).map(|c| &c.spec);
@@ -125,7 +130,7 @@ impl Study {
 
     /// All objectives, the first before the others, then what an objective combines besides.
     pub(crate) fn measures_of(&self, index: usize) -> Vec<&MeasureSpec> {
-        let mut list: Vec<&MeasureSpec> = std::iter::once(&self.objective).chain(&self.more_objectives).collect();
+        let mut list: Vec<&MeasureSpec> = self.objectives().collect();
         let combined = self.combined.iter().filter(|_| index > self.more_objectives.len());
         for part in combined.flat_map(|c| &c.parts).map(|p| &p.of) {
             if list.iter().all(|m| m.column != part.column) {
@@ -143,7 +148,7 @@ impl Study {
             Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
             _ => &[],
         };
-        std::iter::once(&self.objective).chain(&self.more_objectives).chain(limits).chain(axes)
+        self.objectives().chain(limits).chain(axes)
     }
 
     /// The engine whose pressure bends the crank.

@@ -155,7 +155,7 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     let drawn = format!("width=\"{}\" height=\"{}\"", px(width), px(height));
     let svg = svg.replacen(&drawn, &format!("width=\"{width}\" height=\"{height}\""), 1);
     folder.write(&format!("{name}.svg"), svg.as_bytes())?;
-    let png = png(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
+    let png = rendered(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
     folder.write(&format!("{name}.png"), &png)?;
     let own = format!("{name}.pdf");
     match Format::Pdf.is_wanted() {
@@ -164,7 +164,7 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     }
 }
 
-fn png(svg: &str) -> Option<Vec<u8>> {
+fn rendered(svg: &str) -> Option<Vec<u8>> {
     static FONTS: OnceLock<Arc<resvg::usvg::fontdb::Database>> = OnceLock::new();
     let fonts = FONTS.get_or_init(|| {
         let mut fonts = resvg::usvg::fontdb::Database::new();
@@ -175,20 +175,21 @@ fn png(svg: &str) -> Option<Vec<u8>> {
     let tree = resvg::usvg::Tree::from_str(svg, &options).ok()?;
     let size = tree.size().to_int_size().scale_by(PNG_ZOOM)?;
     let mut pixels = resvg::tiny_skia::Pixmap::new(size.width(), size.height())?;
+    pixels.fill(resvg::tiny_skia::Color::WHITE);
     resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(PNG_ZOOM, PNG_ZOOM), &mut pixels.as_mut());
-    pixels.encode_png().ok().map(|png| with_resolution(&png))
+    encoded(&pixels)
 }
 
-/// A PNG with its resolution: a chunk `pHYs` behind the header, which is the first chunk.
-fn with_resolution(png: &[u8]) -> Vec<u8> {
-    const HEADER: usize = 8 + 12 + 13;
-    let mut content = b"pHYs".to_vec();
-    [PIXELS_PER_M, PIXELS_PER_M].iter().for_each(|n| content.extend(n.to_be_bytes()));
-    // pixels per metre
-    content.push(1);
-    let (header, rest) = png.split_at(HEADER.min(png.len()));
-    let length = (content.len() - 4) as u32;
-    [header, &length.to_be_bytes(), &content, &crc32fast::hash(&content).to_be_bytes(), rest].concat()
+/// A picture without transparent pixels as PNG with its resolution, compressed lightly: it is written in half the time at twice the size.
+fn encoded(pixels: &resvg::tiny_skia::Pixmap) -> Option<Vec<u8>> {
+    let colours: Vec<u8> = pixels.data().as_chunks::<4>().0.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: PIXELS_PER_M, yppu: PIXELS_PER_M, unit: png::Unit::Meter }));
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(&colours)).ok()?;
+    Some(out)
 }
 
 /// A number for an axis: no needless digits.

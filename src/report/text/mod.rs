@@ -37,7 +37,7 @@ pub(crate) use parameters::bounds;
 pub(crate) use plausibility::implausible;
 pub(crate) use robust::robust;
 pub(crate) use run::summary;
-pub use run::{choice, conditions, designs, optimum};
+pub use run::{choices, conditions, designs, optimum};
 pub(crate) use sizing::{rounds, sizing};
 pub(crate) use strain::strain;
 pub(crate) use table::dash;

@@ -10,7 +10,7 @@ use super::table::{dash, keyed, significant, table};
 use super::width::is_wide;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
-use crate::analysis::choice::Strategy;
+use crate::analysis::choice::{Choice, Strategy};
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Peak, Place, holds};
@@ -83,19 +83,24 @@ fn other_objective(study: &Study) -> bool {
     study.objective.measure.synthesised() != Some(study.twist)
 }
 
-/// How searches evaluated designs, where that was chosen.
-pub fn choice(results: &Results) -> Option<String> {
-    let c = results.choice.as_ref()?;
+/// How searches evaluated designs, where that was chosen: a line each objective.
+pub fn choices(results: &Results) -> String {
+    let objectives = results.study.objectives();
+    results.choices.iter().zip(objectives).enumerate().map(|(i, (choice, objective))| chosen(results, (i, objective), choice)).collect()
+}
+
+fn chosen(results: &Results, (index, objective): (usize, &MeasureSpec), c: &Choice) -> String {
+    let by = if index == 0 { String::new() } else { format!(" by {}", objective.word) };
     if c.chosen.strategy == Strategy::Exact {
-        return Some("Searches: every design exactly: nothing cheaper is within tolerance here.\n".into());
+        return format!("Searches{by}: every design exactly: nothing cheaper is within tolerance here.\n");
     }
     let mut work = Work::default();
-    for o in &results.optima {
+    for o in results.optima.iter().filter(|o| o.objective == index) {
         work += o.optimum.stages.seeds;
         work += o.optimum.stages.search;
     }
-    Some(format!(
-        "Searches: {}, error estimated as {} %, the largest of {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
+    format!(
+        "Searches{by}: {}, error estimated as {} %, the largest of {} probe designs, at about 1/{:.0} of the exact cost by counted work; {} of {} designs of the \
          optima were evaluated so, the others and all that is reported exactly.\n",
         c.chosen.strategy.label(),
         significant(100.0 * c.chosen.error, 2),
@@ -103,7 +108,7 @@ pub fn choice(results: &Results) -> Option<String> {
         (c.exact / c.chosen.seconds).max(1.0),
         work.surrogate_evaluations,
         work.evaluations
-    ))
+    )
 }
 
 /// The table of designs and optima.

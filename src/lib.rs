@@ -111,6 +111,7 @@
 //! - \[Minucci 2010\] the dissertation on multiaxial fatigue of crankshafts, chapter 4.
 //! - \[Papadopoulos et al. 1997\] I. V. Papadopoulos, P. Davoli, C. Gorla, M. Filippini, A. Bernasconi, A comparative study of multiaxial high-cycle
 //!   fatigue criteria for metals, *Int. J. Fatigue* 19, 219.
+//! - \[Trefethen 2013\] L. N. Trefethen, *Approximation Theory and Approximation Practice*, chapter 8.
 //! - \[Timoshenko 1956\] S. Timoshenko, *Strength of Materials*, part I, 3rd ed., chapter 12.
 //! - \[Villalva 2014\] the dissertation behind CrankLab, chapters 3 to 6: geometry, chains, absorbers and tables of the shipped engines.
 

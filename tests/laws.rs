@@ -318,3 +318,29 @@ fn factors_of_temperature() {
     }
     assert!(told >= 2, "{told}");
 }
+
+/// A law that says that it is an analytic function of the frequency's logarithm is computed at a few frequencies by the tables, and by polynomials at all others: sweeps of a whole grid by receptances
+/// are those of the direct solution, which asks the law itself, to 1e-11, from a tenth to ten times its typical values. Laws with kinks or of shaft speed do not say so.
+#[test]
+fn tables_compute_laws_at_a_few_frequencies() {
+    let s = study("villalva_i6_thesis");
+    let sys = system(&s);
+    let speeds: Vec<f64> = (0..131).map(|i| 600.0 + 20.0 * f64::from(i)).collect();
+    let grid = Grid::new(&speeds, &[]);
+    let receptance = Receptance::new(&sys, &grid, s.hub, &[s.twist]);
+    let direct = Direct::new(&sys, &grid);
+    let mut analytic = 0;
+    for declaration in every_law() {
+        for factor in [0.1, 1.0, 10.0] {
+            let m = build(declaration, &typical(&s, declaration, 0.05, factor), Host::Station(s.hub));
+            let law = m.absorber.law().expect("a ring");
+            analytic += usize::from(law.is_analytic());
+            assert!(!law.is_analytic() || (law.spring_and_damper().is_none() && !law.depends_on_speed()), "{}", declaration.name);
+            let (mut fast, mut exact) = (Vec::new(), Vec::new());
+            receptance.sweep(std::slice::from_ref(&m), s.twist, &mut fast, &mut Work::default()).expect("damped");
+            direct.sweep(std::slice::from_ref(&m), s.twist, &mut exact, &mut Work::default()).expect("damped");
+            same(&fast, &exact, 1e-11, &format!("{} times {factor}", declaration.name));
+        }
+    }
+    assert_eq!(analytic, 3 * 5, "fractional Kelvin and Zener, Maxwell, Carreau, spring pack");
+}

@@ -86,6 +86,9 @@ impl Law for Carreau {
         let power = ImaginaryPower::new(self.transition);
         at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness_of(at.omega, power.of(at.omega * self.relaxation_time)));
     }
+    fn is_analytic(&self) -> bool {
+        true
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (a, n) = (self.transition, self.flow_index);
         let z = self.power(at.omega);

@@ -64,9 +64,12 @@ impl Law for FractionalKelvin {
         let power = ImaginaryPower::new(self.exponent);
         let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
         Some(Box::new(move |factor, out| {
-            let share = factor.power(self.exponent);
+            let share = (self.exponent * factor.logarithm()).exponential();
             own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness * (1.0 + z * share));
         }))
+    }
+    fn is_analytic(&self) -> bool {
+        true
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;

@@ -58,7 +58,9 @@ pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 impl FractionalZener {
     /// S of z = (i omega tau)^alpha.
     fn stiffness_of(&self, z: C64) -> C64 {
-        self.stiffness * (1.0 + self.glass_ratio * z) / (1.0 + z)
+        // one division by a real number costs half of one by a complex one
+        let (above, below) = (1.0 + self.glass_ratio * z, 1.0 + z);
+        above * below.conj() * (self.stiffness / below.norm_sqr())
     }
 }
 
@@ -84,9 +86,12 @@ impl Law for FractionalZener {
         let power = ImaginaryPower::new(self.exponent);
         let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
         Some(Box::new(move |factor, out| {
-            let share = factor.power(self.exponent);
+            let share = (self.exponent * factor.logarithm()).exponential();
             own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness_of(z * share));
         }))
+    }
+    fn is_analytic(&self) -> bool {
+        true
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;

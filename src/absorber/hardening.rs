@@ -77,4 +77,7 @@ impl LargeTwist for Hardening {
     fn is_ring(&self) -> bool {
         true
     }
+    fn degree(&self) -> Option<usize> {
+        Some(3)
+    }
 }

@@ -36,6 +36,11 @@ pub trait LargeTwist: Debug + Send + Sync {
     /// Whether the hub acts on the ring by the ring's inertia alone, and the ring on the hub: T = J (twist'' + hub'').
     fn is_ring(&self) -> bool;
 
+    /// Degree of its equations, where they are polynomials in twist, rates and accelerations together: so many samples of a cycle then hold all of them.
+    fn degree(&self) -> Option<usize> {
+        None
+    }
+
     /// Largest twist that it can make, rad; nothing where there is no such end.
     fn largest_twist(&self) -> Option<f64> {
         None

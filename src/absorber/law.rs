@@ -41,6 +41,12 @@ pub trait Law: Debug + Send + Sync {
         false
     }
 
+    /// Whether S depends on frequency alone, and is an analytic function of ln omega within π/2 of the real axis, as functions of (i omega tau)^a are for 0 < a <= 1: tables then compute it at a
+    /// few frequencies, and by polynomials, to rounding, at all others.
+    fn is_analytic(&self) -> bool {
+        false
+    }
+
     /// The same law with other values of the declared parameters.
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
         (self.declaration().build)(values)

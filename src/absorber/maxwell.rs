@@ -67,6 +67,9 @@ impl Law for Maxwell {
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         C64::new(0.0, at.omega * self.damping) / C64::new(1.0, at.omega * self.relaxation_time)
     }
+    fn is_analytic(&self) -> bool {
+        true
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let denominator = C64::new(1.0, at.omega * self.relaxation_time);
         let by_time = at.omega * at.omega * self.damping / (denominator * denominator);

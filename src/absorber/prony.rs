@@ -78,6 +78,9 @@ impl Law for Prony {
         };
         self.stiffness_scale * (self.stiffness + self.branches.iter().map(of).sum::<C64>())
     }
+    fn is_analytic(&self) -> bool {
+        true
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let by_time = |b: &Branch| {
             let z = C64::new(0.0, at.omega * b.relaxation_time);

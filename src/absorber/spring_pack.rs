@@ -97,6 +97,9 @@ impl Law for SpringPack {
         let (ix, sum, denominator) = self.parts(at.omega);
         self.stiffness * (1.0 + sum * ix / denominator)
     }
+    fn is_analytic(&self) -> bool {
+        true
+    }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (kappa, q) = (self.damping_factor, self.dynamic_ratio - 1.0);
         let (ix, sum, denominator) = self.parts(at.omega);

@@ -4,6 +4,7 @@
 
 use crate::numerics::elementary::Elementary;
 use crate::units::KELVIN_AT_0_C;
+use std::f64::consts::LN_10;
 
 /// A law of temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,12 +73,12 @@ impl TemperatureLaw {
     /// The factor at a temperature, °C: one at the reference.
     pub fn factor(&self, celsius: f64) -> f64 {
         match *self {
-            Self::Wlf { c1, c2, reference } => 10f64.power(-c1 * (celsius - reference) / (c2 + celsius - reference)),
+            Self::Wlf { c1, c2, reference } => (-LN_10 * c1 * (celsius - reference) / (c2 + celsius - reference)).exponential(),
             Self::Arrhenius { activation, reference } => {
                 (activation / GAS_CONSTANT * (1.0 / (celsius + KELVIN_AT_0_C) - 1.0 / (reference + KELVIN_AT_0_C))).exponential()
             }
             Self::Exponential { per_k, reference, .. } => (-per_k * (celsius - reference)).exponential(),
-            Self::SiliconeOil { reference } => 10f64.power(763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference)),
+            Self::SiliconeOil { reference } => (LN_10 * (763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference))).exponential(),
         }
     }
 }

@@ -71,6 +71,9 @@ macro_rules! stands_in {
         fn depends_on_speed(&self) -> bool {
             self.$now.depends_on_speed()
         }
+        fn is_analytic(&self) -> bool {
+            self.$now.is_analytic()
+        }
         fn large_twist(&self) -> Option<&dyn LargeTwist> {
             self.$now.large_twist()
         }

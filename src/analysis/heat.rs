@@ -81,8 +81,8 @@ fn at(
     known: (&Hosts, usize),
 ) -> Result<HeatAt, ResponseError> {
     let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm, Some(known));
-    let balances = own.balances()?;
+    let (balances, power_at_limit) = own.balances()?.unwrap_or_default();
     let law = own.at(Some(balances.first().map_or(limit, |b| b.celsius)))?;
     let phasors = finder.direct.at_each(&own.with(&law), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);
-    Ok(HeatAt { speed_rpm, balances, twist: finder.synthesis(&phasors)[0], power_at_limit: own.power_at(limit)? })
+    Ok(HeatAt { speed_rpm, balances, twist: finder.synthesis(&phasors)[0], power_at_limit })
 }

@@ -112,12 +112,12 @@ impl<'a> AtSpeed<'a> {
         Ok(roots(LEAST_STRAIN.logarithm(), MOST_STRAIN.logarithm(), SAMPLES, &mut excess)?.into_iter().map(f64::exponential).collect())
     }
 
-    /// All temperatures in balance up to the limit, ascending: none where it overheats, or where nothing cools it.
+    /// All temperatures in balance up to the limit, ascending (none where it overheats), and the power at the limit, W; nothing where nothing cools it.
     ///
     /// # Errors
     /// As [`Self::strains`].
-    pub fn balances(&self) -> Result<Vec<Balance>, ResponseError> {
-        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(Vec::new()) };
+    pub fn balances(&self) -> Result<Option<(Vec<Balance>, f64)>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
         let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
         let mut quick =
             self.law.material().is_none_or(|m| m.amplitude.is_none()).then(|| self.open.power_by_factor(self.law.as_ref())).flatten();
@@ -128,15 +128,16 @@ impl<'a> AtSpeed<'a> {
         let mut missing = |celsius: f64| Ok(celsius - base - resistance * power(celsius)?);
         let found = roots(base, thermal.cooling.limit, SAMPLES, &mut missing)?;
         // F rises through every other zero, the first among them
-        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: self.power_at(celsius)?, stable: i % 2 == 0 });
-        found.into_iter().enumerate().map(balance).collect()
+        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: power(celsius)?, stable: i % 2 == 0 });
+        let balances = found.into_iter().enumerate().map(balance).collect::<Result<_, _>>()?;
+        Ok(Some((balances, power(thermal.cooling.limit)?)))
     }
 
     /// Power at a temperature, W.
     ///
     /// # Errors
     /// As [`Self::strains`].
-    pub(crate) fn power_at(&self, celsius: f64) -> Result<f64, ResponseError> {
+    fn power_at(&self, celsius: f64) -> Result<f64, ResponseError> {
         let law = self.at(Some(celsius))?;
         self.open.power(&law)
     }
@@ -147,7 +148,8 @@ impl<'a> AtSpeed<'a> {
     /// As [`Self::strains`].
     pub fn celsius(&self) -> Result<Option<f64>, ResponseError> {
         let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
-        Ok(Some(self.balances()?.first().map_or(thermal.cooling.limit, |b| b.celsius)))
+        let first = self.balances()?.and_then(|(balances, _)| balances.first().map(|b| b.celsius));
+        Ok(Some(first.unwrap_or(thermal.cooling.limit)))
     }
 
     /// The law at a temperature and the lowest strain there.

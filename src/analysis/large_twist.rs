@@ -54,8 +54,8 @@ pub struct LargeTwistOfDesign {
 
 /// Harmonics that are balanced at least: those of a few orders make others.
 const LEAST: usize = 8;
-/// With twice the harmonics the peak may change by the tolerance of the study; else they are doubled, so often at most.
-const DOUBLINGS: usize = 2;
+/// With twice the harmonics the peak may change by the tolerance of the study; else there are half as many again, so often at most.
+const MOST_GROWTHS: usize = 4;
 /// Halvings for the place where stability ends.
 const HALVINGS: usize = 20;
 
@@ -111,19 +111,21 @@ pub(crate) fn of_design(
     let range = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let largest = finder.peak(design, &Measure::new(vec![study.twist], Over::Synthesis), &mut Work::default())?;
     let mut known = largest.map_or(Ok(None), |p| own.at(p.speed_rpm))?;
-    for doubling in 0.. {
+    for growth in 0.. {
         let Some(twice) = balance(2 * own.harmonics()) else { return Ok(None) };
+        let more = || balance((3 * own.harmonics()).div_ceil(2));
         let change = |steady: &Steady| -> Result<f64, ResponseError> {
             let finer = own.refined(&twice, steady)?;
             Ok(finer.map_or(f64::INFINITY, |finer| (Seen::new(&twice).value(&finer) / Seen::new(&own).value(steady) - 1.0).abs()))
         };
         // a motion near the peak tells of too few harmonics before all are found
         if let Some(steady) = known.take()
-            && doubling < DOUBLINGS
+            && growth < MOST_GROWTHS
             && change(&steady)? > study.tolerance
         {
-            known = twice.at(steady.speed_rpm)?;
-            own = twice;
+            let Some(finer) = more() else { return Ok(None) };
+            known = finer.at(steady.speed_rpm)?;
+            own = finer;
             continue;
         }
         let seen = Seen::new(&own);
@@ -131,8 +133,9 @@ pub(crate) fn of_design(
         let largest = |value: &dyn Fn(&Steady) -> f64| seen.peak(&own, &curves, range, value);
         let peak = largest(&|steady| seen.value(steady))?;
         let change = peak.as_ref().map_or(Ok(0.0), |(peak, _)| change(peak))?;
-        if change > study.tolerance && doubling < DOUBLINGS && curves.iter().all(|c| c.whole) {
-            own = twice;
+        if change > study.tolerance && growth < MOST_GROWTHS && curves.iter().all(|c| c.whole) {
+            let Some(finer) = more() else { return Ok(None) };
+            own = finer;
             continue;
         }
         let most = |told: &Told| -> Result<Option<f64>, ResponseError> {
@@ -159,7 +162,7 @@ pub(crate) fn of_design(
             travel: own.law.large_twist().and_then(|l| l.largest_twist()),
         }));
     }
-    unreachable!("the last doubling returns")
+    unreachable!("the last growth returns")
 }
 
 /// What is seen of a motion with so many harmonics.

@@ -8,13 +8,15 @@ use std::ops::Add;
 
 /// Rounds of Newton's method.
 const MOST_ROUNDS: usize = 30;
-/// Relative change at which it ends, and steps of its differences.
+/// Relative change at which it ends, which leaves about its square, and steps of its differences.
 const SCREENED: f64 = 1e-9;
 const DIFFERENCE: f64 = 1e-5;
 /// Frequencies between two of the chain at which a law is looked at.
 const SCAN: usize = 24;
 /// Eigenvalues closer than this are one.
 const SAME_MOTION: f64 = 1e-7;
+/// Starts are looked for this many times below and above the frequencies that are asked for.
+const BEYOND: f64 = 2.0;
 
 /// What absorbers do to what carries them, moment over angle: a fraction, so that it has no poles at the frequencies of the rings.
 #[derive(Clone, Copy)]
@@ -55,11 +57,20 @@ struct Characteristic<'a> {
     /// Stations that carry absorbers, each once.
     stations: Vec<usize>,
     order: f64,
+    /// Frequencies in which motions are asked for, rad/s.
+    within: (f64, f64),
+}
+
+/// A value with its derivative by s.
+#[derive(Clone, Copy)]
+struct Slope {
+    value: C64,
+    by_s: C64,
 }
 
 impl<'a> Characteristic<'a> {
     /// With laws that depend on the speed of the shaft taken at the speed at which `order` has the frequency of the motion.
-    fn new(basis: &'a Basis, design: &'a [Mounted], order: f64) -> Self {
+    fn new(basis: &'a Basis, design: &'a [Mounted], order: f64, within: (f64, f64)) -> Self {
         let mut stations: Vec<usize> = design
             .iter()
             .filter_map(|m| match m.on {
@@ -69,21 +80,27 @@ impl<'a> Characteristic<'a> {
             .collect();
         stations.sort_unstable();
         stations.dedup();
-        Self { basis, design, stations, order }
+        Self { basis, design, stations, order, within }
+    }
+
+    /// Whether a motion may be of those that are asked for.
+    fn matters(&self, omega: f64) -> bool {
+        (self.within.0 / BEYOND..=BEYOND * self.within.1).contains(&omega)
     }
 
     /// Eigenvalues near the motions without damping, each once, and whether they are all; good enough to tell which motions are hardly damped.
     fn motions(&self) -> Option<(Vec<C64>, bool)> {
         let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order), self.order);
-        let undamped = self.basis.undamped(self.design, &own)?;
-        let found = |rough: &[C64]| different(rough.iter().filter_map(|s| self.near(*s)).collect());
-        let first = found(&undamped);
+        let mut undamped = self.basis.undamped(self.design, &own)?;
+        undamped.retain(|s| self.matters(s.im));
+        let first = different(undamped.iter().filter_map(|s| self.near(*s)).collect());
         if first.len() == undamped.len() {
             return Some((first, true));
         }
         // a law that is far from its typical spring: where it crosses the chain at its own frequency, and the chain alone
-        let alone = self.basis.omegas().map(|w| C64::new(0.0, w)).filter(|s| s.im > 0.0);
-        let all = found(&undamped.iter().copied().chain(self.crossings()).chain(alone).collect::<Vec<_>>());
+        let alone = self.basis.omegas().map(|w| C64::new(0.0, w)).filter(|s| s.im > 0.0 && self.matters(s.im));
+        let further = self.crossings().into_iter().chain(alone).filter_map(|s| self.near(s));
+        let all = different(first.into_iter().chain(further).collect());
         // laws may leave their rings no motion of their own, but take away no other; a pendulum tuned to the order holds its station, and leaves fewer
         let laws = || self.design.iter().filter_map(|m| m.absorber.law());
         let complete = laws().any(|law| law.depends_on_speed()) || all.len() + laws().count() >= undamped.len();
@@ -94,10 +111,9 @@ impl<'a> Characteristic<'a> {
     fn near(&self, mut s: C64) -> Option<C64> {
         let nearest = self.basis.nearest(s.im)?;
         let start = s;
+        let mut last = None;
         for _ in 0..MOST_ROUNDS {
-            let step = s * DIFFERENCE;
-            let here = self.at(s, nearest, true);
-            let change = here * step * 2.0 / (self.at(s + step, nearest, true) - self.at(s - step, nearest, true));
+            let change = self.newton_step(s, nearest, &mut last);
             s -= change;
             if !(s.im > 0.0 && (s - start).norm() < 0.5 * start.norm()) {
                 return None;
@@ -109,13 +125,43 @@ impl<'a> Characteristic<'a> {
         None
     }
 
+    /// What Newton's method takes from s. `last`: where it was before, with the load there.
+    fn newton_step(&self, s: C64, nearest: usize, last: &mut Option<(C64, Load)>) -> C64 {
+        let step = s * DIFFERENCE;
+        let [station] = self.stations[..] else {
+            return self.at(s, nearest, true) * step * 2.0 / (self.at(s + step, nearest, true) - self.at(s - step, nearest, true));
+        };
+        // the sum over the modes has a derivative of its own; only that of the law is left to differences: to the last place, which converges as fast
+        let load = |s: C64| self.load(Host::Station(station), s, true);
+        let here = load(s);
+        let (before, other) = last.unwrap_or_else(|| (s + step, load(s + step)));
+        *last = Some((s, here));
+        let slope = |part: fn(&Load) -> C64| Slope { value: part(&here), by_s: (part(&other) - part(&here)) / (before - s) };
+        let (top, bottom) = (slope(|l| l.above), slope(|l| l.below));
+        let own = Slope { value: self.basis.modal(nearest, s, true), by_s: self.basis.modal_slope(nearest, s) };
+        let mut h = Slope { value: C64::ZERO, by_s: C64::ZERO };
+        for i in (0..self.basis.len()).filter(|i| *i != nearest) {
+            let shape = self.basis.shape(station, i);
+            let receptance = C64::ONE / self.basis.modal(i, s, true);
+            h.value += receptance * (shape * shape);
+            h.by_s -= receptance * receptance * self.basis.modal_slope(i, s) * (shape * shape);
+        }
+        let square = self.basis.shape(station, nearest).powi(2);
+        let sum = bottom.value + h.value * top.value;
+        let value = own.value * sum + top.value * square;
+        let by_s = own.by_s * sum + own.value * (bottom.by_s + h.by_s * top.value + h.value * top.by_s) + top.by_s * square;
+        value / by_s
+    }
+
     /// Frequencies without damping, as a scan between those of the chain tells.
     fn crossings(&self) -> Vec<C64> {
         let own: Vec<f64> = self.basis.omegas().collect();
         let top = 1.1 * own.iter().copied().fold(0.0, f64::max);
         let mut list = Vec::new();
         let ends = own.iter().copied().zip(own.iter().copied().skip(1).chain([top])).enumerate();
-        for (nearest, (low, high)) in ends.filter(|(_, (low, high))| low < high) {
+        for (nearest, (low, high)) in
+            ends.filter(|(_, (low, high))| low < high && *high >= self.within.0 / BEYOND && *low <= BEYOND * self.within.1)
+        {
             let place = |i: usize| low + (high - low) * (i as f64 + 0.5) / SCAN as f64;
             let values: Vec<f64> = (0..SCAN).map(|i| self.at(C64::new(0.0, place(i)), nearest, false).re).collect();
             let crossed = |i: &usize| values[*i] * values[*i + 1] <= 0.0;
@@ -173,12 +219,13 @@ impl<'a> Characteristic<'a> {
 impl Basis {
     /// Eigenvalues good enough to tell which motions are hardly damped: of laws that depend on frequency by the characteristic equation, from motions without damping, which are found in a tenth of the time; of all
     /// others as [`Basis::eigenvalues`] has them.
-    pub(crate) fn screened(&self, design: &[Mounted], order: f64) -> Option<Vec<C64>> {
+    /// At least those of frequencies `within` (rad/s) are found.
+    pub(crate) fn screened(&self, design: &[Mounted], order: f64, within: (f64, f64)) -> Option<Vec<C64>> {
         let linked = self.with_rigid_links(design);
         if is_constant(&linked) {
             return self.eigenvalues(design, order);
         }
-        match Characteristic::new(self, &linked, order).motions() {
+        match Characteristic::new(self, &linked, order, within).motions() {
             Some((all, true)) => Some(all),
             _ => self.eigenvalues(design, order),
         }

@@ -95,6 +95,11 @@ impl Basis {
         s * s + self.stiffness[mode] + if damped { s * self.damping[(mode, mode)] } else { C64::ZERO }
     }
 
+    /// Its derivative by s, damping counted.
+    pub(super) fn modal_slope(&self, mode: usize, s: C64) -> C64 {
+        s * 2.0 + self.damping[(mode, mode)]
+    }
+
     /// Motion of a station in a mode.
     pub(super) fn shape(&self, station: usize, mode: usize) -> f64 {
         self.shapes[(station, mode)]

@@ -1,9 +1,9 @@
 //! Half peak-to-peak of a sum of harmonics, with phase.
 
 use super::maximise::maximise;
+use super::sampling::{BLOCK, sample};
 use super::{C64, ZERO};
 use crate::numerics::elementary::{ComplexElementary, Elementary, turn};
-use multiversion::multiversion;
 use std::f64::consts::TAU;
 
 /// The extremes of f(psi) = sum of Re(Y_n e^{i h_n psi}) over a period.
@@ -71,9 +71,6 @@ pub struct Synthesiser {
     sine: Vec<f64>,
 }
 
-/// Samples that are summed at a time.
-const BLOCK: usize = 16;
-
 impl Synthesiser {
     /// For the given harmonic numbers (ascending, each at least 1).
     pub fn new(harmonics: &[u32]) -> Self {
@@ -98,8 +95,11 @@ impl Synthesiser {
         if phasors.len() == 1 {
             return self.single(phasors[0]);
         }
-        let samples = self.samples(phasors);
-        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
+        self.polished(phasors, &self.samples(phasors))
+    }
+
+    fn polished(&self, phasors: &[C64], samples: &Samples) -> Extremes {
+        let first = |sign| self.local_maxima(phasors, samples, sign, 0.0).swap_remove(0);
         Extremes::of(first(1.0), first(-1.0))
     }
 
@@ -130,12 +130,11 @@ impl Synthesiser {
         }
         let samples = self.samples(phasors);
         let reach = self.reach(phasors);
-        let middle = 0.5 * (samples.high + samples.low).abs();
-        if !can_matter(samples.half_peak_to_peak() + reach, middle + reach) {
+        let Extremes { half_peak_to_peak, middle, .. } = samples.extremes();
+        if !can_matter(half_peak_to_peak + reach, middle.abs() + reach) {
             return None;
         }
-        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
-        Some(Extremes::of(first(1.0), first(-1.0)))
+        Some(self.polished(phasors, &samples))
     }
 
     /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
@@ -148,8 +147,7 @@ impl Synthesiser {
         if sampled + self.reach(phasors) < threshold {
             return sampled;
         }
-        let first = |sign| self.local_maxima(phasors, &samples, sign, 0.0).swap_remove(0);
-        Extremes::of(first(1.0), first(-1.0)).half_peak_to_peak
+        self.polished(phasors, &samples).half_peak_to_peak
     }
 
     /// Other pairs of a local maximum and a local minimum whose half difference comes within the share `within` of the largest, at most
@@ -353,50 +351,4 @@ pub fn bound(phasors: &[C64]) -> f64 {
 pub(crate) fn dominating(phasors: &[C64]) -> (usize, f64) {
     let largest = phasors.iter().enumerate().map(|(i, y)| (i, y.norm_sqr())).fold((0, ZERO.re), |m, v| if v.1 > m.1 { v } else { m });
     (largest.0, largest.1.sqrt())
-}
-
-/// f at equidistant angles of a period. Cosines and sines of even and of odd harmonics (`evens` even ones come first) are summed over its first
-/// quarter; the other quarters have the same sums with other signs. Returns the smallest and the largest value.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn sample(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], f: &mut [f64]) -> (f64, f64) {
-    let (first, rest) = f.split_at_mut(f.len() / 4);
-    let (second, rest) = rest.split_at_mut(first.len());
-    let (third, fourth) = rest.split_at_mut(first.len());
-    let (cosine, sine) = (cosine.as_chunks::<BLOCK>().0, sine.as_chunks::<BLOCK>().0);
-    let forwards = first.as_chunks_mut::<BLOCK>().0.iter_mut().zip(third.as_chunks_mut::<BLOCK>().0);
-    let backwards = second.as_chunks_mut::<BLOCK>().0.iter_mut().zip(fourth.as_chunks_mut::<BLOCK>().0).rev();
-    let tables = cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len()));
-    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
-    for (((first, third), (second, fourth)), (cosine, sine)) in forwards.zip(backwards).zip(tables) {
-        let (mut even_cos, mut even_sin, mut odd_cos, mut odd_sin) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-        for ((y, c), s) in phasors[..evens].iter().zip(&cosine[..evens]).zip(&sine[..evens]) {
-            for j in 0..BLOCK {
-                even_cos[j] += y.re * c[j];
-                even_sin[j] += y.im * s[j];
-            }
-        }
-        for ((y, c), s) in phasors[evens..].iter().zip(&cosine[evens..]).zip(&sine[evens..]) {
-            for j in 0..BLOCK {
-                odd_cos[j] += y.re * c[j];
-                odd_sin[j] += y.im * s[j];
-            }
-        }
-        for j in 0..BLOCK {
-            let (sum, difference) = (even_cos[j] + odd_cos[j], even_cos[j] - odd_cos[j]);
-            let (sines, other) = (even_sin[j] + odd_sin[j], even_sin[j] - odd_sin[j]);
-            first[j] = sum - sines;
-            third[j] = difference - other;
-            second[BLOCK - 1 - j] = difference + other;
-            fourth[BLOCK - 1 - j] = sum + sines;
-            let (above, below) = (sum + sines.abs(), sum - sines.abs());
-            high[j] = if above > high[j] { above } else { high[j] };
-            low[j] = if below < low[j] { below } else { low[j] };
-            let (above, below) = (difference + other.abs(), difference - other.abs());
-            high[j] = if above > high[j] { above } else { high[j] };
-            low[j] = if below < low[j] { below } else { low[j] };
-        }
-    }
-    let smaller = |m: f64, v: &f64| if *v < m { *v } else { m };
-    let larger = |m: f64, v: &f64| if *v > m { *v } else { m };
-    (low.iter().fold(f64::INFINITY, smaller), high.iter().fold(f64::NEG_INFINITY, larger))
 }

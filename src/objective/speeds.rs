@@ -95,10 +95,11 @@ impl Resonances {
         if depends_on_speed(design) {
             // every order has natural motions of its own
             for (n, order) in orders() {
-                self.eigenvalues(system, grid, design, order.value()).into_iter().for_each(|s| consider(s, n, order));
+                let within = (order.omega(low), order.omega(high));
+                self.eigenvalues((system, grid), design, order.value(), within).into_iter().for_each(|s| consider(s, n, order));
             }
         } else {
-            for s in self.eigenvalues(system, grid, design, 1.0) {
+            for s in self.eigenvalues((system, grid), design, 1.0, (0.0, f64::INFINITY)) {
                 orders().for_each(|(n, order)| consider(s, n, order));
             }
         }
@@ -118,9 +119,9 @@ impl Resonances {
 impl Resonances {
     /// Eigenvalues of a design: a few modes tell whether any resonance is narrow; where one is, it must be known to a fraction of its width, and
     /// all modes are taken.
-    fn eigenvalues(&self, system: &System, grid: &Grid, design: &[Mounted], order: f64) -> Vec<C64> {
+    fn eigenvalues(&self, (system, grid): (&System, &Grid), design: &[Mounted], order: f64, within: (f64, f64)) -> Vec<C64> {
         let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
-        let first = if heavy { &self.full } else { &self.basis }.screened(design, order).unwrap_or_default();
+        let first = if heavy { &self.full } else { &self.basis }.screened(design, order, within).unwrap_or_default();
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let narrow = |s: &C64| {
             let speeds = system.excitation.orders.iter().map(|o| s.im * HZ_PER_RAD_PER_S / (o.value() * HZ_PER_RPM));
@@ -137,7 +138,8 @@ impl Resonances {
         if is_constant(design) {
             return self.full.eigenvalues(design, order).unwrap_or(first);
         }
-        let all = if heavy || self.full.len() == self.basis.len() { first } else { self.full.screened(design, order).unwrap_or(first) };
+        let all =
+            if heavy || self.full.len() == self.basis.len() { first } else { self.full.screened(design, order, within).unwrap_or(first) };
         all.into_iter().map(|s| if narrow(&s) { self.full.near(design, s, order).unwrap_or(s) } else { s }).collect()
     }
 }

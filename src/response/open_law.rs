@@ -115,10 +115,16 @@ impl<'a> OpenLaw<'a> {
     /// The same by the factor that temperature puts on the material of a law, where that is quicker; it is not finite where the whole has to be solved.
     pub(crate) fn power_by_factor<'s>(&'s self, law: &'s dyn Law) -> Option<impl FnMut(f64) -> f64 + 's> {
         let (host, each) = (self.host.as_ref()?, law.followed_each(&self.at)?);
-        let (ring, mut stiffness) = (law.ring_inertia(), vec![ZERO; self.at.len()]);
+        let mut stiffness = vec![ZERO; self.at.len()];
+        // the twist is w² J u0/(S (1 - w² J H) - w² J): what does not depend on S is computed once
+        let known = |(at, (u0, receptance)): (&Operating, &(C64, C64))| {
+            let inertial = law.ring_inertia() * at.omega * at.omega;
+            (0.5 * at.omega * inertial * inertial * u0.norm_sqr(), 1.0 - inertial * receptance, inertial)
+        };
+        let known: Vec<(f64, C64, f64)> = self.at.iter().zip(host.iter()).map(known).collect();
         Some(move |factor: f64| {
             each(factor, &mut stiffness);
-            self.of_stiffness(ring, &stiffness, host).map(|(twist, rate)| 0.5 * rate * twist.norm_sqr()).sum()
+            known.iter().zip(&stiffness).map(|((weight, held, inertial), s)| weight * s.im / (s * held - inertial).norm_sqr()).sum()
         })
     }
 

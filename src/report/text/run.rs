@@ -84,7 +84,7 @@ fn other_objective(study: &Study) -> bool {
 }
 
 /// How searches evaluated designs, where that was chosen: a line each objective.
-pub fn choices(results: &Results) -> String {
+pub(crate) fn choices(results: &Results) -> String {
     let objectives = results.study.objectives();
     results.choices.iter().zip(objectives).enumerate().map(|(i, (choice, objective))| chosen(results, (i, objective), choice)).collect()
 }

@@ -4,6 +4,7 @@ use super::harmonic_matrix::{Spectrum, Transform, add_products};
 use super::in_time::InTime;
 use crate::absorber::{Absorber, Host, Instant, LargeTwist, Law, Mounted, Operating, Reaction};
 use crate::drivetrain::System;
+use crate::numerics::lu::Lu;
 use crate::numerics::{C64, I, ZERO};
 use crate::response::factored::Factored;
 use crate::response::{Quantity, ResponseError, Work};
@@ -105,7 +106,8 @@ impl<'a> Balance<'a> {
         let Host::Station(station) = design[index].on else { return None };
         let mut others = design.to_vec();
         others[index].absorber = Absorber::Locked { ring_inertia: 0.0 };
-        let (in_time, transform) = (InTime::new(system, &others, station), Transform::new(harmonics));
+        let degree = law.large_twist().and_then(|l| l.degree());
+        let (in_time, transform) = (InTime::new(system, &others, station), Transform::new(harmonics, degree));
         Some(Self { system, others, index, law, station, quantities: quantities.to_vec(), transform, in_time })
     }
 
@@ -330,7 +332,7 @@ impl<'a> Balance<'a> {
                     factored += 1;
                     let mut jacobian = DMatrix::zeros(x.len(), x.len());
                     let missing = self.missing(linear, &x, Some(&mut jacobian))?;
-                    (missing, jacobian.lu())
+                    (missing, Lu::new(jacobian))
                 }
             };
             let step = lu.solve(&missing)?;
@@ -342,9 +344,7 @@ impl<'a> Balance<'a> {
             // the error that is left: the square of the step, or as much less than the step as that is less than the one before
             let scale = if is_kept { last } else { reach };
             if size <= LAST_STEP * reach && size * size <= LAST_STEP * LAST_STEP * reach * scale {
-                // the sign alone: the product of so many may leave the range of numbers
-                let negative = lu.u().diagonal().iter().filter(|d| **d < 0.0).count();
-                let even = negative.is_multiple_of(2) == (lu.p().determinant::<f64>() > 0.0);
+                let even = lu.is_positive();
                 return Some(Found { x, even });
             }
             let converges = size <= if is_kept { 0.1 * last } else { NEAR * reach };

@@ -7,6 +7,9 @@ use nalgebra::DMatrix;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
+/// Samples come in multiples of this: transforms of small factors are quick, and stability is looked at in steps of several.
+const BLOCK: usize = 16;
+
 /// Transforms between H harmonics and samples of the cycle.
 pub(super) struct Transform {
     pub harmonics: usize,
@@ -16,9 +19,10 @@ pub(super) struct Transform {
 }
 
 impl Transform {
-    /// At least eight samples a harmonic.
-    pub fn new(harmonics: usize) -> Self {
-        let samples = (8 * harmonics.max(1)).next_power_of_two();
+    /// Of functions that are polynomials of this degree: products of harmonics then reach none of those wanted from beyond the samples' own; at least eight samples a harmonic of any others.
+    pub fn new(harmonics: usize, degree: Option<usize>) -> Self {
+        let most = harmonics.max(1);
+        let samples = degree.map_or_else(|| (8 * most).next_power_of_two(), |degree| ((degree + 1) * most + 1).next_multiple_of(BLOCK));
         let mut planner = FftPlanner::new();
         Self { harmonics, samples, forward: planner.plan_fft_forward(samples), backward: planner.plan_fft_inverse(samples) }
     }

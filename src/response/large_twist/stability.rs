@@ -1,8 +1,8 @@
 //! Stability of a steady motion by Floquet's theory: disturbances grow where a multiplier of the linearised motion over one cycle is larger than one.
 //!
 //! The equations of chain, rings and the one absorber are linearised about the motion, A(t) = A0 + V(t) with the mean A0, and V in the rows of that absorber and its hub only. Over one cycle their
-//! product is taken from steps exp(A0 dt/2) exp(V dt) exp(A0 dt/2) at the samples of the balance, exact in A0 and of second order in what changes, and extrapolated from
-//! twice that step. Where nothing holds the chain to the ground, angles are
+//! product is taken from steps exp(A0 dt/2) exp(V dt) exp(A0 dt/2) at some samples of the balance, exact in A0 and of second order in what changes, and extrapolated from
+//! twice that step; the steps are halved until that tells. Where nothing holds the chain to the ground, angles are
 //! counted from the hub.
 
 use super::balance::{Balance, Steady};
@@ -16,6 +16,11 @@ use std::f64::consts::TAU;
 
 /// A multiplier is larger than one beyond this: rounding of the chain's free rotation.
 const LARGER: f64 = 1e-6;
+
+/// Steps of so many samples, as long as halving them changes the multiplier by more than this, or by more than a share of its distance from one.
+const STRIDES: [usize; 4] = [8, 4, 2, 1];
+const SETTLED: f64 = 1e-3;
+const FAR: f64 = 10.0;
 
 /// Sweeps for the multipliers.
 const MOST_SWEEPS: usize = 10_000;
@@ -45,10 +50,19 @@ impl Balance<'_> {
         let reactions = self.reactions(steady.speed_rpm, (steady.mean_twist, &steady.twist), &steady.hub);
         let shaft_speed = steady.speed_rpm * RAD_PER_S_PER_RPM;
         let cycle_seconds = TAU / (self.order_of_cycle() * shaft_speed);
-        let whole = multiplier(in_time, &reactions, 1, cycle_seconds);
-        let halved = multiplier(in_time, &reactions, 2, cycle_seconds);
-        // the error is of second order in the step
-        let largest = if whole.is_finite() && halved.is_finite() { whole + (whole - halved) / 3.0 } else { f64::INFINITY };
+        let mut largest = f64::INFINITY;
+        let mut coarser: Option<f64> = None;
+        for stride in STRIDES {
+            let own = multiplier(in_time, &reactions, stride, cycle_seconds);
+            if let Some(coarser) = coarser.replace(own) {
+                // the error is of second order in the step
+                let change = own - coarser;
+                largest = if change.is_finite() { own + change / 3.0 } else { f64::INFINITY };
+                if change.abs() <= SETTLED && (largest - 1.0).abs() > FAR * change.abs() {
+                    break;
+                }
+            }
+        }
         if largest > 1.0 + LARGER { Stability::Unstable(largest) } else { Stability::Stable(largest) }
     }
 }

@@ -3,9 +3,10 @@
 use crate::limits::{TwoMasses, What, with};
 use crate::support::assert_close;
 use hartog::absorber::{Absorber, Cooling, Geometry, Kraus, Material, Mounted, RUBBER, TemperatureLaw, Thermal, ToAir, WithMaterial};
-use hartog::input::{DesignSpec, LimitSpec, Study};
+use hartog::input::{DesignSpec, LimitSpec, MeasureSpec, Study};
 use hartog::numerics::{C64, I};
-use hartog::objective::Condition;
+use hartog::objective::{Condition, Measure, Over, PeakFinder};
+use hartog::response::{Direct, Grid, Method, Quantity, Work};
 use std::f64::consts::PI;
 
 const MASSES: TwoMasses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
@@ -119,4 +120,71 @@ fn limits_are_judged_in_operation() {
     }
     let plain = study_of(false, false).run().expect("damped");
     assert!(plain.designs[0].conditions.is_empty() && plain.heat.is_empty() && plain.strain.is_empty());
+}
+
+/// Law: the temperature that an absorber reaches from cold is the largest of the table's over speed, refined between its speeds. Its change with each parameter is that of central differences, to 1e-5: by the
+/// implicit function of the balance, by differences where the material follows its strain besides, and at its limit where it overheats, which counts as more than the limit.
+#[test]
+fn temperature_as_a_measure() {
+    for (thermal, amplitude, cooled) in [(true, false, 1.0), (true, true, 1.0), (true, false, 0.03)] {
+        let s = study_of(thermal, amplitude);
+        let sys = crate::support::system(&s);
+        let grid = Grid::new(&s.speeds_rpm, &[]);
+        let method = Method::Direct(Direct::new(&sys, &grid));
+        let finder = PeakFinder::new(&sys, &grid, &method, true);
+        let with = |values: &[f64]| {
+            let mut material = s.designs[0].absorbers[0].absorber.law().and_then(|l| l.material()).expect("a material").clone();
+            let cooling = &mut material.thermal.as_mut().expect("thermal").cooling;
+            cooling.to_air = ToAir::Given(cooled * CONDUCTANCE);
+            [Mounted::on_station(0, Absorber::Ring(WithMaterial::of((RUBBER.build)(values), &material.into())))]
+        };
+        let measure = Measure::new(vec![Quantity::RingTwist(0)], Over::Temperature);
+        let peak = |values: &[f64]| finder.peak(&with(values), &measure, &mut Work::default()).expect("damped").expect("a peak");
+        let values = [MASSES.ring, STIFFNESS, LOSS];
+        let found = peak(&values);
+        assert_eq!(found.value > LIMIT, cooled < 1.0, "{}", found.value);
+        if cooled == 1.0 {
+            let table = s.run().expect("damped").heat[0].points.iter().map(|p| p.balances[0].celsius).fold(0.0, f64::max);
+            assert!(found.value >= table * (1.0 - 1e-9) && found.value < 1.02 * table, "{} against {table}", found.value);
+        }
+        let gradient = finder.gradient(&with(&values), 0, &measure, &found, &mut Work::default()).expect("damped");
+        for (p, x) in values.iter().enumerate() {
+            let moved = |share: f64| {
+                let mut moved = values;
+                moved[p] *= 1.0 + share;
+                peak(&moved).value
+            };
+            let step = 1e-4;
+            let difference = (moved(step) - moved(-step)) / (2.0 * step);
+            assert_close(gradient[p] * x, difference, 1e-5, 1e-5 * found.value, &format!("{amplitude}, {cooled}, parameter {p}"));
+        }
+    }
+}
+
+/// A limit on temperature in a search: the best rubber of the six that stays below 78 °C lies on that limit, meets the first-order conditions to 1e-8, and is as warm as its table of heat says; without the limit
+/// it is warmer and twists less.
+#[test]
+fn a_search_within_a_temperature() {
+    let mut s = crate::support::study("villalva_i6_materials");
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(2).collect();
+    (s.designs, s.front) = (Vec::new(), None);
+    s.conditions.clear();
+    let optimise = s.optimise.as_mut().expect("optimises");
+    (optimise.conditions, optimise.random_starts) = (vec![Condition::Firing], 0);
+    optimise.absorbers[0].types.retain(|t| t.name == "fractional_zener");
+    let measure = Measure::new(vec![Quantity::RingTwist(0)], Over::Temperature);
+    let hottest = |results: &hartog::Results| {
+        let points = results.heat[0].points.iter().filter_map(|p| p.balances.first());
+        points.map(|b| b.celsius).fold(0.0, f64::max)
+    };
+    let free = s.run().expect("damped");
+    let of = MeasureSpec { measure, ..s.objective.clone() };
+    s.limits = vec![LimitSpec { of, words: "temperature".into(), limit: 78.0, rated_rpm: None }];
+    let held = s.run().expect("damped");
+    let (warm, cool) = (&free.optima[0], &held.optima[0]);
+    assert!(cool.optimum.outcome.kkt_residual < 1e-8, "{:e}", cool.optimum.outcome.kkt_residual);
+    assert_close(cool.design.limits[0], 1.0, 1e-6, 0.0, "on its limit");
+    let reached = hottest(&held);
+    assert!(reached <= 78.0 * (1.0 + 1e-6) && reached > 77.9, "{reached}");
+    assert!(hottest(&free) > 78.5 && warm.optimum.value() < cool.optimum.value(), "{}", hottest(&free));
 }

@@ -112,9 +112,14 @@ pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 
             let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
             index.map_or(0.0, own)
         }
-        Over::Synthesis | Over::Mean | Over::AtDuty(_) | Over::Margin(_) | Over::Power | Over::MeanPower | Over::Property(_) => {
-            finder.synthesis(&work).into_iter().fold(0.0, f64::max)
-        }
+        Over::Synthesis
+        | Over::Mean
+        | Over::AtDuty(_)
+        | Over::Margin(_)
+        | Over::Power
+        | Over::Temperature
+        | Over::MeanPower
+        | Over::Property(_) => finder.synthesis(&work).into_iter().fold(0.0, f64::max),
     }
 }
 

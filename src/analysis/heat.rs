@@ -1,10 +1,10 @@
 //! Temperatures of an absorber in balance over speed: the heat it dissipates, which depends on its temperature, against the heat that leaves it.
 
 use super::DesignResult;
-use super::in_operation::{AtSpeed, Balance, Follower, Rule};
 use crate::absorber::Mounted;
 use crate::input::Study;
 use crate::objective::PeakFinder;
+use crate::response::operation::{AtSpeed, Balance, Follower, Rule};
 use crate::response::{Hosts, ResponseError, Work};
 use rayon::prelude::*;
 

@@ -50,7 +50,9 @@ impl<'a> Told<'a> {
                 Some(excitation.harmonics[known] as usize)
             }
             Over::Power if measure.quantities == [own] => None,
-            Over::Power | Over::Margin(_) | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => return None,
+            Over::Power | Over::Temperature | Over::Margin(_) | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => {
+                return None;
+            }
         };
         let mut place = |q: &Quantity| {
             (*q != own).then(|| {

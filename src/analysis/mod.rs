@@ -41,6 +41,8 @@ pub mod timing;
 mod tradeoffs;
 pub mod wanted;
 
+pub(crate) use crate::response::operation::MOST_STRAIN;
+pub use crate::response::operation::{Balance, Rule};
 pub use barred::{BarredRange, StillBroken};
 pub use calibrate::{Calibration, calibrate};
 pub use catalogue::Ranked;
@@ -49,8 +51,6 @@ pub(crate) use duty::points as duty_points;
 pub use duty::{DutyOfDesign, DutyResult};
 pub use evaluate::{AbsorberLoad, DesignResult, Nature, PeakKind};
 pub use heat::{HeatAt, HeatOfDesign};
-pub(crate) use in_operation::MOST_STRAIN;
-pub use in_operation::{Balance, Rule};
 pub use large_twist::{LargePoint, LargeTwistOfDesign};
 pub use large_twist_measures::AtLargeTwist;
 pub use life::{LifeAt, LifeOverDuty};

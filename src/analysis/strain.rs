@@ -4,10 +4,10 @@
 //! of a law in time is not known to lie between, but where the two agree the choice does not matter. Where something cools the absorber, its temperature is the one reached from cold.
 
 use super::DesignResult;
-use super::in_operation::{AtSpeed, Follower, Rule};
 use crate::input::Study;
 use crate::numerics::maximise::maximise;
 use crate::objective::PeakFinder;
+use crate::response::operation::{AtSpeed, Follower, Rule};
 use crate::response::{Hosts, ResponseError, Work};
 use rayon::prelude::*;
 

@@ -29,6 +29,8 @@ pub enum UnitOf {
         /// m².
         area: f64,
     },
+    /// °C.
+    Temperature,
     /// kg m².
     Inertia,
     /// None.
@@ -45,7 +47,7 @@ impl UnitOf {
             Self::Stress { section_modulus } => value / section_modulus / PA_PER_MPA,
             Self::Strain { per_twist } => 100.0 * value * per_twist,
             Self::PowerPerArea { area } => value / area,
-            Self::Acceleration | Self::Torque | Self::Power | Self::Inertia | Self::Ratio => value,
+            Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => value,
             Self::Margin => 1.0 / value,
         }
     }
@@ -57,7 +59,7 @@ impl UnitOf {
             Self::Stress { section_modulus } => shown * PA_PER_MPA * section_modulus,
             Self::Strain { per_twist } => 0.01 * shown / per_twist,
             Self::PowerPerArea { area } => shown * area,
-            Self::Acceleration | Self::Torque | Self::Power | Self::Inertia | Self::Ratio => shown,
+            Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => shown,
             Self::Margin => 1.0 / shown,
         }
     }
@@ -72,6 +74,7 @@ impl UnitOf {
             Self::Strain { .. } => " %",
             Self::Power => " W",
             Self::PowerPerArea { .. } => " W/m²",
+            Self::Temperature => " °C",
             Self::Inertia => " kg m²",
             Self::Ratio | Self::Margin => "",
         }
@@ -87,6 +90,7 @@ impl UnitOf {
             Self::Strain { .. } => "%",
             Self::Power => "W",
             Self::PowerPerArea { .. } => "W/m2",
+            Self::Temperature => "degC",
             Self::Inertia => "kg m2",
             Self::Ratio | Self::Margin => "1",
         }

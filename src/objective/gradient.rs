@@ -40,6 +40,7 @@ impl PeakFinder<'_> {
                 let gradient = self.power_gradient(&self.direct, (design, index), measure, peak.speed_rpm, work)?;
                 Ok(gradient.into_iter().map(|g| peak.weight * g).collect())
             }
+            Over::Temperature => self.temperature_gradient((design, index), measure, peak, work),
             Over::AtDuty(point) => self.at_duty_gradient((design, index), peak, point, work),
             Over::Mean | Over::MeanPower => self.mean_gradient((design, index), measure, peak.quantity, work),
             Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),

@@ -16,6 +16,8 @@ pub enum Over {
     Margin(usize),
     /// Mean power dissipated in the absorbers whose ring twists are the quantities, together, W.
     Power,
+    /// Temperature that the absorbers whose ring twists are the quantities reach from cold, each by itself, °C.
+    Temperature,
     /// Mean over the duty of half peak-to-peak of all orders together.
     Mean,
     /// Half peak-to-peak of all orders together at one point of the duty (an index): the terms that optimisers take a mean apart into.

@@ -17,6 +17,7 @@ mod search_value;
 pub mod speeds;
 pub mod surrogate;
 mod synthesis_peaks;
+mod temperature_peaks;
 
 pub use condition::Condition;
 pub use duty::DutyLoad;

@@ -209,10 +209,11 @@ impl<'a> PeakFinder<'a> {
             }
             Over::Power => {
                 let twists = self.sweeps(design, &measure.quantities, &speeds, work)?;
-                for (part, speeds) in &parts {
-                    self.powers(design, measure, (speeds, part.start), &twists, &mut found, work)?;
-                }
+                let mut of =
+                    |part: &(Range<usize>, Speeds)| self.powers(design, measure, (&part.1, part.0.start), &twists, &mut found, work);
+                parts.iter().try_for_each(&mut of)?;
             }
+            Over::Temperature => parts.iter().try_for_each(|(_, speeds)| self.temperatures(design, measure, speeds, &mut found, work))?,
             Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => {}
         }
         let mut peaks = found.peaks;

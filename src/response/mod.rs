@@ -21,6 +21,7 @@ pub mod method;
 pub mod modal;
 pub mod newmark;
 mod open_law;
+pub mod operation;
 pub mod periodic;
 pub mod power;
 pub mod quantity;

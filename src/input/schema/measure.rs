@@ -208,6 +208,14 @@ over_speed!(RawPowerPerArea {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5000]))]
     max_w_per_m2: Option<At<f64>>,
 });
+over_speed!(RawTemperature {
+    /// The absorber by its number; its material says what cools it.
+    #[schemars(extend("examples" = [1]))]
+    absorber: At<i64>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [110]))]
+    max_c: Option<At<f64>>,
+});
 over_speed!(#[derive(Default)] RawMargin {
     /// The criterion; without it the first of `[fatigue]`.
     #[schemars(extend("examples" = ["goodman"]))]
@@ -305,6 +313,8 @@ pub(crate) enum RawMeasure {
     DissipatedPower(RawPower),
     /// Dissipated power over the area it leaves by.
     PowerPerArea(RawPowerPerArea),
+    /// Temperature that an absorber reaches from cold.
+    Temperature(RawTemperature),
     /// Loss factor at the tuned frequency.
     LossFactor(RawLossFactor),
     /// Inertia of the ring.

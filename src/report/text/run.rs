@@ -184,8 +184,9 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     let objective = study.objective_of(o.objective);
     let at_worst = if o.robust { " at worst within the tolerances" } else { "" };
     put(format!("{}: {}{at_worst} {}", o.design.name, objective.label, value_of(objective, best)));
-    let worst = o.design.conditions.iter().max_by(|a, b| a.objective.total_cmp(&b.objective));
     let own = o.design.objective.filter(|_| o.objective == 0);
+    // of the conditions that it is judged in, not of all that are reported
+    let worst = o.design.conditions.iter().find(|c| own == Some(c.objective));
     if let (Some(all), Some(c)) = (own.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
         let why = match c.condition {
             Condition::InOperation => "at its own temperature and strain; searches are at the reference of its material",

@@ -1,10 +1,13 @@
 //! What measures are resolved against.
 
+use crate::absorber::{Declaration, Mounted};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
 use crate::engine::Order;
 use crate::input::error::{At, Check};
 use crate::input::schema::measure::{RawOver, RawPairs, RawWithin};
+use crate::input::validation::absorbers::DesignSpec;
+use crate::input::validation::family::AbsorberSpec;
 use crate::input::validation::named::station;
 use crate::input::validation::optimise::OptimiseSpec;
 use crate::objective::{Over, Within};
@@ -54,6 +57,8 @@ pub(crate) struct Context<'a> {
     pub strokes: u32,
     /// Most absorbers of a design.
     pub absorbers: usize,
+    /// Of each absorber of what is optimised, or else of the designs, whether every material of it says what cools it.
+    pub cooled: &'a [bool],
     /// Whether the study has a duty.
     pub has_duty: bool,
     /// Whether a condition has cylinders that differ.
@@ -64,6 +69,20 @@ impl<'a> Context<'a> {
     /// Most absorbers of a design: of those given and of what is optimised.
     pub fn absorbers(designs: impl Iterator<Item = usize>, optimise: Option<&OptimiseSpec>) -> usize {
         designs.chain(optimise.map(|o| o.absorbers.len())).max().unwrap_or(0)
+    }
+
+    /// Of each absorber, whether all that is optimised there, or else every design that has it, says what cools it.
+    pub fn cooled(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+        let of_law = |m: &Mounted| m.absorber.law().is_some_and(|l| l.material().is_some_and(|m| m.thermal.is_some()));
+        let of_designs = |i: usize| {
+            let mut own = designs.iter().filter_map(|d| d.absorbers.get(i)).peekable();
+            own.peek().is_some() && own.all(of_law)
+        };
+        let of_type = |a: &AbsorberSpec, t: &&'static Declaration| a.materials.iter().any(|m| m.0 == *t && m.1.cooling.is_some());
+        match optimise {
+            Some(o) => o.absorbers.iter().map(|a| a.types.iter().all(|t| of_type(a, t))).collect(),
+            None => (0..designs.iter().map(|d| d.absorbers.len()).max().unwrap_or(0)).map(of_designs).collect(),
+        }
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

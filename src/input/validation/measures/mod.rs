@@ -45,6 +45,7 @@ fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
         RawMeasure::ElementStrain(m) => of_absorbers::element_strain(check, m, of),
         RawMeasure::DissipatedPower(m) => of_absorbers::dissipated_power(check, m, of),
         RawMeasure::PowerPerArea(m) => of_absorbers::power_per_area(check, m, of),
+        RawMeasure::Temperature(m) => of_absorbers::temperature(check, m, of),
         RawMeasure::LossFactor(m) => of_absorbers::loss_factor(check, m, of),
         RawMeasure::RingInertia(m) => of_absorbers::ring_inertia(check, m, of),
         RawMeasure::TotalInertia(m) => of_absorbers::total_inertia(check, m, of),

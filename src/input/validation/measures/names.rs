@@ -43,7 +43,7 @@ pub(super) fn spec(names: Names, (quantities, over, within): (Vec<Quantity>, Ove
         Over::Order(order) => (format!("order {order} of "), format!("order_{order}_")),
         Over::Property(_) => (String::new(), String::new()),
         Over::Mean | Over::AtDuty(_) | Over::MeanPower => ("mean over the duty of ".to_owned(), "mean_".to_owned()),
-        Over::Synthesis | Over::Margin(_) | Over::Power => ("peak ".to_owned(), String::new()),
+        Over::Synthesis | Over::Margin(_) | Over::Power | Over::Temperature => ("peak ".to_owned(), String::new()),
     };
     let head = if matches!(over, Over::Mean | Over::MeanPower | Over::Property(_)) { "" } else { "peak_" };
     let of = if place.is_empty() { what.to_owned() } else { format!("{what} {place}") };

@@ -4,7 +4,9 @@ use super::context::Context;
 use super::names::{Bound, Names, Resolved, spec};
 use crate::input::error::Check;
 use crate::input::measure::UnitOf;
-use crate::input::schema::measure::{RawInertia, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawStrain};
+use crate::input::schema::measure::{
+    RawInertia, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawStrain, RawTemperature,
+};
 use crate::objective::{Over, Property, Within};
 
 pub(super) fn ring_twist<'r>(check: &mut Check, r: &'r RawRingTwist, of: Context) -> Option<Resolved<'r>> {
@@ -48,6 +50,20 @@ pub(super) fn power_per_area<'r>(check: &mut Check, p: &'r RawPowerPerArea, of: 
     let names = Names { key: "power_per_area", column: "power_w_per_m2", word: "power_per_area", what: "dissipated power per area", place };
     let parts = (of.rings(check, Some(&p.absorber))?, of_power(p.over), of.within(check, p.within()));
     Some(Resolved { spec: spec(names, parts, UnitOf::PowerPerArea { area }), bound: Bound::Most(p.max_w_per_m2.as_ref()) })
+}
+
+pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Context) -> Option<Resolved<'r>> {
+    let rings = of.rings(check, Some(&t.absorber));
+    let index = usize::try_from(*t.absorber.get_ref()).ok().and_then(|i| i.checked_sub(1));
+    if rings.is_some() && !index.is_some_and(|i| of.cooled.get(i) == Some(&true)) {
+        let found =
+            format!("found the temperature of absorber {}, of which some type or design does not say what cools it", t.absorber.get_ref());
+        check.wrong(&t.absorber, format!("{found}, expected `cooling` in every material of it"));
+    }
+    let place = format!("of {}", Context::ring_words(Some(&t.absorber)));
+    let names = Names { key: "temperature", column: "temperature_c", word: "temperature", what: "temperature", place };
+    let parts = (rings?, Over::Temperature, of.within(check, t.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Temperature), bound: Bound::Most(t.max_c.as_ref()) })
 }
 
 pub(super) fn loss_factor<'r>(check: &mut Check, l: &'r RawLossFactor, of: Context) -> Option<Resolved<'r>> {

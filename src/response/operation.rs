@@ -1,0 +1,188 @@
+//! An absorber at the temperature and strain that it has in operation: both depend on its motion, which depends on them.
+//!
+//! Temperature: F(T) = T - T0 - R P(T) = 0 with the temperature T0 of what surrounds the absorber and its resistance R to heat. F is negative at T0; a balance is stable where F rises through zero
+//! (R dP/dT < 1), and from cold the lowest one is reached. Three are possible where heating moves the ring's resonance into an order. Strain: that at which the material's own twist makes it, one
+//! for all orders of a speed. Where a material follows both, the power at each temperature is that at its lowest strain.
+
+use super::{Direct, Hosts, OpenLaw, ResponseError};
+use crate::absorber::{Law, Material, Mounted, at_strain, at_temperature};
+use crate::numerics::elementary::Elementary;
+use crate::numerics::roots::roots;
+use crate::numerics::synthesis::Synthesiser;
+use crate::units::RAD_PER_S_PER_RPM;
+use std::sync::Arc;
+
+/// What is taken for the amplitude of several orders together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub enum Rule {
+    /// Half the peak-to-peak of their sum.
+    HalfPeakToPeak,
+    /// The amplitude of a sine of the same mean square.
+    RootMeanSquare,
+}
+
+impl Rule {
+    /// Both.
+    pub(crate) const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
+
+    /// The word used in tables.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::HalfPeakToPeak => "half_peak_to_peak",
+            Self::RootMeanSquare => "root_mean_square",
+        }
+    }
+}
+
+/// A temperature in balance.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Balance {
+    /// °C.
+    pub celsius: f64,
+    /// W.
+    pub power: f64,
+    /// Whether the absorber returns to it.
+    pub stable: bool,
+}
+
+/// Temperatures and strains of a scan; strains by their logarithm.
+const SAMPLES: usize = 40;
+const LEAST_STRAIN: f64 = 1e-6;
+pub(crate) const MOST_STRAIN: f64 = 10.0;
+
+/// An absorber of a design whose law follows its motion.
+#[derive(Debug, Clone)]
+pub(crate) struct Follower<'a> {
+    /// The design.
+    pub design: &'a [Mounted],
+    /// Index of the absorber.
+    pub index: usize,
+    /// Its law at the reference.
+    pub law: Arc<dyn Law>,
+}
+
+impl<'a> Follower<'a> {
+    /// The first absorber of a design whose material is as asked for.
+    pub fn of(design: &'a [Mounted], asked: impl Fn(&Material) -> bool) -> Option<Self> {
+        let own = |m: &Mounted| m.absorber.law().filter(|l| l.material().is_some_and(&asked)).cloned();
+        design.iter().enumerate().find_map(|(index, m)| Some(Self { design, index, law: own(m)? }))
+    }
+
+    /// Absorber `index` of a design, where its material says what cools it.
+    pub fn cooled(design: &'a [Mounted], index: usize) -> Option<Self> {
+        let law = design.get(index)?.absorber.law()?;
+        law.material().is_some_and(|m| m.thermal.is_some()).then(|| Self { design, index, law: law.clone() })
+    }
+}
+
+/// Such an absorber at one speed.
+pub(crate) struct AtSpeed<'a> {
+    open: OpenLaw<'a>,
+    synthesiser: &'a Synthesiser,
+    law: Arc<dyn Law>,
+    speed_rpm: f64,
+    rule: Rule,
+}
+
+impl<'a> AtSpeed<'a> {
+    /// Of a design at a speed; `known`: hosts, and which speed of their grid this is.
+    pub fn new(
+        (direct, synthesiser): (&'a Direct<'a>, &'a Synthesiser),
+        of: &Follower<'a>,
+        rule: Rule,
+        speed_rpm: f64,
+        known: Option<(&'a Hosts, usize)>,
+    ) -> Self {
+        Self { open: OpenLaw::new(direct, (of.design, of.index), speed_rpm, known), synthesiser, law: of.law.clone(), speed_rpm, rule }
+    }
+
+    /// All strains between the least and the most that agree with themselves at a temperature (°C; where nothing is known of that, the reference), ascending; the lowest is met from rest.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub fn strains(&self, celsius: Option<f64>) -> Result<Vec<f64>, ResponseError> {
+        let law = self.warmed(celsius);
+        let per_twist = self.law.material().and_then(|m| m.geometry).map_or(0.0, |g| g.strain_per_twist());
+        let mut excess = |x: f64| -> Result<f64, ResponseError> {
+            let ring = self.open.ring_twist(&at_strain(&law, x.exponential()))?;
+            let twist = match self.rule {
+                Rule::HalfPeakToPeak => self.synthesiser.extremes(&ring).half_peak_to_peak,
+                Rule::RootMeanSquare => ring.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt(),
+            };
+            Ok(x - (per_twist * twist).max(LEAST_STRAIN).logarithm())
+        };
+        Ok(roots(LEAST_STRAIN.logarithm(), MOST_STRAIN.logarithm(), SAMPLES, &mut excess)?.into_iter().map(f64::exponential).collect())
+    }
+
+    /// All temperatures in balance up to the limit, ascending (none where it overheats), and the power at the limit, W; nothing where nothing cools it.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn balances(&self) -> Result<Option<(Vec<Balance>, f64)>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
+        let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
+        let mut quick =
+            self.law.material().is_none_or(|m| m.amplitude.is_none()).then(|| self.open.power_by_factor(self.law.as_ref())).flatten();
+        let mut power = |celsius: f64| match quick.as_mut().map(|power| power(thermal.law.factor(celsius))) {
+            Some(power) if power.is_finite() => Ok(power),
+            _ => self.power_at(celsius),
+        };
+        let mut missing = |celsius: f64| Ok(celsius - base - resistance * power(celsius)?);
+        let found = roots(base, thermal.cooling.limit, SAMPLES, &mut missing)?;
+        // F rises through every other zero, the first among them
+        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: power(celsius)?, stable: i % 2 == 0 });
+        let balances = found.into_iter().enumerate().map(balance).collect::<Result<_, _>>()?;
+        Ok(Some((balances, power(thermal.cooling.limit)?)))
+    }
+
+    /// Power at a temperature, W.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub(crate) fn power_at(&self, celsius: f64) -> Result<f64, ResponseError> {
+        let law = self.at(Some(celsius))?;
+        self.open.power(&law)
+    }
+
+    /// Temperature that is reached from cold, °C: where it overheats, what the heat at the limit would make of it, which is above the limit; nothing where nothing cools it.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn reached(&self) -> Result<Option<f64>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
+        let Some((balances, at_limit)) = self.balances()? else { return Ok(None) };
+        let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
+        Ok(Some(balances.first().map_or(base + resistance * at_limit, |b| b.celsius)))
+    }
+
+    /// Temperature that is reached from cold, °C: the limit where it overheats, nothing where nothing cools it.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn celsius(&self) -> Result<Option<f64>, ResponseError> {
+        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
+        let first = self.balances()?.and_then(|(balances, _)| balances.first().map(|b| b.celsius));
+        Ok(Some(first.unwrap_or(thermal.cooling.limit)))
+    }
+
+    /// The law at a temperature and the lowest strain there.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn at(&self, celsius: Option<f64>) -> Result<Arc<dyn Law>, ResponseError> {
+        let law = self.warmed(celsius);
+        if self.law.material().is_none_or(|m| m.amplitude.is_none()) {
+            return Ok(law);
+        }
+        Ok(at_strain(&law, self.strains(celsius)?.first().copied().unwrap_or(MOST_STRAIN)))
+    }
+
+    /// The whole design with a law for this absorber.
+    pub fn with(&self, law: &Arc<dyn Law>) -> Vec<Mounted> {
+        self.open.with(law)
+    }
+
+    fn warmed(&self, celsius: Option<f64>) -> Arc<dyn Law> {
+        celsius.map_or_else(|| self.law.clone(), |celsius| at_temperature(&self.law, celsius))
+    }
+}

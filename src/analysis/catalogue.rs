@@ -26,10 +26,10 @@ pub struct Ranked {
     pub shown: bool,
 }
 
-/// Every absorber of every catalogue, those within all limits before the others, then by the objective; and the best of each as designs.
-pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Vec<DesignSpec>), RunError> {
+/// Every absorber of every catalogue, those within all limits before the others, then by the objective; and the best of each as designs, with the index of their catalogue.
+pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Vec<(usize, DesignSpec)>), RunError> {
     let (mut list, mut best) = (Vec::new(), Vec::new());
-    for catalogue in &study.catalogues {
+    for (index, catalogue) in study.catalogues.iter().enumerate() {
         let judged: Vec<Result<(f64, f64), ResponseError>> = catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).collect();
         let mut order: Vec<(usize, Option<(f64, f64)>)> = judged.into_iter().map(Result::ok).enumerate().collect();
         // stable: equals keep the order of the file
@@ -39,7 +39,7 @@ pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> 
             let design = &catalogue.designs[i];
             let shown = place < catalogue.best && judged.is_some();
             if shown {
-                best.push(design.clone());
+                best.push((index, design.clone()));
             }
             list.push(Ranked {
                 file: catalogue.file.clone(),

@@ -27,6 +27,7 @@ pub(crate) mod plausibility;
 pub mod progress;
 pub(crate) mod reciprocating;
 pub mod results;
+mod retuned;
 pub(crate) mod robust;
 pub mod run;
 pub(crate) mod searches;

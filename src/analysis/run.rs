@@ -10,6 +10,7 @@ use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::results::Results;
+use super::retuned::with_retuned;
 use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
 use super::simplest::{self, SimplestLaw};
@@ -107,9 +108,10 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     }
     let measures = margins::measures(study);
     let wanted = Wanted::new(study, &measures);
-    let (catalogue, best) = catalogue::ranked(study, &finders, &wanted)?;
-    let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
+    let (catalogue, best) = catalogue::ranked(study, &finders, &wanted)?;
+    let best = with_retuned(study, best, &load_cases, progress)?;
+    let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;

@@ -12,15 +12,16 @@ use std::collections::BTreeMap;
 pub(crate) struct RawRobust {
     /// By the key of a parameter its tolerance as a share, from 1e-6 to 0.9: 0.1 is 10 % more or less.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() },
-        "additionalProperties" = tolerance(), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
+        "additionalProperties" = share("Tolerance of the parameter of this key."), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
     pub tolerance: At<BTreeMap<String, At<f64>>>,
     /// Random designs within the tolerances, beside the exact worst case.
     #[schemars(extend("examples" = [{"percentile": 95, "samples": 1000, "distribution": "uniform"}]))]
     pub sampling: Option<RawSampling>,
 }
 
-fn tolerance() -> Value {
-    json!({ "type": "number", "minimum": 1e-6, "maximum": 0.9, "description": "Tolerance of the parameter of this key.", "examples": [0.1] })
+/// A share of a parameter.
+pub(super) fn share(about: &str) -> Value {
+    json!({ "type": "number", "minimum": 1e-6, "maximum": 0.9, "description": about, "examples": [0.1] })
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -5,10 +5,12 @@ use super::fatigue::RawFatigue;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
 use super::range::{RawBounds, RawRange};
-use super::robust::RawRobust;
+use super::robust::{RawRobust, share};
+use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -197,6 +199,11 @@ pub(crate) struct RawCatalogue {
     /// How many are kept as designs.
     #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [5]))]
     pub best: At<i64>,
+    /// What the maker can vary, by the key of a parameter as a share of the catalogue's value, from 1e-6 to 0.9: each of the best is tuned anew within it.
+    #[schemars(extend("propertyNames" = { "enum": parameter_keys() }, "additionalProperties" = share("Share by which the maker can vary the parameter of this key."),
+        "examples" = [{"stiffness_n_m_per_rad": 0.3}]))]
+    #[serde(default)]
+    pub free: BTreeMap<String, At<f64>>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

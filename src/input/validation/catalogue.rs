@@ -2,12 +2,12 @@
 
 use super::absorbers::DesignSpec;
 use super::named::{station, table};
-use crate::absorber::{Absorber, Mounted};
+use crate::absorber::{Absorber, Mounted, TYPES};
 use crate::drivetrain::Chain;
-use crate::input::error::Check;
+use crate::input::error::{At, Check};
 use crate::input::schema::study::RawStudy;
 use crate::input::tables::catalogue;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 
 /// Absorbers of a catalogue as designs of one each.
@@ -19,8 +19,12 @@ pub struct CatalogueSpec {
     pub best: usize,
     /// All of them.
     pub designs: Vec<DesignSpec>,
+    /// Shares by which parameters may differ from the catalogue's, by their keys: each of the best is tuned anew within them.
+    pub free: Vec<(&'static str, f64)>,
 }
 
+/// Added to the name of an absorber that is tuned anew.
+pub(crate) const RETUNED: &str = "_retuned";
 /// Most rows of all catalogues together.
 const MOST: usize = 100_000;
 
@@ -32,19 +36,39 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
             check.wrong(&raw.best, format!("found {}, expected how many of the best are wanted, from 1 to 100", raw.best.get_ref()));
             1
         });
+        let shares = shares(check, &raw.free);
         let (Some(on), Some(rows)) = (station(check, chain, &raw.on.station), table(check, &raw.file, folder, catalogue)) else { continue };
         if rows.len() > MOST {
             check.wrong(&raw.file, format!("found {} absorbers, expected at most {MOST}", rows.len()));
         }
+        let has = |key: &str| rows.iter().any(|r| r.declaration.index(key).is_some());
+        for (key, at, _) in shares.iter().filter(|s| !has(s.0)) {
+            check.wrong(*at, format!("found `{key}` to be free, which no absorber of the catalogue has"));
+        }
+        let free: Vec<(&'static str, f64)> = shares.iter().map(|s| (s.0, s.2)).collect();
         let mut designs = Vec::new();
         for row in rows {
-            if !names.insert(row.name.clone()) {
+            let again = !free.is_empty() && !names.insert(format!("{}{RETUNED}", row.name));
+            if !names.insert(row.name.clone()) || again {
                 check.wrong(&raw.file, format!("found `{}` in it, which another design is called, expected different names", row.name));
             }
             let absorber = Absorber::Ring((row.declaration.build)(&row.values));
             designs.push(DesignSpec { name: row.name, absorbers: vec![Mounted::on_station(on, absorber)] });
         }
-        list.push(CatalogueSpec { file: raw.file.get_ref().clone(), best, designs });
+        list.push(CatalogueSpec { file: raw.file.get_ref().clone(), best, designs, free });
+    }
+    list
+}
+
+/// Keys with their places and shares.
+fn shares<'r>(check: &mut Check, raw: &'r BTreeMap<String, At<f64>>) -> Vec<(&'static str, &'r At<f64>, f64)> {
+    let mut list = Vec::new();
+    for (key, share) in raw {
+        let Some(known) = TYPES.iter().flat_map(|t| t.parameters).map(|p| p.key).find(|known| known == key) else {
+            check.wrong(share, format!("found `{key}` to be free, expected the key of a parameter of a type"));
+            continue;
+        };
+        list.push((known, share, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));
     }
     list
 }

@@ -28,6 +28,7 @@ pub use absorbers::DesignSpec;
 use absorbers::Reaches;
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use catalogue::CatalogueSpec;
+pub(crate) use catalogue::RETUNED;
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};
 pub use inputs::Input;

@@ -26,8 +26,11 @@ pub struct Ranked {
     pub shown: bool,
 }
 
+/// Designs with the index of their catalogue.
+pub(crate) type Best = Vec<(usize, DesignSpec)>;
+
 /// Every absorber of every catalogue, those within all limits before the others, then by the objective; and the best of each as designs, with the index of their catalogue.
-pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Vec<(usize, DesignSpec)>), RunError> {
+pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Best), RunError> {
     let (mut list, mut best) = (Vec::new(), Vec::new());
     for (index, catalogue) in study.catalogues.iter().enumerate() {
         let judged: Vec<Result<(f64, f64), ResponseError>> = catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).collect();

@@ -1,5 +1,6 @@
 //! The best absorbers of catalogues, tuned anew in what their maker can vary.
 
+use super::catalogue::Best;
 use super::{Progress, RunError};
 use crate::absorber::{Material, Mounted};
 use crate::input::{CatalogueSpec, DesignSpec, LimitSpec, RETUNED, Study};
@@ -17,7 +18,7 @@ const SCALE: f64 = 1e-3;
 /// [`RunError`] where nothing damps a resonance of what is tuned.
 pub(crate) fn with_retuned(
     study: &Study,
-    best: Vec<(usize, DesignSpec)>,
+    best: Best,
     load_cases: &[LoadCase],
     progress: &dyn Progress,
 ) -> Result<Vec<DesignSpec>, RunError> {

@@ -55,7 +55,7 @@ pub(super) fn power_per_area<'r>(check: &mut Check, p: &'r RawPowerPerArea, of: 
 pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Context) -> Option<Resolved<'r>> {
     let rings = of.rings(check, Some(&t.absorber));
     let index = usize::try_from(*t.absorber.get_ref()).ok().and_then(|i| i.checked_sub(1));
-    if rings.is_some() && !index.is_some_and(|i| of.cooled.get(i) == Some(&true)) {
+    if rings.is_some() && index.is_none_or(|i| of.cooled.get(i) != Some(&true)) {
         let found =
             format!("found the temperature of absorber {}, of which some type or design does not say what cools it", t.absorber.get_ref());
         check.wrong(&t.absorber, format!("{found}, expected `cooling` in every material of it"));

@@ -48,9 +48,14 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
         let free: Vec<(&'static str, f64)> = shares.iter().map(|s| (s.0, s.2)).collect();
         let mut designs = Vec::new();
         for row in rows {
-            let again = !free.is_empty() && !names.insert(format!("{}{RETUNED}", row.name));
-            if !names.insert(row.name.clone()) || again {
-                check.wrong(&raw.file, format!("found `{}` in it, which another design is called, expected different names", row.name));
+            let again = (!free.is_empty()).then(|| format!("{}{RETUNED}", row.name));
+            for name in std::iter::once(row.name.clone()).chain(again) {
+                if !names.insert(name.clone()) {
+                    check.wrong(
+                        &raw.file,
+                        format!("found `{}` in it, while another design is called `{name}`, expected different names", row.name),
+                    );
+                }
             }
             let absorber = Absorber::Ring((row.declaration.build)(&row.values));
             designs.push(DesignSpec { name: row.name, absorbers: vec![Mounted::on_station(on, absorber)] });

@@ -191,7 +191,8 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
     let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
     let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
-    let first = designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).find(|d| !d.absorbers.is_empty());
+    let sold = catalogues.iter().flat_map(|c| &c.designs);
+    let first = designs.iter().chain(sold.clone()).find(|d| !d.absorbers.is_empty());
     let hub = optimise.as_ref().map_or_else(|| first.map_or(0, |d| station_of(&d.absorbers, 0)), |o| o.station(0));
     let fatigue = judge(files, check, in_engine, &base);
     let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
@@ -202,7 +203,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         speeds: (base.speeds_rpm[0], base.speeds_rpm[base.speeds_rpm.len() - 1]),
         order_limit: base.order_limit,
         strokes: base.engine.strokes,
-        absorbers: Context::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise.as_ref()),
+        absorbers: Context::absorbers(sold.chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
         cooled: &Context::cooled(&designs, optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| matches!(c.get_ref(), RawCondition::Misfire | RawCondition::UnequalCylinders)),

@@ -1,6 +1,6 @@
 //! What measures are resolved against.
 
-use crate::absorber::{Declaration, Mounted};
+use crate::absorber::{Cooling, Declaration, Mounted};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
 use crate::engine::Order;
@@ -57,8 +57,8 @@ pub(crate) struct Context<'a> {
     pub strokes: u32,
     /// Most absorbers of a design.
     pub absorbers: usize,
-    /// Of each absorber of what is optimised, or else of the designs, whether every material of it says what cools it.
-    pub cooled: &'a [bool],
+    /// Of each absorber what cools it, one for every type that is optimised and every design; nothing where some do not say.
+    pub cooled: &'a [Option<Vec<Cooling>>],
     /// Whether the study has a duty.
     pub has_duty: bool,
     /// Whether a condition has cylinders that differ.
@@ -71,18 +71,15 @@ impl<'a> Context<'a> {
         designs.chain(optimise.map(|o| o.absorbers.len())).max().unwrap_or(0)
     }
 
-    /// Of each absorber, whether all that is optimised there, or else every design that has it, says what cools it.
-    pub fn cooled(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
-        let of_law = |m: &Mounted| m.absorber.law().is_some_and(|l| l.material().is_some_and(|m| m.thermal.is_some()));
-        let of_designs = |i: usize| {
-            let mut own = designs.iter().filter_map(|d| d.absorbers.get(i)).peekable();
-            own.peek().is_some() && own.all(of_law)
-        };
-        let of_type = |a: &AbsorberSpec, t: &&'static Declaration| a.materials.iter().any(|m| m.0 == *t && m.1.cooling.is_some());
-        match optimise {
-            Some(o) => o.absorbers.iter().map(|a| a.types.iter().all(|t| of_type(a, t))).collect(),
-            None => (0..designs.iter().map(|d| d.absorbers.len()).max().unwrap_or(0)).map(of_designs).collect(),
-        }
+    /// Of each absorber what cools it, in all that is optimised there and in every design that has it.
+    pub fn cooled(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Option<Vec<Cooling>>> {
+        let of_law = |m: &Mounted| Some(m.absorber.law()?.material()?.thermal?.cooling);
+        let of_type = |a: &AbsorberSpec, t: &'static Declaration| a.materials.iter().find(|m| m.0 == t)?.1.cooling;
+        let searched =
+            |i: usize| optimise.and_then(|o| o.absorbers.get(i)).into_iter().flat_map(|a| a.types.iter().map(move |t| of_type(a, t)));
+        let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).map(of_law);
+        let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
+        (0..count).map(|i| searched(i).chain(given(i)).collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())).collect()
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

@@ -55,10 +55,26 @@ pub(super) fn power_per_area<'r>(check: &mut Check, p: &'r RawPowerPerArea, of: 
 pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Context) -> Option<Resolved<'r>> {
     let rings = of.rings(check, Some(&t.absorber));
     let index = usize::try_from(*t.absorber.get_ref()).ok().and_then(|i| i.checked_sub(1));
-    if rings.is_some() && index.is_none_or(|i| of.cooled.get(i) != Some(&true)) {
-        let found =
-            format!("found the temperature of absorber {}, of which some type or design does not say what cools it", t.absorber.get_ref());
-        check.wrong(&t.absorber, format!("{found}, expected `cooling` in every material of it"));
+    match index.and_then(|i| of.cooled.get(i)) {
+        Some(Some(all)) => {
+            if all.iter().any(|c| c.air <= 0.0 || c.hub <= 0.0) {
+                let expected = "expected air and hub above that: limits and targets are ratios of °C";
+                check.wrong(&t.absorber, format!("found the temperature of an absorber that may be below 0 °C, {expected}"));
+            }
+            let bears = all.iter().map(|c| c.limit).fold(f64::INFINITY, f64::min);
+            if let Some(most) = t.max_c.as_ref().filter(|most| *most.get_ref() > bears) {
+                let found = format!("found {} °C, above the `limit_c` of its material, {bears} °C", most.get_ref());
+                check.wrong(most, format!("{found}, expected no more: above that it overheats"));
+            }
+        }
+        _ if rings.is_some() => {
+            let found = format!(
+                "found the temperature of absorber {}, of which some type or design does not say what cools it",
+                t.absorber.get_ref()
+            );
+            check.wrong(&t.absorber, format!("{found}, expected `cooling` in every material of it"));
+        }
+        _ => {}
     }
     let place = format!("of {}", Context::ring_words(Some(&t.absorber)));
     let names = Names { key: "temperature", column: "temperature_c", word: "temperature", what: "temperature", place };

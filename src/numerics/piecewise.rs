@@ -5,7 +5,6 @@
 
 use super::{C64, ZERO};
 use crate::numerics::elementary::Elementary;
-use multiversion::multiversion;
 use std::f64::consts::PI;
 
 /// Nodes of a piece.
@@ -71,7 +70,7 @@ impl Piecewise {
     }
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn evaluate(pieces: &[[[f64; NODES]; 2]], blocks: &[(usize, [f64; LANES])], places: &[[u32; LANES]], out: &mut [C64]) {
     for ((piece, u), places) in blocks.iter().zip(places) {
         let [re, im] = &pieces[*piece];

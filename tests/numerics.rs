@@ -2,6 +2,7 @@
 
 use crate::support::assert_close;
 use hartog::numerics::elementary::{ComplexElementary, Elementary};
+use hartog::numerics::interpolation::Interpolation;
 use hartog::numerics::matrix_exponential::matrix_exponential;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::numerics::tridiagonal::Tridiagonal;
@@ -92,15 +93,28 @@ fn one_harmonic_is_its_amplitude() {
 
 /// Branches: with two maxima of nearly the same height the lower one is offered, and a sum with a shorter period offers none.
 #[test]
-fn alternatives_are_other_waves_only() {
+fn pairs_are_other_waves_only() {
     let two = Synthesiser::new(&[1, 2]);
-    let offered = two.alternatives(&[C64::from(0.01), C64::from(1.0)], 0.05);
-    assert_eq!(offered.len(), 1, "the maximum half a cycle on: {offered:?}");
-    let main = two.extremes(&[C64::from(0.01), C64::from(1.0)]);
-    assert!(offered[0].half_peak_to_peak < main.half_peak_to_peak);
-    let repeated = Synthesiser::new(&[2, 4]).alternatives(&[C64::from(1.0), C64::new(0.2, 0.1)], 0.5);
+    let offered = two.pairs(&[C64::from(0.01), C64::from(1.0)], 0.05);
+    assert_eq!(offered.len(), 2, "the maximum half a cycle on: {offered:?}");
+    assert_eq!(offered[0], two.extremes(&[C64::from(0.01), C64::from(1.0)]));
+    assert!(offered[1].half_peak_to_peak < offered[0].half_peak_to_peak);
+    let repeated = Synthesiser::new(&[2, 4]).pairs(&[C64::from(1.0), C64::new(0.2, 0.1)], 0.5);
     let distinct: Vec<_> = repeated.iter().map(|e| e.half_peak_to_peak).collect();
     assert!(distinct.windows(2).all(|w| w[0] > w[1]), "the same wave half a cycle on is not offered: {distinct:?}");
+}
+
+/// Law: through n + 1 points of a polynomial of degree n lies that polynomial, with its lowest place.
+#[test]
+fn interpolation_of_a_quartic() {
+    let f = |x: f64| (x - 3.2).powi(2) * (1.0 + 0.1 * (x - 1.0).powi(2));
+    let mut through = Interpolation::new(3.0, 0.5);
+    [3.0, 2.0, 4.0, 1.0, 5.0].into_iter().for_each(|x| through.push(x, f(x)));
+    assert_close(through.lowest(3.0).expect("bends upwards"), 3.2, 1e-12, 0.0, "lowest place");
+    assert_close(through.value(2.5), f(2.5), 1e-14, 0.0, "between the points");
+    let mut falling = Interpolation::new(0.0, 1.0);
+    [0.0, 1.0, -1.0].into_iter().for_each(|x| falling.push(x, -x * x));
+    assert_eq!(falling.lowest(0.0), None, "a hill has no lowest place");
 }
 
 /// Law: a parabola's vertex is found; a maximum at a bracket's middle is never lost, searched to either side.

@@ -9,7 +9,7 @@ use crate::absorber::{Host, Mounted, Surroundings};
 use crate::input::{FrontSpec, Size, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::surrogate::{Scratch, Surrogate};
-use crate::objective::{Measure, PeakFinder};
+use crate::objective::{Measure, Over, PeakFinder};
 use crate::response::{Receptance, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -72,6 +72,9 @@ const SPREAD: f64 = 2.0;
 /// Tables are worth the trouble where they cost at most this share of the exact strategy.
 const WORTH: f64 = 0.7;
 
+/// Nominal seconds of the bound of a shaft's utilisation at a speed.
+const PER_BOUND: f64 = 0.2e-6;
+
 /// Nominal seconds of work, as measured by `chart` on the processor hartog was written on: for choosing, not for telling.
 pub fn nominal(work: &Work, stations: usize) -> f64 {
     let per = [
@@ -133,7 +136,9 @@ pub fn choose(study: &Study, measure: &Measure, modes: &[Vec<EngineMode>], finde
     // the exact strategy, on the designs that have names; one without a finite peak is reported where it is evaluated
     let mut work = Work::default();
     named.retain(|m| finder.peak(std::slice::from_ref(m), measure, &mut work).is_ok());
-    let exact = nominal(&work, stations) / named.len().max(1) as f64;
+    // bounds of the crank's utilisation at every speed are no work that is counted
+    let bounds = if let Over::Margin(_) = measure.over { measure.quantities.len() * finder.grid.len() } else { 0 };
+    let exact = nominal(&work, stations) / named.len().max(1) as f64 + PER_BOUND * bounds as f64;
     considered.push(Considered { strategy: Strategy::Exact, seconds: exact, error: 0.0 });
     if finder.is_smooth() {
         let all: Vec<Mounted> = named.iter().chain(&random).cloned().collect();

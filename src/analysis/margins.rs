@@ -1,6 +1,7 @@
 //! Margins of the crank over the speeds of the study, for tables and plots, and the smallest of each design.
 
 use crate::absorber::Mounted;
+use crate::crankshaft::fillets::Fillet;
 use crate::crankshaft::{self, Margin, Torque, Used};
 use crate::input::Study;
 use crate::numerics::ZERO;
@@ -97,34 +98,18 @@ pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -
     let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
     let sweeps = direct.sweep_each(design, &shafts, &mut Work::default())?;
     let orders = finder.system.orders();
-    let torques: Vec<Vec<Torque>> = sweeps
-        .iter()
-        .map(|sweep| {
-            finder.extremes(sweep).into_iter().zip(sweep.chunks(orders)).map(|(e, y)| Torque { extremes: e, phasors: y }).collect()
-        })
-        .collect();
-    let mut fillets: Vec<FilletSweep> = Vec::new();
-    for (shaft, torques) in torques.iter().enumerate() {
-        let at = |(speed, torque): (&f64, &Torque)| model.used_by_all(shaft, *speed, torque);
-        let rows: Vec<Vec<(usize, Used)>> = grid.speed_rpm.par_iter().zip(torques).map(at).collect();
-        for k in 0..rows.first().map_or(0, Vec::len) {
-            let (criterion, first) = rows[0][k];
-            let used = rows.iter().map(|row| row[k].1);
-            let name = &model.locations[first.location].name;
-            match fillets.iter_mut().find(|f| f.criterion == criterion && f.name == *name) {
-                Some(other) => {
-                    for (worst, own) in other.used.iter_mut().zip(used) {
-                        if own.value > worst.value {
-                            *worst = own;
-                        }
-                    }
-                }
-                None => fillets.push(FilletSweep { criterion, name: name.clone(), used: used.collect() }),
-            }
-        }
-    }
-    // in the order of the locations, not of the shafts
-    let place = |f: &FilletSweep| (0..model.locations.len()).find(|i| model.locations[*i].name == f.name && model.judges(f.criterion, *i));
-    fillets.sort_by_key(|f| (f.criterion, place(f)));
+    let fillets = model.fillets();
+    let at = |(i, speed): (usize, &f64)| {
+        let phasors = sweeps.iter().map(|sweep| &sweep[i * orders..(i + 1) * orders]);
+        let torques: Vec<Torque> = phasors.map(|y| Torque { extremes: finder.synthesiser.extremes(y), phasors: y }).collect();
+        model.worst_of_each(&fillets, *speed, &torques)
+    };
+    let rows: Vec<Vec<Used>> = grid.speed_rpm.par_iter().enumerate().map(at).collect();
+    let of = |(k, fillet): (usize, Fillet)| FilletSweep {
+        criterion: fillet.criterion,
+        name: fillet.name,
+        used: rows.iter().map(|row| row[k]).collect(),
+    };
+    let fillets = fillets.into_iter().enumerate().map(of).collect();
     Ok(Some(MarginSweep { design: name.to_owned(), fillets }))
 }

@@ -1,8 +1,8 @@
 //! What evaluations of one design share: the extremes of a shaft's torque at a speed are the same for every criterion, and so is the path of a fillet.
 
 use crate::numerics::C64;
-use crate::numerics::synthesis::{Extremes, Synthesiser};
-use std::cell::{Cell, RefCell};
+use crate::numerics::synthesis::{Extremes, Most, Precision, Synthesiser};
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -21,36 +21,29 @@ type Shares = Rc<[f64]>;
 /// What is known of a torque.
 #[derive(Debug, Clone, Copy)]
 enum KnownTorque {
-    /// Neither its half peak-to-peak value nor the size of its middle is above these.
-    AtMost(f64, f64),
-    /// Its extremes.
-    Exact(Extremes),
+    /// Bounds of its extremes.
+    AtMost(Most),
+    /// Its extremes, as right as was asked, and bounds of them.
+    Found(Extremes, Most),
 }
 
 impl Known {
-    /// The extremes of the torque of a shaft at a speed, rpm, where they may matter: nothing where `can_matter` says no to a half peak-to-peak value and a size of the
-    /// middle that they do not exceed.
+    /// The extremes of the torque of a shaft at a speed, rpm, where they may matter: nothing where `can_matter` says no to bounds of them, which come with them.
     pub(crate) fn extremes_if(
         &self,
         (shaft, speed_rpm): (usize, f64),
-        synthesiser: &Synthesiser,
+        (synthesiser, precision): (&Synthesiser, Precision),
         phasors: &[C64],
-        can_matter: impl Fn(f64, f64) -> bool,
-    ) -> Option<Extremes> {
+        can_matter: impl Fn(Most) -> bool,
+    ) -> (Option<Extremes>, Most) {
         let key = (shaft, speed_rpm.to_bits());
         match self.torques.borrow().get(&key) {
-            Some(KnownTorque::Exact(extremes)) => {
-                return can_matter(extremes.half_peak_to_peak, extremes.middle.abs()).then_some(*extremes);
-            }
-            Some(KnownTorque::AtMost(half, middle)) if !can_matter(*half, *middle) => return None,
+            Some(KnownTorque::Found(extremes, most)) => return (can_matter(Most::of(extremes)).then_some(*extremes), *most),
+            Some(KnownTorque::AtMost(most)) if !can_matter(*most) => return (None, *most),
             _ => {}
         }
-        let bounds = Cell::new((f64::INFINITY, f64::INFINITY));
-        let found = synthesiser.extremes_if(phasors, |half, middle| {
-            bounds.set((half, middle));
-            can_matter(half, middle)
-        });
-        let known = found.map_or(KnownTorque::AtMost(bounds.get().0, bounds.get().1), KnownTorque::Exact);
+        let found = synthesiser.extremes_if(phasors, precision, can_matter);
+        let known = found.0.map_or(KnownTorque::AtMost(found.1), |extremes| KnownTorque::Found(extremes, found.1));
         self.torques.borrow_mut().insert(key, known);
         found
     }

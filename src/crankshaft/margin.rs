@@ -43,14 +43,16 @@ pub struct Margin {
     strength: Strength,
     mean_bending: MeanBending,
     rule: ClassRule,
-    /// Squares of the speeds, rpm².
-    squares: Vec<f64>,
+    /// rpm.
+    speeds: Vec<f64>,
     /// Local bending stress at each speed (rows) and location, Pa.
     bending: Vec<Vec<Cycle>>,
     /// Mean torque of each shaft at each speed (rows), N m.
     mean_torque: Vec<Vec<f64>>,
     /// Critical locations of each shaft, by family.
     of_shaft: Vec<[Vec<usize>; 4]>,
+    /// Those of them that another one does not surpass, whatever the torque: by the row below a speed and the shaft.
+    leading: Vec<Vec<[Vec<usize>; 4]>>,
     /// For multiaxial criteria.
     histories: Option<Histories>,
 }
@@ -66,17 +68,19 @@ impl Margin {
         let own = |shaft: usize, family: Family| {
             (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect()
         };
-        let of_shaft = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
+        let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
+        let leading = leading(&locations, &of_shaft, &table.bending);
         Some(Self {
             criteria: spec.criteria.clone(),
             locations,
             strength: spec.strength,
             mean_bending: spec.mean_bending,
             rule: spec.rule,
-            squares: speeds_rpm.iter().map(|s| s * s).collect(),
+            speeds: speeds_rpm.to_vec(),
             bending: table.bending,
             mean_torque: table.mean_torque,
             of_shaft,
+            leading,
             histories,
         })
     }
@@ -109,11 +113,12 @@ impl Margin {
     }
 
     fn place(&self, speed_rpm: f64) -> At {
-        if self.squares.len() == 1 {
+        if self.speeds.len() == 1 {
             return At { low: 0, high: 0, fraction: 0.0 };
         }
-        let (low, fraction) = nearest::interval(&self.squares, speed_rpm * speed_rpm);
-        At { low, high: low + 1, fraction }
+        let low = nearest::in_nearly_even(&self.speeds, speed_rpm);
+        let [below, above] = [self.speeds[low], self.speeds[low + 1]].map(|s| s * s);
+        At { low, high: low + 1, fraction: (speed_rpm * speed_rpm - below) / (above - below) }
     }
 
     /// A location under a torque at a speed.
@@ -122,31 +127,38 @@ impl Margin {
         match self.multiaxial(criterion) {
             Some((_, histories)) => {
                 let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-                self.of_history(histories, location, self.shares(histories, location, at, &whole)[criterion])
+                self.used_as(criterion, location, &self.shares(histories, location, at, &whole))
             }
             None => self.used_at(criterion, location, at, &torque.extremes),
         }
     }
 
-    /// All locations of a shaft under its torque at a speed by all criteria that judge them, with the index of the criterion: by criterion, then as they are listed.
-    pub(crate) fn used_by_all(&self, shaft: usize, speed_rpm: f64, torque: &Torque) -> Vec<(usize, Used)> {
+    /// At least the share that a location uses by a multiaxial criterion.
+    pub(super) fn bound_of(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> f64 {
         let at = self.place(speed_rpm);
-        let whole = self.histories.as_ref().map(|h| h.torque(torque.phasors, self.mean_at(at, shaft)));
-        let mut shares: Vec<Option<Rc<[f64]>>> = vec![None; self.locations.len()];
-        let mut list = Vec::new();
-        for criterion in 0..self.criteria.len() {
-            for location in self.spots_of(criterion, shaft) {
-                let used = match (self.multiaxial(criterion), &whole) {
-                    (Some((_, histories)), Some(whole)) => {
-                        let own = shares[location].get_or_insert_with(|| self.shares(histories, location, at, whole));
-                        self.of_history(histories, location, own[criterion])
-                    }
-                    _ => self.used_at(criterion, location, at, &torque.extremes),
-                };
-                list.push((criterion, used));
-            }
-        }
-        list
+        let Some((word, histories)) = self.multiaxial(criterion) else { return f64::INFINITY };
+        let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
+        let s = &self.locations[location];
+        let largest = self.mean_at(at, s.shaft).abs() + middle.abs() + half_peak_to_peak;
+        histories.at_most(word, (location, s), at, half_peak_to_peak, largest) * (1.0 + ROUNDING)
+    }
+
+    /// The torque of a shaft at every sample, N m; of multiaxial criteria only.
+    pub(super) fn whole_torque(&self, shaft: usize, speed_rpm: f64, torque: &Torque) -> Vec<f64> {
+        let mean = self.mean_at(self.place(speed_rpm), shaft);
+        self.histories.as_ref().map_or_else(Vec::new, |h| h.torque(torque.phasors, mean))
+    }
+
+    /// Share of the strength that a location uses by each multiaxial criterion, under a torque at every sample; zero by the others.
+    pub(super) fn shares_of(&self, location: usize, speed_rpm: f64, torque: &[f64]) -> Rc<[f64]> {
+        let none = || self.criteria.iter().map(|_| 0.0).collect();
+        self.histories.as_ref().map_or_else(none, |h| self.shares(h, location, self.place(speed_rpm), torque))
+    }
+
+    /// A location by a multiaxial criterion, of the shares that it uses.
+    pub(super) fn used_as(&self, criterion: usize, location: usize, shares: &[f64]) -> Used {
+        let amplitude = self.histories.as_ref().map_or(0.0, |h| h.equivalent(shares[criterion]));
+        Used { location, value: shares[criterion], slopes: (0.0, 0.0), cycle: Cycle { amplitude, mean: 0.0 } }
     }
 
     /// The same by the whole history, without its corners; nothing by a criterion that asks for no history.
@@ -166,10 +178,6 @@ impl Margin {
         self.criteria.iter().map(|c| multiaxial(c).and_then(|_| used.next()).unwrap_or(0.0)).collect()
     }
 
-    fn of_history(&self, histories: &Histories, location: usize, value: f64) -> Used {
-        Used { location, value, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(value), mean: 0.0 } }
-    }
-
     fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
         match (self.criteria[criterion], &self.histories) {
             (MarginCriterion::Multiaxial(c), Some(histories)) => Some((c, histories)),
@@ -183,25 +191,15 @@ impl Margin {
 
     fn used_at(&self, criterion: usize, location: usize, at: At, torque: &Extremes) -> Used {
         let s = &self.locations[location];
-        let (low, high) = (&self.bending[at.low][location], &self.bending[at.high][location]);
-        let bending = Cycle { amplitude: at.between(low.amplitude, high.amplitude), mean: at.between(low.mean, high.mean) };
+        let bending = self.bending_at(location, at);
         let mean_torque = self.mean_at(at, s.shaft);
         let twisting = Cycle { amplitude: torque.half_peak_to_peak * s.torsion, mean: (torque.middle + mean_torque) * s.torsion };
         if let Some(allowable) = s.allowable {
-            let (stress, slope) = match s.place {
-                Place::OilBore => bore(bending.amplitude, twisting.amplitude),
-                _ => {
-                    let stress = self.rule.fillet_stress(bending.amplitude, twisting.amplitude);
-                    (stress, if stress > 0.0 { 3.0 * twisting.amplitude / stress } else { 0.0 })
-                }
-            };
+            let (stress, slope) = self.rule_stress(s.place, bending.amplitude, twisting.amplitude);
             let cycle = Cycle { amplitude: stress, mean: 0.0 };
             return Used { location, value: stress / allowable, slopes: (slope * s.torsion / allowable, 0.0), cycle };
         }
-        let (amplitude, of_amplitude) = mises(bending.amplitude, twisting.amplitude);
-        let pulling = if self.mean_bending == MeanBending::Signed { bending.mean.max(0.0) } else { bending.mean };
-        let (mean, of_mean) = mises(pulling, twisting.mean);
-        let cycle = Cycle { amplitude, mean };
+        let (cycle, (of_amplitude, of_mean)) = self.equivalent(bending, twisting);
         let MarginCriterion::MeanStress(line) = self.criteria[criterion] else {
             unreachable!("the class rule has a strength, multiaxial criteria a history")
         };
@@ -258,7 +256,7 @@ impl Margin {
                 Some(known) => known.shares(location, speed_rpm, find),
                 None => find(),
             };
-            let used = self.of_history(histories, location, shares[criterion]);
+            let used = self.used_as(criterion, location, &shares);
             most = Some(most.map_or(used, |m| larger(m, used)));
         }
         most
@@ -273,9 +271,62 @@ impl Margin {
             return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
         // the size of the mean counts: with the sign of the mean torque it is the largest
-        let torque = Extremes { half_peak_to_peak, middle: middle.copysign(self.mean_at(at, shaft)), ..Extremes::default() };
-        self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque).value).fold(0.0, f64::max)
+        let torque = (half_peak_to_peak, middle.abs() + self.mean_at(at, shaft).abs());
+        let families = self.criteria[criterion].families().iter();
+        let leading = families.flat_map(|f| &self.leading[at.low][shaft][*f as usize]);
+        leading.map(|i| self.share_at(criterion, *i, at, torque)).fold(0.0, |m, u| if u > m { u } else { m })
     }
+
+    /// Share of the strength that a location uses under a torque of this half peak-to-peak value and mean; not by a multiaxial criterion.
+    fn share_at(&self, criterion: usize, location: usize, at: At, (half_peak_to_peak, mean_torque): (f64, f64)) -> f64 {
+        let s = &self.locations[location];
+        let bending = self.bending_at(location, at);
+        let twisting = Cycle { amplitude: half_peak_to_peak * s.torsion, mean: mean_torque * s.torsion };
+        match (s.allowable, self.criteria[criterion]) {
+            (Some(allowable), _) => self.rule_stress(s.place, bending.amplitude, twisting.amplitude).0 / allowable,
+            (None, MarginCriterion::MeanStress(line)) => line.utilisation(self.equivalent(bending, twisting).0, self.strength).0,
+            (None, _) => 0.0,
+        }
+    }
+
+    fn bending_at(&self, location: usize, at: At) -> Cycle {
+        let (low, high) = (&self.bending[at.low][location], &self.bending[at.high][location]);
+        Cycle { amplitude: at.between(low.amplitude, high.amplitude), mean: at.between(low.mean, high.mean) }
+    }
+
+    /// Stress by the class rule, and its derivative by that of torsion.
+    fn rule_stress(&self, place: Place, bending: f64, torsion: f64) -> (f64, f64) {
+        if place == Place::OilBore {
+            return bore(bending, torsion);
+        }
+        let stress = self.rule.fillet_stress(bending, torsion);
+        (stress, if stress > 0.0 { 3.0 * torsion / stress } else { 0.0 })
+    }
+
+    /// Cycle of equivalent stress, and its derivatives by those of torsion.
+    fn equivalent(&self, bending: Cycle, twisting: Cycle) -> (Cycle, (f64, f64)) {
+        let (amplitude, of_amplitude) = mises(bending.amplitude, twisting.amplitude);
+        let pulling = if self.mean_bending == MeanBending::Signed { bending.mean.max(0.0) } else { bending.mean };
+        let (mean, of_mean) = mises(pulling, twisting.mean);
+        (Cycle { amplitude, mean }, (of_amplitude, of_mean))
+    }
+}
+
+/// Of each shaft, by the row below a speed: locations that no other one of their kind surpasses in torsion, and in bending at both rows round the speed.
+fn leading(locations: &[CriticalLocation], of_shaft: &[[Vec<usize>; 4]], bending: &[Vec<Cycle>]) -> Vec<Vec<[Vec<usize>; 4]>> {
+    let surpasses = |rows: &[&Vec<Cycle>], a: usize, b: usize| {
+        let (own, other) = (&locations[a], &locations[b]);
+        let more = rows.iter().all(|row| row[a].amplitude >= row[b].amplitude && row[a].mean >= row[b].mean && row[b].mean >= 0.0);
+        let alike = own.place == other.place && own.allowable == other.allowable && own.unit_loads.is_none() && other.unit_loads.is_none();
+        let same = rows.iter().all(|row| row[a] == row[b]) && own.torsion == other.torsion;
+        alike && more && own.torsion.abs() >= other.torsion.abs() && (!same || a < b)
+    };
+    let at = |low: usize| {
+        let rows = [&bending[low], &bending[(low + 1).min(bending.len() - 1)]];
+        let of = |list: &Vec<usize>| list.iter().copied().filter(|b| !list.iter().any(|a| a != b && surpasses(&rows, *a, *b))).collect();
+        of_shaft.iter().map(|families| families.each_ref().map(of)).collect()
+    };
+    (0..bending.len()).map(at).collect()
 }
 
 /// Bounds are as right as this: samples of a torque may exceed its extremes by rounding, and the mean shear is a quadrature.

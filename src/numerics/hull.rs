@@ -14,11 +14,15 @@ const LANES: usize = 16;
 /// lie on a line. Andrew's monotone chain \[Andrew 1979\], of the points that the polygon of the extremes in sixteen directions does not hold
 /// \[Akl & Toussaint 1978\].
 pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
-    let mut order: Vec<(f64, f64, usize)> = Vec::with_capacity(128);
+    let mut few_left: Vec<(u64, usize)> = Vec::with_capacity(128);
     // any points will do for the polygon: neighbours say much the same
     let few = |v: &[f64]| v.iter().step_by(EVERY).copied().collect::<Vec<f64>>();
-    outside(x, y, &polygon(&few(x), &few(y)), |i| order.push((x[i], y[i], i)));
-    order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    outside(x, y, &polygon(&few(x), &few(y)), |i| few_left.push((ascending(x[i]), i)));
+    few_left.sort_unstable();
+    let mut order: Vec<(f64, f64, usize)> = few_left.into_iter().map(|(_, i)| (x[i], y[i], i)).collect();
+    for column in order.chunk_by_mut(|a, b| a.0 == b.0) {
+        column.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.2.cmp(&b.2)));
+    }
     order.dedup_by(|a, b| a.0 == b.0 && a.1 == b.1);
     if order.len() < 3 {
         return order.into_iter().map(|p| p.2).collect();
@@ -40,6 +44,13 @@ pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
     half(&mut order.iter());
     half(&mut order.iter().rev());
     corners.into_iter().map(|p| p.2).collect()
+}
+
+/// A whole number that grows with a number.
+fn ascending(x: f64) -> u64 {
+    // zero has one sign
+    let bits = (x + 0.0).to_bits();
+    if bits >> 63 == 1 { !bits } else { bits | 1 << 63 }
 }
 
 /// Points that are farthest along the directions, which are even in units of the spread, counter-clockwise.

@@ -3,10 +3,13 @@
 pub mod eigen;
 pub mod elementary;
 pub mod enclosing;
+pub(crate) mod extremes;
 pub mod harmonics;
 pub mod hull;
+pub mod interpolation;
 pub mod least_squares;
 pub(crate) mod lu;
+pub(crate) mod magnitudes;
 pub mod matrix_exponential;
 pub mod maximise;
 pub mod nearest;

@@ -1,23 +1,12 @@
 //! Half peak-to-peak of a sum of harmonics, with phase.
 
+pub use super::extremes::Extremes;
+pub(crate) use super::extremes::{Most, Precision};
 use super::maximise::maximise;
 use super::sampling::{BLOCK, sample};
-use super::{C64, ZERO};
+use super::{C64, ZERO, magnitudes};
 use crate::numerics::elementary::{ComplexElementary, Elementary, turn};
 use std::f64::consts::TAU;
-
-/// The extremes of f(psi) = sum of Re(Y_n e^{i h_n psi}) over a period.
-#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
-pub struct Extremes {
-    /// (max f - min f) / 2.
-    pub half_peak_to_peak: f64,
-    /// (max f + min f) / 2.
-    pub middle: f64,
-    /// Angle psi of the maximum, rad.
-    pub angle_max: f64,
-    /// Angle psi of the minimum, rad.
-    pub angle_min: f64,
-}
 
 /// A local maximum of the sum, or of its negative.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +15,9 @@ pub(super) struct Local {
     pub(super) value: f64,
     pub(super) bend: f64,
 }
+
+/// Other pairs of extremes that are offered, at most.
+const MOST_OTHERS: usize = 4;
 
 /// Samples of a sum over a period, kept for reuse.
 #[derive(Debug, Clone, Default)]
@@ -61,6 +53,8 @@ impl Extremes {
 #[derive(Debug, Clone)]
 pub struct Synthesiser {
     harmonics: Vec<u32>,
+    /// Their squares.
+    squares: Vec<f64>,
     /// Indices of the harmonics, even ones first, and how many those are.
     sorted: Vec<usize>,
     evens: usize,
@@ -86,7 +80,15 @@ impl Synthesiser {
             (0..quarter / BLOCK).flat_map(block).collect()
         };
         let (cosine, sine) = (table(f64::cosine), table(f64::sine));
-        Self { harmonics: harmonics.to_vec(), sorted, evens, quarter, cosine, sine }
+        Self {
+            harmonics: harmonics.to_vec(),
+            squares: harmonics.iter().map(|h| f64::from(h * h)).collect(),
+            sorted,
+            evens,
+            quarter,
+            cosine,
+            sine,
+        }
     }
 
     /// Largest and smallest value of the sum, to rounding: sampled, then every sampled extreme that could win is polished by Newton's
@@ -118,47 +120,60 @@ impl Synthesiser {
     }
 
     fn step_from(&self, phasors: &[C64], angle: f64, sign: f64) -> Local {
-        let (f0, f1, f2) = self.derivatives(phasors, angle);
+        let (f0, f1, f2, f3) = self.derivatives(phasors, angle);
         let change = if sign * f2 < 0.0 { (-f1 / f2).clamp(-self.step(), self.step()) } else { 0.0 };
-        Local { angle: angle + change, value: sign * (f0 + change * (f1 + 0.5 * f2 * change)), bend: f2 }
+        Local { angle: angle + change, value: sign * (f0 + change * (f1 + change * (0.5 * f2 + f3 * change / 6.0))), bend: f2 }
     }
 
-    /// The extremes where they may matter: nothing where `can_matter` says no to a half peak-to-peak value and a size of the middle that they do not exceed.
-    pub(crate) fn extremes_if(&self, phasors: &[C64], can_matter: impl Fn(f64, f64) -> bool) -> Option<Extremes> {
+    /// The extremes where they may matter, to rounding or to about a millionth: nothing where `can_matter` says no to bounds of them, which come with them.
+    pub(crate) fn extremes_if(&self, phasors: &[C64], precision: Precision, can_matter: impl Fn(Most) -> bool) -> (Option<Extremes>, Most) {
         if phasors.len() == 1 {
-            return Some(self.single(phasors[0]));
+            let own = self.single(phasors[0]);
+            return (Some(own), Most::of(&own));
         }
         let samples = self.samples(phasors);
         let reach = self.reach(phasors);
-        let Extremes { half_peak_to_peak, middle, .. } = samples.extremes();
-        if !can_matter(half_peak_to_peak + reach, middle.abs() + reach) {
-            return None;
-        }
-        Some(self.polished(phasors, &samples))
+        let sampled = samples.extremes();
+        let most = Most { half_peak_to_peak: sampled.half_peak_to_peak + reach, middle: sampled.middle.abs() + reach };
+        let extremes = can_matter(most).then(|| self.by(phasors, &samples, reach, precision));
+        (extremes, most)
     }
 
-    /// Half peak-to-peak where it reaches `threshold`, else some value no larger than it: what cannot matter costs the samples only.
-    pub(crate) fn half_peak_to_peak_above(&self, phasors: &[C64], threshold: f64) -> f64 {
-        if phasors.len() == 1 {
-            return phasors[0].norm();
+    fn by(&self, phasors: &[C64], samples: &Samples, reach: f64, precision: Precision) -> Extremes {
+        match precision {
+            Precision::Rounding => self.polished(phasors, samples),
+            Precision::Millionth => Extremes::of(self.near_end(phasors, samples, 1.0, reach), self.near_end(phasors, samples, -1.0, reach)),
         }
-        let samples = self.samples(phasors);
-        let sampled = samples.half_peak_to_peak();
-        if sampled + self.reach(phasors) < threshold {
-            return sampled;
-        }
-        self.polished(phasors, &samples).half_peak_to_peak
     }
 
-    /// Other pairs of a local maximum and a local minimum whose half difference comes within the share `within` of the largest, at most
+    /// The largest of `sign` f by one Newton step from every sampled maximum that may stand for it.
+    fn near_end(&self, phasors: &[C64], samples: &Samples, sign: f64, reach: f64) -> Local {
+        let f = &samples.values;
+        let last = f.len() - 1;
+        let lowest = if sign > 0.0 { samples.high } else { -samples.low } - reach;
+        let mut best = Local { angle: 0.0, value: f64::NEG_INFINITY, bend: 0.0 };
+        for (b, own) in f.as_chunks::<BLOCK>().0.iter().enumerate().filter(|(_, own)| reaches(own, sign, lowest)) {
+            for (j, v) in (b * BLOCK..).zip(own) {
+                let beside = [if j == 0 { last } else { j - 1 }, if j == last { 0 } else { j + 1 }];
+                if sign * v >= lowest && beside.iter().all(|k| sign * f[*k] <= sign * v) {
+                    let stepped = self.step_from(phasors, self.angle(j), sign);
+                    best = if stepped.value > best.value { stepped } else { best };
+                }
+            }
+        }
+        best
+    }
+
+    /// The extremes, then other pairs of a local maximum and a local minimum whose half difference comes within the share `within` of the largest, at most
     /// four, largest first: the branches that may take over when speed or design change. Pairs that are the same wave again (the sum may
     /// have a shorter period) are left out.
-    pub fn alternatives(&self, phasors: &[C64], within: f64) -> Vec<Extremes> {
+    pub fn pairs(&self, phasors: &[C64], within: f64) -> Vec<Extremes> {
         if phasors.len() == 1 {
-            return Vec::new();
+            return vec![self.single(phasors[0])];
         }
         let samples = self.samples(phasors);
-        let spread = 2.0 * self.extremes(phasors).half_peak_to_peak;
+        // samples stand below the extremes by little
+        let spread = 2.0 * (samples.half_peak_to_peak() + self.reach(phasors));
         let list = |sign| {
             let mut distinct: Vec<Local> = Vec::new();
             for l in self.local_maxima(phasors, &samples, sign, within * spread) {
@@ -172,7 +187,10 @@ impl Synthesiser {
         let (highs, lows) = (list(1.0), list(-1.0));
         let mut pairs: Vec<Extremes> = highs.iter().flat_map(|h| lows.iter().map(|l| Extremes::of(*h, *l))).collect();
         pairs.sort_by(|a, b| b.half_peak_to_peak.total_cmp(&a.half_peak_to_peak));
-        pairs.into_iter().skip(1).filter(|p| p.half_peak_to_peak >= 0.5 * (1.0 - within) * spread).take(4).collect()
+        let least = (1.0 - within) * pairs[0].half_peak_to_peak;
+        pairs.retain(|p| p.half_peak_to_peak >= least);
+        pairs.truncate(1 + MOST_OTHERS);
+        pairs
     }
 
     /// The extremes reached from the angles of `from`: the same branch for other phasors nearby.
@@ -202,8 +220,7 @@ impl Synthesiser {
 
     /// How far a maximum can stand above its nearest sample: half the largest |f''| times the square of half a step.
     fn reach(&self, phasors: &[C64]) -> f64 {
-        let curvature: f64 = self.harmonics.iter().zip(phasors).map(|(&h, y)| f64::from(h * h) * (y.re * y.re + y.im * y.im).sqrt()).sum();
-        0.125 * curvature * self.step() * self.step()
+        0.125 * magnitudes::weighted(phasors, &self.squares) * self.step() * self.step()
     }
 
     /// f' at sample `j`, from the tables.
@@ -285,12 +302,12 @@ impl Synthesiser {
     fn newton(&self, phasors: &[C64], angle: f64, sign: f64, step: f64) -> Option<Local> {
         let mut psi = angle;
         for _ in 0..8 {
-            let (f0, f1, f2) = self.derivatives(phasors, psi);
+            let (f0, f1, f2, f3) = self.derivatives(phasors, psi);
             let change = if sign * f2 < 0.0 { (-f1 / f2).clamp(-step, step) } else { sign * f1.signum() * 0.25 * step };
             psi += change;
             if change.abs() < 1e-3 * step {
-                // with what the last change adds, to second order: the value errs by its third power, below 1e-10
-                return Some(Local { angle: psi, value: sign * (f0 + 0.5 * f1 * change), bend: f2 });
+                // with what the last change adds, to third order: the value errs by its fourth power, below rounding
+                return Some(Local { angle: psi, value: sign * (f0 + change * (0.5 * f1 + f3 * change * change / 6.0)), bend: f2 });
             }
         }
         None
@@ -305,9 +322,9 @@ impl Synthesiser {
         }
     }
 
-    /// f, f' and f'' at psi.
-    fn derivatives(&self, phasors: &[C64], psi: f64) -> (f64, f64, f64) {
-        let mut sums = (0.0, 0.0, 0.0);
+    /// f and its first three derivatives at psi.
+    fn derivatives(&self, phasors: &[C64], psi: f64) -> (f64, f64, f64, f64) {
+        let mut sums = (0.0, 0.0, 0.0, 0.0);
         // powers by products: neighbouring harmonics are one factor apart. Two chains, odd and even, since each product waits for the last.
         let one = turn(psi);
         let step = one * one;
@@ -324,6 +341,7 @@ impl Synthesiser {
             sums.0 += re;
             sums.1 -= h * im;
             sums.2 -= h * h * re;
+            sums.3 += h * h * h * im;
         }
         sums
     }
@@ -344,7 +362,7 @@ fn reaches(block: &[f64; BLOCK], sign: f64, level: f64) -> bool {
 
 /// Sum of magnitudes: an upper bound of half the peak-to-peak value.
 pub fn bound(phasors: &[C64]) -> f64 {
-    phasors.iter().map(|y| (y.re * y.re + y.im * y.im).sqrt()).sum()
+    magnitudes::sum(phasors)
 }
 
 /// The phasor of largest magnitude: its index and magnitude.

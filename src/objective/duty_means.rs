@@ -87,10 +87,8 @@ impl<'a> PeakFinder<'a> {
             let nowhere = Peak::nowhere(extremes.half_peak_to_peak, measure.over, quantity);
             Peak { extremes: Some(extremes), ..nowhere }
         };
-        let mut peaks = vec![peak(self.synthesiser.extremes(&y))];
-        if keep < 1.0 {
-            peaks.extend(self.synthesiser.alternatives(&y, (1.0 - keep).min(BRANCHES)).into_iter().map(peak));
-        }
+        let pairs = if keep < 1.0 { self.synthesiser.pairs(&y, (1.0 - keep).min(BRANCHES)) } else { vec![self.synthesiser.extremes(&y)] };
+        let mut peaks: Vec<Peak> = pairs.into_iter().map(peak).collect();
         peaks.retain(|p| p.value > 0.0);
         Ok(peaks)
     }

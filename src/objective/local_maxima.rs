@@ -27,6 +27,35 @@ pub struct Candidate {
     right: bool,
 }
 
+impl Candidate {
+    /// At an index that is higher than its neighbours.
+    pub(super) fn of(speed: &[f64], values: &[f64], i: usize) -> Self {
+        let last = values.len() - 1;
+        let inside = i > 0 && i < last && values[i - 1] > 0.0 && values[i + 1] > 0.0;
+        let estimate = if inside { vertex(&speed[i - 1..=i + 1], &values[i - 1..=i + 1]) } else { f64::INFINITY };
+        // the flatter side, per rpm: the neighbours of a narrow resonance lie at different distances
+        let fall = |a: usize, b: usize| (values[a] - values[b]) / (speed[a] - speed[b]).abs();
+        let right = i < last && (i == 0 || fall(i, i + 1) <= fall(i, i - 1));
+        Self { index: i, value: values[i], estimate, right }
+    }
+
+    /// Whether the peak between speeds may be as high as `wanted`.
+    pub(super) fn may_reach(&self, wanted: f64, narrow: bool) -> bool {
+        let possible = if narrow { NARROW * self.value } else { possible(self.value, self.estimate) };
+        possible >= wanted
+    }
+}
+
+fn possible(value: f64, estimate: f64) -> f64 {
+    value + DOUBT * (estimate - value) + MARGIN * value
+}
+
+/// Whether a peak between the outer two of three speeds, with the largest value at the middle one, may be as high as `wanted`.
+pub(super) fn may_reach(known: [(f64, f64); 3], wanted: f64) -> bool {
+    let estimate = vertex(&known.map(|k| k.0), &known.map(|k| k.1));
+    possible(known[1].1, estimate) >= wanted
+}
+
 /// A refined peak: speed, place, and whether it ran away.
 pub(crate) struct Refined {
     /// rpm.
@@ -43,14 +72,7 @@ pub fn maxima(speed: &[f64], values: &[f64]) -> Vec<Candidate> {
     let last = values.len() - 1;
     let mut found: Vec<Candidate> = (0..=last)
         .filter(|&i| values[i] > 0.0 && (i == 0 || values[i] > values[i - 1]) && (i == last || values[i] >= values[i + 1]))
-        .map(|i| {
-            let inside = i > 0 && i < last && values[i - 1] > 0.0 && values[i + 1] > 0.0;
-            let estimate = if inside { vertex(&speed[i - 1..=i + 1], &values[i - 1..=i + 1]) } else { f64::INFINITY };
-            // the flatter side, per rpm: the neighbours of a narrow resonance lie at different distances
-            let fall = |a: usize, b: usize| (values[a] - values[b]) / (speed[a] - speed[b]).abs();
-            let right = i < last && (i == 0 || fall(i, i + 1) <= fall(i, i - 1));
-            Candidate { index: i, value: values[i], estimate, right }
-        })
+        .map(|i| Candidate::of(speed, values, i))
         .collect();
     found.sort_by(|a, b| b.value.total_cmp(&a.value));
     found
@@ -87,12 +109,11 @@ pub fn refine(
     mut value_at: impl FnMut(f64, &mut Work) -> Result<f64, ResponseError>,
     work: &mut Work,
 ) -> Result<Option<Refined>, ResponseError> {
-    let Candidate { index: i, value, estimate, right } = candidate;
+    let Candidate { index: i, value, right, .. } = candidate;
     let speed = &speeds.rpm;
     let last = speed.len() - 1;
     let narrow = speeds.is_narrow(i);
-    let possible = if narrow { NARROW * value } else { value + DOUBT * (estimate - value) + MARGIN * value };
-    if possible < wanted {
+    if !candidate.may_reach(wanted, narrow) {
         return Ok(None);
     }
     let end = if i == 0 || i == last { Place::End } else { Place::Interior };

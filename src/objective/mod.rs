@@ -1,5 +1,6 @@
 //! The objective and how it is evaluated: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
 
+mod branch;
 pub mod condition;
 pub mod duty;
 mod duty_means;

@@ -1,8 +1,12 @@
 //! A local maximum over speed.
 
 use super::measure::Over;
+use crate::numerics::elementary::Elementary;
 use crate::numerics::synthesis::Extremes;
 use crate::response::Quantity;
+
+/// Speeds, values and angles closer than this are the same.
+const SAME: f64 = 1e-5;
 
 /// Where on the range a peak lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -39,6 +43,19 @@ pub struct Peak {
 }
 
 impl Peak {
+    /// Whether another is the same peak of the same branch, met from elsewhere.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let equal = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs();
+        let angles = match (&self.extremes, &other.extremes) {
+            (Some(a), Some(b)) => {
+                let turned = |x: f64, y: f64| (0.5 * (x - y)).sine().abs();
+                turned(a.angle_max, b.angle_max).max(turned(a.angle_min, b.angle_min)) < SAME
+            }
+            _ => self.order == other.order,
+        };
+        self.quantity == other.quantity && angles && equal(self.speed_rpm, other.speed_rpm) && equal(self.value, other.value)
+    }
+
     /// A value at no speed.
     pub(super) fn nowhere(value: f64, over: Over, quantity: Quantity) -> Self {
         let (weight, speed_rpm, order, order_value, extremes) = (1.0, 0.0, 0, 0.0, None);

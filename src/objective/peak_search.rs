@@ -23,6 +23,9 @@ use std::rc::Rc;
 /// Peaks that differ by less than this share are level.
 pub(super) const LEVEL: f64 = 1e-9;
 
+/// Every so many speeds tell which shaft may be used most.
+const EVERY: usize = 8;
+
 /// Finds peaks of one system by one method.
 #[derive(Debug)]
 pub struct PeakFinder<'a> {
@@ -57,9 +60,12 @@ pub(super) struct Found {
 }
 
 impl Found {
+    /// Adds a peak that is not known yet: a branch may be met from several speeds.
     pub fn put(&mut self, peak: Peak) {
         self.best = self.best.max(peak.value);
-        self.peaks.push(peak);
+        if !self.peaks.iter().any(|known| known.is_same(&peak)) {
+            self.peaks.push(peak);
+        }
     }
 }
 
@@ -178,10 +184,10 @@ impl<'a> PeakFinder<'a> {
                 let swept = self.swept(design, &measure.quantities, &speeds, shared, work)?;
                 let mut sweeps: Vec<(&Quantity, &Vec<C64>)> = measure.quantities.iter().zip(swept.iter()).collect();
                 if let Over::Margin(_) = measure.over {
-                    // the shafts that may be used most first: the others need fewer sums then
+                    // the shafts that may be used most, as some speeds tell, first: the others need fewer sums then
                     let most = |(quantity, sweep): &(&Quantity, &Vec<C64>)| {
                         let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin, Some(&shared.known));
-                        let sums = sweep.chunks(orders).map(bound).zip(&speeds.rpm);
+                        let sums = sweep.chunks(orders).zip(&speeds.rpm).step_by(EVERY).map(|(y, speed)| (bound(y), speed));
                         sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
                     };
                     sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));

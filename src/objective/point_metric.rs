@@ -3,7 +3,7 @@
 use super::measure::{Over, Within};
 use crate::crankshaft::{Known, Margin, Torque};
 use crate::numerics::C64;
-use crate::numerics::synthesis::{Extremes, Synthesiser};
+use crate::numerics::synthesis::{Extremes, Most, Precision, Synthesiser};
 use crate::response::Quantity;
 
 /// The value of a synthesis, with what it counts at each speed.
@@ -29,6 +29,13 @@ enum Kind<'a> {
         /// What is known of the design's own torques.
         known: Option<&'a Known>,
     },
+}
+
+/// A value, and what bounds the sum behind it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Above {
+    pub value: f64,
+    pub most: Most,
 }
 
 impl<'a> PointMetric<'a> {
@@ -58,25 +65,28 @@ impl<'a> PointMetric<'a> {
         value * self.weight(speed_rpm)
     }
 
-    /// The value of a sum where it may reach `wanted` if it is up to `rise` times as large, else one not above it.
-    pub(crate) fn value_above(&self, synthesiser: &Synthesiser, speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> f64 {
+    /// The value of a sum where it may reach `wanted` if it is up to `rise` times as large, else minus infinity; with what bounds the sum.
+    pub(crate) fn value_above(&self, synthesis: (&Synthesiser, Precision), speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> Above {
         let weight = self.weight(speed_rpm);
-        weight
-            * match self.kind {
-                Kind::HalfRange => synthesiser.half_peak_to_peak_above(y, wanted / (rise * weight)),
-                Kind::Used { margin, criterion, shaft, known } => {
-                    let can_matter = |half: f64, middle: f64| self.at_most(speed_rpm, half * rise, middle * rise) >= wanted;
-                    let extremes = match known {
-                        Some(known) => known.extremes_if((shaft, speed_rpm), synthesiser, y, can_matter),
-                        None => synthesiser.extremes_if(y, can_matter),
-                    };
-                    let used = extremes.and_then(|extremes| {
-                        let torque = Torque { extremes, phasors: y };
-                        margin.most_used_above(criterion, shaft, speed_rpm, &torque, (rise, wanted / weight), known)
-                    });
-                    used.map_or(f64::NEG_INFINITY, |u| u.value)
-                }
+        let can_matter = |most: Most| self.at_most(speed_rpm, most.half_peak_to_peak * rise, most.middle * rise) >= wanted;
+        let (synthesiser, precision) = synthesis;
+        match self.kind {
+            Kind::HalfRange => {
+                let found = synthesiser.extremes_if(y, precision, can_matter);
+                Above { value: found.0.map_or(f64::NEG_INFINITY, |e| e.half_peak_to_peak * weight), most: found.1 }
             }
+            Kind::Used { margin, criterion, shaft, known } => {
+                let (extremes, most) = match known {
+                    Some(known) => known.extremes_if((shaft, speed_rpm), synthesis, y, can_matter),
+                    None => synthesiser.extremes_if(y, precision, can_matter),
+                };
+                let used = extremes.and_then(|extremes| {
+                    let torque = Torque { extremes, phasors: y };
+                    margin.most_used_above(criterion, shaft, speed_rpm, &torque, (rise, wanted / weight), known)
+                });
+                Above { value: used.map_or(f64::NEG_INFINITY, |u| u.value * weight), most }
+            }
+        }
     }
 
     /// Whether the value asks for the whole sum, not only for its extremes.

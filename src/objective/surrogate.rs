@@ -7,6 +7,7 @@ use crate::absorber::{Host, Law, Mounted};
 use crate::crankshaft::Margin;
 use crate::drivetrain::natural;
 use crate::numerics::C64;
+use crate::numerics::interpolation::Interpolation;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
 use crate::response::receptance::Rows;
 use crate::response::{Quantity, Receptance, Response, Work};
@@ -87,9 +88,10 @@ const TOP_SHARE: f64 = 0.9;
 const OVERSTATED: f64 = 1.3;
 /// A neighbour whose extremes are higher by this share than those followed from the middle is on another branch.
 const OTHER_BRANCH: f64 = 1e-6;
-/// Weight of the difference between the parabolas of single and double spacing. A smooth peak errs by the fourth power of the spacing, so that a
-/// fifteenth is the error; what is not so smooth needs more.
-const SAFETY: f64 = 2.0;
+/// Weights of the difference between the parabola of single spacing and the quartic, and of that to the parabola of double spacing. A smooth peak errs by the fourth power of
+/// the spacing, so that a fifteenth of the second is the error, which the first is where the quartic is right; what is not so smooth needs more.
+const DOUBT: f64 = 2.0;
+const SAFETY: f64 = 0.5;
 /// Error of a value that is not interpolated: rounding.
 const ROUNDING: f64 = 1e-9;
 /// Beside the ends of the range there is no second parabola.
@@ -295,7 +297,7 @@ impl<'a> Surrogate<'a> {
     }
 
     /// The maximum of one branch of extremes near grid speed `i`: the parabola of 1/v² through the neighbours, exact for a single resonance. Its error
-    /// shows against the one through speeds twice as far.
+    /// shows against the quartic and the parabola through speeds twice as far.
     fn branch(&self, curve: &Curve, i: usize, known: &Extremes, row: &mut [C64]) -> Estimated {
         let last = self.speed_rpm.len() - 1;
         let mut at = |i: usize, from: &Extremes| -> (Extremes, f64) {
@@ -314,7 +316,15 @@ impl<'a> Surrogate<'a> {
             vertex(x, q).map_or(value, |q| 1.0 / q.sqrt())
         };
         let (near, far) = (through(i - 1, i + 1, [left.1, right.1]), through(i - 2, i + 2, [far_left.1, far_right.1]));
-        let error = SAFETY * (near - far).abs() / near + ROUNDING;
+        let quartic = {
+            let x = |j: usize| self.speed_rpm[j];
+            let mut through = Interpolation::new(x(i), 0.5 * (x(i + 1) - x(i - 1)));
+            let known = [(i, value), (i - 1, left.1), (i + 1, right.1), (i - 2, far_left.1), (i + 2, far_right.1)];
+            known.into_iter().for_each(|(j, v)| through.push(x(j), v.powi(-2)));
+            let lowest = through.lowest(x(i)).filter(|at| (x(i - 1)..=x(i + 1)).contains(at)).map(|at| through.value(at));
+            lowest.filter(|q| *q > 0.0).map_or(near, |q| 1.0 / q.sqrt())
+        };
+        let error = (DOUBT * (near - quartic).abs() + SAFETY * (near - far).abs()) / near + ROUNDING;
         // across a kink of the torque a parabola tells little: the peak is on the kink, or between the values and the parabola
         if self.kink[i] {
             return Estimated { value, error: error + (near / value - 1.0) };

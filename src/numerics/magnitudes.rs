@@ -1,0 +1,47 @@
+//! Sums of magnitudes, several terms at a time: the same on every processor.
+
+use super::C64;
+use multiversion::multiversion;
+
+const LANES: usize = 8;
+
+/// Sum of magnitudes.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+pub(crate) fn sum(y: &[C64]) -> f64 {
+    let (blocks, rest) = y.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for y in blocks {
+        for l in 0..LANES {
+            sums[l] += (y[l].re * y[l].re + y[l].im * y[l].im).sqrt();
+        }
+    }
+    rest.iter().fold(sums.iter().sum(), |sum, y| sum + (y.re * y.re + y.im * y.im).sqrt())
+}
+
+/// Sum of weighted magnitudes; as many weights as terms.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+pub(crate) fn weighted(y: &[C64], weights: &[f64]) -> f64 {
+    let ((blocks, rest), (weights, others)) = (y.as_chunks::<LANES>(), weights.as_chunks::<LANES>());
+    let mut sums = [0.0; LANES];
+    for (y, w) in blocks.iter().zip(weights) {
+        for l in 0..LANES {
+            sums[l] += w[l] * (y[l].re * y[l].re + y[l].im * y[l].im).sqrt();
+        }
+    }
+    rest.iter().zip(others).fold(sums.iter().sum(), |sum, (y, w)| sum + w * (y.re * y.re + y.im * y.im).sqrt())
+}
+
+/// Sum of the magnitudes of differences; as many terms in both.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+pub(crate) fn of_difference(a: &[C64], b: &[C64]) -> f64 {
+    let ((blocks, rest), (others, other_rest)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
+    let mut sums = [0.0; LANES];
+    for (a, b) in blocks.iter().zip(others) {
+        for l in 0..LANES {
+            let (re, im) = (a[l].re - b[l].re, a[l].im - b[l].im);
+            sums[l] += (re * re + im * im).sqrt();
+        }
+    }
+    let norm = |(a, b): (&C64, &C64)| ((a.re - b.re) * (a.re - b.re) + (a.im - b.im) * (a.im - b.im)).sqrt();
+    rest.iter().zip(other_rest).map(norm).fold(sums.iter().sum(), |sum, d| sum + d)
+}

@@ -1,0 +1,300 @@
+//! A branch of extremes over speed: one local maximum and one local minimum in the cycle, followed from speed to speed. Its value is smooth where the torque is, so that few
+//! direct solutions find its top.
+
+use super::local_maxima;
+use super::peak::Place;
+use super::peak_search::PeakFinder;
+use super::point_metric::PointMetric;
+use super::speeds::Speeds;
+use crate::absorber::Mounted;
+use crate::numerics::C64;
+use crate::numerics::interpolation::Interpolation;
+use crate::numerics::maximise::maximise;
+use crate::numerics::synthesis::Extremes;
+use crate::response::{Quantity, ResponseError, Work};
+
+/// From one direct solution to the next, shares of the distance between known speeds that end the search. The slope at a point is off by the product of its distances to the others: two near ones are
+/// needed before a step says how little is left.
+const LAST: [f64; 2] = [1e-7, 3e-6];
+/// Steps shorter than this share are rounding.
+const ROUNDING: f64 = 1e-8;
+/// Steps, at most.
+const MOST: usize = 8;
+/// A maximum closer to an end of the search than this share of its length is none.
+const EDGE: f64 = 1e-3;
+/// Known speeds that a branch is followed over, on one side.
+const FARTHEST: usize = 8;
+/// The slope of a parabola is off by no more than this share of what it differs from that of its chord.
+const DOUBT: f64 = 1.0;
+/// A pair higher than that of the branch by this share is another one.
+const ANOTHER: f64 = 1e-12;
+
+/// A branch at a speed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OnBranch {
+    pub speed_rpm: f64,
+    pub value: f64,
+    pub extremes: Extremes,
+}
+
+/// A peak: its speed and place, and the pairs of extremes there.
+pub(super) type Peaked = (f64, Place, Vec<Extremes>);
+
+/// Known speeds that a top is looked for between.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Beside {
+    Both,
+    Before,
+    After,
+}
+
+/// Where a branch goes from a speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Away {
+    /// It falls, or the range ends.
+    Falls,
+    Rises,
+    Unclear,
+}
+
+/// What branches are followed in.
+pub(super) struct Branches<'f, 'a> {
+    pub finder: &'f PeakFinder<'a>,
+    pub design: &'f [Mounted],
+    pub quantity: Quantity,
+    pub metric: PointMetric<'f>,
+    pub speeds: &'f Speeds,
+    /// Phasors at every known speed.
+    pub sweep: &'f [C64],
+}
+
+impl Branches<'_, '_> {
+    fn phasors(&self, i: usize) -> &[C64] {
+        let orders = self.finder.system.orders();
+        &self.sweep[i * orders..(i + 1) * orders]
+    }
+
+    fn of(&self, speed_rpm: f64, extremes: Extremes, y: &[C64]) -> OnBranch {
+        OnBranch { speed_rpm, value: self.metric.value(speed_rpm, &extremes, y), extremes }
+    }
+
+    /// The branch of `from` at a known speed.
+    fn known(&self, i: usize, from: &Extremes) -> OnBranch {
+        let y = self.phasors(i);
+        self.of(self.speeds.rpm[i], self.finder.synthesiser.branch(y, from), y)
+    }
+
+    /// The branch of `from` at any speed, and the phasors there.
+    pub fn at(&self, speed_rpm: f64, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<OnBranch, ResponseError> {
+        self.finder.direct.at(self.design, self.quantity, speed_rpm, y, work)?;
+        Ok(self.of(speed_rpm, self.finder.synthesiser.branch(y, from), y))
+    }
+
+    /// The peak of the largest branch beside a known speed: its speed and place, the pairs of extremes within a share there, and the phasors; nothing where branches are neither smooth nor held by
+    /// that speed, or another one is higher.
+    pub fn peak(&self, i: usize, share: f64, y: &mut [C64], work: &mut Work) -> Result<Option<Peaked>, ResponseError> {
+        work.syntheses += 1;
+        let from = self.finder.synthesiser.extremes(self.phasors(i));
+        // what is known to a millionth may have led to a neighbour
+        let Some((i, near)) = self.climbed(i, &from) else { return Ok(None) };
+        let Some((top, place)) = self.local(i, &near.extremes, y, work)? else { return Ok(None) };
+        work.syntheses += 1;
+        let pairs = self.finder.synthesiser.pairs(y, share);
+        let is_own = self.metric.value(top.speed_rpm, &pairs[0], y) <= top.value * (1.0 + ANOTHER);
+        Ok(is_own.then_some((top.speed_rpm, place, pairs)))
+    }
+
+    /// Value of the largest branch at a known speed.
+    pub fn largest(&self, i: usize, work: &mut Work) -> f64 {
+        work.syntheses += 1;
+        let y = self.phasors(i);
+        self.metric.value(self.speeds.rpm[i], &self.finder.synthesiser.extremes(y), y)
+    }
+
+    /// The top of the branch of `from` beside a known speed that is higher than its neighbours.
+    fn local(&self, i: usize, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<Option<(OnBranch, Place)>, ResponseError> {
+        if self.speeds.is_narrow(i) {
+            return Ok(None);
+        }
+        let is_end = i == 0 || i + 1 == self.speeds.rpm.len();
+        let beside = if is_end || self.speeds.kink[i] {
+            match [usize::MAX, 1].map(|side| self.away(i, side, from)) {
+                [Away::Falls, Away::Falls] => {
+                    let top = self.at(self.speeds.rpm[i], from, y, work)?;
+                    return Ok(Some((top, if is_end { Place::End } else { Place::Interior })));
+                }
+                [Away::Falls, Away::Rises] => Beside::After,
+                [Away::Rises, Away::Falls] => Beside::Before,
+                _ => return Ok(None),
+            }
+        } else {
+            Beside::Both
+        };
+        Ok(self.top((i, from), beside, y, work)?.map(|top| (top, Place::Interior)))
+    }
+
+    /// Where another branch than that of the peak `(speed, place)` beside a known speed has its own; nothing where it has none there that may reach `wanted`.
+    pub fn other(
+        &self,
+        i: usize,
+        start: &Extremes,
+        ((speed_rpm, place), wanted): ((f64, Place), f64),
+        y: &mut [C64],
+        work: &mut Work,
+    ) -> Result<Option<(f64, Place)>, ResponseError> {
+        if !self.speeds.is_narrow(i) {
+            let Some((near, top)) = self.climbed(i, start) else { return Ok(None) };
+            if !self.may_reach(near, &top, wanted) {
+                return Ok(None);
+            }
+            if let Some((top, place)) = self.local(near, &top.extremes, y, work)? {
+                return Ok(Some((top.speed_rpm, place)));
+            }
+        }
+        let top = self.searched_top(i, start, y, work)?;
+        // a branch may be held by the same end of the range
+        if place == Place::End && self.at(speed_rpm, start, y, work)?.value >= top.1 {
+            return Ok(Some((speed_rpm, Place::End)));
+        }
+        let (low, high) = self.reach(i);
+        let margin = EDGE * (high - low);
+        // what rises beyond the neighbours is no maximum here
+        Ok((low + margin..=high - margin).contains(&top.0).then_some((top.0, Place::Interior)))
+    }
+
+    /// Two known speeds to either side.
+    fn reach(&self, i: usize) -> (f64, f64) {
+        let rpm = &self.speeds.rpm;
+        (rpm[i.saturating_sub(2)], rpm[(i + 2).min(rpm.len() - 1)])
+    }
+
+    /// Speed and value of the largest value of a branch within two known speeds.
+    pub(super) fn searched_top(&self, i: usize, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        let (low, high) = self.reach(i);
+        let mut value = |speed: f64| self.at(speed, from, y, work).map(|p| p.value);
+        if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
+    }
+
+    /// Where the branch of `from` goes from a known speed, an end of the range or a kink of the torque, on one side of it: by the slope there of the parabola through it and two neighbours, where
+    /// that is larger than what it may be wrong by.
+    fn away(&self, i: usize, side: usize, from: &Extremes) -> Away {
+        let Speeds { rpm, kink, .. } = self.speeds;
+        let (next, after) = (i.wrapping_add(side), i.wrapping_add(side).wrapping_add(side));
+        if next >= rpm.len() {
+            return Away::Falls;
+        }
+        if after >= rpm.len() || kink[next] {
+            return Away::Unclear;
+        }
+        let here = self.known(i, from);
+        let there = self.known(next, &here.extremes);
+        let (chord, slope) = slopes(&[here, there, self.known(after, &there.extremes)]);
+        let doubt = DOUBT * (slope - chord).abs();
+        if slope > doubt {
+            Away::Falls
+        } else if slope < -doubt {
+            Away::Rises
+        } else {
+            Away::Unclear
+        }
+    }
+
+    /// The known speed, not far from `i`, at which the branch of `from` is higher than at its neighbours; nothing where it rises further.
+    fn climbed(&self, i: usize, from: &Extremes) -> Option<(usize, OnBranch)> {
+        let mut here = (i, self.known(i, from));
+        for side in [1, usize::MAX] {
+            while let Some(there) = self.beside(here.0, side, &here.1.extremes).filter(|there| there.value > here.1.value) {
+                here = (here.0.wrapping_add(side), there);
+                if here.0.abs_diff(i) > FARTHEST {
+                    return None;
+                }
+            }
+            if here.0 != i {
+                break;
+            }
+        }
+        Some(here)
+    }
+
+    /// The branch of `from` at the next known speed on a side, where there is one.
+    fn beside(&self, i: usize, side: usize, from: &Extremes) -> Option<OnBranch> {
+        let next = i.wrapping_add(side);
+        (next < self.speeds.rpm.len()).then(|| self.known(next, from))
+    }
+
+    /// Whether a branch that is highest at a known speed may reach `wanted` between its neighbours.
+    fn may_reach(&self, i: usize, top: &OnBranch, wanted: f64) -> bool {
+        let sides = [usize::MAX, 1].map(|side| self.beside(i, side, &top.extremes));
+        match sides {
+            [Some(left), Some(right)] if !self.speeds.kink[i] => {
+                local_maxima::may_reach([left, *top, right].map(|p| (p.speed_rpm, p.value)), wanted)
+            }
+            _ => true,
+        }
+    }
+
+    /// The top of the branch of `from` near a known speed, within `beside` (known speeds round it, or on one side), and the phasors there: the lowest place of the polynomial of 1/v² through all that
+    /// is known, a parabola for a single resonance, which every direct solution makes more exact; nothing where that does not settle.
+    fn top(
+        &self,
+        (i, from): (usize, &Extremes),
+        beside: Beside,
+        y: &mut [C64],
+        work: &mut Work,
+    ) -> Result<Option<OnBranch>, ResponseError> {
+        let (rpm, middle) = (&self.speeds.rpm, self.known(i, from));
+        let sides: &[usize] = match beside {
+            Beside::Both => &[1, usize::MAX],
+            Beside::After => &[1],
+            Beside::Before => &[usize::MAX],
+        };
+        let ends = [usize::MAX, 1].map(|side| if sides.contains(&side) { rpm[i.wrapping_add(side)] } else { rpm[i] });
+        let distance = (ends[1] - ends[0]) / sides.len() as f64;
+        let mut through = Interpolation::new(middle.speed_rpm, distance);
+        through.push(middle.speed_rpm, middle.value.powi(-2));
+        for side in sides {
+            let mut here = (i, middle);
+            for _ in 0..4 / sides.len() {
+                let next = here.0.wrapping_add(*side);
+                // no further than a kink
+                if next >= rpm.len() || (here.0 != i && self.speeds.kink[here.0]) {
+                    break;
+                }
+                let there = self.known(next, &here.1.extremes);
+                if here.0 == i && there.value > middle.value {
+                    return Ok(None);
+                }
+                through.push(there.speed_rpm, there.value.powi(-2));
+                here = (next, there);
+            }
+        }
+        let mut best = middle;
+        y.copy_from_slice(self.phasors(i));
+        let (mut other, mut last) = (y.to_vec(), f64::INFINITY);
+        for solution in 0..MOST {
+            let Some(speed) = through.lowest(best.speed_rpm).filter(|s| ends[0] < *s && *s < ends[1]) else { return Ok(None) };
+            if (speed - best.speed_rpm).abs() <= ROUNDING * distance {
+                return Ok(Some(best));
+            }
+            let there = self.at(speed, &best.extremes, &mut other, work)?;
+            work.syntheses += 1;
+            through.push(speed, there.value.powi(-2));
+            if there.value >= best.value {
+                y.copy_from_slice(&other);
+                best = there;
+            }
+            if (speed - last).abs() <= LAST[usize::from(solution > 1)] * distance {
+                return Ok(Some(best));
+            }
+            last = speed;
+        }
+        Ok(None)
+    }
+}
+
+/// Growth of 1/v² away from the first of three points on one side of it: along the chord to the next, and of the parabola through all.
+fn slopes(points: &[OnBranch; 3]) -> (f64, f64) {
+    let [(x0, q0), (x1, q1), (x2, q2)] = points.map(|p| ((p.speed_rpm - points[0].speed_rpm).abs(), p.value.powi(-2)));
+    let (s1, s2) = ((q1 - q0) / (x1 - x0), (q2 - q1) / (x2 - x1));
+    (s1, s1 - (s2 - s1) / (x2 - x0) * (x1 - x0))
+}

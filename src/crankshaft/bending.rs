@@ -6,6 +6,7 @@ use super::{Crank, CriticalLocation, Family, Place};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::Cycle;
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 /// What no absorber changes, in rows by speed.
@@ -104,10 +105,27 @@ impl Section {
 }
 
 fn stress(location: &CriticalLocation, own: &InPlane) -> Cycle {
-    let at = |j: usize| location.bending[0] * own.moment[j] + location.bending[1] * own.tangential[j] + location.radial * own.shear[j];
-    let wider = |m: (f64, f64), v: f64| (m.0.min(v), m.1.max(v));
-    let (low, high) = (0..own.moment.len()).map(at).fold((f64::INFINITY, f64::NEG_INFINITY), wider);
+    let (low, high) = range([&own.moment, &own.tangential, &own.shear], [location.bending[0], location.bending[1], location.radial]);
     Cycle { amplitude: 0.5 * (high - low), mean: 0.5 * (high + low) }
+}
+
+/// Smallest and largest value of a weighted sum of rows.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn range(rows: [&[f64]; 3], weights: [f64; 3]) -> (f64, f64) {
+    const LANES: usize = 16;
+    let sum = |x: f64, y: f64, z: f64| weights[0] * x + weights[1] * y + weights[2] * z;
+    let [x, y, z] = rows.map(|row| row.as_chunks::<LANES>());
+    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    for ((x, y), z) in x.0.iter().zip(y.0).zip(z.0) {
+        for l in 0..LANES {
+            let v = sum(x[l], y[l], z[l]);
+            low[l] = if v < low[l] { v } else { low[l] };
+            high[l] = if v > high[l] { v } else { high[l] };
+        }
+    }
+    let rest = x.1.iter().zip(y.1).zip(z.1).map(|((x, y), z)| sum(*x, *y, *z));
+    let wider = |m: (f64, f64), v: (f64, f64)| (if v.0 < m.0 { v.0 } else { m.0 }, if v.1 > m.1 { v.1 } else { m.1 });
+    low.into_iter().zip(high).chain(rest.map(|v| (v, v))).fold((f64::INFINITY, f64::NEG_INFINITY), wider)
 }
 
 /// Mean torque in every shaft. What the engine delivers leaves at the end of the chain with the flywheel, the heavier one: before that, a shaft carries the

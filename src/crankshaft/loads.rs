@@ -143,13 +143,8 @@ impl CrankLoads<'_> {
             add(moment.as_flattened_mut(), influence.moment[i], self.forces[*r].as_flattened());
             add(shear.as_flattened_mut(), influence.shear[i], self.forces[*r].as_flattened());
         }
-        let mut own = InPlane { moment: Vec::with_capacity(n), shear: Vec::with_capacity(n), tangential: Vec::with_capacity(n) };
-        for j in 0..n {
-            let [radial, tangential] = self.turned(moment[j], j, throw);
-            own.moment.push(radial);
-            own.tangential.push(tangential);
-            own.shear.push(self.turned(shear[j], j, throw)[0]);
-        }
+        let mut own = InPlane { moment: vec![0.0; n], shear: vec![0.0; n], tangential: vec![0.0; n] };
+        turn([&moment, &shear], &self.model.turns[throw], [&mut own.moment, &mut own.tangential, &mut own.shear]);
         own
     }
 
@@ -203,5 +198,16 @@ impl CrankLoads<'_> {
 fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
     for (s, v) in sum.iter_mut().zip(row) {
         *s += factor * v;
+    }
+}
+
+/// Moment along and across a throw, and shear force along it, from their parts in axes of the engine.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn turn([moment, shear]: [&[[f64; 2]]; 2], turns: &[(f64, f64)], [along, across, shear_along]: [&mut [f64]; 3]) {
+    let out = along.iter_mut().zip(across).zip(shear_along);
+    for (((((a, t), s), [mx, my]), [sx, sy]), (sine, cosine)) in out.zip(moment).zip(shear).zip(turns) {
+        *a = mx * cosine + my * sine;
+        *t = my * cosine - mx * sine;
+        *s = sx * cosine + sy * sine;
     }
 }

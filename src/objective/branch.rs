@@ -16,8 +16,10 @@ use crate::response::{Quantity, ResponseError, Work};
 /// From one direct solution to the next, shares of the distance between known speeds that end the search. The slope at a point is off by the product of its distances to the others: two near ones are
 /// needed before a step says how little is left.
 const LAST: [f64; 2] = [1e-7, 3e-6];
-/// Steps shorter than this share are rounding.
-const ROUNDING: f64 = 1e-8;
+/// The same where there were [`MOST`] of them.
+const ENOUGH: f64 = 1e-5;
+/// Values closer than this are level.
+const LEVEL: f64 = 1e-13;
 /// Steps, at most.
 const MOST: usize = 8;
 /// A maximum closer to an end of the search than this share of its length is none.
@@ -270,25 +272,26 @@ impl Branches<'_, '_> {
         }
         let mut best = middle;
         y.copy_from_slice(self.phasors(i));
-        let (mut other, mut last) = (y.to_vec(), f64::INFINITY);
+        let (mut other, mut last, mut step) = (y.to_vec(), middle.speed_rpm, f64::INFINITY);
         for solution in 0..MOST {
             let Some(speed) = through.lowest(best.speed_rpm).filter(|s| ends[0] < *s && *s < ends[1]) else { return Ok(None) };
-            if (speed - best.speed_rpm).abs() <= ROUNDING * distance {
-                return Ok(Some(best));
+            step = (speed - last).abs() / distance;
+            if speed == last {
+                break;
             }
             let there = self.at(speed, &best.extremes, &mut other, work)?;
             work.syntheses += 1;
             through.push(speed, there.value.powi(-2));
-            if there.value >= best.value {
+            if there.value >= best.value * (1.0 - LEVEL) {
                 y.copy_from_slice(&other);
                 best = there;
             }
-            if (speed - last).abs() <= LAST[usize::from(solution > 1)] * distance {
-                return Ok(Some(best));
-            }
             last = speed;
+            if step <= LAST[usize::from(solution > 1)] {
+                break;
+            }
         }
-        Ok(None)
+        Ok((step <= ENOUGH).then_some(best))
     }
 }
 

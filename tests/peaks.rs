@@ -12,6 +12,7 @@ use hartog::objective::{Measure, Over, PeakFinder, Place};
 use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
+use std::f64::consts::TAU;
 
 fn measure(quantity: Quantity, over: Over) -> Measure {
     Measure::new(vec![quantity], over)
@@ -50,6 +51,34 @@ fn refined_peaks_equal_a_fine_sweep() {
                     assert!(peak.value >= expected * (1.0 - 1e-12), "{name}: the peak is no lower than any speed");
                     assert_close(peak.value, expected, 1e-5, 0.0, name);
                 }
+            }
+        });
+    }
+}
+
+/// Between two speeds another pair of extremes in the cycle may rise above those that are largest at both: of random rings, lightly and heavily damped, no refined peak is below a sweep every
+/// 2 rpm by direct solutions.
+#[test]
+fn no_branch_rises_unseen_between_speeds() {
+    for name in ["mendes_mwm6", "villalva_v10_thesis"] {
+        let s = study(name);
+        with_finder(&s, true, |finder| {
+            let (low, high) = (s.speeds_rpm[0], s.speeds_rpm[s.speeds_rpm.len() - 1]);
+            let fine: Vec<f64> = (0..=((high - low) / 2.0) as usize).map(|i| low + i as f64 * 2.0).collect();
+            let grid = Grid::new(&fine, &[]);
+            let direct = Direct::new(finder.system, &grid);
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(3);
+            for i in 0..60 {
+                let ring = 10f64.powf(random.random_range(-2.5..0.0));
+                let stiffness = ring * (TAU * random.random_range(60.0..500.0)).powi(2);
+                let damping = 2.0 * (stiffness * ring).sqrt() * 10f64.powf(random.random_range(-1.5..0.3));
+                let design = [on(0, Kind::Tuned, ring, stiffness, damping)];
+                let mut sweep = Vec::new();
+                direct.sweep(&design, s.twist, &mut sweep, &mut Work::default()).expect("damped");
+                let largest = finder.synthesis(&sweep).into_iter().fold(0.0, f64::max);
+                let peak =
+                    finder.peak(&design, &measure(s.twist, Over::Synthesis), &mut Work::default()).expect("damped").expect("excited");
+                assert!(peak.value >= largest * (1.0 - 1e-9), "{name}, design {i}: {} below {largest}", peak.value);
             }
         });
     }

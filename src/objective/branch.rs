@@ -87,7 +87,7 @@ impl Branches<'_, '_> {
     }
 
     /// The branch of `from` at any speed, and the phasors there.
-    pub fn at(&self, speed_rpm: f64, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<OnBranch, ResponseError> {
+    fn at(&self, speed_rpm: f64, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<OnBranch, ResponseError> {
         self.finder.direct.at(self.design, self.quantity, speed_rpm, y, work)?;
         Ok(self.of(speed_rpm, self.finder.synthesiser.branch(y, from), y))
     }
@@ -135,7 +135,7 @@ impl Branches<'_, '_> {
         Ok(self.top((i, from), beside, y, work)?.map(|top| (top, Place::Interior)))
     }
 
-    /// Where another branch than that of the peak `(speed, place)` beside a known speed has its own; nothing where it has none there that may reach `wanted`.
+    /// The peak of another branch than that of the one at `(speed, place)` beside a known speed, and the phasors there; nothing where it has none there that may reach `wanted`.
     pub fn other(
         &self,
         i: usize,
@@ -143,25 +143,31 @@ impl Branches<'_, '_> {
         ((speed_rpm, place), wanted): ((f64, Place), f64),
         y: &mut [C64],
         work: &mut Work,
-    ) -> Result<Option<(f64, Place)>, ResponseError> {
+    ) -> Result<Option<(OnBranch, Place)>, ResponseError> {
         if !self.speeds.is_narrow(i) {
             let Some((near, top)) = self.climbed(i, start) else { return Ok(None) };
             if !self.may_reach(near, &top, wanted) {
                 return Ok(None);
             }
-            if let Some((top, place)) = self.local(near, &top.extremes, y, work)? {
-                return Ok(Some((top.speed_rpm, place)));
+            if let Some(peak) = self.local(near, &top.extremes, y, work)? {
+                return Ok(Some(peak));
             }
         }
         let top = self.searched_top(i, start, y, work)?;
         // a branch may be held by the same end of the range
-        if place == Place::End && self.at(speed_rpm, start, y, work)?.value >= top.1 {
-            return Ok(Some((speed_rpm, Place::End)));
+        if place == Place::End {
+            let end = self.at(speed_rpm, start, y, work)?;
+            if end.value >= top.1 {
+                return Ok(Some((end, Place::End)));
+            }
         }
         let (low, high) = self.reach(i);
         let margin = EDGE * (high - low);
         // what rises beyond the neighbours is no maximum here
-        Ok((low + margin..=high - margin).contains(&top.0).then_some((top.0, Place::Interior)))
+        if !(low + margin..=high - margin).contains(&top.0) {
+            return Ok(None);
+        }
+        Ok(Some((self.at(top.0, start, y, work)?, Place::Interior)))
     }
 
     /// Two known speeds to either side.

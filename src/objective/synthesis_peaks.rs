@@ -122,10 +122,10 @@ impl PeakFinder<'_> {
             found.put(peak(pairs.next().unwrap_or_default(), speed_rpm, place, &y));
             // Other pairs of extremes in the cycle may peak nearby, as high or nearly so: each is a smooth function of its own.
             for start in pairs {
-                let Some((at, place)) = branches.other(candidate.index, &start, ((speed_rpm, place), wanted), &mut y, work)? else {
+                let Some((top, place)) = branches.other(candidate.index, &start, ((speed_rpm, place), wanted), &mut y, work)? else {
                     continue;
                 };
-                let OnBranch { value, extremes, .. } = branches.at(at, &start, &mut y, work)?;
+                let OnBranch { speed_rpm: at, value, extremes } = top;
                 // a smaller range round a higher mean may use more than the whole cycle does: it is no row of its own
                 if value <= metric.value(at, &self.synthesiser.extremes(&y), &y) * (1.0 + LEVEL) {
                     found.put(peak(extremes, at, place, &y));

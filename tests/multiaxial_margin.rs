@@ -11,7 +11,7 @@ use hartog::numerics::C64;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::objective::Condition;
 use hartog::optimise::{LoadCase, Problem, Slot, Space, Variable};
-use hartog::response::Work;
+use hartog::response::{Direct, Grid, Quantity, Response, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::f64::consts::TAU;
@@ -103,6 +103,40 @@ fn bounds_of_unit_loads_hold() {
         for m in &d.margins {
             let least = sweep.smallest(m.criterion).into_iter().fold(f64::INFINITY, f64::min);
             assert!(m.margin <= least * (1.0 + 1e-12), "{}, criterion {}: {} {least}", d.name, m.criterion, m.margin);
+        }
+    }
+}
+
+/// Law: bounds leave out nothing. At every speed each fillet's row is the largest share of its locations, all of them searched; and the smallest margin, found by bounds of ranges and of paths at
+/// neighbouring speeds, is below every row, but no further than a peak between rows 10 rpm apart rises.
+#[test]
+fn bounds_of_nominal_states_hold() {
+    let study = short("villalva_i6");
+    let results = run(&study, &Silent).expect("finite");
+    let system = system(&study);
+    let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
+    let model = margins::model(&study, &system.excitation.harmonics, &grid).expect("[fatigue]");
+    let synthesiser = Synthesiser::new(&system.excitation.harmonics);
+    let shafts: Vec<Quantity> = (0..system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
+    let orders = system.orders();
+    for (d, rows) in results.designs.iter().zip(&results.margins) {
+        let sweeps = Direct::new(&system, &grid).sweep_each(&d.absorbers, &shafts, &mut Work::default()).expect("finite");
+        for (i, speed) in grid.speed_rpm.iter().enumerate().step_by(7) {
+            for fillet in rows.fillets.iter().filter(|f| matches!(model.criteria[f.criterion], MarginCriterion::Multiaxial(_))) {
+                let own = |l: &usize| model.judges(fillet.criterion, *l) && model.locations[*l].name == fillet.name;
+                let share = |l: usize| {
+                    let phasors = &sweeps[model.locations[l].shaft][i * orders..(i + 1) * orders];
+                    let torque = Torque { extremes: synthesiser.extremes(phasors), phasors };
+                    model.used(fillet.criterion, l, *speed, &torque).value
+                };
+                let most = (0..model.locations.len()).filter(own).map(share).fold(0.0, f64::max);
+                assert_close(fillet.used[i].value, most, 1e-12, 0.0, &format!("{} {} at {speed} rpm", d.name, fillet.name));
+            }
+        }
+        for m in &d.margins {
+            let least = rows.smallest(m.criterion).into_iter().fold(f64::INFINITY, f64::min);
+            let what = format!("{}, {}: {} {least}", d.name, model.criteria[m.criterion].name(), m.margin);
+            assert!((0.99 * least..=least * (1.0 + 1e-12)).contains(&m.margin), "{what}");
         }
     }
 }

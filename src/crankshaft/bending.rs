@@ -1,7 +1,6 @@
 //! Local bending stress of every location over the working cycle, at every speed of a sweep.
 
-use super::loads::{CrankLoads, CrankModel, InPlane};
-use super::stress_histories::Section as History;
+use super::loads::{CrankLoads, CrankModel, InPlane, Section as History};
 use super::{Crank, CriticalLocation, Family, Place};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;

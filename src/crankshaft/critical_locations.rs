@@ -35,6 +35,13 @@ pub struct CriticalLocation {
     pub(super) allowable: Option<f64>,
 }
 
+impl CriticalLocation {
+    /// Index of its web: front and rear of each throw.
+    pub(super) fn web(&self) -> usize {
+        2 * self.throw + usize::from(self.rear)
+    }
+}
+
 /// Stations of the throws, by throw; nothing unless they follow each other along the chain, one way or the other.
 pub(crate) fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
     let of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));

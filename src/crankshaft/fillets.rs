@@ -1,7 +1,6 @@
 //! The worst of the locations of every fillet (its webs, and the shafts on both sides of a crankpin) at a speed.
 
 use super::{Margin, Torque, Used};
-use std::rc::Rc;
 
 /// A fillet by one criterion.
 #[derive(Debug, Clone)]
@@ -33,7 +32,7 @@ impl Margin {
     /// uses.
     pub(crate) fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Vec<Used> {
         let mut whole: Vec<Option<Vec<f64>>> = vec![None; torques.len()];
-        let mut shares: Vec<Option<Rc<[f64]>>> = vec![None; self.locations.len()];
+        let mut shares: Vec<Option<Vec<f64>>> = vec![None; self.locations.len()];
         let larger = |most: Option<Used>, used: Used| match most {
             Some(most) if (most.value, used.location) >= (used.value, most.location) => Some(most),
             _ => Some(used),

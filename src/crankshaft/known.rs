@@ -1,9 +1,11 @@
 //! What evaluations of one design share: the extremes of a shaft's torque at a speed are the same for every criterion, and so is the path of a fillet.
 
+use super::speed_table::At;
+use crate::fatigue::multiaxial::bound::Within;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Most, Precision, Synthesiser};
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// Known torques and shares of one design. Another design needs another.
@@ -11,12 +13,22 @@ use std::rc::Rc;
 pub struct Known {
     /// By shaft and speed.
     torques: RefCell<HashMap<(usize, u64), KnownTorque>>,
-    /// By location and speed: share of the strength by each multiaxial criterion.
-    shares: RefCell<HashMap<(usize, u64), Shares>>,
+    /// By location and speed (the bits of a positive number grow with it).
+    paths: RefCell<HashMap<usize, BTreeMap<u64, Rc<KnownPath>>>>,
 }
 
-/// By criterion.
-type Shares = Rc<[f64]>;
+/// What is known of the path of a location at a speed.
+#[derive(Debug)]
+pub(super) struct KnownPath {
+    /// Share of the strength by each multiaxial criterion, zero by the others.
+    pub shares: Vec<f64>,
+    /// Of a nominal state: what it does not exceed.
+    pub within: Option<Within>,
+    /// Its speed.
+    pub at: At,
+    /// Orders of the torque that it bears.
+    pub torque: Rc<[C64]>,
+}
 
 /// What is known of a torque.
 #[derive(Debug, Clone, Copy)]
@@ -48,13 +60,21 @@ impl Known {
         found
     }
 
-    /// Shares of a location at a speed, rpm: `find` where they are not known yet.
-    pub(super) fn shares(&self, location: usize, speed_rpm: f64, find: impl FnOnce() -> Shares) -> Shares {
-        let known = self.shares.borrow().get(&(location, speed_rpm.to_bits())).cloned();
-        known.unwrap_or_else(|| {
-            let found = find();
-            self.shares.borrow_mut().insert((location, speed_rpm.to_bits()), found.clone());
-            found
-        })
+    /// The path of a location at a speed, rpm, where it is known.
+    pub(super) fn path(&self, location: usize, speed_rpm: f64) -> Option<Rc<KnownPath>> {
+        self.paths.borrow().get(&location)?.get(&speed_rpm.to_bits()).cloned()
+    }
+
+    /// Its known paths at the next speeds below and above, rpm.
+    pub(super) fn beside(&self, location: usize, speed_rpm: f64) -> [Option<Rc<KnownPath>>; 2] {
+        let paths = self.paths.borrow();
+        let Some(own) = paths.get(&location) else { return [None, None] };
+        let bits = speed_rpm.to_bits();
+        [own.range(..bits).next_back(), own.range(bits + 1..).next()].map(|found| found.map(|(_, path)| path.clone()))
+    }
+
+    /// Keeps a path.
+    pub(super) fn keep(&self, location: usize, speed_rpm: f64, path: &Rc<KnownPath>) {
+        self.paths.borrow_mut().entry(location).or_default().insert(speed_rpm.to_bits(), path.clone());
     }
 }

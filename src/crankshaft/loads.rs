@@ -11,6 +11,9 @@ use multiversion::multiversion;
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
 pub(crate) const STRIDE: usize = 2;
 
+/// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
+pub(crate) type Section = [Vec<f64>; 3];
+
 /// What does not depend on speed.
 #[derive(Debug, Clone)]
 pub struct CrankModel<'a> {

@@ -9,7 +9,6 @@ use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
 use crate::numerics::synthesis::Extremes;
 use crate::numerics::{C64, nearest};
-use std::rc::Rc;
 
 /// The vibratory torque of a shaft at a speed, N m.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +53,7 @@ pub struct Margin {
     /// Those of them that another one does not surpass, whatever the torque: by the row below a speed and the shaft.
     leading: Vec<Vec<[Vec<usize>; 4]>>,
     /// For multiaxial criteria.
-    histories: Option<Histories>,
+    pub(super) histories: Option<Histories>,
 }
 
 impl Margin {
@@ -112,7 +111,7 @@ impl Margin {
         self.mean_torque[at.low].iter().zip(&self.mean_torque[at.high]).map(|(a, b)| at.between(*a, *b)).collect()
     }
 
-    fn place(&self, speed_rpm: f64) -> At {
+    pub(super) fn place(&self, speed_rpm: f64) -> At {
         if self.speeds.len() == 1 {
             return At { low: 0, high: 0, fraction: 0.0 };
         }
@@ -127,38 +126,10 @@ impl Margin {
         match self.multiaxial(criterion) {
             Some((_, histories)) => {
                 let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-                self.used_as(criterion, location, &self.shares(histories, location, at, &whole))
+                self.used_as(criterion, location, &self.judged(histories, location, at, &whole).0)
             }
             None => self.used_at(criterion, location, at, &torque.extremes),
         }
-    }
-
-    /// At least the share that a location uses by a multiaxial criterion.
-    pub(super) fn bound_of(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> f64 {
-        let at = self.place(speed_rpm);
-        let Some((word, histories)) = self.multiaxial(criterion) else { return f64::INFINITY };
-        let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
-        let s = &self.locations[location];
-        let largest = self.mean_at(at, s.shaft).abs() + middle.abs() + half_peak_to_peak;
-        histories.at_most(word, (location, s), at, half_peak_to_peak, largest) * (1.0 + ROUNDING)
-    }
-
-    /// The torque of a shaft at every sample, N m; of multiaxial criteria only.
-    pub(super) fn whole_torque(&self, shaft: usize, speed_rpm: f64, torque: &Torque) -> Vec<f64> {
-        let mean = self.mean_at(self.place(speed_rpm), shaft);
-        self.histories.as_ref().map_or_else(Vec::new, |h| h.torque(torque.phasors, mean))
-    }
-
-    /// Share of the strength that a location uses by each multiaxial criterion, under a torque at every sample; zero by the others.
-    pub(super) fn shares_of(&self, location: usize, speed_rpm: f64, torque: &[f64]) -> Rc<[f64]> {
-        let none = || self.criteria.iter().map(|_| 0.0).collect();
-        self.histories.as_ref().map_or_else(none, |h| self.shares(h, location, self.place(speed_rpm), torque))
-    }
-
-    /// A location by a multiaxial criterion, of the shares that it uses.
-    pub(super) fn used_as(&self, criterion: usize, location: usize, shares: &[f64]) -> Used {
-        let amplitude = self.histories.as_ref().map_or(0.0, |h| h.equivalent(shares[criterion]));
-        Used { location, value: shares[criterion], slopes: (0.0, 0.0), cycle: Cycle { amplitude, mean: 0.0 } }
     }
 
     /// The same by the whole history, without its corners; nothing by a criterion that asks for no history.
@@ -169,23 +140,14 @@ impl Margin {
         histories.used(&[by], &histories.whole(&self.locations[location], at, &whole)).pop()
     }
 
-    /// Share of the strength that a location uses by each criterion that asks for its path; zero by the others.
-    fn shares(&self, histories: &Histories, location: usize, at: At, torque: &[f64]) -> Rc<[f64]> {
-        let path = histories.path(&self.locations[location], at, torque);
-        let multiaxial = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
-        let asked: Vec<multiaxial::Criterion> = self.criteria.iter().filter_map(multiaxial).collect();
-        let mut used = histories.used(&asked, &path).into_iter();
-        self.criteria.iter().map(|c| multiaxial(c).and_then(|_| used.next()).unwrap_or(0.0)).collect()
-    }
-
-    fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
+    pub(super) fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
         match (self.criteria[criterion], &self.histories) {
             (MarginCriterion::Multiaxial(c), Some(histories)) => Some((c, histories)),
             _ => None,
         }
     }
 
-    fn mean_at(&self, at: At, shaft: usize) -> f64 {
+    pub(super) fn mean_at(&self, at: At, shaft: usize) -> f64 {
         at.between(self.mean_torque[at.low][shaft], self.mean_torque[at.high][shaft])
     }
 
@@ -228,38 +190,11 @@ impl Margin {
         known: Option<&Known>,
     ) -> Option<Used> {
         let at = self.place(speed_rpm);
-        let larger = |m: Used, u: Used| if u.value > m.value { u } else { m };
-        let Some((word, histories)) = self.multiaxial(criterion) else {
-            return self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque.extremes)).reduce(larger);
-        };
-        let mean = self.mean_at(at, shaft);
-        let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
-        let bound = |i: usize, rise: f64| {
-            let largest = mean.abs() + rise * (middle.abs() + half_peak_to_peak);
-            histories.at_most(word, (i, &self.locations[i]), at, rise * half_peak_to_peak, largest) * (1.0 + ROUNDING)
-        };
-        // those that may be used most first: the others need no history then
-        let able = self.spots_of(criterion, shaft).filter(|i| bound(*i, rise) >= wanted);
-        let mut locations: Vec<(f64, usize)> = able.map(|i| (bound(i, 1.0), i)).collect();
-        locations.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let mut whole: Option<Vec<f64>> = None;
-        let mut most: Option<Used> = None;
-        for (bound, location) in locations {
-            if most.is_some_and(|m| bound < m.value) {
-                break;
-            }
-            let mut find = || {
-                let whole = whole.get_or_insert_with(|| histories.torque(torque.phasors, mean));
-                self.shares(histories, location, at, whole)
-            };
-            let shares = match known {
-                Some(known) => known.shares(location, speed_rpm, find),
-                None => find(),
-            };
-            let used = self.used_as(criterion, location, &shares);
-            most = Some(most.map_or(used, |m| larger(m, used)));
+        if self.is_multiaxial(criterion) {
+            return self.most_used_path(criterion, (shaft, speed_rpm), torque, (rise, wanted), known);
         }
-        most
+        let larger = |m: Used, u: Used| if u.value > m.value { u } else { m };
+        self.spots_of(criterion, shaft).map(|i| self.used_at(criterion, i, at, &torque.extremes)).reduce(larger)
     }
 
     /// At least as much as the shaft can be used where the torque has no more than this half peak-to-peak value, and its middle no larger size.
@@ -267,7 +202,8 @@ impl Margin {
         let at = self.place(speed_rpm);
         if let Some((word, histories)) = self.multiaxial(criterion) {
             let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
-            let bound = |i: usize| histories.at_most(word, (i, &self.locations[i]), at, half_peak_to_peak, largest);
+            let bound =
+                |i: usize| histories.at_most(word, &histories.bounds.by_ranges((i, &self.locations[i]), at, half_peak_to_peak, largest));
             return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
         // the size of the mean counts: with the sign of the mean torque it is the largest
@@ -330,7 +266,7 @@ fn leading(locations: &[CriticalLocation], of_shaft: &[[Vec<usize>; 4]], bending
 }
 
 /// Bounds are as right as this: samples of a torque may exceed its extremes by rounding, and the mean shear is a quadrature.
-const ROUNDING: f64 = 1e-3;
+pub(super) const ROUNDING: f64 = 1e-3;
 
 /// Equivalent stress and its derivative by the shear stress.
 fn mises(bending: f64, torsion: f64) -> (f64, f64) {

@@ -10,6 +10,8 @@ pub(crate) mod fillets;
 mod known;
 pub mod loads;
 pub mod margin;
+mod path_bounds;
+mod paths;
 pub mod section;
 pub mod singularity;
 pub mod speed_table;

@@ -5,32 +5,16 @@
 //! with stresses per unit load from elsewhere has any tensor, and keeps all samples.
 
 use super::CriticalLocation;
+use super::loads::Section;
+use super::path_bounds::PathBounds;
 use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
-use crate::fatigue::multiaxial::history::deviator_of;
-use crate::fatigue::multiaxial::invariants::Invariants;
-use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate, papadopoulos};
+use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate};
 use crate::numerics::C64;
-use crate::numerics::elementary::Elementary;
 use crate::numerics::periodic_sums::PeriodicSums;
-use rayon::prelude::*;
 
 /// Samples that ranges are taken of together.
 const BLOCK: usize = 16;
-
-/// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
-pub(crate) type Section = [Vec<f64>; 3];
-
-/// What a location bears by bending alone at a speed.
-#[derive(Debug, Clone, Copy, Default)]
-struct Bent {
-    sqrt_j2_amplitude: f64,
-    /// Of stresses per unit load only: those of a nominal state follow from the amplitude.
-    mean_shear: f64,
-    low: f64,
-    high: f64,
-    normal: f64,
-}
 
 /// What a location bears over the cycle.
 pub(crate) enum Path {
@@ -48,34 +32,16 @@ pub(crate) struct Histories {
     sums: PeriodicSums,
     /// By speed and section (front and rear web of each throw).
     sections: Vec<Vec<Section>>,
-    /// By speed and location.
-    bent: Vec<Vec<Bent>>,
-    /// By location.
-    twisted: Vec<Twisted>,
-}
-
-/// What a location bears by a torque of 1 N m.
-#[derive(Debug, Clone, Copy)]
-struct Twisted {
-    sqrt_j2: f64,
-    hydrostatic: f64,
-    normal: f64,
+    /// What no path exceeds.
+    pub(super) bounds: PathBounds,
 }
 
 impl Histories {
     /// From the loads of the sections at each speed. `harmonics`: of the torque, in the cycle.
     pub fn new(limits: Limits, harmonics: &[u32], locations: &[CriticalLocation], sections: Vec<Vec<Section>>) -> Self {
         let samples = sections.first().and_then(|s| s.first()).map_or(0, |s| s[0].len());
-        let bent =
-            sections.par_iter().map(|row| locations.iter().map(|location| bent(location, &row[section_of(location)])).collect()).collect();
-        Self {
-            limits,
-            samples,
-            sums: PeriodicSums::new(harmonics, samples),
-            sections,
-            bent,
-            twisted: locations.iter().map(twisted).collect(),
-        }
+        let bounds = PathBounds::new(locations, &sections);
+        Self { limits, samples, sums: PeriodicSums::new(harmonics, samples), sections, bounds }
     }
 
     /// The torque at every sample, N m.
@@ -87,7 +53,7 @@ impl Histories {
 
     /// What a location bears over the cycle under a torque.
     pub fn path(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> Path {
-        let section = section_of(location);
+        let section = location.web();
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         if let Some(units) = &location.unit_loads {
             let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
@@ -113,7 +79,7 @@ impl Histories {
 
     /// Normal and shear stress of a nominal state at every sample.
     fn plane(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let section = section_of(location);
+        let section = location.web();
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         let mut bending = vec![0.0; self.samples];
         // a row each: a sum of four products
@@ -164,71 +130,13 @@ impl Histories {
         Ok(verdicts.into_iter().map(|v| self.limits.torsion / v.safety_factor).collect())
     }
 
+    /// At least the share that a path within some ranges uses.
+    pub fn at_most(&self, criterion: Criterion, within: &Within) -> f64 {
+        criterion.at_most(within, &self.limits).unwrap_or(f64::INFINITY)
+    }
+
     /// The equivalent shear stress of a share, Pa.
     pub fn equivalent(&self, used: f64) -> f64 {
         used * self.limits.torsion
     }
-
-    /// At least the share that a location uses under a torque of this half peak-to-peak value, and of no larger size than `largest`.
-    pub fn at_most(&self, criterion: Criterion, location: (usize, &CriticalLocation), at: At, half_peak_to_peak: f64, largest: f64) -> f64 {
-        let (low, high) = (&self.bent[at.low][location.0], &self.bent[at.high][location.0]);
-        let per_torque = &self.twisted[location.0];
-        let (twisted, hydrostatic) = (per_torque.sqrt_j2 * half_peak_to_peak, per_torque.hydrostatic * largest);
-        let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
-        let within = Within {
-            // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
-            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypotenuse(twisted) } else { bent + twisted },
-            mean_shear: match &location.1.unit_loads {
-                None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
-                // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
-                Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
-            },
-            hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
-            normal: at.between(low.normal, high.normal) + per_torque.normal * largest,
-        };
-        criterion.at_most(&within, &self.limits).unwrap_or(f64::INFINITY)
-    }
-}
-
-/// Index of the web.
-fn section_of(location: &CriticalLocation) -> usize {
-    2 * location.throw + usize::from(location.rear)
-}
-
-fn twisted(location: &CriticalLocation) -> Twisted {
-    let stress = location.unit_loads.map_or([0.0, 0.0, 0.0, location.torsion, 0.0, 0.0], |u| u.torque);
-    Twisted {
-        sqrt_j2: deviator_of(&stress).iter().map(|d| d * d).sum::<f64>().sqrt(),
-        hydrostatic: ((stress[0] + stress[1] + stress[2]) / 3.0).abs(),
-        normal: size(&stress),
-    }
-}
-
-fn bent(location: &CriticalLocation, section: &Section) -> Bent {
-    let history = match &location.unit_loads {
-        Some(u) => {
-            let tensor = |j: usize| -> [f64; 6] {
-                std::array::from_fn(|c| u.moment[c] * section[0][j] + u.tangential[c] * section[1][j] + u.shear[c] * section[2][j])
-            };
-            History::new((0..section[0].len()).map(tensor))
-        }
-        None => {
-            let path = section[0].iter().zip(&section[2]).map(|(m, v)| location.bending[0] * m + location.radial * v);
-            let (low, high) = path.fold((f64::INFINITY, f64::NEG_INFINITY), |m, b| (m.0.min(b), m.1.max(b)));
-            History::plane_state(vec![low, high], vec![0.0; 2])
-        }
-    };
-    let i = Invariants::of(&history);
-    Bent {
-        sqrt_j2_amplitude: i.sqrt_j2_amplitude,
-        mean_shear: if location.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
-        low: i.hydrostatic_mean - i.hydrostatic_amplitude,
-        high: i.hydrostatic_max(),
-        normal: (0..history.len()).map(|j| size(&history.tensor(j))).fold(0.0, f64::max),
-    }
-}
-
-/// Frobenius norm of a tensor: no normal stress is larger.
-fn size(t: &[f64; 6]) -> f64 {
-    (t[..3].iter().map(|s| s * s).sum::<f64>() + 2.0 * t[3..].iter().map(|s| s * s).sum::<f64>()).sqrt()
 }

@@ -15,6 +15,19 @@ pub struct Within {
     pub normal: f64,
 }
 
+impl Within {
+    /// What is within both.
+    #[must_use]
+    pub(crate) fn and(self, other: &Self) -> Self {
+        Self {
+            sqrt_j2_amplitude: self.sqrt_j2_amplitude.min(other.sqrt_j2_amplitude),
+            mean_shear: self.mean_shear.min(other.mean_shear),
+            hydrostatic: (self.hydrostatic.0.max(other.hydrostatic.0), self.hydrostatic.1.min(other.hydrostatic.1)),
+            normal: self.normal.min(other.normal),
+        }
+    }
+}
+
 impl Criterion {
     /// At least the share of the strength (the inverse of the safety factor) that a history within these ranges uses; not negative.
     ///

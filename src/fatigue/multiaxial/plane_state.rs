@@ -4,6 +4,7 @@
 //! the resolved shear of a plane and direction is w0 s + w3 t: its range is a width of the path. Circles, widths and the largest of convex functions are decided by the
 //! corners of the convex hull.
 
+use super::bound::Within;
 use super::criterion::Path;
 use super::largest_shear::{LargestShear, largest_shear};
 use super::papadopoulos;
@@ -20,6 +21,8 @@ pub struct PlaneState {
     pub shear: Vec<f64>,
     /// Found once.
     pub(super) largest_shear: OnceCell<LargestShear>,
+    circle: OnceCell<Circle>,
+    mean_shear: OnceCell<f64>,
 }
 
 /// The smallest circle round the deviator's path.
@@ -36,7 +39,18 @@ impl PlaneState {
     pub fn of(normal: &[f64], shear: &[f64]) -> Self {
         let corners = hull(normal, shear);
         let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
-        Self { normal: at(normal), shear: at(shear), largest_shear: OnceCell::new() }
+        Self { normal: at(normal), shear: at(shear), ..Self::default() }
+    }
+
+    /// What this path exceeds nowhere: of what nothing has asked for yet, nothing is said.
+    pub(crate) fn within(&self) -> Within {
+        let size = |(s, t): (&f64, &f64)| (s * s + 2.0 * t * t).sqrt();
+        Within {
+            sqrt_j2_amplitude: self.circle.get().map_or(f64::INFINITY, |c| c.radius),
+            mean_shear: self.mean_shear.get().copied().unwrap_or(f64::INFINITY),
+            hydrostatic: Path::hydrostatic(self),
+            normal: self.normal.iter().zip(&self.shear).map(size).fold(0.0, f64::max),
+        }
     }
 
     /// Whether it bears nothing at all.
@@ -51,10 +65,12 @@ impl PlaneState {
 
     /// Amplitude of sqrt(J2) with the centre of its circle.
     pub fn circle(&self) -> Circle {
-        let root = 3f64.sqrt();
-        let deviator: Vec<f64> = self.normal.iter().map(|s| s / root).collect();
-        let ball = smallest_ball([&deviator, &self.shear]);
-        Circle { radius: ball.radius, centre: [root * ball.centre[0], ball.centre[1]] }
+        *self.circle.get_or_init(|| {
+            let root = 3f64.sqrt();
+            let deviator: Vec<f64> = self.normal.iter().map(|s| s / root).collect();
+            let ball = smallest_ball([&deviator, &self.shear]);
+            Circle { radius: ball.radius, centre: [root * ball.centre[0], ball.centre[1]] }
+        })
     }
 }
 
@@ -78,9 +94,15 @@ impl Path for PlaneState {
         self.normal.iter().zip(&self.shear).map(at).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// By the directions of the general rule: between two corners that decide a width, its square is a quadratic form in moments of those directions, so that a turn of the
-    /// calipers round the hull \[Shamos 1978\] is enough.
     fn mean_shear(&self) -> f64 {
+        *self.mean_shear.get_or_init(|| self.turned_calipers())
+    }
+}
+
+impl PlaneState {
+    /// The mean shear by the directions of the general rule: between two corners that decide a width, its square is a quadratic form in moments of those directions, so that a turn of the
+    /// calipers round the hull \[Shamos 1978\] is enough.
+    fn turned_calipers(&self) -> f64 {
         let (s, t) = (&self.normal, &self.shear);
         let n = s.len();
         if n < 2 {

@@ -1,0 +1,143 @@
+//! What the path of a location does not exceed, without its history: by the ranges of its bending and torque, whatever their phase, and by a path known at another speed, from which it
+//! differs by no more than its loads do.
+
+use super::CriticalLocation;
+use super::loads::Section;
+use super::speed_table::At;
+
+use crate::fatigue::multiaxial::bound::Within;
+use crate::fatigue::multiaxial::history::deviator_of;
+use crate::fatigue::multiaxial::invariants::Invariants;
+use crate::fatigue::multiaxial::{History, papadopoulos};
+use crate::numerics::elementary::Elementary;
+use rayon::prelude::*;
+
+/// What a location bears by bending alone at a speed.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bent {
+    sqrt_j2_amplitude: f64,
+    /// Of stresses per unit load only: those of a nominal state follow from the amplitude.
+    mean_shear: f64,
+    low: f64,
+    high: f64,
+    normal: f64,
+    /// Of a nominal state: the changes of its stress from row to row, each the largest over the cycle, added up from the first row.
+    travelled: f64,
+}
+
+/// What a location bears by a torque of 1 N m.
+#[derive(Debug, Clone, Copy)]
+struct Twisted {
+    sqrt_j2: f64,
+    hydrostatic: f64,
+    normal: f64,
+}
+
+/// Of all locations at the speeds of a sweep.
+#[derive(Debug, Clone)]
+pub(super) struct PathBounds {
+    /// By speed and location.
+    bent: Vec<Vec<Bent>>,
+    /// By location.
+    twisted: Vec<Twisted>,
+}
+
+impl PathBounds {
+    /// From the loads of the sections at each speed.
+    pub fn new(locations: &[CriticalLocation], sections: &[Vec<Section>]) -> Self {
+        let row = |i: usize| {
+            let of = |location: &CriticalLocation| {
+                let own = location.web();
+                let before = i.checked_sub(1).map(|before| &sections[before][own]);
+                bent(location, &sections[i][own], before)
+            };
+            locations.iter().map(of).collect()
+        };
+        let mut bent: Vec<Vec<Bent>> = (0..sections.len()).into_par_iter().map(row).collect();
+        for i in 1..bent.len() {
+            for location in 0..locations.len() {
+                bent[i][location].travelled += bent[i - 1][location].travelled;
+            }
+        }
+        Self { bent, twisted: locations.iter().map(twisted).collect() }
+    }
+
+    /// Under a torque of this half peak-to-peak value, and of no larger size than `largest`.
+    pub(super) fn by_ranges(&self, location: (usize, &CriticalLocation), at: At, half_peak_to_peak: f64, largest: f64) -> Within {
+        let (low, high) = (&self.bent[at.low][location.0], &self.bent[at.high][location.0]);
+        let per_torque = &self.twisted[location.0];
+        let (twisted, hydrostatic) = (per_torque.sqrt_j2 * half_peak_to_peak, per_torque.hydrostatic * largest);
+        let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
+        Within {
+            // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
+            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypotenuse(twisted) } else { bent + twisted },
+            mean_shear: match &location.1.unit_loads {
+                None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
+                // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
+                Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
+            },
+            hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
+            normal: at.between(low.normal, high.normal) + per_torque.normal * largest,
+        }
+    }
+
+    /// Of a nominal state whose path stays within `known` at another speed, under a torque that nowhere differs by more than so many N m.
+    pub(super) fn by_another(&self, location: usize, (at, other): (At, At), known: &Within, change: f64) -> Within {
+        let travelled = |at: At| at.between(self.bent[at.low][location].travelled, self.bent[at.high][location].travelled);
+        let (bending, shear) = ((travelled(at) - travelled(other)).abs(), self.twisted[location].sqrt_j2 * change);
+        let (low, high) = known.hydrostatic;
+        Within {
+            // points move no farther than this, and the smallest ball grows by no more
+            sqrt_j2_amplitude: known.sqrt_j2_amplitude + (bending / 3f64.sqrt()).hypotenuse(shear),
+            // the root of the mean square of half ranges is a norm
+            mean_shear: known.mean_shear + papadopoulos::at_most(bending, shear),
+            hydrostatic: (low - bending / 3.0, high + bending / 3.0),
+            normal: known.normal + bending.hypotenuse(2f64.sqrt() * shear),
+        }
+    }
+}
+
+fn twisted(location: &CriticalLocation) -> Twisted {
+    let stress = location.unit_loads.map_or([0.0, 0.0, 0.0, location.torsion, 0.0, 0.0], |u| u.torque);
+    Twisted {
+        sqrt_j2: deviator_of(&stress).iter().map(|d| d * d).sum::<f64>().sqrt(),
+        hydrostatic: ((stress[0] + stress[1] + stress[2]) / 3.0).abs(),
+        normal: size(&stress),
+    }
+}
+
+fn bent(location: &CriticalLocation, section: &Section, before: Option<&Section>) -> Bent {
+    let nominal = |m: f64, v: f64| location.bending[0] * m + location.radial * v;
+    let mut travelled = 0.0;
+    let history = match &location.unit_loads {
+        Some(u) => {
+            let tensor = |j: usize| -> [f64; 6] {
+                std::array::from_fn(|c| u.moment[c] * section[0][j] + u.tangential[c] * section[1][j] + u.shear[c] * section[2][j])
+            };
+            History::new((0..section[0].len()).map(tensor))
+        }
+        None => {
+            let path = section[0].iter().zip(&section[2]).map(|(m, v)| nominal(*m, *v));
+            let (low, high) = path.fold((f64::INFINITY, f64::NEG_INFINITY), |m, b| (m.0.min(b), m.1.max(b)));
+            if let Some(before) = before {
+                let change = |j: usize| nominal(section[0][j] - before[0][j], section[2][j] - before[2][j]).abs();
+                travelled = (0..section[0].len()).map(change).fold(0.0, f64::max);
+            }
+            History::plane_state(vec![low, high], vec![0.0; 2])
+        }
+    };
+    let i = Invariants::of(&history);
+    Bent {
+        sqrt_j2_amplitude: i.sqrt_j2_amplitude,
+        mean_shear: if location.unit_loads.is_some() { papadopoulos::mean_shear(&history) } else { 0.0 },
+        low: i.hydrostatic_mean - i.hydrostatic_amplitude,
+        high: i.hydrostatic_max(),
+        normal: (0..history.len()).map(|j| size(&history.tensor(j))).fold(0.0, f64::max),
+        travelled,
+    }
+}
+
+/// Frobenius norm of a tensor: no normal stress is larger.
+fn size(t: &[f64; 6]) -> f64 {
+    (t[..3].iter().map(|s| s * s).sum::<f64>() + 2.0 * t[3..].iter().map(|s| s * s).sum::<f64>()).sqrt()
+}

@@ -55,9 +55,8 @@ impl PathBounds {
         };
         let mut bent: Vec<Vec<Bent>> = (0..sections.len()).into_par_iter().map(row).collect();
         for i in 1..bent.len() {
-            for location in 0..locations.len() {
-                bent[i][location].travelled += bent[i - 1][location].travelled;
-            }
+            let (done, left) = bent.split_at_mut(i);
+            left[0].iter_mut().zip(&done[i - 1]).for_each(|(own, before)| own.travelled += before.travelled);
         }
         Self { bent, twisted: locations.iter().map(twisted).collect() }
     }

@@ -1,13 +1,16 @@
 //! Life of rubber by cycles of its strain.
 
-use crate::support::{assert_close, study, system};
-use hartog::absorber::StrainLife;
+use crate::measures::with_finder;
+use crate::support::{assert_close, study, system, variant};
+use hartog::absorber::{Absorber, Factors, Host, Mounted, State, StrainLife, TUNED, WithMaterial};
 use hartog::analysis::LifeOverDuty;
 use hartog::input::Study;
 use hartog::numerics::C64;
 use hartog::numerics::rainflow::amplitudes;
+use hartog::objective::{Measure, Over};
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 fn sorted(mut list: Vec<f64>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
@@ -89,4 +92,79 @@ fn life_of_a_ring() {
     assert!(life.hours() > 100.0 && life.hours() < 1e6, "{}", life.hours());
     let stronger = StrainLife { strain: 10.0 * law.strain, ..law };
     assert_close(law.damage(0.03) / stronger.damage(0.03), 1e6, 1e-9, 0.0, "exponent");
+}
+
+/// A design with parameters of its first absorber times factors.
+fn times(design: &[Mounted], index: usize, factors: &[f64]) -> Vec<Mounted> {
+    let mut moved = design.to_vec();
+    let law = moved[index].absorber.law().expect("a ring").clone();
+    let values: Vec<f64> = law.values().iter().zip(factors).map(|(v, f)| v * f).collect();
+    moved[index].absorber = Absorber::Ring(law.rebuilt(&values));
+    moved
+}
+
+/// Law: the least twist of a ring that lasts lies on the limit of its life, and none of 400 stiffnesses from a quarter to twelve times its own that last as long has less; stress of springs is ring twist
+/// times what the study says.
+#[test]
+fn a_ring_that_lasts() {
+    let folder = tempfile::tempdir().expect("folder");
+    let stress = "[[constraint]]\nspring_stress = { absorber = 1, mpa_per_deg = 180, max_mpa = 2000 }\n\n[optimise]\n";
+    let path = variant(folder.path(), "villalva_i6_life", &[("[optimise]\n", stress)]);
+    let s = hartog::input::read(&path).expect("a study");
+    let results = s.run().expect("damped");
+    let found = &results.optima[0];
+    let [life, springs] = found.design.limits[..] else { panic!("two limits") };
+    assert_close(life, 1.0, 1e-6, 0.0, "the limit is active");
+    let hours = results.duty.iter().find(|d| d.design == found.design.name).expect("over the duty").lives[0].hours();
+    assert_close(hours, 2000.0, 1e-6, 0.0, "life");
+    assert_close(2000.0 * springs, 180.0 * found.design.ring_twist.expect("a ring").to_degrees(), 1e-9, 0.0, "MPa");
+    let least = found.design.objective.expect("twist");
+    let mut lasting = 0;
+    for i in 0..400 {
+        let factor = 0.25 * 48f64.powf(f64::from(i) / 399.0);
+        let other = s.evaluate("other", times(&found.optimum.design, 0, &[1.0, factor, 1.0])).expect("damped");
+        if other.limits[0] <= 1.0 {
+            lasting += 1;
+            assert!(other.objective.expect("twist") > least * (1.0 - 1e-9), "{factor}");
+        }
+    }
+    assert!((50..350).contains(&lasting), "{lasting}");
+}
+
+/// Law: the damage of an hour grows with each parameter as central differences say, to the square of their steps; a state of the material has the same cycles of strain, of a motion of its own.
+#[test]
+fn damage_by_parameters() {
+    let s = study("villalva_i6_life");
+    let family = s.run().expect("damped").optima[0].optimum.design.clone();
+    let hub = Mounted { on: Host::Station(3), hub_inertia: 0.0, absorber: Absorber::Ring((TUNED.build)(&[0.03, 4e4, 15.0])) };
+    let design = vec![family[0].clone(), hub];
+    let measure = Measure::new(vec![Quantity::RingTwist(0), Quantity::RingTwist(1)], Over::Damage);
+    with_finder(&s, |finder| {
+        let value = |d: &[Mounted]| finder.peak(d, &measure, &mut Work::default()).expect("damped").expect("sheared");
+        let peak = value(&design);
+        for index in 0..2 {
+            let gradient = finder.gradient(&design, index, &measure, &peak, &mut Work::default()).expect("damped");
+            let values = design[index].absorber.law().expect("a ring").values();
+            for (p, x) in values.iter().enumerate() {
+                let moved = |share: f64| {
+                    let mut factors = vec![1.0; values.len()];
+                    factors[p] += share;
+                    value(&times(&design, index, &factors)).value
+                };
+                let difference = (moved(1e-5) - moved(-1e-5)) / 2e-5;
+                assert_close(gradient[p] * x, difference, 1e-6, 1e-8 * peak.value, &format!("{index}, {p}"));
+            }
+        }
+        // no material says how long the other ring lasts
+        let other = Measure::new(vec![Quantity::RingTwist(1)], Over::Damage);
+        assert!(finder.peak(&design, &other, &mut Work::default()).expect("damped").is_none());
+        // half as stiff when hot: as long as a ring that is half as stiff
+        let law = design[0].absorber.law().expect("rubber");
+        let mut material = law.material().expect("said").clone();
+        material.states = vec![Factors { state: State::Hot, factors: vec![1.0, 0.5, 1.0] }];
+        let own = WithMaterial::of((law.declaration().build)(&law.values()), &Arc::new(material));
+        let mut hot = design.clone();
+        hot[0].absorber = Absorber::Ring(own.in_state(State::Hot).expect("a state"));
+        assert_close(value(&hot).value, value(&times(&design, 0, &[1.0, 0.5, 1.0])).value, 1e-12, 0.0, "hot");
+    });
 }

@@ -9,7 +9,7 @@ use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 
 const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
 
-fn with_finder<T>(study: &Study, f: impl FnOnce(&PeakFinder) -> T) -> T {
+pub fn with_finder<T>(study: &Study, f: impl FnOnce(&PeakFinder) -> T) -> T {
     let sys = system(study);
     let grid = Grid::new(&study.speeds_rpm, &sys.excitation.tabulated_rpm);
     let method = Method::Direct(Direct::new(&sys, &grid));

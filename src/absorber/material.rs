@@ -41,6 +41,11 @@ pub struct Material {
 }
 
 impl Material {
+    /// What a state leaves of it: the cycles of strain that it bears, with the shape that is sheared.
+    pub(super) fn lasting(&self) -> Self {
+        Self { geometry: self.geometry.filter(|_| self.life.is_some()), life: self.life, ..Self::default() }
+    }
+
     /// Whether it says that its state follows from the motion: by heat, or by strain.
     pub(crate) fn follows_motion(&self) -> bool {
         self.thermal.is_some() || self.amplitude.is_some()

@@ -96,7 +96,10 @@ impl Law for WithMaterial {
     }
     fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
         match self.material.states.iter().find(|s| s.state == state) {
-            Some(found) => Some(Arc::new(Changed::new(self.law.clone(), found.factors.clone()))),
+            // its cycles of strain count in every state
+            Some(found) => {
+                Some(Self::of(Arc::new(Changed::new(self.law.clone(), found.factors.clone())), &Arc::new(self.material.lasting())))
+            }
             // what is known of the material leaves what the law itself knows
             None => Some(Arc::new(Self { law: self.law.in_state(state)?, material: self.material.clone() })),
         }

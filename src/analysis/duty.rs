@@ -50,7 +50,7 @@ fn at_load(engine: &Engine, load_fraction: f64) -> Option<Engine> {
 
 /// The points of the duty where a measure of the study is a mean over them; else none.
 pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
-    let is_mean = |m: &MeasureSpec| matches!(m.measure.over, Over::Mean | Over::MeanPower);
+    let is_mean = |m: &MeasureSpec| matches!(m.measure.over, Over::Mean | Over::MeanPower | Over::Damage);
     if study.measures().any(is_mean) { systems(study).map(|s| s.1).collect() } else { Vec::new() }
 }
 

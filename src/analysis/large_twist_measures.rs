@@ -50,7 +50,14 @@ impl<'a> Told<'a> {
                 Some(excitation.harmonics[known] as usize)
             }
             Over::Power if measure.quantities == [own] => None,
-            Over::Power | Over::Temperature | Over::Margin(_) | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => {
+            Over::Power
+            | Over::Temperature
+            | Over::Margin(_)
+            | Over::Mean
+            | Over::AtDuty(_)
+            | Over::MeanPower
+            | Over::Damage
+            | Over::Property(_) => {
                 return None;
             }
         };

@@ -1,7 +1,7 @@
 //! How measures of an optimum change with its parameters, and how far these may drift.
 
 use crate::absorber::{Absorber, Mounted};
-use crate::input::{LimitSpec, MeasureSpec, UnitOf};
+use crate::input::{LimitSpec, MeasureSpec};
 use crate::objective::{Measure, holds};
 use crate::optimise::{LoadCase, largest};
 use crate::response::{ResponseError, Work};
@@ -65,8 +65,8 @@ pub(crate) fn sensitivities(
                     continue;
                 }
                 let drift = |sign: f64| limit.and_then(|l| breaks(load_cases, design, (&spec.measure, l), (absorber, parameter), sign));
-                // of a margin it is the inverse that rises
-                let sign = if spec.unit == UnitOf::Margin { -1.0 } else { 1.0 };
+                // of a margin or a life it is the inverse that rises
+                let sign = if spec.unit.is_inverse() { -1.0 } else { 1.0 };
                 list.push(Sensitivity {
                     key: spec.key,
                     place: spec.place.clone(),

@@ -22,6 +22,11 @@ pub enum UnitOf {
         /// Strain per twist of the ring, 1/rad: mean radius over thickness.
         per_twist: f64,
     },
+    /// Stress of a spring, MPa (rad inside).
+    SpringStress {
+        /// Pa per rad of twist.
+        per_twist: f64,
+    },
     /// W.
     Power,
     /// W/m² (W inside).
@@ -37,6 +42,8 @@ pub enum UnitOf {
     Ratio,
     /// None: a safety factor, of which the inverse is minimised.
     Margin,
+    /// Hours, of which the inverse is minimised: the damage of one.
+    Life,
 }
 
 impl UnitOf {
@@ -46,9 +53,10 @@ impl UnitOf {
             Self::Angle => value * DEG_PER_RAD,
             Self::Stress { section_modulus } => value / section_modulus / PA_PER_MPA,
             Self::Strain { per_twist } => 100.0 * value * per_twist,
+            Self::SpringStress { per_twist } => value * per_twist / PA_PER_MPA,
             Self::PowerPerArea { area } => value / area,
             Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => value,
-            Self::Margin => 1.0 / value,
+            Self::Margin | Self::Life => 1.0 / value,
         }
     }
 
@@ -58,10 +66,16 @@ impl UnitOf {
             Self::Angle => shown * RAD_PER_DEG,
             Self::Stress { section_modulus } => shown * PA_PER_MPA * section_modulus,
             Self::Strain { per_twist } => 0.01 * shown / per_twist,
+            Self::SpringStress { per_twist } => shown * PA_PER_MPA / per_twist,
             Self::PowerPerArea { area } => shown * area,
             Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => shown,
-            Self::Margin => 1.0 / shown,
+            Self::Margin | Self::Life => 1.0 / shown,
         }
+    }
+
+    /// Whether more of it is better: inside it is the inverse.
+    pub(crate) fn is_inverse(self) -> bool {
+        matches!(self, Self::Margin | Self::Life)
     }
 
     /// Behind a number: with a space where it takes one.
@@ -70,12 +84,13 @@ impl UnitOf {
             Self::Angle => "°",
             Self::Acceleration => " rad/s²",
             Self::Torque => " N m",
-            Self::Stress { .. } => " MPa",
+            Self::Stress { .. } | Self::SpringStress { .. } => " MPa",
             Self::Strain { .. } => " %",
             Self::Power => " W",
             Self::PowerPerArea { .. } => " W/m²",
             Self::Temperature => " °C",
             Self::Inertia => " kg m²",
+            Self::Life => " h",
             Self::Ratio | Self::Margin => "",
         }
     }
@@ -86,12 +101,13 @@ impl UnitOf {
             Self::Angle => "deg",
             Self::Acceleration => "rad/s2",
             Self::Torque => "N m",
-            Self::Stress { .. } => "MPa",
+            Self::Stress { .. } | Self::SpringStress { .. } => "MPa",
             Self::Strain { .. } => "%",
             Self::Power => "W",
             Self::PowerPerArea { .. } => "W/m2",
             Self::Temperature => "degC",
             Self::Inertia => "kg m2",
+            Self::Life => "h",
             Self::Ratio | Self::Margin => "1",
         }
     }

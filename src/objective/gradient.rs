@@ -43,6 +43,7 @@ impl PeakFinder<'_> {
             Over::Temperature => self.temperature_gradient((design, index), measure, peak, work),
             Over::AtDuty(point) => self.at_duty_gradient((design, index), peak, point, work),
             Over::Mean | Over::MeanPower => self.mean_gradient((design, index), measure, peak.quantity, work),
+            Over::Damage => self.damage_gradient((design, index), peak.quantity, work),
             Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),
         }
     }

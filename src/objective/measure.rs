@@ -24,6 +24,8 @@ pub enum Over {
     AtDuty(usize),
     /// Mean over the duty of the power as above, W.
     MeanPower,
+    /// Share of its life that an hour of the duty takes of what the absorbers shear whose ring twists are the quantities, the largest, 1/h.
+    Damage,
     /// What the design has at no speed.
     Property(Property),
 }

@@ -2,6 +2,7 @@
 
 mod branch;
 pub mod condition;
+mod damage;
 pub mod duty;
 mod duty_means;
 mod gradient;
@@ -21,6 +22,7 @@ mod synthesis_peaks;
 mod temperature_peaks;
 
 pub use condition::Condition;
+pub(crate) use damage::Sheared;
 pub use duty::DutyLoad;
 pub(crate) use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};

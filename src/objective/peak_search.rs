@@ -169,6 +169,7 @@ impl<'a> PeakFinder<'a> {
         match measure.over {
             Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
             Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
+            Over::Damage => return Ok(self.damage(design, measure, work)?.into_iter().collect()),
             Over::AtDuty(point) => return self.at_duty(design, measure, (point, keep), work),
             _ => {}
         }
@@ -220,7 +221,7 @@ impl<'a> PeakFinder<'a> {
                 parts.iter().try_for_each(&mut of)?;
             }
             Over::Temperature => parts.iter().try_for_each(|(_, speeds)| self.temperatures(design, measure, speeds, &mut found, work))?,
-            Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Property(_) => {}
+            Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => {}
         }
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));

@@ -208,6 +208,33 @@ over_speed!(RawPowerPerArea {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5000]))]
     max_w_per_m2: Option<At<f64>>,
 });
+over_speed!(RawSpringStress {
+    /// The absorber by its number.
+    #[schemars(extend("examples" = [1]))]
+    absorber: At<i64>,
+    /// Stress of the springs per twist of the ring, from their drawing.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
+    mpa_per_deg: At<f64>,
+    /// All orders together, the largest single order, or the mean over the duty.
+    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+    over: Option<RawOver>,
+    /// Only this order.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [6]))]
+    order: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [400]))]
+    max_mpa: Option<At<f64>>,
+});
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawLifeOf {
+    /// The absorber by its number; its material says how many cycles of strain it bears.
+    #[schemars(extend("examples" = [1]))]
+    pub absorber: At<i64>,
+    /// Least life over the duty.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8000]))]
+    pub min_h: Option<At<f64>>,
+}
 over_speed!(RawTemperature {
     /// The absorber by its number; its material says what cools it.
     #[schemars(extend("examples" = [1]))]
@@ -309,6 +336,10 @@ pub(crate) enum RawMeasure {
     RingTwist(RawRingTwist),
     /// Shear strain of an absorber's element.
     ElementStrain(RawStrain),
+    /// Stress of an absorber's springs by the twist of its ring.
+    SpringStress(RawSpringStress),
+    /// Life of what an absorber shears, over the duty.
+    Life(RawLifeOf),
     /// Power that absorbers turn to heat.
     DissipatedPower(RawPower),
     /// Dissipated power over the area it leaves by.

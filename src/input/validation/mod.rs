@@ -205,6 +205,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         strokes: base.engine.strokes,
         absorbers: Context::absorbers(sold.chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
         cooled: &Context::cooled(&designs, optimise.as_ref()),
+        lives: &Context::lives(&designs, optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| matches!(c.get_ref(), RawCondition::Misfire | RawCondition::UnequalCylinders)),
     };

@@ -30,7 +30,7 @@ fn place(measures: [&MeasureSpec; 2], values: [f64; 2]) -> Option<(f64, f64)> {
 fn range(values: impl Iterator<Item = f64>, unit: UnitOf) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     let room = 0.08 * (high - low).max(1e-3 * high.abs());
-    let bottom = if unit != UnitOf::Margin && low < 0.3 * high { 0.0 } else { low - room };
+    let bottom = if !unit.is_inverse() && low < 0.3 * high { 0.0 } else { low - room };
     (bottom, high + room)
 }
 

@@ -38,7 +38,9 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     let smallest = points().map(|p| p.1).chain(none).fold(f64::INFINITY, f64::min);
     // margins differ little and have no natural zero
     let (bottom, top) = match study.objective.unit {
-        UnitOf::Margin => ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3)),
+        UnitOf::Margin | UnitOf::Life => {
+            ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3))
+        }
         _ => (0.0, canvas::round_up(largest)),
     };
     let unit = match study.objective.unit.suffix().trim() {

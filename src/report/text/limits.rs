@@ -27,7 +27,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
-            let way = if limit.of.unit == UnitOf::Margin { "less" } else { "more" };
+            let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
             format!("; one per cent {way} of it would bring {} %", significant(*price, 2))
         } else {
             String::new()

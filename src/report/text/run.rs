@@ -251,6 +251,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         let broken = |d: &&DesignResult| !holds(d.limits[i]);
         let size = |d: &DesignResult| match limit.of.unit {
             UnitOf::Margin => factor(1.0 / (d.limits[i] * limit.limit)),
+            UnitOf::Life => value_of(&limit.of, d.limits[i] * limit.limit),
             _ => format!("{:.0} %", 100.0 * d.limits[i]),
         };
         let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("{} ({})", d.name, size(d))).collect();
@@ -278,10 +279,10 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
     if let (Some(best), Some(own)) =
         (given.min_by(|a, b| better(a, b)), results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design)))
     {
-        let is_margin = study.objective.unit == UnitOf::Margin;
+        let is_inverse = study.objective.unit.is_inverse();
         let share = objective(&own.design) / objective(best);
-        // what is said is said of the margin, not of its inverse
-        let ratio = 100.0 * (1.0 - if is_margin { 1.0 / share } else { share });
+        // what is said is said of the margin or the life, not of its inverse
+        let ratio = 100.0 * (1.0 - if is_inverse { 1.0 / share } else { share });
         let compare = if !ratio.is_finite() {
             "not comparable".to_owned()
         } else if ratio.abs() < 1e-4 {

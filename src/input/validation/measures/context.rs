@@ -59,6 +59,8 @@ pub(crate) struct Context<'a> {
     pub absorbers: usize,
     /// Of each absorber what cools it, one for every type that is optimised and every design; nothing where some do not say.
     pub cooled: &'a [Option<Vec<Cooling>>],
+    /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
+    pub lives: &'a [bool],
     /// Whether the study has a duty.
     pub has_duty: bool,
     /// Whether a condition has cylinders that differ.
@@ -80,6 +82,20 @@ impl<'a> Context<'a> {
         let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).map(of_law);
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
         (0..count).map(|i| searched(i).chain(given(i)).collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())).collect()
+    }
+
+    /// Of each absorber whether all that is optimised there and every design that has it says how many cycles of strain it bears.
+    pub fn lives(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+        let of_law = |m: &Mounted| m.absorber.law().and_then(|l| l.material()).is_some_and(|m| m.life.is_some() && m.geometry.is_some());
+        let of_type = |a: &AbsorberSpec, t: &'static Declaration| {
+            a.materials.iter().any(|m| m.0 == t && m.1.life.is_some() && m.1.geometry.is_some())
+        };
+        let searched =
+            |i: usize| optimise.and_then(|o| o.absorbers.get(i)).into_iter().flat_map(|a| a.types.iter().map(move |t| of_type(a, t)));
+        let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).map(of_law);
+        (0..Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise))
+            .map(|i| searched(i).chain(given(i)).all(|said| said))
+            .collect()
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

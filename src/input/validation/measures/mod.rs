@@ -19,7 +19,7 @@ use names::{Bound, Names, Resolved, spec};
 fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
     let resolved = of_kind(check, raw, of)?;
     let measure = &resolved.spec.measure;
-    if matches!(measure.over, Over::Mean | Over::MeanPower) {
+    if matches!(measure.over, Over::Mean | Over::MeanPower | Over::Damage) {
         if !of.has_duty {
             check.wrong(raw, "found a mean over the duty in a study without one, expected its points as `duty = [...]`");
         }
@@ -43,6 +43,8 @@ fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
         RawMeasure::ShaftStress(m) => of_chain::shaft_stress(check, m, of),
         RawMeasure::RingTwist(m) => of_absorbers::ring_twist(check, m, of),
         RawMeasure::ElementStrain(m) => of_absorbers::element_strain(check, m, of),
+        RawMeasure::SpringStress(m) => of_absorbers::spring_stress(check, m, of),
+        RawMeasure::Life(m) => of_absorbers::life(check, m, of),
         RawMeasure::DissipatedPower(m) => of_absorbers::dissipated_power(check, m, of),
         RawMeasure::PowerPerArea(m) => of_absorbers::power_per_area(check, m, of),
         RawMeasure::Temperature(m) => of_absorbers::temperature(check, m, of),
@@ -217,11 +219,12 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
                 continue;
             }
             Bound::Least(None) => {
-                check.wrong(raw, "found a [[constraint]] of a margin without a limit, expected `min`");
+                let key = if spec.unit == UnitOf::Life { "min_h" } else { "min" };
+                check.wrong(raw, format!("found a [[constraint]] of `{}` without a limit, expected its `{key}` key", spec.key));
                 continue;
             }
             Bound::Most(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at most {}{}", at.get_ref(), spec.unit.suffix())),
-            Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}", at.get_ref())),
+            Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}{}", at.get_ref(), spec.unit.suffix())),
             Bound::Band => (1.0, String::new()),
             Bound::Rule { words, limit, rated_rpm } => {
                 let words = format!("{words}, {:.4}{} at the rated speed", limit, spec.unit.suffix());

@@ -8,7 +8,7 @@ use crate::response::Quantity;
 /// A measure, what limits it, and in words what of the system it is of.
 pub(super) struct Resolved<'r> {
     pub spec: MeasureSpec,
-    /// The largest value as typed, or of a margin the smallest; a band is a limit by itself.
+    /// The largest value as typed, or of a margin or a life the smallest; a band is a limit by itself.
     pub bound: Bound<'r>,
 }
 
@@ -41,11 +41,11 @@ pub(super) fn spec(names: Names, (quantities, over, within): (Vec<Quantity>, Ove
     let (prefix, by) = match over {
         Over::Orders => ("largest order of ".to_owned(), "order_".to_owned()),
         Over::Order(order) => (format!("order {order} of "), format!("order_{order}_")),
-        Over::Property(_) => (String::new(), String::new()),
+        Over::Property(_) | Over::Damage => (String::new(), String::new()),
         Over::Mean | Over::AtDuty(_) | Over::MeanPower => ("mean over the duty of ".to_owned(), "mean_".to_owned()),
         Over::Synthesis | Over::Margin(_) | Over::Power | Over::Temperature => ("peak ".to_owned(), String::new()),
     };
-    let head = if matches!(over, Over::Mean | Over::MeanPower | Over::Property(_)) { "" } else { "peak_" };
+    let head = if matches!(over, Over::Mean | Over::MeanPower | Over::Damage | Over::Property(_)) { "" } else { "peak_" };
     let of = if place.is_empty() { what.to_owned() } else { format!("{what} {place}") };
     let ranges: Vec<String> = within.ranges.iter().map(|(a, b)| format!("{a} to {b} rpm")).collect();
     let at = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(" and ")) };

@@ -5,9 +5,11 @@ use super::names::{Bound, Names, Resolved, spec};
 use crate::input::error::Check;
 use crate::input::measure::UnitOf;
 use crate::input::schema::measure::{
-    RawInertia, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawStrain, RawTemperature,
+    RawInertia, RawLifeOf, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawSpringStress, RawStrain, RawTemperature,
 };
 use crate::objective::{Over, Property, Within};
+use crate::response::Quantity;
+use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 pub(super) fn ring_twist<'r>(check: &mut Check, r: &'r RawRingTwist, of: Context) -> Option<Resolved<'r>> {
     let over = of.over(check, r.over, r.order.as_ref());
@@ -27,6 +29,30 @@ pub(super) fn element_strain<'r>(check: &mut Check, s: &'r RawStrain, of: Contex
         spec: spec(names, parts, UnitOf::Strain { per_twist: radius / thickness }),
         bound: Bound::Most(s.max_percent.as_ref()),
     })
+}
+
+pub(super) fn spring_stress<'r>(check: &mut Check, s: &'r RawSpringStress, of: Context) -> Option<Resolved<'r>> {
+    let per_twist = check.positive(&s.mpa_per_deg) * PA_PER_MPA * DEG_PER_RAD;
+    let over = of.over(check, s.over, s.order.as_ref());
+    let place = format!("of {}", Context::ring_words(Some(&s.absorber)));
+    let names =
+        Names { key: "spring_stress", column: "spring_stress_mpa", word: "spring_stress", what: "vibratory stress of the springs", place };
+    let parts = (of.rings(check, Some(&s.absorber))?, over, of.within(check, s.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::SpringStress { per_twist }), bound: Bound::Most(s.max_mpa.as_ref()) })
+}
+
+pub(super) fn life<'r>(check: &mut Check, l: &'r RawLifeOf, of: Context) -> Option<Resolved<'r>> {
+    let rings = of.rings(check, Some(&l.absorber))?;
+    if rings.iter().any(|r| matches!(r, Quantity::RingTwist(i) if !of.lives.get(*i).is_some_and(|said| *said))) {
+        let found = format!(
+            "found the life of absorber {}, of which some type or design does not say how many cycles of strain it bears",
+            l.absorber.get_ref()
+        );
+        check.wrong(&l.absorber, format!("{found}, expected `life` and `geometry` in every material of it"));
+    }
+    let place = format!("of {}", Context::ring_words(Some(&l.absorber)));
+    let names = Names { key: "life", column: "life_h", word: "life", what: "life over the duty", place };
+    Some(Resolved { spec: spec(names, (rings, Over::Damage, Within::default()), UnitOf::Life), bound: Bound::Least(l.min_h.as_ref()) })
 }
 
 /// How powers count.

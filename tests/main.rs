@@ -4,6 +4,7 @@
 mod absorbers;
 mod bad_input;
 mod calibration;
+mod catalogue;
 mod certificates;
 mod chains;
 mod choice;

@@ -1,16 +1,15 @@
 //! The study file.
 
 use super::absorber::{RawAbsorber, RawOptimised};
+use super::catalogue::RawCatalogue;
 use super::fatigue::RawFatigue;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
 use super::range::{RawBounds, RawRange};
-use super::robust::{RawRobust, share};
-use crate::absorber::types::parameter_keys;
+use super::robust::RawRobust;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -177,33 +176,6 @@ pub(crate) struct RawDesign {
     /// An absorber of the design; without any the bare engine.
     #[serde(default)]
     pub absorber: Vec<RawAbsorber>,
-}
-
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawOnStation {
-    /// The station that carries it.
-    #[schemars(extend("examples" = ["pulley"]))]
-    pub station: At<String>,
-}
-
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawCatalogue {
-    /// A table with `name`, `type` and the parameters of the types.
-    #[schemars(extend("examples" = ["catalogue.csv"]))]
-    pub file: At<String>,
-    /// The station that carries the absorber.
-    #[schemars(extend("examples" = [{"station": "pulley"}]))]
-    pub on: RawOnStation,
-    /// How many are kept as designs.
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [5]))]
-    pub best: At<i64>,
-    /// What the maker can vary, by the key of a parameter as a share of the catalogue's value, from 1e-6 to 0.9: each of the best is tuned anew within it.
-    #[schemars(extend("propertyNames" = { "enum": parameter_keys() }, "additionalProperties" = share("Share by which the maker can vary the parameter of this key."),
-        "examples" = [{"stiffness_n_m_per_rad": 0.3}]))]
-    #[serde(default)]
-    pub free: BTreeMap<String, At<f64>>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,8 +1,10 @@
 //! Absorbers that can be bought.
 
 use super::table::{Table, shown};
-use crate::absorber::{Declaration, Range, TYPES, types};
+use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
+use crate::absorber::{Declaration, Parameter, Range, TYPES, types};
 use crate::input::error::InputError;
+use crate::units::PA_PER_MPA;
 use std::path::Path;
 
 /// An absorber of a catalogue.
@@ -16,14 +18,63 @@ pub(crate) struct CatalogueRow {
     pub values: Vec<f64>,
 }
 
-/// `name, type` and a column for every parameter that a type in it has, empty where a row's type has none.
+/// What a study says of all rows of a catalogue.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct MadeWith {
+    /// Of the ring, kg m².
+    pub ring_inertia: Option<f64>,
+    /// Factor B of the shape that is sheared, m³: with it a row may be a compound or an oil.
+    pub factor: Option<f64>,
+}
+
+/// Columns of compounds and oils, with the parameter that each makes with a shape.
+const OF_MATERIALS: [(&str, &str); 3] =
+    [("shear_modulus_mpa", STIFFNESS.key), ("viscosity_mm2_per_s", DAMPING.key), ("density_kg_per_m3", DAMPING.key)];
+
+impl MadeWith {
+    /// A parameter that has no column of its own: S = B G' and B eta; nothing where it needs one.
+    fn makes(&self, table: &Table, (line, cells): (u64, &[String]), p: &Parameter) -> Result<Option<f64>, InputError> {
+        if table.header.iter().any(|h| h == p.key) {
+            return Ok(None);
+        }
+        if p.key == RING_INERTIA.key {
+            return Ok(self.ring_inertia);
+        }
+        let own = OF_MATERIALS.iter().filter(|m| m.1 == p.key && table.header.iter().any(|h| h == m.0));
+        let (Some(factor), true) = (self.factor, own.count() > 0) else { return Ok(None) };
+        let value = |key: &str| -> Result<f64, InputError> {
+            let column = table.column(key)?;
+            let value = table.filled(line, column, &cells[column])?;
+            if value > 0.0 { Ok(value) } else { Err(table.at(line, column, format!("found {value}, expected a number above zero"))) }
+        };
+        Ok(Some(match p.key == STIFFNESS.key {
+            true => factor * PA_PER_MPA * value("shear_modulus_mpa")?,
+            false => factor * M2_PER_MM2 * value("viscosity_mm2_per_s")? * value("density_kg_per_m3")?,
+        }))
+    }
+
+    /// Whether a column of materials makes a parameter of a type.
+    fn takes(table: &Table, declaration: &Declaration, column: &str) -> bool {
+        let makes = |m: &&(&str, &str)| m.0 == column && declaration.index(m.1).is_some() && !table.header.iter().any(|h| h == m.1);
+        OF_MATERIALS.iter().any(|m| makes(&m))
+    }
+}
+
+const M2_PER_MM2: f64 = 1e-6;
+
+/// `name, type` and a column for every parameter that a type in it has, empty where a row's type has none; what the study says of all rows needs no column.
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
-pub(crate) fn catalogue(path: &Path) -> Result<Vec<CatalogueRow>, InputError> {
+pub(crate) fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
     let table = Table::read(path)?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
-    let known = |key: &String| ["name", "type"].contains(&key.as_str()) || TYPES.iter().any(|t| t.index(key).is_some());
+    if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {
+        let found = format!("found column `{}`, expected `geometry` in its [[catalogue]], the shape that is sheared", table.header[column]);
+        return Err(table.at(1, column, found));
+    }
+    let of_material = |key: &String| OF_MATERIALS.iter().any(|m| m.0 == key);
+    let known = |key: &String| ["name", "type"].contains(&key.as_str()) || of_material(key) || TYPES.iter().any(|t| t.index(key).is_some());
     if let Some(column) = table.header.iter().position(|key| !known(key)) {
         let found = format!("found column `{}`, expected `name`, `type` and parameters of types", shown(&table.header[column]));
         return Err(table.at(1, column, found));
@@ -46,6 +97,10 @@ pub(crate) fn catalogue(path: &Path) -> Result<Vec<CatalogueRow>, InputError> {
         };
         let mut values = Vec::new();
         for p in declaration.parameters {
+            if let Some(value) = with.makes(&table, (*line, cells), p)? {
+                values.push(value);
+                continue;
+            }
             let column = table.column(p.key)?;
             let value = table.filled(*line, column, &cells[column])?;
             let expected = match p.range {
@@ -60,7 +115,7 @@ pub(crate) fn catalogue(path: &Path) -> Result<Vec<CatalogueRow>, InputError> {
             values.push(value);
         }
         for (column, cell) in cells.iter().enumerate().filter(|(c, cell)| ![name, kind].contains(c) && !cell.is_empty()) {
-            if declaration.index(&table.header[column]).is_none() {
+            if declaration.index(&table.header[column]).is_none() && !MadeWith::takes(&table, declaration, &table.header[column]) {
                 let found = format!(
                     "found `{}`, expected an empty cell: `{}` has no `{}`",
                     shown(cell),

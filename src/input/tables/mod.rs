@@ -12,7 +12,7 @@ mod superposed;
 mod table;
 mod torque;
 mod unit_loads;
-pub(crate) use catalogue::catalogue;
+pub(crate) use catalogue::{MadeWith, catalogue};
 pub use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;

@@ -1,14 +1,16 @@
 //! Catalogues of absorbers.
 
 use super::absorbers::DesignSpec;
+use super::material_states::geometry;
 use super::named::{station, table};
-use crate::absorber::{Absorber, Mounted, TYPES};
+use crate::absorber::{Absorber, Material, Mounted, TYPES, WithMaterial};
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::schema::study::RawStudy;
-use crate::input::tables::catalogue;
+use crate::input::tables::{MadeWith, catalogue};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Absorbers of a catalogue as designs of one each.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +39,12 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
             1
         });
         let shares = shares(check, &raw.free);
-        let (Some(on), Some(rows)) = (station(check, chain, &raw.on.station), table(check, &raw.file, folder, catalogue)) else { continue };
+        let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
+        let ring_inertia = raw.ring_inertia_kg_m2.as_ref().map(|j| check.positive(j));
+        let with = MadeWith { ring_inertia, factor: geometry.map(|g| g.factor()) };
+        let read = |path: &Path| catalogue(path, with);
+        let (Some(on), Some(rows)) = (station(check, chain, &raw.on.station), table(check, &raw.file, folder, read)) else { continue };
+        let material = Arc::new(Material { geometry, ..Material::default() });
         if rows.len() > MOST {
             check.wrong(&raw.file, format!("found {} absorbers, expected at most {MOST}", rows.len()));
         }
@@ -57,7 +64,7 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
                     );
                 }
             }
-            let absorber = Absorber::Ring((row.declaration.build)(&row.values));
+            let absorber = Absorber::Ring(WithMaterial::of((row.declaration.build)(&row.values), &material));
             designs.push(DesignSpec { name: row.name, absorbers: vec![Mounted::on_station(on, absorber)] });
         }
         list.push(CatalogueSpec { file: raw.file.get_ref().clone(), best, designs, free });

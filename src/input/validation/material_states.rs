@@ -188,7 +188,7 @@ fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
 }
 
 /// What is sheared, in m.
-fn geometry(check: &mut Check, at: &At<RawGeometry>) -> Option<Geometry> {
+pub(super) fn geometry(check: &mut Check, at: &At<RawGeometry>) -> Option<Geometry> {
     let mut length = |x: &At<f64>| M_PER_MM * check.positive(x);
     let found = match at.get_ref() {
         RawGeometry::Sleeve(s) => Geometry::Sleeve {

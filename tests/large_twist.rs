@@ -3,6 +3,7 @@
 use crate::support::{assert_close, one_throw, study, system, uniform_chain};
 use hartog::absorber::{
     Absorber, CIRCULAR_PENDULUM, CYCLOIDAL_PENDULUM, HARDENING, Instant, LargeTwist, Law, Mounted, Reaction, TAUTOCHRONE_PENDULUM,
+    TWO_STAGE,
 };
 use hartog::analysis::LargePoint;
 use hartog::drivetrain::{Chain, System};
@@ -19,7 +20,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 /// Equations of motion in time, written without harmonics: angles of all bodies, then the twist.
-struct InTime<'a> {
+pub struct InTime<'a> {
     bodies: Bodies,
     equations: &'a dyn LargeTwist,
     station: usize,
@@ -32,7 +33,7 @@ struct InTime<'a> {
 }
 
 impl<'a> InTime<'a> {
-    fn new(system: &System, law: &'a dyn Law, station: usize, speed_rpm: f64) -> Self {
+    pub fn new(system: &System, law: &'a dyn Law, station: usize, speed_rpm: f64) -> Self {
         let bodies = Bodies::new(system, &[]);
         let excitation = &system.excitation;
         let per_cycle = excitation.orders[0].value() / f64::from(excitation.harmonics[0]);
@@ -73,7 +74,7 @@ impl<'a> InTime<'a> {
     }
 
     /// States of a cycle, `steps` of Runge and Kutta's method, and the one after it.
-    fn cycle(&self, start: &[f64], steps: usize) -> (Vec<Vec<f64>>, Vec<f64>) {
+    pub fn cycle(&self, start: &[f64], steps: usize) -> (Vec<Vec<f64>>, Vec<f64>) {
         let dt = self.cycle / steps as f64;
         let (mut state, mut states) = (start.to_vec(), Vec::new());
         let moved = |s: &[f64], by: f64, r: &[f64]| -> Vec<f64> { s.iter().zip(r).map(|(s, r)| s + by * r).collect() };
@@ -109,7 +110,7 @@ fn folded() -> (System, Arc<dyn Law>) {
 }
 
 /// The state at the beginning of the cycle, angles of a chain without mean.
-fn state(time: &InTime, steady: &Steady, angles: &[Vec<C64>]) -> Vec<f64> {
+pub fn state(time: &InTime, steady: &Steady, angles: &[Vec<C64>]) -> Vec<f64> {
     let rate = |k: usize| C64::new(0.0, TAU * (k + 1) as f64 / time.cycle);
     let value = |y: &[C64]| y.iter().map(|y| y.re).sum::<f64>();
     let rates = |y: &[C64]| y.iter().enumerate().map(|(k, y)| (rate(k) * y).re).sum::<f64>();
@@ -211,7 +212,7 @@ fn a_fold_and_its_branches() {
     assert!(seen[0] == 0 && seen[1] > 90 && seen[2] == 0 && seen[3] >= 20, "{seen:?}");
 }
 
-/// Law: at small twist the balance is the linear response: a spring that stiffens next to nothing gives what the direct solution gives, 1e-10; pendulums under a ten-thousandth of the torque, 1e-6.
+/// Law: at small twist the balance is the linear response: a spring that stiffens next to nothing gives what the direct solution gives, 1e-10; pendulums, and springs of two stages with friction, under a ten-thousandth of the torque, 1e-6.
 #[test]
 fn small_twist_is_linear() {
     let s = study("villalva_i6_large_twist");
@@ -221,6 +222,7 @@ fn small_twist_is_linear() {
         (&CIRCULAR_PENDULUM, [0.03, 6.2, 1.0].as_slice(), 1e-6, 1e-7),
         (&TAUTOCHRONE_PENDULUM, [0.03, 6.2, 1.0].as_slice(), 1e-6, 1e-7),
         (&CYCLOIDAL_PENDULUM, [0.03, 6.2, 1.0].as_slice(), 1e-6, 1e-7),
+        (&TWO_STAGE, [0.076, 6e4, 20.0, 1e5, 1.0, 5.0, 0.5, 100.0].as_slice(), 1e-6, 1e-7),
     ] {
         let sys = one_order(&s.chain, share);
         let law = (declaration.build)(values);

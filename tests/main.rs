@@ -14,6 +14,7 @@ mod conditions;
 mod crank_sizing;
 mod curves;
 mod derived;
+mod dual_mass;
 mod enclosing;
 mod engines;
 mod examples;

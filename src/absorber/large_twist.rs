@@ -41,6 +41,11 @@ pub trait LargeTwist: Debug + Send + Sync {
         None
     }
 
+    /// Whether what it does at small twist, whatever the torque, is judged beside its own amplitude: not where dry friction holds it fast.
+    fn counts_when_small(&self) -> bool {
+        true
+    }
+
     /// Largest twist that it can make, rad; nothing where there is no such end.
     fn largest_twist(&self) -> Option<f64> {
         None

@@ -11,11 +11,12 @@ use super::pendulum_paths::{CIRCULAR_PENDULUM, CYCLOIDAL_PENDULUM, TAUTOCHRONE_P
 use super::rubber::RUBBER;
 use super::spring_pack::SPRING_PACK;
 use super::tuned::TUNED;
+use super::two_stage::TWO_STAGE;
 use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 14] = [
+pub static TYPES: [&Declaration; 15] = [
     &TUNED,
     &VISCOUS,
     &UNDAMPED,
@@ -26,6 +27,7 @@ pub static TYPES: [&Declaration; 14] = [
     &CARREAU,
     &SPRING_PACK,
     &HARDENING,
+    &TWO_STAGE,
     &PENDULUM,
     &CIRCULAR_PENDULUM,
     &TAUTOCHRONE_PENDULUM,
@@ -33,7 +35,7 @@ pub static TYPES: [&Declaration; 14] = [
 ];
 
 /// Types that are given only: searches are of small twists, where these are other types.
-pub(crate) static GIVEN_ONLY: [&Declaration; 1] = [&HARDENING];
+pub(crate) static GIVEN_ONLY: [&Declaration; 2] = [&HARDENING, &TWO_STAGE];
 
 /// A type by its word.
 pub fn find(name: &str) -> Option<&'static Declaration> {

@@ -146,6 +146,7 @@ pub(crate) fn of_design(
             Ok(told.as_ref().map_or(Ok(None), &most)?.map(|value| value / limit.limit))
         };
         let at_large_twist = AtLargeTwist {
+            alone: own.law.large_twist().is_some_and(|l| !l.counts_when_small()),
             objective: objective.as_ref().map_or(Ok(None), &most)?,
             limits: limits.iter().zip(&study.limits).map(over_limit).collect::<Result<_, _>>()?,
         };

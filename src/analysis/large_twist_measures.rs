@@ -15,16 +15,18 @@ pub struct AtLargeTwist {
     pub objective: Option<f64>,
     /// Each limited measure over its limit; nothing where harmonic balance does not tell it.
     pub limits: Vec<Option<f64>>,
+    /// Whether it is judged by this alone: where dry friction holds it fast at small twist.
+    pub alone: bool,
 }
 
 impl AtLargeTwist {
-    /// The worse of small twist and of a design's own amplitude.
+    /// The worse of small twist, where that counts, and of a design's own amplitude.
     pub(super) fn judge(&self, design: &mut DesignResult) {
         if let (Some(known), Some(own)) = (&mut design.objective, self.objective) {
-            *known = known.max(own);
+            *known = if self.alone { own } else { known.max(own) };
         }
         for (known, own) in design.limits.iter_mut().zip(&self.limits) {
-            *known = own.map_or(*known, |own| known.max(own));
+            *known = own.map_or(*known, |own| if self.alone { own } else { known.max(own) });
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Inputs that are possible but unlikely: most often a wrong unit or a wrong dimension.
 
+use crate::absorber::two_stage::CARRIED;
 use crate::engine::excitation::Audit;
 use crate::engine::{Geometry, Source};
 use crate::input::{Size, Study};
@@ -161,6 +162,9 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     for design in &study.designs {
         for (absorber, m) in design.absorbers.iter().enumerate() {
             let (Some(stiffness), Some(lowest)) = (m.absorber.stiffness().filter(|k| *k > 0.0), lowest) else { continue };
+            if m.absorber.value(CARRIED.key).is_some_and(|torque| torque > 0.0) {
+                continue;
+            }
             let ratio = (stiffness / m.absorber.ring_inertia()).sqrt() * HZ_PER_RAD_PER_S / lowest;
             if ratio.is_finite() && !TUNING.contains(&ratio) {
                 found.push(Implausible::Tuning { design: design.name.clone(), absorber, ratio });

@@ -13,7 +13,7 @@ pub(crate) fn large_twist(study: &Study, results: &Results) -> String {
     let rows: Vec<Vec<String>> = results.large_twist.iter().map(|d| row(results, d)).collect();
     let header = ["design", "small/°", "peak/°", "at/rpm", "ring/°", "heat/W", "harmonics"];
     let mut text = format!(
-        "At their own amplitude, by harmonic balance (objective and limits of a design are the worse of this and of small twist, other\ntables are of small twist; the peak is the largest found that may last):\n{}",
+        "At their own amplitude, by harmonic balance (objective and limits of a design are the worse of this and of small twist, other tables are of small twist; the peak is the largest found that may last):\n{}",
         table(&header, &rows)
     );
     for d in &results.large_twist {
@@ -53,6 +53,9 @@ fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f
 
 fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     let unknown = d.curves.iter().flatten().any(|p| p.stable.is_none());
+    if d.at_large_twist.alone {
+        text.push_str(&format!("  {}: dry friction holds it at small twist, so that it is judged by its own amplitude alone.\n", d.design));
+    }
     let several = speeds(d, |all, lasting| if unknown { all > 1 } else { lasting > 1 });
     if !several.is_empty() {
         let (at, verb) = (between(&several), if unknown { "are possible" } else { "last" });

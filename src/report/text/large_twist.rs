@@ -53,7 +53,7 @@ fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f
 
 fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     let unknown = d.curves.iter().flatten().any(|p| p.stable.is_none());
-    if d.at_large_twist.alone {
+    if d.at_large_twist.alone && d.peak.is_some() {
         text.push_str(&format!("  {}: dry friction holds it at small twist, so that it is judged by its own amplitude alone.\n", d.design));
     }
     let several = speeds(d, |all, lasting| if unknown { all > 1 } else { lasting > 1 });
@@ -88,6 +88,7 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     }
     if d.change > study.tolerance {
         let change = significant(100.0 * d.change, 2);
-        text.push_str(&format!("  {}: twice the harmonics still change the peak by {change} %.\n", d.design));
+        let what = if d.change.is_finite() { format!("still change the peak by {change} %") } else { "find no motion there".into() };
+        text.push_str(&format!("  {}: twice the harmonics {what}.\n", d.design));
     }
 }

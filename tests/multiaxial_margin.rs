@@ -108,7 +108,7 @@ fn bounds_of_unit_loads_hold() {
 }
 
 /// Law: bounds leave out nothing. At every speed each fillet's row is the largest share of its locations, all of them searched; and the smallest margin, found by bounds of ranges and of paths at
-/// neighbouring speeds, is below every row, but no further than a peak between rows 10 rpm apart rises.
+/// neighbouring speeds, is below every row, but no further than a peak between rows 50 rpm apart rises.
 #[test]
 fn bounds_of_nominal_states_hold() {
     let study = short("villalva_i6");

@@ -89,10 +89,9 @@ impl TwoStage {
         (twist.signum() * (self.stiffness * from + self.second_stiffness * (twist.abs() - from)), self.second_stiffness)
     }
 
-    /// Slope of the springs at rest, under the torque that is carried.
-    fn at_rest(&self) -> f64 {
-        let first = self.stiffness * self.second_from * RAD_PER_DEG;
-        if self.carried <= first { self.stiffness } else { self.second_stiffness }
+    /// Whether the springs rest in their first stage under the torque that is carried.
+    fn rests_in_first(&self) -> bool {
+        self.carried <= self.stiffness * self.second_from * RAD_PER_DEG
     }
 
     /// Damping of the smallest twists.
@@ -113,10 +112,11 @@ impl Law for TwoStage {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        C64::new(self.at_rest(), at.omega * self.creeping())
+        let slope = if self.rests_in_first() { self.stiffness } else { self.second_stiffness };
+        C64::new(slope, at.omega * self.creeping())
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
-        let in_first = self.carried <= self.stiffness * self.second_from * RAD_PER_DEG;
+        let in_first = self.rests_in_first();
         let one = |counts: bool| C64::from(if counts { 1.0 } else { 0.0 });
         let rate = |by: f64| C64::new(0.0, at.omega * by);
         let (by_friction, by_rate) = (1.0 / self.friction_rate, -self.friction / (self.friction_rate * self.friction_rate));

@@ -5,9 +5,9 @@ use super::life::{self, LifeOverDuty};
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::engine::{Engine, Excitation, Load, Source};
-use crate::input::{DutyPoint, MeasureSpec, Study};
+use crate::input::{DutyPoint, Study};
 use crate::numerics::synthesis::Synthesiser;
-use crate::objective::{DutyLoad, Over};
+use crate::objective::DutyLoad;
 use crate::response::{Direct, Grid, Quantity, ResponseError, Work};
 
 /// A design at one point of the duty.
@@ -48,10 +48,9 @@ fn at_load(engine: &Engine, load_fraction: f64) -> Option<Engine> {
     Some(Engine { source: Source::Cylinder { geometry: geometry.clone(), pressure }, ..engine.clone() })
 }
 
-/// The points of the duty where a measure of the study is a mean over them; else none.
+/// The points of the duty where a measure of the study asks for them; else none.
 pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
-    let is_mean = |m: &MeasureSpec| matches!(m.measure.over, Over::Mean | Over::MeanPower | Over::Damage);
-    if study.measures().any(is_mean) { systems(study).map(|s| s.1).collect() } else { Vec::new() }
+    if study.measures().any(|m| m.measure.over.asks_for_duty()) { systems(study).map(|s| s.1).collect() } else { Vec::new() }
 }
 
 fn systems(study: &Study) -> impl Iterator<Item = (DutyPoint, DutyLoad)> + '_ {

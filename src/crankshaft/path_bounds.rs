@@ -4,7 +4,6 @@
 use super::CriticalLocation;
 use super::loads::Section;
 use super::speed_table::At;
-
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::Invariants;

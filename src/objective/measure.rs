@@ -30,6 +30,13 @@ pub enum Over {
     Property(Property),
 }
 
+impl Over {
+    /// Whether it asks for the points of a duty.
+    pub(crate) fn asks_for_duty(self) -> bool {
+        matches!(self, Self::Mean | Self::MeanPower | Self::Damage)
+    }
+}
+
 /// A property of the absorbers whose ring twists are the quantities of a measure.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Property {

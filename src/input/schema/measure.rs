@@ -215,11 +215,11 @@ over_speed!(RawSpringStress {
     /// Stress of the springs per twist of the ring, from their drawing.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
     mpa_per_deg: At<f64>,
-    /// All orders together, the largest single order, or the mean over the duty.
+    /// Over the sum of orders, the largest order, or the mean over the duty.
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
-    /// Only this order.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [6]))]
+    /// One order only.
+    #[schemars(extend("examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [400]))]

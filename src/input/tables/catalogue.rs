@@ -47,10 +47,12 @@ impl MadeWith {
             let value = table.filled(line, column, &cells[column])?;
             if value > 0.0 { Ok(value) } else { Err(table.at(line, column, format!("found {value}, expected a number above zero"))) }
         };
-        Ok(Some(match p.key == STIFFNESS.key {
-            true => factor * PA_PER_MPA * value("shear_modulus_mpa")?,
-            false => factor * M2_PER_MM2 * value("viscosity_mm2_per_s")? * value("density_kg_per_m3")?,
-        }))
+        let made = if p.key == STIFFNESS.key {
+            PA_PER_MPA * value("shear_modulus_mpa")?
+        } else {
+            M2_PER_MM2 * value("viscosity_mm2_per_s")? * value("density_kg_per_m3")?
+        };
+        Ok(Some(factor * made))
     }
 
     /// Whether a column of materials makes a parameter of a type.

@@ -19,12 +19,14 @@ use names::{Bound, Names, Resolved, spec};
 fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Option<Resolved<'r>> {
     let resolved = of_kind(check, raw, of)?;
     let measure = &resolved.spec.measure;
-    if matches!(measure.over, Over::Mean | Over::MeanPower | Over::Damage) {
+    if measure.over.asks_for_duty() {
+        let what = if measure.over == Over::Damage { "a life" } else { "a mean" };
         if !of.has_duty {
-            check.wrong(raw, "found a mean over the duty in a study without one, expected its points as `duty = [...]`");
+            check.wrong(raw, format!("found {what} over the duty in a study without one, expected its points as `duty = [...]`"));
         }
         if of.unequal {
-            check.wrong(raw, "found a mean over the duty beside `misfire` or `unequal_cylinders`, expected one or the other: the duty is of cylinders that all fire");
+            let expected = "expected one or the other: the duty is of cylinders that all fire";
+            check.wrong(raw, format!("found {what} over the duty beside `misfire` or `unequal_cylinders`, {expected}"));
         }
         if measure.within != Within::default() {
             check.wrong(raw, "found speeds or a limit over speed beside `over = \"duty\"`, expected the points of the duty alone");

@@ -11,9 +11,15 @@ use plotters::prelude::*;
 /// Given designs further out than this many ranges of the fronts are not drawn.
 const FARTHEST: f64 = 1.0;
 
+/// Hours whose damage stands for a life, which has no end where nothing is sheared.
+const HOURS: f64 = 1000.0;
+
 /// A label of an axis.
 fn axis(measure: &MeasureSpec) -> String {
     let label = measure.label.replace('_', " ");
+    if measure.unit == UnitOf::Life {
+        return format!("{label}: share used up in {HOURS} h / %");
+    }
     match measure.unit.suffix().trim() {
         "" => label,
         unit => format!("{label} / {unit}"),
@@ -22,7 +28,8 @@ fn axis(measure: &MeasureSpec) -> String {
 
 /// A pair of values as they are drawn: the second measure to the right, the first upwards.
 fn place(measures: [&MeasureSpec; 2], values: [f64; 2]) -> Option<(f64, f64)> {
-    let at = (measures[1].unit.shown(values[1]), measures[0].unit.shown(values[0]));
+    let drawn = |i: usize| if measures[i].unit == UnitOf::Life { 100.0 * HOURS * values[i] } else { measures[i].unit.shown(values[i]) };
+    let at = (drawn(1), drawn(0));
     (at.0.is_finite() && at.1.is_finite()).then_some(at)
 }
 
@@ -30,7 +37,7 @@ fn place(measures: [&MeasureSpec; 2], values: [f64; 2]) -> Option<(f64, f64)> {
 fn range(values: impl Iterator<Item = f64>, unit: UnitOf) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     let room = 0.08 * (high - low).max(1e-3 * high.abs());
-    let bottom = if !unit.is_inverse() && low < 0.3 * high { 0.0 } else { low - room };
+    let bottom = if unit != UnitOf::Margin && low < 0.3 * high { 0.0 } else { low - room };
     (bottom, high + room)
 }
 

@@ -4,6 +4,7 @@ use crate::support::assert_close;
 use hartog::numerics::elementary::{ComplexElementary, Elementary};
 use hartog::numerics::interpolation::Interpolation;
 use hartog::numerics::matrix_exponential::matrix_exponential;
+use hartog::numerics::rounding::seven_digits;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::numerics::tridiagonal::Tridiagonal;
 use hartog::numerics::{C64, eigen, harmonics, maximise};
@@ -205,4 +206,22 @@ fn exponentials_of_matrices() {
     }
     let a = DMatrix::from_fn(6, 6, |i, j| ((3 * i + 5 * j) % 7) as f64 - 3.0);
     assert!((matrix_exponential(&a) * matrix_exponential(&-&a) - DMatrix::identity(6, 6)).amax() < 1e-6);
+}
+
+/// Law: rounding by powers of ten says what the digits say. Over forty decades, and beside the middles of seven digits and the powers of ten. Tolerance: none, it is the same number.
+#[test]
+fn seven_digits_of_any_number() {
+    for i in 0..60_000 {
+        let x = (0.1 + f64::from(i) * 0.618_033_988_749_894_9) * 10f64.powi(i % 40 - 20) * if i % 3 == 0 { -1.0 } else { 1.0 };
+        let middle = f64::from(1_000_000 + 149 * i) + 0.5;
+        for x in [x, middle, middle * (1.0 + f64::EPSILON), middle * 1e-3, 9_999_999.499, 10f64.powi(i % 30 - 15)] {
+            let by_digits: f64 = format!("{x:.6e}").parse().expect("a number");
+            assert_eq!(seven_digits(x).to_bits(), by_digits.to_bits(), "{x:e}");
+        }
+    }
+    for x in [0.0, -0.0, f64::INFINITY, 5e-324, f64::MAX] {
+        let by_digits: f64 = format!("{x:.6e}").parse().expect("a number");
+        assert_eq!(seven_digits(x).to_bits(), by_digits.to_bits(), "{x:e}");
+    }
+    assert!(seven_digits(f64::NAN).is_nan());
 }

@@ -27,8 +27,10 @@ pub(crate) fn per_design(
     let mut timing = Vec::new();
     let mut put = |stage: &str, seconds: f64, work: Work| timing.push(Timing { stage: stage.into(), seconds, work });
     let mut work = Work::default();
-    finder.method.squares(design, quantity, &mut squares, &mut work)?;
-    let seconds = median_seconds(REPEATS, || finder.method.squares(design, quantity, &mut squares, &mut Work::default()))?;
+    let seconds = median_seconds(REPEATS, || {
+        work = Work::default();
+        finder.method.squares(design, quantity, &mut squares, &mut work)
+    })?;
     put("one_design_squares", seconds, Work { receptance_points: work.receptance_points, ..Work::default() });
     let seconds = median_seconds(REPEATS, || {
         let total = finder.synthesis(&phasors);
@@ -36,21 +38,23 @@ pub(crate) fn per_design(
         Ok(())
     })?;
     put("one_design_synthesis", seconds, Work { syntheses: finder.grid.len() as u64, ..Work::default() });
-    let mut work = Work::default();
-    finder.peak(design, &measure, &mut work)?;
-    let seconds = median_seconds(REPEATS, || finder.peak(design, &measure, &mut Work::default()).map(|_| ()))?;
+    let seconds = median_seconds(REPEATS, || {
+        work = Work::default();
+        finder.peak(design, &measure, &mut work).map(|_| ())
+    })?;
     put("one_design_refined_peak", seconds, work);
-    let mut work = Work::default();
     let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
-    let torques = |work: &mut Work| direct.sweep_each(design, &shafts, work).map(|_| ());
-    torques(&mut work)?;
-    let seconds = median_seconds(REPEATS, || torques(&mut Work::default()))?;
+    let seconds = median_seconds(REPEATS, || {
+        work = Work::default();
+        direct.sweep_each(design, &shafts, &mut work).map(|_| ())
+    })?;
     put("one_design_torques", seconds, work);
     if !margins.is_empty() {
-        let mut work = Work::default();
-        let all = |work: &mut Work| margins::smallest(finder, design, margins, work).map(|_| ());
-        all(&mut work)?;
-        put("one_design_margins", median_seconds(REPEATS, || all(&mut Work::default()))?, work);
+        let seconds = median_seconds(REPEATS, || {
+            work = Work::default();
+            margins::smallest(finder, design, margins, &mut work).map(|_| ())
+        })?;
+        put("one_design_margins", seconds, work);
     }
     Ok(timing)
 }

@@ -9,17 +9,22 @@ const DIRECTIONS: usize = 8;
 const EVERY: usize = 3;
 /// Points that are looked at together.
 const LANES: usize = 16;
+/// Corners of the polygon closer than this share of the spread are one.
+const NEAR: f32 = 1e-3;
+/// A point is inside the polygon where the parallelograms of all its sides and the point are larger than this, of a spread of 1: several times their rounding.
+const INSIDE: f32 = 2e-6;
 
 /// Indices of the corners of the convex hull, counter-clockwise; points on its sides and repeated ones are left out. One index where all points are one, two where they
 /// lie on a line. Andrew's monotone chain \[Andrew 1979\], of the points that the polygon of the extremes in sixteen directions does not hold
 /// \[Akl & Toussaint 1978\].
 pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
     let mut few_left: Vec<(u64, usize)> = Vec::with_capacity(128);
+    let (u, v) = (of_spread(x), of_spread(y));
     // any points will do for the polygon: neighbours say much the same
-    let few = |v: &[f64]| v.iter().step_by(EVERY).copied().collect::<Vec<f64>>();
-    outside(x, y, &polygon(&few(x), &few(y)), |i| few_left.push((ascending(x[i]), i)));
+    let few = |v: &[f32]| v.chunks(EVERY).map(|c| c[0]).collect::<Vec<f32>>();
+    outside(&u, &v, &polygon(&few(&u), &few(&v)), |i| few_left.push((ascending(x[i]), i)));
     few_left.sort_unstable();
-    let mut order: Vec<(f64, f64, usize)> = few_left.into_iter().map(|(_, i)| (x[i], y[i], i)).collect();
+    let mut order: Vec<Point> = few_left.into_iter().map(|(_, i)| (x[i], y[i], i)).collect();
     for column in order.chunk_by_mut(|a, b| a.0 == b.0) {
         column.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.2.cmp(&b.2)));
     }
@@ -27,23 +32,27 @@ pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
     if order.len() < 3 {
         return order.into_iter().map(|p| p.2).collect();
     }
-    let turns_left =
-        |a: &(f64, f64, usize), b: &(f64, f64, usize), c: &(f64, f64, usize)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
-    let mut corners: Vec<(f64, f64, usize)> = Vec::with_capacity(order.len() + 1);
-    let mut half = |points: &mut dyn Iterator<Item = &(f64, f64, usize)>| {
-        let from = corners.len();
-        for p in points {
-            while corners.len() >= from + 2 && !turns_left(&corners[corners.len() - 2], &corners[corners.len() - 1], p) {
-                corners.pop();
-            }
-            corners.push(*p);
-        }
-        // it is the first of the other half
-        corners.pop();
-    };
-    half(&mut order.iter());
-    half(&mut order.iter().rev());
+    if std::env::var("HZ").is_ok() {}
+    let mut corners: Vec<Point> = Vec::with_capacity(order.len() + 1);
+    half(order.iter(), &mut corners);
+    half(order.iter().rev(), &mut corners);
     corners.into_iter().map(|p| p.2).collect()
+}
+
+/// A point with its index.
+type Point = (f64, f64, usize);
+
+/// Adds the corners of one half of the hull, but for the last: it is the first of the other half.
+fn half<'a>(points: impl Iterator<Item = &'a Point>, corners: &mut Vec<Point>) {
+    let turns_left = |a: &Point, b: &Point, c: &Point| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
+    let from = corners.len();
+    for p in points {
+        while corners.len() >= from + 2 && !turns_left(&corners[corners.len() - 2], &corners[corners.len() - 1], p) {
+            corners.pop();
+        }
+        corners.push(*p);
+    }
+    corners.pop();
 }
 
 /// A whole number that grows with a number.
@@ -53,41 +62,58 @@ fn ascending(x: f64) -> u64 {
     if bits >> 63 == 1 { !bits } else { bits | 1 << 63 }
 }
 
-/// Points that are farthest along the directions, which are even in units of the spread, counter-clockwise.
-fn polygon(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
-    let spread = |v: &[f64]| {
-        let [(low, high)] = ranges(v, v, &[[1.0, 0.0]]);
-        if high > low { 1.0 / (high - low) } else { 1.0 }
-    };
-    let (sx, sy) = (spread(x), spread(y));
-    let directions: [[f64; 2]; DIRECTIONS] = std::array::from_fn(|d| {
+/// Shares of the spread, from the first number: with few digits, which are enough to leave out points that are well inside.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn of_spread(numbers: &[f64]) -> Vec<f32> {
+    let (whole, rest) = numbers.as_chunks::<LANES>();
+    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    for chunk in whole {
+        for l in 0..LANES {
+            low[l] = if chunk[l] < low[l] { chunk[l] } else { low[l] };
+            high[l] = if chunk[l] > high[l] { chunk[l] } else { high[l] };
+        }
+    }
+    let least = low.iter().chain(rest).fold(f64::INFINITY, |m, v| if *v < m { *v } else { m });
+    let most = high.iter().chain(rest).fold(f64::NEG_INFINITY, |m, v| if *v > m { *v } else { m });
+    let scale = if most > least { 1.0 / (most - least) } else { 1.0 };
+    numbers.iter().map(|v| ((v - least) * scale) as f32).collect()
+}
+
+/// Points that are farthest along directions even round half a turn, counter-clockwise.
+fn polygon(x: &[f32], y: &[f32]) -> Vec<[f32; 2]> {
+    let directions: [[f32; 2]; DIRECTIONS] = std::array::from_fn(|d| {
         let (sine, cosine) = (std::f64::consts::PI * d as f64 / DIRECTIONS as f64).sine_cosine();
-        [cosine * sx, sine * sy]
+        [cosine as f32, sine as f32]
     });
     let most = ranges(x, y, &directions);
-    let mut corners: Vec<[f64; 2]> = Vec::with_capacity(2 * DIRECTIONS);
+    let mut corners: Vec<[f32; 2]> = Vec::with_capacity(2 * DIRECTIONS);
     let highs = directions.iter().zip(&most).map(|(d, m)| (d, m.1));
     let lows = directions.iter().zip(&most).map(|(d, m)| (d, m.0));
+    let apart = |a: &[f32; 2], b: &[f32; 2]| (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > NEAR;
     for (direction, wanted) in highs.chain(lows) {
         let i = first(x, y, *direction, wanted);
-        if corners.last() != Some(&[x[i], y[i]]) {
-            corners.push([x[i], y[i]]);
+        let corner = [x[i], y[i]];
+        if corners.last().is_none_or(|last| apart(last, &corner)) {
+            corners.push(corner);
         }
+    }
+    while corners.len() > 1 && !apart(&corners[0], &corners[corners.len() - 1]) {
+        corners.pop();
     }
     corners
 }
 
-fn along([a, b]: [f64; 2], x: f64, y: f64) -> f64 {
+fn along([a, b]: [f32; 2], x: f32, y: f32) -> f32 {
     a * x + b * y
 }
 
 /// Smallest and largest part of the points along each direction.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn ranges<const N: usize>(x: &[f64], y: &[f64], directions: &[[f64; 2]; N]) -> [(f64, f64); N] {
+fn ranges<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 2]; N]) -> [(f32, f32); N] {
     let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
-    let mut all = [(f64::INFINITY, f64::NEG_INFINITY); N];
+    let mut all = [(f32::INFINITY, f32::NEG_INFINITY); N];
     for (range, d) in all.iter_mut().zip(directions) {
-        let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+        let (mut low, mut high) = ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
         for (x, y) in xs.0.iter().zip(ys.0) {
             for l in 0..LANES {
                 let v = along(*d, x[l], y[l]);
@@ -110,9 +136,9 @@ fn ranges<const N: usize>(x: &[f64], y: &[f64], directions: &[[f64; 2]; N]) -> [
 
 /// The first point whose part along a direction is this.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn first(x: &[f64], y: &[f64], d: [f64; 2], wanted: f64) -> usize {
+fn first(x: &[f32], y: &[f32], d: [f32; 2], wanted: f32) -> usize {
     let (xs, ys) = (x.as_chunks::<LANES>().0, y.as_chunks::<LANES>().0);
-    let holds = |(x, y): (&[f64; LANES], &[f64; LANES])| {
+    let holds = |(x, y): (&[f32; LANES], &[f32; LANES])| {
         let mut found = false;
         for l in 0..LANES {
             found |= along(d, x[l], y[l]) == wanted;
@@ -123,22 +149,19 @@ fn first(x: &[f64], y: &[f64], d: [f64; 2], wanted: f64) -> usize {
     (from..x.len()).find(|i| along(d, x[*i], y[*i]) == wanted).unwrap_or(0)
 }
 
-/// Takes the points that are not strictly inside a convex polygon; a polygon of one corner or of two has no inside.
+/// Takes the points that are not well inside a convex polygon; a polygon of one corner or of two has no inside.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn outside(x: &[f64], y: &[f64], polygon: &[[f64; 2]], mut take: impl FnMut(usize)) {
+fn outside(x: &[f32], y: &[f32], polygon: &[[f32; 2]], mut take: impl FnMut(usize)) {
     // corner and step to the next
-    let mut sides = [([0.0; 2], [0.0; 2]); 2 * DIRECTIONS];
-    let mut count = 0;
-    for (i, a) in polygon.iter().enumerate() {
-        let b = polygon[(i + 1) % polygon.len()];
-        if *a != b {
-            sides[count] = (*a, [b[0] - a[0], b[1] - a[1]]);
-            count += 1;
-        }
+    let mut sides = [([0.0f32; 2], [0.0f32; 2]); 2 * DIRECTIONS];
+    let count = if polygon.len() < 3 { 0 } else { polygon.len() };
+    for (i, side) in sides[..count].iter_mut().enumerate() {
+        let (a, b) = (polygon[i], polygon[(i + 1) % count]);
+        *side = (a, [b[0] - a[0], b[1] - a[1]]);
     }
     let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
     for (block, (x, y)) in xs.0.iter().zip(ys.0).enumerate() {
-        let mut inside = [f64::INFINITY; LANES];
+        let mut inside = [f32::INFINITY; LANES];
         for (a, step) in &sides[..count] {
             for l in 0..LANES {
                 let left = step[0] * (y[l] - a[1]) - step[1] * (x[l] - a[0]);
@@ -146,7 +169,7 @@ fn outside(x: &[f64], y: &[f64], polygon: &[[f64; 2]], mut take: impl FnMut(usiz
             }
         }
         for (l, inside) in inside.iter().enumerate() {
-            if *inside <= 0.0 || *inside == f64::INFINITY {
+            if *inside <= INSIDE || *inside == f32::INFINITY {
                 take(block * LANES + l);
             }
         }

@@ -19,6 +19,7 @@ pub(crate) mod product;
 pub mod quadrature;
 pub mod rainflow;
 pub(crate) mod roots;
+pub mod rounding;
 mod sampling;
 pub(crate) mod sparse;
 pub mod synthesis;

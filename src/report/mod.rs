@@ -79,18 +79,20 @@ pub(crate) fn write_run(
     } else {
         csv::front(study, results, folder)?
     }
-    // the large tables beside the plots; the first failure in this order is told
+    // the large tables beside the plots and what the page asks of the results; the first failure in this order is told
     let large = || {
         let (response, margin) = rayon::join(|| csv::response(study, results, folder), || csv::margin::margin(study, results, folder));
         written();
         response.and(margin)
     };
-    let (tables, plots) = rayon::join(large, || plot::run(study, results, folder, written));
+    let plots = || plot::run(study, results, folder, written);
+    let data = || (record::write(study, inputs, results, folder), page::data(study, results));
+    let (tables, (plots, (record, data))) = rayon::join(large, || rayon::join(plots, data));
     tables.and(plots)?;
     folder.remove_other_plots("response_")?;
     folder.remove_other_plots("front_")?;
-    record::write(study, inputs, results, folder)?;
-    page::write(study, inputs, results, folder)
+    record?;
+    page::write((study, inputs), results, &data, folder)
 }
 
 /// Writes a calibration, or removes that of an earlier run.

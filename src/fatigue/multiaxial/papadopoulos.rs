@@ -35,8 +35,19 @@ static RULE: LazyLock<Vec<(Weights, f64)>> = LazyLock::new(|| {
 #[derive(Debug)]
 pub(crate) struct Directions {
     along: Vec<[f64; 2]>,
+    /// For each part of the half turn how many come before it.
+    begin: Vec<usize>,
     /// Sums of share times w0², w0 w3, w3² of those before each, and of all.
     sums: Vec<[f64; 3]>,
+}
+
+/// Parts of the half turn, each with about one direction.
+const PARTS: usize = 1024;
+
+/// The part of the half turn in which an angle lies, by a number that grows with it; nothing of the other half.
+fn turned([x, y]: [f64; 2]) -> Option<usize> {
+    let size = x.abs() + y;
+    (y >= 0.0 && size > 0.0).then(|| ((1.0 - x / size) * (0.5 * PARTS as f64)) as usize)
 }
 
 /// Those of the rule.
@@ -51,7 +62,10 @@ pub(crate) fn directions() -> &'static Directions {
             let before = sums[sums.len() - 1];
             sums.push([before[0] + share * x * x, before[1] + share * x * y, before[2] + share * y * y]);
         }
-        Directions { along: list.into_iter().map(|l| l.0).collect(), sums }
+        let along: Vec<[f64; 2]> = list.into_iter().map(|l| l.0).collect();
+        // those in the part before, too: rounding may lie between
+        let before = |part: usize| along.iter().filter(|w| turned(**w).is_none_or(|own| own + 1 < part)).count();
+        Directions { begin: (0..=PARTS).map(before).collect(), along, sums }
     });
     &DIRECTIONS
 }
@@ -64,15 +78,9 @@ impl Directions {
 
     /// The first one, from `from` on, that has a positive part along `step`: a step that turns left from all before it.
     pub(crate) fn first_along(&self, step: [f64; 2], from: usize) -> usize {
-        let not_along = |[x, y]: &[f64; 2]| x * step[0] + y * step[1] <= 0.0;
-        // most corners are left soon: twice as far each time
-        let (mut low, mut reach) = (from, 4);
-        while low + reach < self.along.len() && not_along(&self.along[low + reach]) {
-            low += reach;
-            reach *= 2;
-        }
-        let high = (low + reach).min(self.along.len());
-        low + self.along[low..high].partition_point(not_along)
+        let not_along = |[x, y]: &&[f64; 2]| x * step[0] + y * step[1] <= 0.0;
+        let from = from.max(turned([step[1], -step[0]]).map_or(0, |part| self.begin[part]));
+        from + self.along[from..].iter().take_while(not_along).count()
     }
 
     /// Moments of those in a range.

@@ -1,6 +1,7 @@
 //! A table on its way to a file, and how numbers are written.
 
 use crate::input::{MeasureSpec, Study};
+use crate::numerics::rounding::seven_digits;
 use crate::report::files::{Folder, WriteError};
 
 /// A table in memory.
@@ -38,7 +39,7 @@ pub fn number(x: f64) -> String {
 
 /// The shortest decimal that reads back to seven significant digits: for curves, of which there are many numbers.
 pub(crate) fn rounded(x: f64) -> String {
-    number(format!("{x:.6e}").parse().unwrap_or(x))
+    number(seven_digits(x))
 }
 
 pub(crate) fn optional(x: Option<f64>) -> String {

@@ -22,17 +22,21 @@ use parts::{TABLES, conditions, limits, model, page, parameters, picture, proven
 
 const SCRIPT: &str = include_str!("page.js");
 
-/// Writes the page; plots of the run are taken from the folder.
+/// What the script of the page draws from: asks for no plots.
+pub(crate) fn data(study: &Study, results: &Results) -> String {
+    // a closing tag within a text would end the script
+    data::data(study, results).to_string().replace("</", "<\\/")
+}
+
+/// Writes the page about its data; plots of the run are taken from the folder.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
-pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    folder.write(PAGE, page(&format!("{} – hartog", study.name), &body(study, inputs, results, folder)).as_bytes())
+pub(crate) fn write((study, inputs): (&Study, &[InputFile]), results: &Results, data: &str, folder: &Folder) -> Result<(), WriteError> {
+    folder.write(PAGE, page(&format!("{} – hartog", study.name), &body((study, inputs), results, data, folder)).as_bytes())
 }
 
-fn body(study: &Study, inputs: &[InputFile], results: &Results, folder: &Folder) -> Markup {
-    // a closing tag within a text would end the script
-    let data = data::data(study, results).to_string().replace("</", "<\\/");
+fn body((study, inputs): (&Study, &[InputFile]), results: &Results, data: &str, folder: &Folder) -> Markup {
     html! {
         (question(study, results))
         (designs(study, results))

@@ -43,7 +43,7 @@ pub(crate) struct Searches<'a> {
     finders: &'a [PeakFinder<'a>],
     pub(super) load_cases: &'a [LoadCase<'a>],
     /// Each by itself, in SI units.
-    objectives: Vec<Limit>,
+    pub(super) objectives: Vec<Limit>,
     /// Of each, where it is the mean of a twist over the duty: its terms with their shares; else none.
     duty: Vec<(Vec<Limit>, Vec<f64>)>,
     /// Those that are combined, in units of their targets.

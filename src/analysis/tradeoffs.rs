@@ -2,11 +2,12 @@
 
 use super::RunError;
 use super::families::{self, joined};
-use super::results::{Beside, TradeoffResult};
+use super::results::{Beside, OptimumResult, TradeoffResult};
 use super::searches::Searches;
 use super::timing::Clock;
 use crate::absorber::{Host, Mounted};
 use crate::input::{FrontSpec, OptimiseSpec};
+use crate::objective::Limit;
 use crate::optimise::tradeoff::{Follower, mark};
 use crate::optimise::{Problem, Space, Tradeoff, largest};
 use crate::response::{ResponseError, Work};
@@ -32,11 +33,23 @@ impl Searches<'_> {
         list
     }
 
-    /// Fronts of every pair of the study's measures.
+    /// The optimum of a family by a measure within the limits of the study, where the study has asked for it.
+    fn known<'o>(&self, spec: &OptimiseSpec, space: &Space, measure: &Limit, optima: &'o [OptimumResult]) -> Option<&'o [f64]> {
+        let family = families::wanted(spec, self.modes).into_iter().find(|f| f.space == *space)?;
+        let own = |o: &&OptimumResult| o.family == family.family && self.objectives.get(o.objective) == Some(measure);
+        optima.iter().filter(own).find(|o| !o.robust && o.conflict.is_none()).map(|o| o.optimum.outcome.point.as_slice())
+    }
+
+    /// Fronts of every pair of the study's measures, beginning with optima that are known.
     ///
     /// # Errors
     /// [`RunError`] where no start of a search has a finite response.
-    pub(crate) fn tradeoffs(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<TradeoffResult>, RunError> {
+    pub(crate) fn tradeoffs(
+        &self,
+        spec: &OptimiseSpec,
+        optima: &[OptimumResult],
+        clock: &mut Clock,
+    ) -> Result<Vec<TradeoffResult>, RunError> {
         let Some(FrontSpec::Of { points, measures }) = &self.study.front else { return Ok(Vec::new()) };
         let pairs: Vec<[usize; 2]> = (0..measures.len()).flat_map(|i| (i + 1..measures.len()).map(move |j| [i, j])).collect();
         let families = self.families_of_front(spec);
@@ -58,7 +71,8 @@ impl Searches<'_> {
                     memory: self.memory(None),
                 };
                 let starts = |space: &Space| self.starts(spec, space);
-                let front = Follower::new(&problem, &second, &starts).follow(*points, &step).map_err(failed)?;
+                let known = self.known(spec, space, &first, optima);
+                let front = Follower::new(&problem, &second, &starts).with_least_of_first(known).follow(*points, &step).map_err(failed)?;
                 let mut work = front.minimax;
                 work += front.searches;
                 clock.lap(&format!("front_{name}"), work);

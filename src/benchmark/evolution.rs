@@ -128,7 +128,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
         FrontSpec::Of { measures, .. } => {
             let families = searches.families_of_front(spec);
             let mut list = Vec::new();
-            for tradeoff in searches.tradeoffs(spec, &mut clock)? {
+            for tradeoff in searches.tradeoffs(spec, &[], &mut clock)? {
                 let [first, second] = tradeoff.of.map(|m| &measures[m]);
                 for ((family, front), (_, space, _)) in tradeoff.families.iter().zip(&families) {
                     let exact = Exact {

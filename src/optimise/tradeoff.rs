@@ -11,7 +11,7 @@ use super::starts::NamedPoint;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
-use crate::objective::{HELD, Limit};
+use crate::objective::{HELD, Limit, Over, Property};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -73,12 +73,19 @@ pub struct Follower<'a> {
     problem: &'a Problem<'a>,
     second: &'a Limit,
     starts: Starts<'a>,
+    least_first: Option<&'a [f64]>,
 }
 
 impl<'a> Follower<'a> {
     /// Of the (only) objective of a problem against a second measure.
     pub fn new(problem: &'a Problem<'a>, second: &'a Limit, starts: Starts<'a>) -> Self {
-        Self { problem, second, starts }
+        Self { problem, second, starts, least_first: None }
+    }
+
+    /// With the point of the least of the first measure, where a search of the same problem has found it.
+    #[must_use]
+    pub(crate) fn with_least_of_first(self, point: Option<&'a [f64]>) -> Self {
+        Self { least_first: point, ..self }
     }
 
     /// Limits of the problem, the second measure at most at a level being the last.
@@ -186,22 +193,36 @@ impl<'a> Follower<'a> {
         Ok(best)
     }
 
+    /// What the second measure is where all variables are at their lower bounds, where that is the least of it: of inertias.
+    fn lowest(&self) -> Result<Option<f64>, ResponseError> {
+        if !matches!(self.second.measure.over, Over::Property(Property::RingInertia | Property::TotalInertia)) {
+            return Ok(None);
+        }
+        let corner: Vec<f64> = self.problem.space.bounds().iter().map(|bound| bound.0).collect();
+        let design = self.problem.space.design(&corner);
+        largest(self.problem.steering().map(|s| s.1), &design, &self.second.measure, &mut Work::default()).map(Some)
+    }
+
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
+        let last = match self.least_first {
+            Some(point) => self.best_of_points(f64::MAX, &[point], work)?,
+            None => self.searched(f64::MAX, work)?,
+        };
+        let Some(last) = last else { return Ok(None) };
+        let last = self.least_of_second(last, work)?;
+        // the least that bounds allow needs no search where a design of that holds the limits
+        if let Some(lowest) = self.lowest()?
+            && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[&last.outcome.point], work)?
+        {
+            return Ok(Some([first, last]));
+        }
         let seconds = [self.second.measure.in_si()];
         let least_second = self.within(self.problem.limits, &seconds);
-        let starts = (self.starts)(&least_second.space);
-        let mut searched = Work::default();
-        let (found, last) =
-            rayon::join(|| search::optimise(&least_second, &starts, Finish::All, &|| {}), || self.searched(f64::MAX, &mut searched));
-        let found = found?;
+        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), Finish::All, &|| {})?;
         *work += found.stages.seeds;
         *work += found.stages.search;
         *work += found.stages.minimax;
-        let last = last?;
-        *work += searched;
-        let Some(last) = last else { return Ok(None) };
-        let last = self.least_of_second(last, work)?;
         let least = found.outcome.rows.objective();
         if !found.outcome.rows.hold() {
             return Ok(None);

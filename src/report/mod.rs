@@ -43,6 +43,24 @@ pub(crate) fn write_run(
 ) -> Result<(), WriteError> {
     folder.remove(&[UNFINISHED])?;
     write_calibration(study, calibration, folder)?;
+    // the large tables beside the others, the plots and what the page asks of the results; the first failure in this order is told
+    let large = || {
+        let (response, margin) = rayon::join(|| csv::response(study, results, folder), || csv::margin::margin(study, results, folder));
+        written();
+        response.and(margin)
+    };
+    let plots = || plot::run(study, results, folder, written);
+    let rest = || (write_tables(study, results, folder), record::write(study, inputs, results, folder), page::data(study, results));
+    let (large, (plots, (tables, record, data))) = rayon::join(large, || rayon::join(plots, rest));
+    tables.and(large).and(plots)?;
+    folder.remove_other_plots("response_")?;
+    folder.remove_other_plots("front_")?;
+    record?;
+    page::write((study, inputs), results, &data, folder)
+}
+
+/// Writes the tables of a run but the large ones, and removes those that it does not have.
+fn write_tables(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     csv::designs(study, results, folder)?;
     csv::values(study, results, folder)?;
     csv::catalogue(study, results, folder)?;
@@ -74,25 +92,7 @@ pub(crate) fn write_run(
     } else {
         csv::pareto(study, results, folder)?;
     }
-    if results.tradeoffs.is_empty() {
-        folder.remove(&["front.csv"])?
-    } else {
-        csv::front(study, results, folder)?
-    }
-    // the large tables beside the plots and what the page asks of the results; the first failure in this order is told
-    let large = || {
-        let (response, margin) = rayon::join(|| csv::response(study, results, folder), || csv::margin::margin(study, results, folder));
-        written();
-        response.and(margin)
-    };
-    let plots = || plot::run(study, results, folder, written);
-    let data = || (record::write(study, inputs, results, folder), page::data(study, results));
-    let (tables, (plots, (record, data))) = rayon::join(large, || rayon::join(plots, data));
-    tables.and(plots)?;
-    folder.remove_other_plots("response_")?;
-    folder.remove_other_plots("front_")?;
-    record?;
-    page::write((study, inputs), results, &data, folder)
+    if results.tradeoffs.is_empty() { folder.remove(&["front.csv"]) } else { csv::front(study, results, folder) }
 }
 
 /// Writes a calibration, or removes that of an earlier run.

@@ -32,7 +32,6 @@ pub fn hull(x: &[f64], y: &[f64]) -> Vec<usize> {
     if order.len() < 3 {
         return order.into_iter().map(|p| p.2).collect();
     }
-    if std::env::var("HZ").is_ok() {}
     let mut corners: Vec<Point> = Vec::with_capacity(order.len() + 1);
     half(order.iter(), &mut corners);
     half(order.iter().rev(), &mut corners);
@@ -75,7 +74,7 @@ fn of_spread(numbers: &[f64]) -> Vec<f32> {
     }
     let least = low.iter().chain(rest).fold(f64::INFINITY, |m, v| if *v < m { *v } else { m });
     let most = high.iter().chain(rest).fold(f64::NEG_INFINITY, |m, v| if *v > m { *v } else { m });
-    let scale = if most > least { 1.0 / (most - least) } else { 1.0 };
+    let scale = if most - least > f64::MIN_POSITIVE { 1.0 / (most - least) } else { 1.0 };
     numbers.iter().map(|v| ((v - least) * scale) as f32).collect()
 }
 

@@ -143,8 +143,8 @@ pub fn choose(study: &Study, measure: &Measure, modes: &[Vec<EngineMode>], finde
     if finder.is_smooth() {
         let all: Vec<Mounted> = named.iter().chain(&random).cloned().collect();
         let surrogate = |stride: usize| Surrogate::of(receptance, measure, finder.margin, stride);
-        let strides = STRIDES.into_iter().filter(|s| *s == 1 || 2 * s < receptance.grid().len());
-        considered.extend(tables(&surrogate, strides, &all, study.tolerance, exact, stations));
+        let strides: Vec<usize> = STRIDES.into_iter().filter(|s| *s == 1 || 2 * s < receptance.grid().len()).collect();
+        considered.extend(tables(&surrogate, &strides, &all, study.tolerance, exact, stations));
     }
     considered.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let is_good = |c: &&Considered| c.error <= study.tolerance && c.strategy != Strategy::Exact && c.seconds < WORTH * exact;
@@ -157,7 +157,7 @@ pub fn choose(study: &Study, measure: &Measure, modes: &[Vec<EngineMode>], finde
 /// estimate is too large is evaluated exactly, and paid for so.
 fn tables<'s>(
     surrogate: &(dyn Fn(usize) -> Option<Surrogate<'s>> + Sync),
-    strides: impl Iterator<Item = usize>,
+    strides: &[usize],
     probes: &[Mounted],
     tolerance: f64,
     exact: f64,
@@ -173,8 +173,8 @@ fn tables<'s>(
         Some(probes.par_iter().filter(|m| surrogate.takes(m)).map_init(Scratch::default, one).collect())
     };
     let Some(all) = peaks(1).filter(|all| !all.is_empty()) else { return Vec::new() };
-    let at = |stride: usize| {
-        let found = peaks(stride)?;
+    let at = |stride: &usize| {
+        let found = peaks(*stride)?;
         let (mut error, mut seconds) = (0.0, 0.0);
         for (own, full) in found.iter().zip(&all) {
             seconds += own.2;
@@ -184,7 +184,7 @@ fn tables<'s>(
             }
             error = f64::max(error, own.1 + (own.0 / full.0 - 1.0).abs());
         }
-        Some(Considered { strategy: Strategy::Tables(stride), seconds: seconds / found.len() as f64, error })
+        Some(Considered { strategy: Strategy::Tables(*stride), seconds: seconds / found.len() as f64, error })
     };
-    strides.filter_map(at).collect()
+    strides.par_iter().filter_map(at).collect()
 }

@@ -310,7 +310,8 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
 fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder) -> Vec<Choice> {
     match finder.method {
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
-            study.objectives().map(|o| choice::choose(study, &o.measure, modes, finder, r)).collect()
+            let objectives: Vec<_> = study.objectives().collect();
+            objectives.par_iter().map(|o| choice::choose(study, &o.measure, modes, finder, r)).collect()
         }
         _ => Vec::new(),
     }

@@ -15,6 +15,9 @@ const MOST_COMBINED: usize = 12;
 /// Absorbers of one type on one mode start apart by this factor in what grows with the ring: alike they would stay alike.
 const APART: f64 = 1.3;
 
+/// Starts closer than this in every coordinate are one.
+const ALIKE: f64 = 1e-6;
+
 /// A named start.
 pub(crate) type NamedPoint = (String, Vec<f64>);
 
@@ -35,15 +38,23 @@ pub fn starts(space: &Space, modes: &[Vec<EngineMode>], random: usize, seed: u64
     // the ends of the box that are often best: no damper, and hardly any ring at all
     let is_ring = |p: &Parameter| p.key == crate::absorber::parameter::RING_INERTIA.key;
     let ends = [("least damping", lowest(&|p| p.dissipative)), ("loosest ring", lowest(&|p| !is_ring(p)))];
-    for (name, point) in ends {
-        if list.iter().all(|s| s.1 != point) {
-            list.push((name.to_owned(), point));
-        }
-    }
+    list.extend(ends.map(|(name, point)| (name.to_owned(), point)));
     for (i, point) in random_points(space, &middle, random, seed).into_iter().enumerate() {
         list.push((format!("random {}", i + 1), point));
     }
-    list
+    distinct(list)
+}
+
+/// Without starts at the place of an earlier one: closed forms may agree, and what agrees because it began alike proves nothing.
+fn distinct(list: Vec<NamedPoint>) -> Vec<NamedPoint> {
+    let alike = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < ALIKE);
+    let mut distinct: Vec<NamedPoint> = Vec::new();
+    for start in list {
+        if distinct.iter().all(|known| !alike(&known.1, &start.1)) {
+            distinct.push(start);
+        }
+    }
+    distinct
 }
 
 /// Ring inertias to start an absorber with, and how they are named.

@@ -90,15 +90,28 @@ fn hulls() {
         let n = random.random_range(3..200);
         let mut value = |size: f64| if case % 3 == 0 { random.random_range(-3i32..4).into() } else { random.random_range(-size..size) };
         let (x, y): (Vec<f64>, Vec<f64>) = (0..n).map(|_| (value(1.0), value(1e8))).unzip();
-        let corners = hull(&x, &y);
-        for (i, a) in corners.iter().enumerate() {
-            let b = corners[(i + 1) % corners.len()];
-            let (dx, dy) = (x[b] - x[*a], y[b] - y[*a]);
-            for p in 0..n {
-                let left = dx * (y[p] - y[*a]) - dy * (x[p] - x[*a]);
-                assert!(left >= -1e-12 * 1e8, "a point outside");
-                assert!(!corners.contains(&p) || p == *a || p == b || left > 0.0, "no corner");
-            }
+        check_hull(&x, &y);
+    }
+    // long smooth paths, most of whose points lie next to the hull or well inside; far from zero, too
+    for case in 0..24 {
+        let mut value = |low: f64, high: f64| random.random_range(low..high);
+        let (second, turn, far) = (value(0.0, 0.8), value(0.0, 6.0), if case % 2 == 0 { 0.0 } else { 1e6 });
+        let at = |j: i32| TAU * f64::from(j) / 720.0;
+        let x: Vec<f64> = (0..720).map(|j| far + at(j).cos() + second * (3.0 * at(j) + turn).sin()).collect();
+        let y: Vec<f64> = (0..720).map(|j| 1e8 * (at(j).sin() + second * (5.0 * at(j)).cos())).collect();
+        check_hull(&x, &y);
+    }
+}
+
+fn check_hull(x: &[f64], y: &[f64]) {
+    let corners = hull(x, y);
+    for (i, a) in corners.iter().enumerate() {
+        let b = corners[(i + 1) % corners.len()];
+        let (dx, dy) = (x[b] - x[*a], y[b] - y[*a]);
+        for p in 0..x.len() {
+            let left = dx * (y[p] - y[*a]) - dy * (x[p] - x[*a]);
+            assert!(left >= -1e-12 * 1e8, "a point outside");
+            assert!(!corners.contains(&p) || p == *a || p == b || left > 0.0, "no corner");
         }
     }
 }

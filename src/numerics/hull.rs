@@ -61,7 +61,7 @@ fn ascending(x: f64) -> u64 {
     if bits >> 63 == 1 { !bits } else { bits | 1 << 63 }
 }
 
-/// Shares of the spread, from the first number: with few digits, which are enough to leave out points that are well inside.
+/// Shares of the spread, from the smallest number: with few digits, which are enough to leave out points that are well inside.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn of_spread(numbers: &[f64]) -> Vec<f32> {
     let (whole, rest) = numbers.as_chunks::<LANES>();

@@ -193,7 +193,7 @@ impl<'a> Follower<'a> {
         Ok(best)
     }
 
-    /// What the second measure is where all variables are at their lower bounds, where that is the least of it: of inertias.
+    /// What the second measure is where all variables are at their lower bounds, where that is the least of it: of inertias, which grow with their own variables alone.
     fn lowest(&self) -> Result<Option<f64>, ResponseError> {
         if !matches!(self.second.measure.over, Over::Property(Property::RingInertia | Property::TotalInertia)) {
             return Ok(None);
@@ -205,14 +205,11 @@ impl<'a> Follower<'a> {
 
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
-        let last = match self.least_first {
-            Some(point) => self.best_of_points(f64::MAX, &[point], work)?,
-            None => self.searched(f64::MAX, work)?,
-        };
-        let Some(last) = last else { return Ok(None) };
+        let known = self.least_first.map(|point| self.best_of_points(f64::MAX, &[point], work)).transpose()?.flatten();
+        let Some(last) = known.map_or_else(|| self.searched(f64::MAX, work), |level| Ok(Some(level)))? else { return Ok(None) };
         let last = self.least_of_second(last, work)?;
         // the least that bounds allow needs no search where a design of that holds the limits
-        if let Some(lowest) = self.lowest()?
+        if let Some(lowest) = self.lowest()?.filter(|lowest| *lowest > 0.0)
             && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[&last.outcome.point], work)?
         {
             return Ok(Some([first, last]));

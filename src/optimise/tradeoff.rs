@@ -209,7 +209,7 @@ impl<'a> Follower<'a> {
         let Some(last) = known.map_or_else(|| self.searched(f64::MAX, work), |level| Ok(Some(level)))? else { return Ok(None) };
         let last = self.least_of_second(last, work)?;
         // the least that bounds allow needs no search where a design of that holds the limits
-        if let Some(lowest) = self.lowest()?.filter(|lowest| *lowest > 0.0)
+        if let Some(lowest) = self.lowest()?
             && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[&last.outcome.point], work)?
         {
             return Ok(Some([first, last]));

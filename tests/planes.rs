@@ -1,12 +1,17 @@
 //! Critical planes against brute-force searches.
 
 use crate::multiaxial::{STEEL, bending_and_torsion, wild};
+use crate::support::assert_close;
+use hartog::fatigue::multiaxial::outline::{self, Row};
+use hartog::fatigue::multiaxial::papadopoulos::mean_shear;
 use hartog::fatigue::multiaxial::plane::{Amplitude, Plane, Scratch};
+use hartog::fatigue::multiaxial::plane_state::Circle;
 use hartog::fatigue::multiaxial::{Criterion, Grid, History, PlaneState, evaluate};
-use rand::SeedableRng;
+use hartog::numerics::hull::hull;
+use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Planes every so many degrees over half the sphere, azimuth by as much over the sine of the other angle.
 fn hemisphere(step_deg: f64) -> impl Iterator<Item = Plane> {
@@ -186,7 +191,7 @@ fn largest_shear_of_plane_states() {
         .collect();
     let (mut circles, mut off) = (0, 0.0f64);
     for (normal, shear) in &states {
-        let found = PlaneState::of(normal, shear).largest_shear();
+        let found = PlaneState::of(normal.clone(), shear.clone()).largest_shear();
         let history = History::new(normal.iter().zip(shear).map(|(s, t)| [*s, 0.0, 0.0, *t, 0.0, 0.0]));
         let all = planes_of_largest_shear(&history);
         let top = all.iter().map(|a| a.0).fold(0.0, f64::max);
@@ -203,3 +208,67 @@ fn largest_shear_of_plane_states() {
     println!("{circles} of {} are held by three points; lower by at most {off:e}", states.len());
     assert!(circles > 8, "both ways are asked: {circles}");
 }
+
+/// Law: the circle of a path is that of the corners of its hull. Long smooth paths, whose circle neighbouring samples hold, some of them nearly flat: the same radius to 1e-12 from all samples
+/// and from corners, no sample outside it by more than 1e-12 of it, and the same factor by Dang Van to 1e-6: a centre is right to the root of that. Outlines bound all of it.
+#[test]
+fn circles_of_smooth_paths() {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(41);
+    for case in 0..2000 {
+        let flat = if case % 3 == 0 { 1e-3 } else { 1.0 };
+        let mut wave = |size: f64| -> Vec<f64> {
+            let parts: Vec<[f64; 2]> = (0..5).map(|_| [random.random_range(-size..size), random.random_range(0.0..TAU)]).collect();
+            let at = |j: i32| TAU * f64::from(j) / 720.0;
+            (0..720).map(|j| (1..).zip(&parts).map(|(h, [a, turn])| a * (f64::from(h) * at(j) + turn).cos()).sum()).collect()
+        };
+        let (normal, shear) = (wave(200e6), wave(100e6 * flat));
+        let whole = PlaneState::of(normal.clone(), shear.clone());
+        let corners = hull(&normal, &shear);
+        let pick = |values: &[f64]| -> Vec<f64> { corners.iter().map(|i| values[*i]).collect() };
+        let own = PlaneState::of(pick(&normal), pick(&shear));
+        let (circle, expected) = (whole.circle(), own.circle());
+        assert_close(circle.radius, expected.radius, 1e-12, 0.0, &format!("radius, case {case}"));
+        let out = |(s, t): (&f64, &f64)| ((s - circle.centre[0]) / 3f64.sqrt()).hypot(t - circle.centre[1]);
+        let farthest = normal.iter().zip(&shear).map(out).fold(0.0, f64::max);
+        assert!(farthest <= circle.radius * (1.0 + 1e-12), "case {case}: a sample outside");
+        if case % 100 == 0 {
+            let history = History::new(normal.iter().zip(&shear).map(|(s, t)| [*s, 0.0, 0.0, *t, 0.0, 0.0]));
+            let (verdicts, _) = evaluate(&history, &STEEL, &[Criterion::DangVanMesoscopic], Grid::default()).expect("defined");
+            let k = 3.0 * STEEL.torsion / STEEL.bending - 1.5;
+            let tresca = |(s, t): (&f64, &f64)| {
+                let (s0, t0) = (s - circle.centre[0], t - circle.centre[1]);
+                (0.25 * s0 * s0 + t0 * t0).sqrt() + k * s / 3.0
+            };
+            let stress = normal.iter().zip(&shear).map(tresca).fold(f64::NEG_INFINITY, f64::max);
+            assert_close(STEEL.torsion / stress, verdicts[0].safety_factor, 1e-6, 0.0, &format!("Dang Van, case {case}"));
+        }
+        bounded_by_outline(&format!("case {case}"), (&normal, &shear), &circle);
+    }
+}
+
+/// The outline of a path holds it and what it bears where its torque is a twentieth larger: circle, mean shear and sums of the criteria that ask for them; and says no more than its 32 sides may: a
+/// radius larger by the cosine of half the angle between two of them, a mean shear larger by twice as much.
+fn bounded_by_outline(what: &str, (normal, shear): (&[f64], &[f64]), circle: &Circle) {
+    let load: Vec<f64> = shear.iter().map(|t| t / -3e4).collect();
+    let bounds = outline::within(&Row::of(normal), (-3e4, &Row::of(&load)), 1.05);
+    let (sides, rounding) = (1.0 / (PI / 32.0).cos(), 1e-5);
+    for (rise, within) in [1.0, 1.05].iter().zip(&bounds) {
+        let risen: Vec<f64> = shear.iter().map(|t| rise * t).collect();
+        let own = if *rise == 1.0 { *circle } else { PlaneState::of(normal.to_vec(), risen.clone()).circle() };
+        let over = within.sqrt_j2_amplitude / own.radius;
+        assert!((1.0..sides + rounding).contains(&over), "{what}: radius {over}");
+        let (low, high) = within.middle.expect("a plane state");
+        assert!(low <= own.centre[0] && own.centre[0] <= high, "{what}: centre {low} {} {high}", own.centre[0]);
+        let history = History::new(normal.iter().zip(&risen).map(|(s, t)| [*s, 0.0, 0.0, *t, 0.0, 0.0]));
+        let over = within.mean_shear / mean_shear(&history);
+        assert!((1.0..1.02 * rise).contains(&over), "{what}: mean shear {over}");
+        let (verdicts, _) = evaluate(&history, &STEEL, &SUMS, Grid::default()).expect("defined");
+        for v in verdicts {
+            let bound = v.criterion.at_most(within, &STEEL).expect("defined");
+            assert!(bound >= 1.0 / v.safety_factor * (1.0 - 1e-12), "{what}: {} {bound}", v.criterion.name());
+        }
+    }
+}
+
+/// Criteria whose bounds ask for what an outline says.
+const SUMS: [Criterion; 4] = [Criterion::Crossland, Criterion::Sines, Criterion::DangVanMesoscopic, Criterion::Papadopoulos];

@@ -114,17 +114,18 @@ fn range(rows: [&[f64]; 3], weights: [f64; 3]) -> (f64, f64) {
     const LANES: usize = 16;
     let sum = |x: f64, y: f64, z: f64| weights[0] * x + weights[1] * y + weights[2] * z;
     let [x, y, z] = rows.map(|row| row.as_chunks::<LANES>());
-    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    // the same operation for both ends: compilers mix up lanes of different ones
+    let (mut low, mut high) = ([f64::NEG_INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
     for ((x, y), z) in x.0.iter().zip(y.0).zip(z.0) {
         for l in 0..LANES {
             let v = sum(x[l], y[l], z[l]);
-            low[l] = if v < low[l] { v } else { low[l] };
+            low[l] = if -v > low[l] { -v } else { low[l] };
             high[l] = if v > high[l] { v } else { high[l] };
         }
     }
     let rest = x.1.iter().zip(y.1).zip(z.1).map(|((x, y), z)| sum(*x, *y, *z));
     let wider = |m: (f64, f64), v: (f64, f64)| (if v.0 < m.0 { v.0 } else { m.0 }, if v.1 > m.1 { v.1 } else { m.1 });
-    low.into_iter().zip(high).chain(rest.map(|v| (v, v))).fold((f64::INFINITY, f64::NEG_INFINITY), wider)
+    low.map(|v| -v).into_iter().zip(high).chain(rest.map(|v| (v, v))).fold((f64::INFINITY, f64::NEG_INFINITY), wider)
 }
 
 /// Mean torque in every shaft. What the engine delivers leaves at the end of the chain with the flywheel, the heavier one: before that, a shaft carries the

@@ -1,6 +1,11 @@
 //! The worst of the locations of every fillet (its webs, and the shafts on both sides of a crankpin) at a speed.
 
-use super::{Margin, Torque, Used};
+use super::margin::{ROUNDING, multiaxially};
+use super::stress_histories::{Path, SampledTorque};
+use super::worst_first::{Able, worst};
+use super::{Known, Margin, Torque, Used};
+use crate::fatigue::multiaxial::bound::Within;
+use std::cell::OnceCell;
 
 /// A fillet by one criterion.
 #[derive(Debug, Clone)]
@@ -31,35 +36,34 @@ impl Margin {
     /// The location of each fillet that is used most, under the torques of all shafts at a speed. Of a multiaxial criterion only those are searched whose bound is above what another one
     /// uses.
     pub(crate) fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Vec<Used> {
-        let mut whole: Vec<Option<Vec<f64>>> = vec![None; torques.len()];
-        let mut shares: Vec<Option<Vec<f64>>> = vec![None; self.locations.len()];
+        let at = self.place(speed_rpm);
+        let samples: Vec<OnceCell<SampledTorque>> = (0..torques.len()).map(|_| OnceCell::new()).collect();
+        let outlines: Vec<OnceCell<Option<Within>>> = vec![OnceCell::new(); self.locations.len()];
+        let paths: Vec<OnceCell<Path>> = (0..self.locations.len()).map(|_| OnceCell::new()).collect();
+        let known = Known::default();
         let larger = |most: Option<Used>, used: Used| match most {
             Some(most) if (most.value, used.location) >= (used.value, most.location) => Some(most),
             _ => Some(used),
         };
-        let worst = |fillet: &Fillet| -> Option<Used> {
+        let of = |fillet: &Fillet| -> Option<Used> {
             let Fillet { criterion, locations, .. } = fillet;
-            if !self.is_multiaxial(*criterion) {
-                let used = |i: &usize| self.used(*criterion, *i, speed_rpm, &torques[self.locations[*i].shaft]);
-                return locations.iter().map(used).fold(None, larger);
-            }
-            let bound = |i: &usize| self.bound_of(*criterion, *i, speed_rpm, &torques[self.locations[*i].shaft]);
-            let mut able: Vec<(f64, usize)> = locations.iter().map(|i| (bound(i), *i)).collect();
-            able.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-            let mut most: Option<Used> = None;
-            for (bound, i) in able {
-                if most.is_some_and(|m| bound < m.value) {
-                    break;
-                }
+            let torque_of = |i: usize| &torques[self.locations[i].shaft];
+            let Some((word, histories)) = self.multiaxial(*criterion) else {
+                return locations.iter().map(|i| self.used(*criterion, *i, speed_rpm, torque_of(*i))).fold(None, larger);
+            };
+            let bound = |within: &Within| histories.at_most(word, within) * (1.0 + ROUNDING);
+            let able = |i: &usize| Able::new(*i, bound(&self.by_ranges(histories, *i, at, torque_of(*i), 1.0)));
+            let sampled = |i: usize| {
                 let shaft = self.locations[i].shaft;
-                let own = shares[i].get_or_insert_with(|| {
-                    let torque = whole[shaft].get_or_insert_with(|| self.whole_torque(shaft, speed_rpm, &torques[shaft]));
-                    self.shares_of(i, speed_rpm, torque)
-                });
-                most = larger(most, self.used_as(*criterion, i, own));
-            }
-            most
+                samples[shaft].get_or_init(|| histories.torque(torques[shaft].phasors, self.mean_at(at, shaft)))
+            };
+            let outline = |i: usize| histories.outline(&self.locations[i], at, sampled(i), 1.0).map(|[own, _]| own);
+            let closer = |i: usize| Some(outlines[i].get_or_init(|| outline(i)).as_ref().map_or(f64::INFINITY, bound));
+            let path = |i: usize| paths[i].get_or_init(|| histories.path(&self.locations[i], at, sampled(i)));
+            let shares = |i: usize| self.shares(*criterion, histories, path(i));
+            let used = |i: usize| multiaxially(histories, i, known.share((*criterion, i, speed_rpm), || shares(i)));
+            worst(locations.iter().map(able).collect(), closer, used)
         };
-        fillets.iter().filter_map(worst).collect()
+        fillets.iter().filter_map(of).collect()
     }
 }

@@ -14,16 +14,18 @@ pub struct Known {
     /// By shaft and speed.
     torques: RefCell<HashMap<(usize, u64), KnownTorque>>,
     /// By location and speed (the bits of a positive number grow with it).
-    paths: RefCell<HashMap<usize, BTreeMap<u64, Rc<KnownPath>>>>,
+    outlines: RefCell<HashMap<usize, BTreeMap<u64, Rc<Outline>>>>,
+    /// Of the strength, by multiaxial criterion, location and speed.
+    shares: RefCell<HashMap<(usize, usize, u64), f64>>,
 }
 
-/// What is known of the path of a location at a speed.
-#[derive(Debug)]
-pub(super) struct KnownPath {
-    /// Share of the strength by each multiaxial criterion, zero by the others.
-    pub shares: Vec<f64>,
-    /// Of a nominal state: what it does not exceed.
-    pub within: Option<Within>,
+/// What the path of a nominal state at a speed does not exceed.
+#[derive(Debug, Clone)]
+pub(super) struct Outline {
+    /// Its own.
+    pub within: Within,
+    /// Where its torque is up to so many times as large.
+    pub risen: (f64, Within),
     /// Its speed.
     pub at: At,
     /// Orders of the torque that it bears.
@@ -60,21 +62,30 @@ impl Known {
         found
     }
 
-    /// The path of a location at a speed, rpm, where it is known.
-    pub(super) fn path(&self, location: usize, speed_rpm: f64) -> Option<Rc<KnownPath>> {
-        self.paths.borrow().get(&location)?.get(&speed_rpm.to_bits()).cloned()
-    }
-
-    /// Its known paths at the next speeds below and above, rpm.
-    pub(super) fn beside(&self, location: usize, speed_rpm: f64) -> [Option<Rc<KnownPath>>; 2] {
-        let paths = self.paths.borrow();
-        let Some(own) = paths.get(&location) else { return [None, None] };
+    /// The outline of a location at a speed, rpm, with a rise of this or more; else those at the next speeds below and above.
+    pub(super) fn outline(&self, location: usize, speed_rpm: f64, rise: f64) -> Result<Rc<Outline>, [Option<Rc<Outline>>; 2]> {
+        let outlines = self.outlines.borrow();
+        let Some(own) = outlines.get(&location) else { return Err([None, None]) };
         let bits = speed_rpm.to_bits();
-        [own.range(..bits).next_back(), own.range(bits + 1..).next()].map(|found| found.map(|(_, path)| path.clone()))
+        if let Some(known) = own.get(&bits).filter(|o| o.risen.0 >= rise) {
+            return Ok(known.clone());
+        }
+        Err([own.range(..bits).next_back(), own.range(bits + 1..).next()].map(|found| found.map(|(_, outline)| outline.clone())))
     }
 
-    /// Keeps a path.
-    pub(super) fn keep(&self, location: usize, speed_rpm: f64, path: &Rc<KnownPath>) {
-        self.paths.borrow_mut().entry(location).or_default().insert(speed_rpm.to_bits(), path.clone());
+    /// Keeps an outline.
+    pub(super) fn keep(&self, location: usize, speed_rpm: f64, outline: Rc<Outline>) {
+        self.outlines.borrow_mut().entry(location).or_default().insert(speed_rpm.to_bits(), outline);
+    }
+
+    /// Share of the strength that a location uses by a multiaxial criterion at a speed, rpm. `find`: by that criterion and others, with their indices.
+    pub(super) fn share(&self, (criterion, location, speed_rpm): (usize, usize, f64), find: impl FnOnce() -> Vec<(usize, f64)>) -> f64 {
+        let key = |criterion: usize| (criterion, location, speed_rpm.to_bits());
+        if let Some(share) = self.shares.borrow().get(&key(criterion)) {
+            return *share;
+        }
+        let found = find();
+        self.shares.borrow_mut().extend(found.iter().map(|(criterion, share)| (key(*criterion), *share)));
+        found.iter().find(|f| f.0 == criterion).map_or(0.0, |f| f.1)
     }
 }

@@ -52,6 +52,8 @@ pub struct Margin {
     of_shaft: Vec<[Vec<usize>; 4]>,
     /// Those of them that another one does not surpass, whatever the torque: by the row below a speed and the shaft.
     leading: Vec<Vec<[Vec<usize>; 4]>>,
+    /// The same for multiaxial criteria, of all families they judge.
+    leading_paths: Vec<Vec<Vec<usize>>>,
     /// For multiaxial criteria.
     pub(super) histories: Option<Histories>,
 }
@@ -69,6 +71,7 @@ impl Margin {
         };
         let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
         let leading = leading(&locations, &of_shaft, &table.bending);
+        let leading_paths = histories.as_ref().map_or_else(Vec::new, |h| h.bounds.leading(&of_shaft));
         Some(Self {
             criteria: spec.criteria.clone(),
             locations,
@@ -80,6 +83,7 @@ impl Margin {
             mean_torque: table.mean_torque,
             of_shaft,
             leading,
+            leading_paths,
             histories,
         })
     }
@@ -124,9 +128,10 @@ impl Margin {
     pub fn used(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Used {
         let at = self.place(speed_rpm);
         match self.multiaxial(criterion) {
-            Some((_, histories)) => {
+            Some((word, histories)) => {
                 let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-                self.used_as(criterion, location, &self.judged(histories, location, at, &whole).0)
+                let share = histories.shares(&[word], &histories.path(&self.locations[location], at, &whole))[0];
+                multiaxially(histories, location, share)
             }
             None => self.used_at(criterion, location, at, &torque.extremes),
         }
@@ -137,7 +142,7 @@ impl Margin {
         let (by, histories) = self.multiaxial(criterion)?;
         let at = self.place(speed_rpm);
         let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-        histories.used(&[by], &histories.whole(&self.locations[location], at, &whole)).pop()
+        histories.shares(&[by], &histories.whole(&self.locations[location], at, &whole)).pop()
     }
 
     pub(super) fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {
@@ -202,9 +207,8 @@ impl Margin {
         let at = self.place(speed_rpm);
         if let Some((word, histories)) = self.multiaxial(criterion) {
             let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
-            let bound =
-                |i: usize| histories.at_most(word, &histories.bounds.by_ranges((i, &self.locations[i]), at, half_peak_to_peak, largest));
-            return self.spots_of(criterion, shaft).map(bound).fold(0.0, f64::max) * (1.0 + ROUNDING);
+            let bound = |i: usize| histories.at_most(word, &histories.bounds.by_ranges(i, at, half_peak_to_peak, largest));
+            return self.leading_paths[at.low][shaft].iter().map(|i| bound(*i)).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
         // the size of the mean counts: with the sign of the mean torque it is the largest
         let torque = (half_peak_to_peak, middle.abs() + self.mean_at(at, shaft).abs());
@@ -267,6 +271,11 @@ fn leading(locations: &[CriticalLocation], of_shaft: &[[Vec<usize>; 4]], bending
 
 /// Bounds are as right as this: samples of a torque may exceed its extremes by rounding, and the mean shear is a quadrature.
 pub(super) const ROUNDING: f64 = 1e-3;
+
+/// A location by a multiaxial criterion, of the share that it uses.
+pub(super) fn multiaxially(histories: &Histories, location: usize, share: f64) -> Used {
+    Used { location, value: share, slopes: (0.0, 0.0), cycle: Cycle { amplitude: histories.equivalent(share), mean: 0.0 } }
+}
 
 /// Equivalent stress and its derivative by the shear stress.
 fn mises(bending: f64, torsion: f64) -> (f64, f64) {

@@ -1,18 +1,17 @@
-//! What the path of a location does not exceed, without its history: by the ranges of its bending and torque, whatever their phase, and by a path known at another speed, from which it
+//! What the path of a location does not exceed, without its history: by the ranges of its bending and torque, whatever their phase, and by what is known at another speed, from which it
 //! differs by no more than its loads do.
 
-use super::CriticalLocation;
 use super::loads::Section;
 use super::speed_table::At;
+use super::{CriticalLocation, Family};
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::Invariants;
 use crate::fatigue::multiaxial::{History, papadopoulos};
-use crate::numerics::elementary::Elementary;
 use rayon::prelude::*;
 
 /// What a location bears by bending alone at a speed.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Bent {
     sqrt_j2_amplitude: f64,
     /// Of stresses per unit load only: those of a nominal state follow from the amplitude.
@@ -25,8 +24,10 @@ struct Bent {
 }
 
 /// What a location bears by a torque of 1 N m.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Twisted {
+    /// Whether its state is a nominal one.
+    nominal: bool,
     sqrt_j2: f64,
     hydrostatic: f64,
     normal: f64,
@@ -44,11 +45,13 @@ pub(super) struct PathBounds {
 impl PathBounds {
     /// From the loads of the sections at each speed.
     pub fn new(locations: &[CriticalLocation], sections: &[Vec<Section>]) -> Self {
+        // the class rule asks for no paths: its locations are the last
+        let paths = |l: &CriticalLocation| matches!(l.family, Family::Nominal | Family::UnitLoads);
+        let locations = &locations[..locations.iter().rposition(paths).map_or(0, |last| last + 1)];
         let row = |i: usize| {
             let of = |location: &CriticalLocation| {
                 let own = location.web();
-                let before = i.checked_sub(1).map(|before| &sections[before][own]);
-                bent(location, &sections[i][own], before)
+                bent(location, &sections[i][own], i.checked_sub(1).map(|before| &sections[before][own]))
             };
             locations.iter().map(of).collect()
         };
@@ -61,21 +64,33 @@ impl PathBounds {
     }
 
     /// Under a torque of this half peak-to-peak value, and of no larger size than `largest`.
-    pub(super) fn by_ranges(&self, location: (usize, &CriticalLocation), at: At, half_peak_to_peak: f64, largest: f64) -> Within {
-        let (low, high) = (&self.bent[at.low][location.0], &self.bent[at.high][location.0]);
-        let per_torque = &self.twisted[location.0];
+    pub(super) fn by_ranges(&self, location: usize, at: At, half_peak_to_peak: f64, largest: f64) -> Within {
+        let (low, high) = (&self.bent[at.low][location], &self.bent[at.high][location]);
+        let per_torque = &self.twisted[location];
         let (twisted, hydrostatic) = (per_torque.sqrt_j2 * half_peak_to_peak, per_torque.hydrostatic * largest);
         let bent = at.between(low.sqrt_j2_amplitude, high.sqrt_j2_amplitude);
-        Within {
-            // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
-            sqrt_j2_amplitude: if location.1.unit_loads.is_none() { bent.hypotenuse(twisted) } else { bent + twisted },
-            mean_shear: match &location.1.unit_loads {
-                None => papadopoulos::at_most(3f64.sqrt() * bent, twisted),
+        let bent_hydrostatic = (at.between(low.low, high.low), at.between(low.high, high.high));
+        let normal = at.between(low.normal, high.normal) + per_torque.normal * largest;
+        if !per_torque.nominal {
+            return Within {
+                sqrt_j2_amplitude: bent + twisted,
                 // half ranges of a sum are no larger than the sum of those of its parts, nor is the root of their mean square
-                Some(_) => at.between(low.mean_shear, high.mean_shear) + twisted,
-            },
-            hydrostatic: (at.between(low.low, high.low) - hydrostatic, at.between(low.high, high.high) + hydrostatic),
-            normal: at.between(low.normal, high.normal) + per_torque.normal * largest,
+                mean_shear: at.between(low.mean_shear, high.mean_shear) + twisted,
+                hydrostatic: (bent_hydrostatic.0 - hydrostatic, bent_hydrostatic.1 + hydrostatic),
+                middle: None,
+                normal,
+            };
+        }
+        // deviators of bending and torsion of a nominal state are at right angles: their box has this ball
+        let radius = (bent * bent + twisted * twisted).sqrt();
+        let (least, most) = (3.0 * bent_hydrostatic.0, 3.0 * bent_hydrostatic.1);
+        Within {
+            sqrt_j2_amplitude: radius,
+            mean_shear: papadopoulos::at_most(3f64.sqrt() * bent, twisted),
+            hydrostatic: bent_hydrostatic,
+            // the circle reaches over the normal stress on both sides of its centre
+            middle: Some(((most - 3f64.sqrt() * radius).max(least), (least + 3f64.sqrt() * radius).min(most))),
+            normal,
         }
     }
 
@@ -84,20 +99,57 @@ impl PathBounds {
         let travelled = |at: At| at.between(self.bent[at.low][location].travelled, self.bent[at.high][location].travelled);
         let (bending, shear) = ((travelled(at) - travelled(other)).abs(), self.twisted[location].sqrt_j2 * change);
         let (low, high) = known.hydrostatic;
+        // points move no farther than this, and the radius of the smallest ball changes by no more: both balls hold the others' points with twice as much, so that their centres are no
+        // farther apart than the root of the difference of squares
+        let moved = (bending * bending / 3.0 + shear * shear).sqrt();
+        let off = bending + 12f64.sqrt() * (known.sqrt_j2_amplitude * moved).sqrt();
         Within {
-            // points move no farther than this, and the smallest ball grows by no more
-            sqrt_j2_amplitude: known.sqrt_j2_amplitude + (bending / 3f64.sqrt()).hypotenuse(shear),
+            sqrt_j2_amplitude: known.sqrt_j2_amplitude + moved,
             // the root of the mean square of half ranges is a norm
             mean_shear: known.mean_shear + papadopoulos::at_most(bending, shear),
             hydrostatic: (low - bending / 3.0, high + bending / 3.0),
-            normal: known.normal + bending.hypotenuse(2f64.sqrt() * shear),
+            middle: known.middle.map(|(least, most)| (least - off, most + off)),
+            normal: known.normal + (bending * bending + 2.0 * shear * shear).sqrt(),
         }
+    }
+
+    /// By the row below a speed and by shaft: locations of multiaxial criteria that no other one surpasses between the row and the next, whatever the torque.
+    pub(super) fn leading(&self, of_shaft: &[[Vec<usize>; 4]]) -> Vec<Vec<Vec<usize>>> {
+        let of_kind = |low: usize, list: &[usize]| -> Vec<usize> {
+            let rows = [&self.bent[low], &self.bent[(low + 1).min(self.bent.len() - 1)]];
+            let surpasses = |a: usize, b: usize| {
+                let more = self.twisted[a].holds(&self.twisted[b]) && rows.iter().all(|row| row[a].holds(&row[b]));
+                // of two alike the first
+                more && (a < b || self.twisted[a] != self.twisted[b] || rows.iter().any(|row| row[a] != row[b]))
+            };
+            list.iter().copied().filter(|b| !list.iter().any(|a| a != b && surpasses(*a, *b))).collect()
+        };
+        let of = |low: usize, families: &[Vec<usize>; 4]| -> Vec<usize> {
+            [Family::Nominal, Family::UnitLoads].iter().flat_map(|f| of_kind(low, &families[*f as usize])).collect()
+        };
+        (0..self.bent.len()).into_par_iter().map(|low| of_shaft.iter().map(|families| of(low, families)).collect()).collect()
+    }
+}
+
+impl Twisted {
+    /// Whether it bears at least as much as another in every respect.
+    fn holds(&self, other: &Self) -> bool {
+        self.sqrt_j2 >= other.sqrt_j2 && self.hydrostatic >= other.hydrostatic && self.normal >= other.normal
+    }
+}
+
+impl Bent {
+    /// Whether it bears at least as much as another in every respect.
+    fn holds(&self, other: &Self) -> bool {
+        let amplitudes = self.sqrt_j2_amplitude >= other.sqrt_j2_amplitude && self.mean_shear >= other.mean_shear;
+        amplitudes && self.low <= other.low && self.high >= other.high && self.normal >= other.normal
     }
 }
 
 fn twisted(location: &CriticalLocation) -> Twisted {
     let stress = location.unit_loads.map_or([0.0, 0.0, 0.0, location.torsion, 0.0, 0.0], |u| u.torque);
     Twisted {
+        nominal: location.unit_loads.is_none(),
         sqrt_j2: deviator_of(&stress).iter().map(|d| d * d).sum::<f64>().sqrt(),
         hydrostatic: ((stress[0] + stress[1] + stress[2]) / 3.0).abs(),
         normal: size(&stress),

@@ -1,14 +1,15 @@
 //! The margin by multiaxial criteria, which ask for the path of a location over the cycle: only paths that may be used most are searched.
 
-use super::known::KnownPath;
-use super::margin::ROUNDING;
+use super::known::Outline;
+use super::margin::{ROUNDING, multiaxially};
 use super::speed_table::At;
 use super::stress_histories::{Histories, Path};
+use super::worst_first::{Able, worst};
 use super::{Known, Margin, MarginCriterion, Torque, Used};
-use crate::fatigue::Cycle;
 use crate::fatigue::multiaxial::{self, bound::Within};
-use crate::numerics::magnitudes;
 use crate::numerics::synthesis::Extremes;
+use crate::numerics::{C64, magnitudes};
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 impl Margin {
@@ -24,106 +25,67 @@ impl Margin {
         let (word, histories) = self.multiaxial(criterion)?;
         let at = self.place(speed_rpm);
         let bound = |within: &Within| histories.at_most(word, within) * (1.0 + ROUNDING);
-        // those that may be used most first: the others need no history then
-        let mut able: Vec<(f64, usize)> = Vec::new();
+        let own = Known::default();
+        let known = known.unwrap_or(&own);
+        let samples = OnceCell::new();
+        let samples = || samples.get_or_init(|| histories.torque(torque.phasors, self.mean_at(at, shaft)));
+        let mut able = Vec::new();
         for i in self.spots_of(criterion, shaft) {
-            let risen = self.by_ranges(histories, i, at, torque, rise);
-            if bound(&risen) < wanted {
-                continue;
-            }
-            let within = self.by_ranges(histories, i, at, torque, 1.0);
-            let [within, risen] = known
-                .map_or([within, risen], |known| self.by_neighbours(histories, (i, speed_rpm), (torque, rise), known, [within, risen]));
-            if bound(&risen) >= wanted {
-                able.push((bound(&within), i));
+            if bound(&self.by_ranges(histories, i, at, torque, rise)) >= wanted {
+                able.push(Able::new(i, bound(&self.by_ranges(histories, i, at, torque, 1.0))));
             }
         }
-        able.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let mut most: Option<Used> = None;
-        let mut whole: Option<(Vec<f64>, Rc<[_]>)> = None;
-        for (bound, location) in able {
-            if most.is_some_and(|m| bound < m.value) {
-                break;
-            }
-            let path = known.and_then(|known| known.path(location, speed_rpm)).unwrap_or_else(|| {
-                let (samples, phasors) =
-                    whole.get_or_insert_with(|| (histories.torque(torque.phasors, self.mean_at(at, shaft)), torque.phasors.into()));
-                let (shares, within) = self.judged(histories, location, at, samples);
-                let path = Rc::new(KnownPath { shares, within, at, torque: phasors.clone() });
-                if let Some(known) = known {
-                    known.keep(location, speed_rpm, &path);
+        let phasors: OnceCell<Rc<[C64]>> = OnceCell::new();
+        let closer = |i: usize| {
+            let outline = match known.outline(i, speed_rpm, rise) {
+                Ok(outline) => outline,
+                Err(beside) => {
+                    if beside.iter().flatten().any(|other| bound(&self.by_neighbour(histories, (i, at), (torque, rise), other)) < wanted) {
+                        return None;
+                    }
+                    let Some([within, risen]) = histories.outline(&self.locations[i], at, samples(), rise) else {
+                        return Some(f64::INFINITY);
+                    };
+                    let torque = phasors.get_or_init(|| torque.phasors.into()).clone();
+                    let outline = Rc::new(Outline { within, risen: (rise, risen), at, torque });
+                    known.keep(i, speed_rpm, outline.clone());
+                    outline
                 }
-                path
-            });
-            let used = self.used_as(criterion, location, &path.shares);
-            most = most.filter(|m| m.value >= used.value).or(Some(used));
-        }
-        most
+            };
+            (bound(&outline.within).max(bound(&outline.risen.1)) >= wanted).then(|| bound(&outline.within))
+        };
+        let shares = |i: usize| self.shares(criterion, histories, &histories.path(&self.locations[i], at, samples()));
+        let used = |i: usize| multiaxially(histories, i, known.share((criterion, i, speed_rpm), || shares(i)));
+        worst(able, closer, used)
     }
 
     /// What a location does not exceed where its torque is up to so many times as large.
-    fn by_ranges(&self, histories: &Histories, location: usize, at: At, torque: &Torque, rise: f64) -> Within {
+    pub(super) fn by_ranges(&self, histories: &Histories, location: usize, at: At, torque: &Torque, rise: f64) -> Within {
         let s = &self.locations[location];
         let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
         let largest = self.mean_at(at, s.shaft).abs() + rise * (middle.abs() + half_peak_to_peak);
-        histories.bounds.by_ranges((location, s), at, rise * half_peak_to_peak, largest)
+        histories.bounds.by_ranges(location, at, rise * half_peak_to_peak, largest)
     }
 
-    /// The same bounds, of the torque itself and of one that is up to `rise` times as large, no further than paths known at other speeds allow.
-    fn by_neighbours(
-        &self,
-        histories: &Histories,
-        (location, speed_rpm): (usize, f64),
-        (torque, rise): (&Torque, f64),
-        known: &Known,
-        [mut within, mut risen]: [Within; 2],
-    ) -> [Within; 2] {
-        let (at, shaft) = (self.place(speed_rpm), self.locations[location].shaft);
+    /// What a location does not exceed where its torque is up to so many times as large, by what is known at another speed.
+    fn by_neighbour(&self, histories: &Histories, (location, at): (usize, At), (torque, rise): (&Torque, f64), other: &Outline) -> Within {
+        let shaft = self.locations[location].shaft;
+        let change =
+            magnitudes::of_difference(torque.phasors, &other.torque) + (self.mean_at(at, shaft) - self.mean_at(other.at, shaft)).abs();
+        // on its way to the next speed the torque changes by as much again, at most
         let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
-        for path in known.beside(location, speed_rpm).into_iter().flatten() {
-            let Some(other) = &path.within else { continue };
-            let change =
-                magnitudes::of_difference(torque.phasors, &path.torque) + (self.mean_at(at, shaft) - self.mean_at(path.at, shaft)).abs();
-            let by = |change: f64| histories.bounds.by_another(location, (at, path.at), other, change);
-            within = within.and(&by(change));
-            // on its way to the next speed the torque changes by as much again, at most
-            let more = if rise > 1.0 { change + (rise - 1.0) * (half_peak_to_peak + middle.abs()) } else { 0.0 };
-            risen = risen.and(&by(change + more));
-        }
-        [within, risen]
+        let more = if rise > 1.0 { (rise - 1.0) * (half_peak_to_peak + middle.abs()) } else { 0.0 };
+        histories.bounds.by_another(location, (at, other.at), &other.within, change + more)
     }
 
-    /// At least the share that a location uses by a multiaxial criterion.
-    pub(super) fn bound_of(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> f64 {
-        let Some((word, histories)) = self.multiaxial(criterion) else { return f64::INFINITY };
-        histories.at_most(word, &self.by_ranges(histories, location, self.place(speed_rpm), torque, 1.0)) * (1.0 + ROUNDING)
-    }
-
-    /// The torque of a shaft at every sample, N m; of multiaxial criteria only.
-    pub(super) fn whole_torque(&self, shaft: usize, speed_rpm: f64, torque: &Torque) -> Vec<f64> {
-        let mean = self.mean_at(self.place(speed_rpm), shaft);
-        self.histories.as_ref().map_or_else(Vec::new, |h| h.torque(torque.phasors, mean))
-    }
-
-    /// Share of the strength that a location uses by each multiaxial criterion, under a torque at every sample; zero by the others.
-    pub(super) fn shares_of(&self, location: usize, speed_rpm: f64, torque: &[f64]) -> Vec<f64> {
-        let none = || vec![0.0; self.criteria.len()];
-        self.histories.as_ref().map_or_else(none, |h| self.judged(h, location, self.place(speed_rpm), torque).0)
-    }
-
-    /// A location by a multiaxial criterion, of the shares that it uses.
-    pub(super) fn used_as(&self, criterion: usize, location: usize, shares: &[f64]) -> Used {
-        let amplitude = self.histories.as_ref().map_or(0.0, |h| h.equivalent(shares[criterion]));
-        Used { location, value: shares[criterion], slopes: (0.0, 0.0), cycle: Cycle { amplitude, mean: 0.0 } }
-    }
-
-    /// Share of the strength that a location uses by each criterion that asks for its path, zero by the others; and what the path of a nominal state does not exceed.
-    pub(super) fn judged(&self, histories: &Histories, location: usize, at: At, torque: &[f64]) -> (Vec<f64>, Option<Within>) {
-        let path = histories.path(&self.locations[location], at, torque);
-        let multiaxial = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
-        let asked: Vec<multiaxial::Criterion> = self.criteria.iter().filter_map(multiaxial).collect();
-        let mut used = histories.used(&asked, &path).into_iter();
-        let shares = self.criteria.iter().map(|c| multiaxial(c).and_then(|_| used.next()).unwrap_or(0.0)).collect();
-        (shares, if let Path::Plane(state) = &path { Some(state.within()) } else { None })
+    /// Share of the strength that a path uses by a multiaxial criterion, and by others that cost nothing besides, each with its index.
+    pub(super) fn shares(&self, criterion: usize, histories: &Histories, path: &Path) -> Vec<(usize, f64)> {
+        let of = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
+        let searched = |c: &MarginCriterion| of(c).is_some_and(|c| Histories::is_searched(c, path));
+        let together = searched(&self.criteria[criterion]);
+        let asked: Vec<usize> =
+            (0..self.criteria.len()).filter(|i| *i == criterion || (together && searched(&self.criteria[*i]))).collect();
+        let words: Vec<multiaxial::Criterion> = asked.iter().filter_map(|i| of(&self.criteria[*i])).collect();
+        asked.into_iter().zip(histories.shares(&words, path)).collect()
     }
 }

@@ -9,10 +9,13 @@ use super::loads::Section;
 use super::path_bounds::PathBounds;
 use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
+use crate::fatigue::multiaxial::outline::{self, Row};
+use crate::fatigue::multiaxial::plane_state::Points;
 use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate};
 use crate::numerics::C64;
 use crate::numerics::periodic_sums::PeriodicSums;
 use multiversion::multiversion;
+use std::cell::OnceCell;
 
 /// Samples that ranges are taken of together.
 const BLOCK: usize = 16;
@@ -25,6 +28,32 @@ pub(crate) enum Path {
     General(History),
 }
 
+/// The torque of a shaft over the cycle: what is asked for is found once.
+#[derive(Debug)]
+pub(crate) struct SampledTorque<'a> {
+    histories: &'a Histories,
+    phasors: &'a [C64],
+    mean: f64,
+    values: OnceCell<Vec<f64>>,
+    row: OnceCell<Row>,
+}
+
+impl SampledTorque<'_> {
+    /// At every sample, mean included, N m.
+    fn values(&self) -> &[f64] {
+        self.values.get_or_init(|| {
+            let mut values = Vec::new();
+            self.histories.sums.at(self.phasors, self.mean, &mut values);
+            values
+        })
+    }
+
+    /// For outlines.
+    fn row(&self) -> &Row {
+        self.row.get_or_init(|| Row::of(self.values()))
+    }
+}
+
 /// Histories of all locations at the speeds of a sweep.
 #[derive(Debug, Clone)]
 pub(crate) struct Histories {
@@ -33,7 +62,7 @@ pub(crate) struct Histories {
     sums: PeriodicSums,
     /// By speed and section (front and rear web of each throw).
     sections: Vec<Vec<Section>>,
-    /// What no path exceeds.
+    /// What no path exceeds, by its ranges.
     pub(super) bounds: PathBounds,
 }
 
@@ -45,30 +74,35 @@ impl Histories {
         Self { limits, samples, sums: PeriodicSums::new(harmonics, samples), sections, bounds }
     }
 
-    /// The torque at every sample, N m.
-    pub fn torque(&self, phasors: &[C64], mean: f64) -> Vec<f64> {
-        let mut torque = Vec::new();
-        self.sums.at(phasors, mean, &mut torque);
-        torque
+    /// A torque of these orders, with a mean.
+    pub fn torque<'a>(&'a self, phasors: &'a [C64], mean: f64) -> SampledTorque<'a> {
+        SampledTorque { histories: self, phasors, mean, values: OnceCell::new(), row: OnceCell::new() }
     }
 
     /// What a location bears over the cycle under a torque.
-    pub fn path(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> Path {
+    pub fn path(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> Path {
         let section = location.web();
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         if let Some(units) = &location.unit_loads {
+            let values = torque.values();
             let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
             return Path::General(History::new((0..self.samples).map(|j| {
                 let (m, t, v) = (load(0, j), load(1, j), load(2, j));
-                std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * torque[j])
+                std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * values[j])
             })));
         }
         let (bending, shear) = self.plane(location, at, torque);
-        Path::Plane(PlaneState::of(&bending, &shear))
+        Path::Plane(PlaneState::of(bending, shear))
+    }
+
+    /// What the path of a nominal state does not exceed, and where its torque is `rise` times as large; nothing of a general one.
+    pub fn outline(&self, location: &CriticalLocation, at: At, torque: &SampledTorque, rise: f64) -> Option<[Within; 2]> {
+        let normal = || Row::of(&self.bending(location, at));
+        location.unit_loads.is_none().then(|| outline::within(&normal(), (location.torsion, torque.row()), rise))
     }
 
     /// The same with all its samples, whatever its state: what needs no corners.
-    pub fn whole(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> Path {
+    pub fn whole(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> Path {
         match self.path(location, at, torque) {
             Path::Plane(_) => {
                 let (bending, shear) = self.plane(location, at, torque);
@@ -79,7 +113,12 @@ impl Histories {
     }
 
     /// Normal and shear stress of a nominal state at every sample.
-    fn plane(&self, location: &CriticalLocation, at: At, torque: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    fn plane(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> (Vec<f64>, Vec<f64>) {
+        (self.bending(location, at), torque.values().iter().map(|t| location.torsion * t).collect())
+    }
+
+    /// Its normal stress.
+    fn bending(&self, location: &CriticalLocation, at: At) -> Vec<f64> {
         let section = location.web();
         let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         let mut bending = vec![0.0; self.samples];
@@ -88,11 +127,11 @@ impl Histories {
                 add(&mut bending, (share * location.bending[0], &row[0]), (share * location.radial, &row[2]));
             }
         }
-        (bending, torque.iter().map(|t| location.torsion * t).collect())
+        bending
     }
 
     /// Share of the strength that a path uses by each criterion: the inverse of its safety factor, which is infinite where a criterion sees no danger. One search of planes serves all.
-    pub fn used(&self, criteria: &[Criterion], path: &Path) -> Vec<f64> {
+    pub fn shares(&self, criteria: &[Criterion], path: &Path) -> Vec<f64> {
         let stresses = match path {
             Path::Plane(state) if state.is_zero() => Ok(vec![0.0; criteria.len()]),
             Path::Plane(state) => self.of_plane_state(criteria, state),
@@ -105,13 +144,18 @@ impl Histories {
         }
     }
 
+    /// Whether a criterion asks for a search of the planes of a path, which serves others, too.
+    pub(super) fn is_searched(criterion: Criterion, path: &Path) -> bool {
+        matches!(path, Path::General(_)) || matches!(criterion, Criterion::DangVanPlane | Criterion::Findley)
+    }
+
     /// The equivalent shear stresses of a plane state, Pa.
     fn of_plane_state(&self, criteria: &[Criterion], state: &PlaneState) -> Result<Vec<f64>, Undefined> {
         let known = criteria.iter().map(|c| c.by_invariants(state, &self.limits)).collect::<Result<Vec<_>, _>>()?;
         let unknown: Vec<Criterion> = criteria.iter().zip(&known).filter(|c| c.1.is_none()).map(|c| *c.0).collect();
         let mut found = Vec::new();
         if !unknown.is_empty() {
-            let (mut normal, mut shear) = (state.normal.clone(), state.shear.clone());
+            let Points { mut normal, mut shear } = state.corners().clone();
             // whole blocks are looked at together: the first corner once more costs nothing
             let count = normal.len().next_multiple_of(BLOCK);
             normal.resize(count, normal[0]);

@@ -153,6 +153,9 @@ fn circumball<const D: usize>(points: &[[f64; D]]) -> Option<([f64; D], f64)> {
         let radius = (0..D).map(|d| (first[d] - centre[d]) * (first[d] - centre[d])).sum::<f64>().sqrt();
         return Some((centre, radius));
     }
+    if let [a, b] = rest {
+        return through_three(first, a, b);
+    }
     // 2 q_i . (c - p) = |q_i|² with c - p = sum of x_j q_j
     let mut m = [[0.0; MOST]; MOST];
     for i in 0..k {
@@ -191,4 +194,30 @@ fn circumball<const D: usize>(points: &[[f64; D]]) -> Option<([f64; D], f64)> {
         centre[d] += offset[d];
     }
     Some((centre, radius))
+}
+
+/// The same through three points.
+fn through_three<const D: usize>(p: &[f64; D], a: &[f64; D], b: &[f64; D]) -> Option<([f64; D], f64)> {
+    let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
+    for d in 0..D {
+        aa += (a[d] - p[d]) * (a[d] - p[d]);
+        bb += (b[d] - p[d]) * (b[d] - p[d]);
+        ab += (a[d] - p[d]) * (b[d] - p[d]);
+    }
+    let mut rows = [[2.0 * aa, 2.0 * ab, aa], [2.0 * ab, 2.0 * bb, bb]];
+    let scale = rows[0][0].max(rows[1][1]);
+    if rows[1][0].abs() > rows[0][0].abs() {
+        rows.swap(0, 1);
+    }
+    // eliminated with a pivot: points on the surface must stay there where two of them are close together
+    let factor = rows[1][0] / rows[0][0];
+    let (pivot, rest) = (rows[1][1] - factor * rows[0][1], rows[1][2] - factor * rows[0][2]);
+    if rows[0][0].abs().min(pivot.abs()) <= DEPENDENT * scale {
+        return None;
+    }
+    let y = rest / pivot;
+    let x = (rows[0][2] - rows[0][1] * y) / rows[0][0];
+    let offset: [f64; D] = std::array::from_fn(|d| x * (a[d] - p[d]) + y * (b[d] - p[d]));
+    let radius = offset.iter().map(|o| o * o).sum::<f64>().sqrt();
+    Some((std::array::from_fn(|d| p[d] + offset[d]), radius))
 }

@@ -1,14 +1,13 @@
 //! Convex hull of points in a plane.
 
 use crate::numerics::elementary::Elementary;
+use crate::numerics::extents::{LANES, along, extents, range};
 use multiversion::multiversion;
 
 /// Directions in which extreme points are looked for, round half a turn: with their opposites a polygon of twice as many sides.
 const DIRECTIONS: usize = 8;
 /// The polygon is that of every so many points.
 const EVERY: usize = 3;
-/// Points that are looked at together.
-const LANES: usize = 16;
 /// Corners of the polygon closer than this share of the spread are one.
 const NEAR: f32 = 1e-3;
 /// A point is inside the polygon where the parallelograms of all its sides and the point are larger than this, of a spread of 1: several times their rounding.
@@ -64,16 +63,7 @@ fn ascending(x: f64) -> u64 {
 /// Shares of the spread, from the smallest number: with few digits, which are enough to leave out points that are well inside.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn of_spread(numbers: &[f64]) -> Vec<f32> {
-    let (whole, rest) = numbers.as_chunks::<LANES>();
-    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-    for chunk in whole {
-        for l in 0..LANES {
-            low[l] = if chunk[l] < low[l] { chunk[l] } else { low[l] };
-            high[l] = if chunk[l] > high[l] { chunk[l] } else { high[l] };
-        }
-    }
-    let least = low.iter().chain(rest).fold(f64::INFINITY, |m, v| if *v < m { *v } else { m });
-    let most = high.iter().chain(rest).fold(f64::NEG_INFINITY, |m, v| if *v > m { *v } else { m });
+    let (least, most) = range(numbers);
     let scale = if most - least > f64::MIN_POSITIVE { 1.0 / (most - least) } else { 1.0 };
     numbers.iter().map(|v| ((v - least) * scale) as f32).collect()
 }
@@ -84,7 +74,7 @@ fn polygon(x: &[f32], y: &[f32]) -> Vec<[f32; 2]> {
         let (sine, cosine) = (std::f64::consts::PI * d as f64 / DIRECTIONS as f64).sine_cosine();
         [cosine as f32, sine as f32]
     });
-    let most = ranges(x, y, &directions);
+    let most = extents(x, y, &directions);
     let mut corners: Vec<[f32; 2]> = Vec::with_capacity(2 * DIRECTIONS);
     let highs = directions.iter().zip(&most).map(|(d, m)| (d, m.1));
     let lows = directions.iter().zip(&most).map(|(d, m)| (d, m.0));
@@ -100,37 +90,6 @@ fn polygon(x: &[f32], y: &[f32]) -> Vec<[f32; 2]> {
         corners.pop();
     }
     corners
-}
-
-fn along([a, b]: [f32; 2], x: f32, y: f32) -> f32 {
-    a * x + b * y
-}
-
-/// Smallest and largest part of the points along each direction.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn ranges<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 2]; N]) -> [(f32, f32); N] {
-    let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
-    let mut all = [(f32::INFINITY, f32::NEG_INFINITY); N];
-    for (range, d) in all.iter_mut().zip(directions) {
-        let (mut low, mut high) = ([f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
-        for (x, y) in xs.0.iter().zip(ys.0) {
-            for l in 0..LANES {
-                let v = along(*d, x[l], y[l]);
-                low[l] = if v < low[l] { v } else { low[l] };
-                high[l] = if v > high[l] { v } else { high[l] };
-            }
-        }
-        for l in 0..LANES {
-            range.0 = if low[l] < range.0 { low[l] } else { range.0 };
-            range.1 = if high[l] > range.1 { high[l] } else { range.1 };
-        }
-        for (x, y) in xs.1.iter().zip(ys.1) {
-            let v = along(*d, *x, *y);
-            range.0 = if v < range.0 { v } else { range.0 };
-            range.1 = if v > range.1 { v } else { range.1 };
-        }
-    }
-    all
 }
 
 /// The first point whose part along a direction is this.

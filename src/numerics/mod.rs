@@ -3,6 +3,7 @@
 pub mod eigen;
 pub mod elementary;
 pub mod enclosing;
+pub(crate) mod extents;
 pub(crate) mod extremes;
 pub mod harmonics;
 pub mod hull;

@@ -11,21 +11,10 @@ pub struct Within {
     pub mean_shear: f64,
     /// No hydrostatic stress is below or above these.
     pub hydrostatic: (f64, f64),
+    /// Of a plane state of one normal stress and its shear: the normal stress at the centre of the ball is not below or above these. Nothing of other states.
+    pub middle: Option<(f64, f64)>,
     /// At least the size of any normal stress.
     pub normal: f64,
-}
-
-impl Within {
-    /// What is within both.
-    #[must_use]
-    pub(crate) fn and(self, other: &Self) -> Self {
-        Self {
-            sqrt_j2_amplitude: self.sqrt_j2_amplitude.min(other.sqrt_j2_amplitude),
-            mean_shear: self.mean_shear.min(other.mean_shear),
-            hydrostatic: (self.hydrostatic.0.max(other.hydrostatic.0), self.hydrostatic.1.min(other.hydrostatic.1)),
-            normal: self.normal.min(other.normal),
-        }
-    }
 }
 
 impl Criterion {
@@ -41,8 +30,10 @@ impl Criterion {
         let stress = match self {
             Self::Matake | Self::McDiarmid => w.sqrt_j2_amplitude + k.abs() * w.normal,
             Self::Findley => (w.sqrt_j2_amplitude + k * w.normal) / (1.0 + k * k).sqrt(),
-            Self::DangVanThesis | Self::DangVanPlane | Self::DangVanMesoscopic | Self::Sines | Self::Crossland => {
-                w.sqrt_j2_amplitude + mean_or_max(k)
+            Self::DangVanThesis | Self::DangVanPlane | Self::Sines | Self::Crossland => w.sqrt_j2_amplitude + mean_or_max(k),
+            Self::DangVanMesoscopic => {
+                let sum = w.sqrt_j2_amplitude + mean_or_max(k);
+                w.middle.map_or(sum, |(low, high)| sum.min(w.sqrt_j2_amplitude * round(k) + (k * low).max(k * high) / 3.0))
             }
             Self::KakunoKawada => w.sqrt_j2_amplitude + amplitude(k) + mean_or_max(Self::Sines.weight(l)?),
             Self::KakunoKawadaConsistent => {
@@ -52,4 +43,11 @@ impl Criterion {
         };
         Ok(stress.max(0.0) / l.torsion)
     }
+}
+
+/// Largest sum of the Tresca stress of a deviator in the circle of a plane state, whose radius is 1, and of k times the hydrostatic stress, both from its centre: at an angle of cosine x the sum is
+/// sqrt(1 - x²/4) + |k| x/sqrt 3.
+fn round(k: f64) -> f64 {
+    let a = k.abs() / 3f64.sqrt();
+    if 12.0 * a * a <= 1.0 { (1.0 + 4.0 * a * a).sqrt() } else { 0.75f64.sqrt() + a }
 }

@@ -26,6 +26,7 @@ pub mod criterion;
 pub mod history;
 pub mod invariants;
 pub mod largest_shear;
+pub mod outline;
 pub mod papadopoulos;
 pub mod plane;
 pub mod plane_state;

@@ -89,10 +89,22 @@ impl Directions {
     }
 }
 
+/// Of the directions along which s/sqrt 3 has part u and t part v: sums of share times u², u v, v² in each of some even parts of half a turn, from that of s.
+pub(super) fn moments_of_parts<const PARTS: usize>() -> [[f64; 3]; PARTS] {
+    let mut sums = [[0.0; 3]; PARTS];
+    for (w, share) in RULE.iter() {
+        let (u, v) = (3f64.sqrt() * w[0], w[3]);
+        let angle = v.arctangent(u).rem_euclid(PI);
+        let part = ((angle / PI * PARTS as f64) as usize).min(PARTS - 1);
+        [u * u, u * v, v * v].iter().zip(&mut sums[part]).for_each(|(product, sum)| *sum += share * product);
+    }
+    sums
+}
+
 /// Of a plane state whose xx stays within an amplitude s and whose xy stays within t, whatever their phase: at least sqrt(5 <T_a²>), Pa.
 pub fn at_most(s: f64, t: f64) -> f64 {
-    static CROSSED: LazyLock<f64> = LazyLock::new(|| RULE.iter().map(|(w, share)| 5.0 * share * (w[0] * w[3]).abs()).sum());
-    (s * s / 3.0 + t * t + 2.0 * *CROSSED * s * t).sqrt()
+    static CROSSED: LazyLock<f64> = LazyLock::new(|| RULE.iter().map(|(w, share)| 10.0 * share * (w[0] * w[3]).abs()).sum());
+    (s * s * (1.0 / 3.0) + t * t + *CROSSED * s * t).sqrt()
 }
 
 /// sqrt(5 <T_a²>), Pa.

@@ -4,25 +4,34 @@
 //! the resolved shear of a plane and direction is w0 s + w3 t: its range is a width of the path. Circles, widths and the largest of convex functions are decided by the
 //! corners of the convex hull.
 
-use super::bound::Within;
 use super::criterion::Path;
 use super::largest_shear::{LargestShear, largest_shear};
 use super::papadopoulos;
-use crate::numerics::enclosing::smallest_ball;
+use crate::numerics::enclosing::{smallest_ball, smallest_ball_from};
+use crate::numerics::extents::range;
 use crate::numerics::hull::hull;
+use multiversion::multiversion;
 use std::cell::OnceCell;
 
-/// The corners of the convex hull of a path, counter-clockwise, Pa.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// A path over the cycle, Pa. What asks for its corners only finds them first.
+#[derive(Debug, Clone, PartialEq)]
 pub struct PlaneState {
-    /// Normal stress, xx.
-    pub normal: Vec<f64>,
-    /// Shear stress, xy.
-    pub shear: Vec<f64>,
+    samples: Points,
+    /// The corners of its convex hull, counter-clockwise.
+    corners: OnceCell<Points>,
     /// Found once.
     pub(super) largest_shear: OnceCell<LargestShear>,
     circle: OnceCell<Circle>,
     mean_shear: OnceCell<f64>,
+}
+
+/// Points of a path.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Points {
+    /// Normal stress, xx, Pa.
+    pub normal: Vec<f64>,
+    /// Shear stress, xy, Pa.
+    pub shear: Vec<f64>,
 }
 
 /// The smallest circle round the deviator's path.
@@ -35,40 +44,45 @@ pub struct Circle {
 }
 
 impl PlaneState {
-    /// Of a path over the cycle: normal and shear stress at each sample.
-    pub fn of(normal: &[f64], shear: &[f64]) -> Self {
-        let corners = hull(normal, shear);
-        let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
-        Self { normal: at(normal), shear: at(shear), ..Self::default() }
+    /// Of normal and shear stress at each sample.
+    pub fn of(normal: Vec<f64>, shear: Vec<f64>) -> Self {
+        let (corners, largest_shear, circle, mean_shear) = Default::default();
+        Self { samples: Points { normal, shear }, corners, largest_shear, circle, mean_shear }
     }
 
-    /// What this path exceeds nowhere: of what nothing has asked for yet, nothing is said.
-    pub(crate) fn within(&self) -> Within {
-        let size = |(s, t): (&f64, &f64)| (s * s + 2.0 * t * t).sqrt();
-        Within {
-            sqrt_j2_amplitude: self.circle.get().map_or(f64::INFINITY, |c| c.radius),
-            mean_shear: self.mean_shear.get().copied().unwrap_or(f64::INFINITY),
-            hydrostatic: Path::hydrostatic(self),
-            normal: self.normal.iter().zip(&self.shear).map(size).fold(0.0, f64::max),
-        }
+    /// The corners of its convex hull, counter-clockwise.
+    pub(crate) fn corners(&self) -> &Points {
+        self.corners.get_or_init(|| {
+            let Points { normal, shear } = &self.samples;
+            let corners = hull(normal, shear);
+            let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
+            Points { normal: at(normal), shear: at(shear) }
+        })
+    }
+
+    /// Its corners where they are known, else all samples: what is the largest of a convex function is the same of both.
+    fn points(&self) -> &Points {
+        self.corners.get().unwrap_or(&self.samples)
     }
 
     /// Whether it bears nothing at all.
     pub(crate) fn is_zero(&self) -> bool {
-        self.normal.iter().chain(&self.shear).all(|s| *s == 0.0)
+        self.points().normal.iter().chain(&self.points().shear).all(|s| *s == 0.0)
     }
 
     /// What the plane of the largest shear bears; of planes as critical that with the larger normal stress.
     pub fn largest_shear(&self) -> LargestShear {
-        *self.largest_shear.get_or_init(|| largest_shear(&self.normal, &self.shear))
+        *self.largest_shear.get_or_init(|| largest_shear(&self.corners().normal, &self.corners().shear))
     }
 
     /// Amplitude of sqrt(J2) with the centre of its circle.
     pub fn circle(&self) -> Circle {
         *self.circle.get_or_init(|| {
             let root = 3f64.sqrt();
-            let deviator: Vec<f64> = self.normal.iter().map(|s| s / root).collect();
-            let ball = smallest_ball([&deviator, &self.shear]);
+            let Points { normal, shear } = self.points();
+            let deviator: Vec<f64> = normal.iter().map(|s| s / root).collect();
+            let known = if shear.len() > MANY { held_by_some(&deviator, shear) } else { Vec::new() };
+            let ball = smallest_ball_from([&deviator, shear], &known);
             Circle { radius: ball.radius, centre: [root * ball.centre[0], ball.centre[1]] }
         })
     }
@@ -84,14 +98,13 @@ impl Path for PlaneState {
     }
 
     fn hydrostatic(&self) -> (f64, f64) {
-        let (low, high) = self.normal.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, s| (m.0.min(*s), m.1.max(*s)));
+        let (low, high) = range(&self.points().normal);
         (low / 3.0, high / 3.0)
     }
 
     fn mesoscopic(&self, k: f64) -> f64 {
-        let [s0, t0] = self.circle().centre;
-        let at = |(s, t): (&f64, &f64)| (0.25 * (s - s0) * (s - s0) + (t - t0) * (t - t0)).sqrt() + k * s / 3.0;
-        self.normal.iter().zip(&self.shear).map(at).fold(f64::NEG_INFINITY, f64::max)
+        let Points { normal, shear } = self.points();
+        largest_sum(normal, shear, self.circle().centre, k)
     }
 
     fn mean_shear(&self) -> f64 {
@@ -99,11 +112,41 @@ impl Path for PlaneState {
     }
 }
 
+/// Of more points than this, the circle of some is found first.
+const MANY: usize = 100;
+/// Every so many.
+const SOME: usize = 8;
+
+/// Indices of the points that hold the circle of some of them.
+fn held_by_some(x: &[f64], y: &[f64]) -> Vec<usize> {
+    let some = |v: &[f64]| v.iter().step_by(SOME).copied().collect::<Vec<f64>>();
+    smallest_ball([&some(x), &some(y)]).support().iter().map(|i| SOME * i).collect()
+}
+
+/// Points that are looked at together.
+const LANES: usize = 16;
+
+/// Largest sum of the Tresca stress about a centre and of `k` times the hydrostatic stress.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+fn largest_sum(normal: &[f64], shear: &[f64], [s0, t0]: [f64; 2], k: f64) -> f64 {
+    let sum = |s: f64, t: f64| (0.25 * (s - s0) * (s - s0) + (t - t0) * (t - t0)).sqrt() + k * s / 3.0;
+    let (s, t) = (normal.as_chunks::<LANES>(), shear.as_chunks::<LANES>());
+    let mut most = [f64::NEG_INFINITY; LANES];
+    for (s, t) in s.0.iter().zip(t.0) {
+        for l in 0..LANES {
+            let own = sum(s[l], t[l]);
+            most[l] = if own > most[l] { own } else { most[l] };
+        }
+    }
+    let rest = s.1.iter().zip(t.1).map(|(s, t)| sum(*s, *t));
+    most.into_iter().chain(rest).fold(f64::NEG_INFINITY, f64::max)
+}
+
 impl PlaneState {
     /// The mean shear by the directions of the general rule: between two corners that decide a width, its square is a quadratic form in moments of those directions, so that a turn of the
     /// calipers round the hull \[Shamos 1978\] is enough.
     fn turned_calipers(&self) -> f64 {
-        let (s, t) = (&self.normal, &self.shear);
+        let Points { normal: s, shear: t } = self.corners();
         let n = s.len();
         if n < 2 {
             return 0.0;

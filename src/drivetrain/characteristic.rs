@@ -1,20 +1,23 @@
 //! Hardly damped motions of chain and absorbers by Newton's method on their characteristic equation: laws are taken at the frequency of each motion without an eigenvalue solver a round.
 
 use super::natural::{Basis, at_frequency, is_constant, typical};
-use crate::absorber::{Absorber, Host, Law, Mounted};
+use crate::absorber::{Absorber, Host, Law, Mounted, SpringAndDamper};
 use crate::numerics::C64;
 use nalgebra::DMatrix;
 use std::ops::Add;
 
 /// Rounds of Newton's method.
 const MOST_ROUNDS: usize = 30;
-/// Relative change at which it ends, which leaves about its square, and steps of its differences.
-const SCREENED: f64 = 1e-9;
+/// Relative change at which it ends, which leaves far less, and steps of its differences.
+const SCREENED: f64 = 1e-6;
 const DIFFERENCE: f64 = 1e-5;
-/// Frequencies between two of the chain at which a law is looked at.
+/// Frequencies between two of the chain that are looked at, and every how many of them a law is computed.
 const SCAN: usize = 24;
+const EVERY: usize = 4;
 /// Eigenvalues closer than this are one.
-const SAME_MOTION: f64 = 1e-7;
+const SAME_MOTION: f64 = 1e-6;
+/// A frequency of the chain this close to that of a motion is a start that leads there.
+const NEAR: f64 = 0.01;
 /// Starts are looked for this many times below and above the frequencies that are asked for.
 const BEYOND: f64 = 2.0;
 
@@ -59,6 +62,8 @@ struct Characteristic<'a> {
     order: f64,
     /// Frequencies in which motions are asked for, rad/s.
     within: (f64, f64),
+    /// Stiffness, damping and square of the shape at the first of the stations of each mode.
+    modes: Vec<[f64; 3]>,
 }
 
 /// A value with its derivative by s.
@@ -80,7 +85,9 @@ impl<'a> Characteristic<'a> {
             .collect();
         stations.sort_unstable();
         stations.dedup();
-        Self { basis, design, stations, order, within }
+        let square = |mode: usize| stations.first().map_or(0.0, |station| basis.shape(*station, mode).powi(2));
+        let modes = (0..basis.len()).map(|i| [basis.stiffness(i), basis.own_damping(i), square(i)]).collect();
+        Self { basis, design, stations, order, within, modes }
     }
 
     /// Whether a motion may be of those that are asked for.
@@ -98,9 +105,10 @@ impl<'a> Characteristic<'a> {
             return Some((first, true));
         }
         // a law that is far from its typical spring: where it crosses the chain at its own frequency, and the chain alone
-        let alone = self.basis.omegas().map(|w| C64::new(0.0, w)).filter(|s| s.im > 0.0 && self.matters(s.im));
-        let further = self.crossings().into_iter().chain(alone).filter_map(|s| self.near(s));
-        let all = different(first.into_iter().chain(further).collect());
+        let is_new = |omega: &f64| first.iter().all(|s| (s.im / omega - 1.0).abs() > NEAR);
+        let alone = self.basis.omegas().filter(|w| *w > 0.0 && self.matters(*w)).filter(is_new).map(|w| C64::new(0.0, w));
+        let starts: Vec<C64> = self.crossings(&first).into_iter().chain(alone).collect();
+        let all = different(first.into_iter().chain(starts.into_iter().filter_map(|s| self.near(s))).collect());
         // laws may leave their rings no motion of their own, but take away no other; a pendulum tuned to the order holds its station, and leaves fewer
         let laws = || self.design.iter().filter_map(|m| m.absorber.law());
         let complete = laws().any(|law| law.depends_on_speed()) || all.len() + laws().count() >= undamped.len();
@@ -115,10 +123,10 @@ impl<'a> Characteristic<'a> {
         for _ in 0..MOST_ROUNDS {
             let change = self.newton_step(s, nearest, &mut last);
             s -= change;
-            if !(s.im > 0.0 && (s - start).norm() < 0.5 * start.norm()) {
+            if !(s.im > 0.0 && (s - start).norm_sqr() < 0.25 * start.norm_sqr()) {
                 return None;
             }
-            if change.norm() <= SCREENED * s.norm() {
+            if change.norm_sqr() <= SCREENED * SCREENED * s.norm_sqr() {
                 return Some(s);
             }
         }
@@ -129,50 +137,103 @@ impl<'a> Characteristic<'a> {
     fn newton_step(&self, s: C64, nearest: usize, last: &mut Option<(C64, Load)>) -> C64 {
         let step = s * DIFFERENCE;
         let [station] = self.stations[..] else {
-            return self.at(s, nearest, true) * step * 2.0 / (self.at(s + step, nearest, true) - self.at(s - step, nearest, true));
+            let at = |s: C64| self.with_springs(s.im, |springs| self.at((s, springs), nearest, true));
+            return at(s) * step * 2.0 / (at(s + step) - at(s - step));
         };
         // the sum over the modes has a derivative of its own; only that of the law is left to differences: to the last place, which converges as fast
-        let load = |s: C64| self.load(Host::Station(station), s, true);
+        let load = |s: C64| self.with_springs(s.im, |springs| self.load(Host::Station(station), (s, springs), true));
         let here = load(s);
         let (before, other) = last.unwrap_or_else(|| (s + step, load(s + step)));
         *last = Some((s, here));
         let slope = |part: fn(&Load) -> C64| Slope { value: part(&here), by_s: (part(&other) - part(&here)) / (before - s) };
         let (top, bottom) = (slope(|l| l.above), slope(|l| l.below));
-        let own = Slope { value: self.basis.modal(nearest, s, true), by_s: self.basis.modal_slope(nearest, s) };
+        let squared = s * s;
+        let modal = |[k, c, _]: &[f64; 3]| Slope { value: squared + s * *c + *k, by_s: s * 2.0 + *c };
+        let (own, square) = (modal(&self.modes[nearest]), self.modes[nearest][2]);
         let mut h = Slope { value: C64::ZERO, by_s: C64::ZERO };
-        for i in (0..self.basis.len()).filter(|i| *i != nearest) {
-            let shape = self.basis.shape(station, i);
-            let receptance = C64::ONE / self.basis.modal(i, s, true);
-            h.value += receptance * (shape * shape);
-            h.by_s -= receptance * receptance * self.basis.modal_slope(i, s) * (shape * shape);
+        for mode in self.modes[..nearest].iter().chain(&self.modes[nearest + 1..]) {
+            let other = modal(mode);
+            let receptance = other.value.conj() / other.value.norm_sqr();
+            h.value += receptance * mode[2];
+            h.by_s -= receptance * receptance * other.by_s * mode[2];
         }
-        let square = self.basis.shape(station, nearest).powi(2);
         let sum = bottom.value + h.value * top.value;
         let value = own.value * sum + top.value * square;
         let by_s = own.by_s * sum + own.value * (bottom.by_s + h.by_s * top.value + h.value * top.by_s) + top.by_s * square;
         value / by_s
     }
 
-    /// Frequencies without damping, as a scan between those of the chain tells.
-    fn crossings(&self) -> Vec<C64> {
-        let own: Vec<f64> = self.basis.omegas().collect();
-        let top = 1.1 * own.iter().copied().fold(0.0, f64::max);
+    /// Frequencies without damping, as a scan between those of the chain tells; but for those where a motion is `known`.
+    fn crossings(&self, known: &[C64]) -> Vec<C64> {
         let mut list = Vec::new();
-        let ends = own.iter().copied().zip(own.iter().copied().skip(1).chain([top])).enumerate();
-        for (nearest, (low, high)) in
-            ends.filter(|(_, (low, high))| low < high && *high >= self.within.0 / BEYOND && *low <= BEYOND * self.within.1)
-        {
-            let place = |i: usize| low + (high - low) * (i as f64 + 0.5) / SCAN as f64;
-            let values: Vec<f64> = (0..SCAN).map(|i| self.at(C64::new(0.0, place(i)), nearest, false).re).collect();
+        let own: Vec<f64> = self.basis.omegas().collect();
+        for nearest in 0..own.len() {
+            let (low, high) = between(&own, nearest);
+            if low >= high || high < self.within.0 / BEYOND || low > BEYOND * self.within.1 {
+                continue;
+            }
+            let place = |i: usize| low + (high - low) * share(i);
+            // laws are smooth: straight lines between some values tell where to look
+            let laws: Vec<Vec<SpringAndDamper>> = (0..=SCAN / EVERY).map(|k| self.springs(place(EVERY * k))).collect();
+            let spring = |i: usize, law: usize| {
+                let (before, after) = (laws[i / EVERY][law], laws[i / EVERY + 1][law]);
+                let stiffness = before.stiffness + (after.stiffness - before.stiffness) * (i % EVERY) as f64 / EVERY as f64;
+                SpringAndDamper { stiffness, damping: 0.0 }
+            };
+            let values: Vec<f64> = (0..SCAN)
+                .map(|i| match self.design.len() {
+                    1 => self.undamped_at((place(i), i), nearest, &[spring(i, 0)]),
+                    count => self.undamped_at((place(i), i), nearest, &(0..count).map(|law| spring(i, law)).collect::<Vec<_>>()),
+                })
+                .collect();
             let crossed = |i: &usize| values[*i] * values[*i + 1] <= 0.0;
-            list.extend((0..SCAN - 1).filter(crossed).map(|i| C64::new(0.0, 0.5 * (place(i) + place(i + 1)))));
+            let is_known = |i: &usize| known.iter().any(|s| (place(*i)..=place(*i + 1)).contains(&s.im));
+            list.extend((0..SCAN - 1).filter(crossed).filter(|i| !is_known(i)).map(|i| C64::new(0.0, 0.5 * (place(i) + place(i + 1)))));
         }
         list
     }
 
+    /// What every absorber is at a circular frequency.
+    fn springs(&self, omega: f64) -> Vec<SpringAndDamper> {
+        self.design.iter().map(|m| self.spring(m, omega)).collect()
+    }
+
+    /// The same for `job`, without a list where there is one absorber.
+    fn with_springs<T>(&self, omega: f64, job: impl FnOnce(&[SpringAndDamper]) -> T) -> T {
+        if let [only] = self.design { job(&[self.spring(only, omega)]) } else { job(&self.springs(omega)) }
+    }
+
+    /// What an absorber is; any spring where it has no law.
+    fn spring(&self, mounted: &Mounted, omega: f64) -> SpringAndDamper {
+        let any = SpringAndDamper { stiffness: 0.0, damping: 0.0 };
+        mounted.absorber.law().map_or(any, |law| at_frequency(law.as_ref(), omega, self.order))
+    }
+
+    /// Its left side without damping at a circular frequency, one of those of a scan: a real number.
+    fn undamped_at(&self, (omega, place): (f64, usize), nearest: usize, springs: &[SpringAndDamper]) -> f64 {
+        let s = C64::new(0.0, omega);
+        let [station] = self.stations[..] else { return self.at((s, springs), nearest, false).re };
+        let load = self.load(Host::Station(station), (s, springs), false);
+        let others = self.basis.scanned(station, || self.receptances())[nearest * SCAN + place];
+        let [k, _, square] = self.modes[nearest];
+        (k - omega * omega) * (load.below.re + others * load.above.re) + load.above.re * square
+    }
+
+    /// Receptance of the station, but for the share of the nearest mode, without damping at the places of a scan.
+    fn receptances(&self) -> Vec<f64> {
+        let own: Vec<f64> = self.basis.omegas().collect();
+        let at = |nearest: usize, i: usize| -> f64 {
+            let (low, high) = between(&own, nearest);
+            let omega = low + (high - low) * share(i);
+            let others = self.modes[..nearest].iter().chain(&self.modes[nearest + 1..]);
+            others.map(|[k, _, square]| square / (k - omega * omega)).sum()
+        };
+        (0..own.len()).flat_map(|nearest| (0..SCAN).map(move |i| (nearest, i))).map(|(nearest, i)| at(nearest, i)).collect()
+    }
+
     /// Its left side; `damped`: whether damping counts.
-    fn at(&self, s: C64, nearest: usize, damped: bool) -> C64 {
-        let loads: Vec<Load> = self.stations.iter().map(|p| self.load(Host::Station(*p), s, damped)).collect();
+    fn at(&self, (s, springs): (C64, &[SpringAndDamper]), nearest: usize, damped: bool) -> C64 {
+        let loads: Vec<Load> = self.stations.iter().map(|p| self.load(Host::Station(*p), (s, springs), damped)).collect();
         let own = self.basis.modal(nearest, s, damped);
         let others = || (0..self.basis.len()).filter(|i| *i != nearest);
         let shape = |mode: usize, p: usize| self.basis.shape(self.stations[p], mode);
@@ -198,14 +259,14 @@ impl<'a> Characteristic<'a> {
         all.determinant()
     }
 
-    /// All that is carried by a station or a ring.
-    fn load(&self, on: Host, s: C64, damped: bool) -> Load {
+    /// All that is carried by a station or a ring; `springs`: what the absorbers are.
+    fn load(&self, on: Host, (s, springs): (C64, &[SpringAndDamper]), damped: bool) -> Load {
         let carried = self.design.iter().enumerate().filter(|(_, m)| m.on == on);
         let all = carried.map(|(index, mounted)| {
-            let further = self.load(Host::Ring(index), s, damped);
+            let further = self.load(Host::Ring(index), (s, springs), damped);
             match &mounted.absorber {
                 Absorber::Ring(law) => {
-                    let spring = at_frequency(law.as_ref(), s.im, self.order);
+                    let spring = springs[index];
                     let link = if damped { spring.stiffness + s * spring.damping } else { spring.stiffness.into() };
                     (Load::inertia(law.ring_inertia(), s) + further).behind(link) + Load::inertia(mounted.hub_inertia, s)
                 }
@@ -214,6 +275,17 @@ impl<'a> Characteristic<'a> {
         });
         all.fold(Load::NONE, Add::add)
     }
+}
+
+/// From the frequency of a mode to that of the next, rad/s.
+fn between(omegas: &[f64], mode: usize) -> (f64, f64) {
+    let beyond = || 1.1 * omegas.iter().copied().fold(0.0, f64::max);
+    (omegas[mode], omegas.get(mode + 1).copied().unwrap_or_else(beyond))
+}
+
+/// Where between them a place of a scan lies.
+fn share(place: usize) -> f64 {
+    (place as f64 + 0.5) / SCAN as f64
 }
 
 impl Basis {

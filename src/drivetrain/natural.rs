@@ -8,6 +8,7 @@ use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::{C64, eigen};
 use crate::units::HZ_PER_RAD_PER_S;
 use nalgebra::{DMatrix, DVector};
+use std::sync::OnceLock;
 
 /// Chains longer than this are represented by as many of their lowest modes.
 const LARGEST_DENSE: usize = 64;
@@ -31,6 +32,8 @@ pub(crate) struct Basis {
     shapes: DMatrix<f64>,
     stiffness: Vec<f64>,
     damping: DMatrix<f64>,
+    /// By station what scans of it find, once.
+    scans: Vec<OnceLock<Vec<f64>>>,
 }
 
 /// Whether every ring of a design is on a constant spring and damper.
@@ -60,6 +63,7 @@ impl Basis {
             shapes: modes.shapes.columns(0, kept).into_owned(),
             stiffness: modes.omega[..kept].iter().map(|w| w * w).collect(),
             damping: if damped { DMatrix::from_fn(kept, kept, c) } else { DMatrix::zeros(kept, kept) },
+            scans: vec![OnceLock::new(); modes.shapes.nrows()],
         }
     }
 
@@ -95,9 +99,19 @@ impl Basis {
         s * s + self.stiffness[mode] + if damped { s * self.damping[(mode, mode)] } else { C64::ZERO }
     }
 
-    /// Its derivative by s, damping counted.
-    pub(super) fn modal_slope(&self, mode: usize, s: C64) -> C64 {
-        s * 2.0 + self.damping[(mode, mode)]
+    /// What a scan of a station finds, as `scan` does the first time.
+    pub(super) fn scanned(&self, station: usize, scan: impl FnOnce() -> Vec<f64>) -> &[f64] {
+        self.scans[station].get_or_init(scan)
+    }
+
+    /// Of a mode of unit modal mass, 1/s².
+    pub(super) fn stiffness(&self, mode: usize) -> f64 {
+        self.stiffness[mode]
+    }
+
+    /// Of a mode of unit modal mass by its own motion, 1/s.
+    pub(super) fn own_damping(&self, mode: usize) -> f64 {
+        self.damping[(mode, mode)]
     }
 
     /// Motion of a station in a mode.

@@ -45,9 +45,16 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
 
 /// Squares of the circular frequencies of M x'' + K x = 0 with positive definite M and symmetric K, ascending. Nothing where M is not that or something is not finite.
 pub(crate) fn undamped(m: &DMatrix<f64>, k: &DMatrix<f64>) -> Option<Vec<f64>> {
-    let lower = m.clone().cholesky()?.unpack();
-    let half = lower.solve_lower_triangular(k)?.transpose();
-    let reduced = lower.solve_lower_triangular(&half)?;
+    let n = m.nrows();
+    let is_diagonal = (0..n).all(|i| (0..i).all(|j| m[(i, j)] == 0.0) && m[(i, i)] > 0.0);
+    let reduced = if is_diagonal {
+        let root: Vec<f64> = (0..n).map(|i| m[(i, i)].sqrt()).collect();
+        DMatrix::from_fn(n, n, |i, j| k[(i, j)] / (root[i] * root[j]))
+    } else {
+        let lower = m.clone().cholesky()?.unpack();
+        let half = lower.solve_lower_triangular(k)?.transpose();
+        lower.solve_lower_triangular(&half)?
+    };
     if !reduced.iter().all(|x| x.is_finite()) {
         return None;
     }

@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 
 /// Nodes of a piece.
 const NODES: usize = 12;
-/// Points that are evaluated together.
-const LANES: usize = 8;
+/// Points that are evaluated together: enough that the next one need not wait for the last.
+const LANES: usize = 16;
 
 /// Fixed points on the real axis, sorted into pieces.
 #[derive(Debug, Clone)]
@@ -73,18 +73,22 @@ impl Piecewise {
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn evaluate(pieces: &[[[f64; NODES]; 2]], blocks: &[(usize, [f64; LANES])], places: &[[u32; LANES]], out: &mut [C64]) {
     for ((piece, u), places) in blocks.iter().zip(places) {
-        let [re, im] = &pieces[*piece];
-        let (mut real, mut imaginary) = ([re[NODES - 1]; LANES], [im[NODES - 1]; LANES]);
-        for k in (0..NODES - 1).rev() {
-            for l in 0..LANES {
-                real[l] = real[l] * u[l] + re[k];
-                imaginary[l] = imaginary[l] * u[l] + im[k];
-            }
-        }
+        let [real, imaginary] = pieces[*piece].each_ref().map(|coefficients| polynomial(coefficients, u));
         for l in 0..LANES {
             out[places[l] as usize] = C64::new(real[l], imaginary[l]);
         }
     }
+}
+
+/// A polynomial at each place.
+#[inline(always)]
+fn polynomial(coefficients: &[f64; NODES], u: &[f64; LANES]) -> [f64; LANES] {
+    let mut sum = [coefficients[NODES - 1]; LANES];
+    for c in coefficients[..NODES - 1].iter().rev() {
+        // one step for all: lanes of their own are no vector
+        sum = std::array::from_fn(|l| sum[l] * u[l] + c);
+    }
+    sum
 }
 
 /// Chebyshev's nodes between -1 and 1.

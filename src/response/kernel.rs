@@ -22,11 +22,19 @@ pub(crate) struct Points {
     /// Whether the output is a ring's twist: then y0 holds the hub's angle.
     pub ring: bool,
     /// Their frequencies' logarithms in pieces, found once the points are all there: nothing where a law at every point costs no more.
-    pub(super) pieces: OnceLock<Option<Piecewise>>,
+    pub(super) pieces: OnceLock<Option<Pieces>>,
 }
 
-/// Width of a piece of ln omega: where S is analytic within π/2, polynomials through twelve nodes err by 1e-15.
-const PIECE: f64 = 0.35;
+/// The points' frequencies in pieces.
+#[derive(Debug, Clone)]
+pub(super) struct Pieces {
+    logarithms: Piecewise,
+    /// Where a law is computed.
+    nodes: Vec<Operating>,
+}
+
+/// Width of a piece of ln omega: where S is analytic within π/2, polynomials through twelve nodes err by 1e-14.
+const PIECE: f64 = 0.42;
 /// A law is computed at the nodes where there are this many times as many points.
 const WORTH: usize = 4;
 
@@ -45,16 +53,17 @@ impl Points {
     fn stiffness(&self, law: &dyn Law, first: usize, out: &mut [C64]) {
         let pieces = || {
             let all = Piecewise::new(&self.omega.iter().map(|w| w.logarithm()).collect::<Vec<_>>(), PIECE);
-            all.filter(|p| WORTH * p.nodes().len() < self.omega.len())
+            let logarithms = all.filter(|p| WORTH * p.nodes().len() < self.omega.len())?;
+            let at = |x: &f64| x.exponential();
+            let nodes = logarithms.nodes().iter().map(at).map(|omega| Operating { omega, shaft_speed: omega }).collect();
+            Some(Pieces { logarithms, nodes })
         };
         let whole = first == 0 && out.len() == self.omega.len() && law.is_analytic();
         match self.pieces.get_or_init(pieces).as_ref().filter(|_| whole) {
             Some(pieces) => {
-                let at: Vec<Operating> =
-                    pieces.nodes().iter().map(|x| x.exponential()).map(|omega| Operating { omega, shaft_speed: omega }).collect();
-                let mut nodes = vec![C64::ZERO; at.len()];
-                law.dynamic_stiffness_each(&at, &mut nodes);
-                pieces.values(&nodes, out);
+                let mut values = vec![C64::ZERO; pieces.nodes.len()];
+                law.dynamic_stiffness_each(&pieces.nodes, &mut values);
+                pieces.logarithms.values(&values, out);
             }
             None => law.dynamic_stiffness_each(&self.operating(first, out.len()), out),
         }

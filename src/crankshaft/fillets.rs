@@ -3,7 +3,7 @@
 use super::margin::{ROUNDING, multiaxially};
 use super::stress_histories::{Path, SampledTorque};
 use super::worst_first::{Able, worst};
-use super::{Known, Margin, Torque, Used};
+use super::{Known, Margin, MarginCriterion, Torque, Used};
 use crate::fatigue::multiaxial::bound::Within;
 use std::cell::OnceCell;
 
@@ -41,6 +41,7 @@ impl Margin {
         let outlines: Vec<OnceCell<Option<Within>>> = vec![OnceCell::new(); self.locations.len()];
         let paths: Vec<OnceCell<Path>> = (0..self.locations.len()).map(|_| OnceCell::new()).collect();
         let known = Known::default();
+        let corners = self.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(c) if c.asks_for_corners()));
         let larger = |most: Option<Used>, used: Used| match most {
             Some(most) if (most.value, used.location) >= (used.value, most.location) => Some(most),
             _ => Some(used),
@@ -59,7 +60,16 @@ impl Margin {
             };
             let outline = |i: usize| histories.outline(&self.locations[i], at, sampled(i), 1.0).map(|[own, _]| own);
             let closer = |i: usize| Some(outlines[i].get_or_init(|| outline(i)).as_ref().map_or(f64::INFINITY, bound));
-            let path = |i: usize| paths[i].get_or_init(|| histories.path(&self.locations[i], at, sampled(i)));
+            let path = |i: usize| {
+                paths[i].get_or_init(|| {
+                    let path = histories.path(&self.locations[i], at, sampled(i));
+                    if let Path::Plane(state) = &path {
+                        // another criterion asks for the corners, and then they serve this one, too
+                        corners.then(|| state.corners());
+                    }
+                    path
+                })
+            };
             let shares = |i: usize| self.shares(*criterion, histories, path(i));
             let used = |i: usize| multiaxially(histories, i, known.share((*criterion, i, speed_rpm), || shares(i)));
             worst(locations.iter().map(able).collect(), closer, used)

@@ -116,6 +116,11 @@ impl Criterion {
         }
     }
 
+    /// Whether what it asks of a plane state is found from the corners of its hull only, not from all samples.
+    pub(crate) fn asks_for_corners(self) -> bool {
+        !matches!(self, Self::DangVanMesoscopic | Self::Sines | Self::Crossland | Self::KakunoKawada | Self::KakunoKawadaConsistent)
+    }
+
     /// Weight of the normal or hydrostatic stress (of its amplitude, for Kakuno and Kawada).
     ///
     /// # Errors

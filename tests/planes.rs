@@ -246,13 +246,14 @@ fn circles_of_smooth_paths() {
     }
 }
 
-/// The outline of a path holds it and what it bears where its torque is a twentieth larger: circle, mean shear and sums of the criteria that ask for them; and says no more than its 32 sides may: a
+/// The outline of a path holds it and what it bears where its torque is a twentieth larger, and four times as large: circle, mean shear and sums of the criteria that ask for them; and says no more than its 32 sides may: a
 /// radius larger by the cosine of half the angle between two of them, a mean shear larger by twice as much.
 fn bounded_by_outline(what: &str, (normal, shear): (&[f64], &[f64]), circle: &Circle) {
     let load: Vec<f64> = shear.iter().map(|t| t / -3e4).collect();
-    let bounds = outline::within(&Row::of(normal), (-3e4, &Row::of(&load)), 1.05);
-    let (sides, rounding) = (1.0 / (PI / 32.0).cos(), 1e-5);
-    for (rise, within) in [1.0, 1.05].iter().zip(&bounds) {
+    let bounds = |rise: f64| outline::within(&Row::of(normal), (-3e4, &Row::of(&load)), rise);
+    let ([own, little], [_, much]) = (bounds(1.05), bounds(4.0));
+    for (rise, within) in [1.0, 1.05, 4.0].iter().zip(&[own, little, much]) {
+        let (sides, rounding) = (1.0 / (rise * PI / 32.0).cos(), 1e-5);
         let risen: Vec<f64> = shear.iter().map(|t| rise * t).collect();
         let own = if *rise == 1.0 { *circle } else { PlaneState::of(normal.to_vec(), risen.clone()).circle() };
         let over = within.sqrt_j2_amplitude / own.radius;

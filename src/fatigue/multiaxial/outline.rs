@@ -100,8 +100,9 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
     let of = |rise: f64, still: Within, support: &[usize]| {
         let risen = v.map(|v| rise * v);
         let ball = smallest_ball_from([&u, &risen], support);
-        // the path's own circle is smaller by no more than the cosine of half a step, so that its centre lies no farther off than the tangent
-        let off = 1.01 * half_step * ball.radius;
+        // the path's own circle is smaller by no more than the cosine of half the angle between two sides, so that its centre lies no farther off than the tangent; the sides of a risen path are
+        // farther apart
+        let off = 1.02 * rise.max(1.0) * half_step * ball.radius;
         let middle = |sign: f64| normal.least + root * spread * (ball.centre[0] + sign * off);
         let within = Within {
             sqrt_j2_amplitude: spread * ball.radius,

@@ -3,6 +3,7 @@
 use super::critical_locations::locations;
 use super::speed_table::At;
 use super::stress_histories::Histories;
+use super::unsurpassed::unsurpassed;
 use super::{Crank, CriticalLocation, Family, FatigueSpec, Known, MarginCriterion, MeanBending, Place, bending};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
@@ -263,7 +264,7 @@ fn leading(locations: &[CriticalLocation], of_shaft: &[[Vec<usize>; 4]], bending
     };
     let at = |low: usize| {
         let rows = [&bending[low], &bending[(low + 1).min(bending.len() - 1)]];
-        let of = |list: &Vec<usize>| list.iter().copied().filter(|b| !list.iter().any(|a| a != b && surpasses(&rows, *a, *b))).collect();
+        let of = |list: &Vec<usize>| unsurpassed(list, |a, b| surpasses(&rows, a, b));
         of_shaft.iter().map(|families| families.each_ref().map(of)).collect()
     };
     (0..bending.len()).map(at).collect()

@@ -18,6 +18,7 @@ pub mod speed_table;
 pub mod stress_concentration;
 pub mod stress_histories;
 pub mod unit_loads;
+mod unsurpassed;
 mod worst_first;
 
 pub use beam::{Beam, Reactions, Support};

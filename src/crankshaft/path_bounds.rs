@@ -3,6 +3,7 @@
 
 use super::loads::Section;
 use super::speed_table::At;
+use super::unsurpassed::unsurpassed;
 use super::{CriticalLocation, Family};
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
@@ -99,12 +100,13 @@ impl PathBounds {
         let travelled = |at: At| at.between(self.bent[at.low][location].travelled, self.bent[at.high][location].travelled);
         let (bending, shear) = ((travelled(at) - travelled(other)).abs(), self.twisted[location].sqrt_j2 * change);
         let (low, high) = known.hydrostatic;
-        // points move no farther than this, and the radius of the smallest ball changes by no more: both balls hold the others' points with twice as much, so that their centres are no
-        // farther apart than the root of the difference of squares
+        // points move no farther than this, and the radius of the smallest ball changes by no more
         let moved = (bending * bending / 3.0 + shear * shear).sqrt();
-        let off = bending + 12f64.sqrt() * (known.sqrt_j2_amplitude * moved).sqrt();
+        // the old centre with the larger radius holds the new points: their own centre is no farther off than the root of the difference of squares
+        let (larger, smaller) = (known.sqrt_j2_amplitude + moved, (known.sqrt_j2_amplitude - moved).max(0.0));
+        let off = (3.0 * (larger * larger - smaller * smaller)).sqrt();
         Within {
-            sqrt_j2_amplitude: known.sqrt_j2_amplitude + moved,
+            sqrt_j2_amplitude: larger,
             // the root of the mean square of half ranges is a norm
             mean_shear: known.mean_shear + papadopoulos::at_most(bending, shear),
             hydrostatic: (low - bending / 3.0, high + bending / 3.0),
@@ -122,7 +124,7 @@ impl PathBounds {
                 // of two alike the first
                 more && (a < b || self.twisted[a] != self.twisted[b] || rows.iter().any(|row| row[a] != row[b]))
             };
-            list.iter().copied().filter(|b| !list.iter().any(|a| a != b && surpasses(*a, *b))).collect()
+            unsurpassed(list, surpasses)
         };
         let of = |low: usize, families: &[Vec<usize>; 4]| -> Vec<usize> {
             [Family::Nominal, Family::UnitLoads].iter().flat_map(|f| of_kind(low, &families[*f as usize])).collect()

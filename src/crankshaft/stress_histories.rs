@@ -146,7 +146,7 @@ impl Histories {
 
     /// Whether a criterion asks for a search of the planes of a path, which serves others, too.
     pub(super) fn is_searched(criterion: Criterion, path: &Path) -> bool {
-        matches!(path, Path::General(_)) || matches!(criterion, Criterion::DangVanPlane | Criterion::Findley)
+        matches!(path, Path::General(_)) || criterion.searches_planes()
     }
 
     /// The equivalent shear stresses of a plane state, Pa.

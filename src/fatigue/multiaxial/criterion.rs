@@ -121,6 +121,11 @@ impl Criterion {
         !matches!(self, Self::DangVanMesoscopic | Self::Sines | Self::Crossland | Self::KakunoKawada | Self::KakunoKawadaConsistent)
     }
 
+    /// Whether it asks for a search of all planes even of a plane state.
+    pub(crate) fn searches_planes(self) -> bool {
+        matches!(self, Self::DangVanPlane | Self::Findley)
+    }
+
     /// Weight of the normal or hydrostatic stress (of its amplitude, for Kakuno and Kawada).
     ///
     /// # Errors

@@ -63,9 +63,9 @@ impl Law for FractionalKelvin {
         // temperature puts its factor on the relaxation time
         let power = ImaginaryPower::new(self.exponent);
         let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
-        Some(Box::new(move |factor, out| {
-            let share = (self.exponent * factor.logarithm()).exponential();
-            own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness * (1.0 + z * share));
+        Some(Box::new(move |factor, [re, im]| {
+            let share = self.stiffness * (self.exponent * factor).exponential();
+            own.iter().zip(re).zip(im).for_each(|((z, re), im)| (*re, *im) = (self.stiffness + share * z.re, share * z.im));
         }))
     }
     fn is_analytic(&self) -> bool {

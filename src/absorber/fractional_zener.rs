@@ -64,6 +64,20 @@ impl FractionalZener {
     }
 }
 
+/// S of multiples of some (i omega tau)^alpha, by parts.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn stiffness_each(law: &FractionalZener, share: f64, [z_re, z_im]: &[Vec<f64>; 2], [out_re, out_im]: [&mut [f64]; 2]) {
+    let n = z_re.len();
+    let (z_re, z_im, out_re, out_im) = (&z_re[..n], &z_im[..n], &mut out_re[..n], &mut out_im[..n]);
+    for i in 0..n {
+        let (x, y) = (share * z_re[i], share * z_im[i]);
+        let (above, below) = (1.0 + law.glass_ratio * x, 1.0 + x);
+        let (lost, scale) = (law.glass_ratio * y, law.stiffness / (below * below + y * y));
+        out_re[i] = (above * below + lost * y) * scale;
+        out_im[i] = (lost * below - above * y) * scale;
+    }
+}
+
 impl Law for FractionalZener {
     fn declaration(&self) -> &'static Declaration {
         &FRACTIONAL_ZENER
@@ -85,10 +99,8 @@ impl Law for FractionalZener {
         // temperature puts its factor on the relaxation time
         let power = ImaginaryPower::new(self.exponent);
         let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
-        Some(Box::new(move |factor, out| {
-            let share = (self.exponent * factor.logarithm()).exponential();
-            own.iter().zip(out).for_each(|(z, out)| *out = self.stiffness_of(z * share));
-        }))
+        let own = [own.iter().map(|z| z.re).collect(), own.iter().map(|z| z.im).collect()];
+        Some(Box::new(move |factor, out| stiffness_each(self, (self.exponent * factor).exponential(), &own, out)))
     }
     fn is_analytic(&self) -> bool {
         true

@@ -46,6 +46,7 @@ pub use geometry::Geometry;
 pub use hardening::{HARDENING, Hardening};
 pub use kraus::Kraus;
 pub use large_twist::{Instant, LargeTwist, Reaction};
+pub(crate) use law::ByFactor;
 pub use law::{ClosedForm, Declaration, Law};
 pub use life::StrainLife;
 pub use material::{Factors, Material, Thermal};

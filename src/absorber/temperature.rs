@@ -72,13 +72,18 @@ impl TemperatureLaw {
 
     /// The factor at a temperature, °C: one at the reference.
     pub fn factor(&self, celsius: f64) -> f64 {
+        self.log_factor(celsius).exponential()
+    }
+
+    /// Its natural logarithm.
+    pub(crate) fn log_factor(&self, celsius: f64) -> f64 {
         match *self {
-            Self::Wlf { c1, c2, reference } => (-LN_10 * c1 * (celsius - reference) / (c2 + celsius - reference)).exponential(),
+            Self::Wlf { c1, c2, reference } => -LN_10 * c1 * (celsius - reference) / (c2 + celsius - reference),
             Self::Arrhenius { activation, reference } => {
-                (activation / GAS_CONSTANT * (1.0 / (celsius + KELVIN_AT_0_C) - 1.0 / (reference + KELVIN_AT_0_C))).exponential()
+                activation / GAS_CONSTANT * (1.0 / (celsius + KELVIN_AT_0_C) - 1.0 / (reference + KELVIN_AT_0_C))
             }
-            Self::Exponential { per_k, reference, .. } => (-per_k * (celsius - reference)).exponential(),
-            Self::SiliconeOil { reference } => (LN_10 * (763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference))).exponential(),
+            Self::Exponential { per_k, reference, .. } => -per_k * (celsius - reference),
+            Self::SiliconeOil { reference } => LN_10 * (763.1 / (273.0 + celsius) - 763.1 / (273.0 + reference)),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Temperatures of an absorber in balance over speed: the heat it dissipates, which depends on its temperature, against the heat that leaves it.
 
 use super::DesignResult;
-use crate::absorber::Mounted;
+use crate::absorber::{Mounted, Thermal};
 use crate::input::Study;
 use crate::objective::PeakFinder;
 use crate::response::operation::{AtSpeed, Balance, Follower, Rule};
-use crate::response::{Hosts, ResponseError, Work};
+use crate::response::{Hosts, ResponseError};
 use rayon::prelude::*;
 
 /// An absorber at one speed.
@@ -51,7 +51,7 @@ pub(crate) fn heat<'d>(
     shown: &[&'d DesignResult],
 ) -> Result<Vec<HeatOfDesign>, (&'d DesignResult, ResponseError)> {
     let cooled = shown.iter().filter(|d| Follower::of(&d.absorbers, |m| m.thermal.is_some()).is_some());
-    let hosts = Hosts::of(&finder.direct, cooled.map(|d| d.absorbers.as_slice()));
+    let hosts = Hosts::of(&finder.direct, study.twist, cooled.map(|d| d.absorbers.as_slice()));
     let one = |d: &&'d DesignResult| of_design(study, finder, &hosts, (&d.name, &d.absorbers)).map_err(|error| (*d, error)).transpose();
     shown.iter().filter_map(one).collect()
 }
@@ -67,22 +67,22 @@ pub(crate) fn of_design(
     (name, design): (&str, &[Mounted]),
 ) -> Result<Option<HeatOfDesign>, ResponseError> {
     let Some(of) = Follower::of(design, |m| m.thermal.is_some()) else { return Ok(None) };
-    let Some(limit) = of.law.material().and_then(|m| m.thermal).map(|t| t.cooling.limit) else { return Ok(None) };
-    let at = |(i, speed): (usize, &f64)| at(study, finder, (&of, limit), *speed, (hosts, i));
+    let Some(thermal) = of.law.material().and_then(|m| m.thermal) else { return Ok(None) };
+    let at = |(i, speed): (usize, &f64)| at(study, finder, (&of, thermal), *speed, (hosts, i));
     let points = finder.grid.speed_rpm.par_iter().enumerate().map(at).collect::<Result<_, _>>()?;
-    Ok(Some(HeatOfDesign { design: name.to_owned(), absorber: of.index, limit, points }))
+    Ok(Some(HeatOfDesign { design: name.to_owned(), absorber: of.index, limit: thermal.cooling.limit, points }))
 }
 
 fn at(
     study: &Study,
     finder: &PeakFinder,
-    (of, limit): (&Follower, f64),
+    (of, thermal): (&Follower, Thermal),
     speed_rpm: f64,
     known: (&Hosts, usize),
 ) -> Result<HeatAt, ResponseError> {
     let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, Rule::HalfPeakToPeak, speed_rpm, Some(known));
-    let (balances, power_at_limit) = own.balances()?.unwrap_or_default();
-    let law = own.at(Some(balances.first().map_or(limit, |b| b.celsius)))?;
-    let phasors = finder.direct.at_each(&own.with(&law), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);
+    let mut over = own.over_temperature(thermal);
+    let (balances, power_at_limit) = over.balances()?;
+    let phasors = over.output(balances.first().map_or(thermal.cooling.limit, |b| b.celsius), study.twist)?;
     Ok(HeatAt { speed_rpm, balances, twist: finder.synthesis(&phasors)[0], power_at_limit })
 }

@@ -8,7 +8,7 @@ use crate::input::Study;
 use crate::numerics::maximise::maximise;
 use crate::objective::PeakFinder;
 use crate::response::operation::{AtSpeed, Follower, Rule};
-use crate::response::{Hosts, ResponseError, Work};
+use crate::response::{Hosts, ResponseError};
 use rayon::prelude::*;
 
 /// A design at one speed.
@@ -48,7 +48,7 @@ pub(crate) fn strain<'d>(
 ) -> Result<Vec<StrainOfDesign>, (&'d DesignResult, ResponseError)> {
     let followed = shown.iter().filter_map(|d| Some((*d, Follower::of(&d.absorbers, |m| m.amplitude.is_some())?)));
     let followed: Vec<_> = followed.collect();
-    let hosts = Hosts::of(&finder.direct, followed.iter().map(|f| f.1.design));
+    let hosts = Hosts::of(&finder.direct, study.twist, followed.iter().map(|f| f.1.design));
     let each = followed.into_iter().flat_map(|(d, of)| Rule::ALL.map(|rule| (d, of.clone(), rule)));
     each.map(|(d, of, rule)| by_rule(study, finder, &hosts, d, (&of, rule)).map_err(|error| (d, error))).collect()
 }
@@ -87,6 +87,6 @@ fn at(
     let own = AtSpeed::new((&finder.direct, &finder.synthesiser), of, rule, speed_rpm, known);
     let celsius = own.celsius()?;
     let strains = own.strains(celsius)?;
-    let phasors = finder.direct.at_each(&own.with(&own.at(celsius)?), &[study.twist], &[speed_rpm], &mut Work::default())?.swap_remove(0);
+    let phasors = own.output(&own.at(celsius)?, study.twist)?;
     Ok(StrainAt { speed_rpm, strains, twist: finder.synthesis(&phasors)[0] })
 }

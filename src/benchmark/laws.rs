@@ -85,7 +85,7 @@ fn heated(study: &Study, spec: &OptimiseSpec, finder: &PeakFinder, modes: &[Vec<
     let Ok(one) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return Ok(None) };
     let failed = |error| RunError { what: format!("`{name}`"), error };
     // what the chain does to its station is solved once a study, as it is for the plain ring
-    let hosts = Hosts::of(&finder.direct, std::iter::once(design.as_slice()));
+    let hosts = Hosts::of(&finder.direct, study.twist, std::iter::once(design.as_slice()));
     let balances = || one.install(|| heat(study, finder, &hosts, (&name, &design)));
     let Some(found) = balances().map_err(failed)? else { return Ok(None) };
     let seconds = median_seconds(REPEATS, || balances().map(|_| ())).map_err(failed)?;

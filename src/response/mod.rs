@@ -43,7 +43,7 @@ pub use joint::JointReceptance;
 pub use method::Response;
 pub use modal::Modal;
 pub use newmark::Newmark;
-pub(crate) use open_law::{Hosts, OpenLaw};
+pub(crate) use open_law::Hosts;
 pub use quantity::Quantity;
 pub(crate) use quasi_static::{Unamplified, quasi_static};
 pub use receptance::Receptance;

@@ -5,7 +5,7 @@
 use super::factored::Factored;
 use super::{Direct, Quantity, ResponseError, Work};
 use crate::absorber::mounted::with_law;
-use crate::absorber::{Absorber, Host, Law, Mounted, Operating};
+use crate::absorber::{Absorber, ByFactor, Host, Law, Mounted, Operating};
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use rayon::prelude::*;
@@ -13,32 +13,45 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// u0 and H of every order.
-type OfOrders = Vec<(C64, C64)>;
+/// An order without the ring.
+#[derive(Debug, Clone, Copy)]
+struct Rest {
+    /// u0.
+    angle: C64,
+    /// H.
+    receptance: C64,
+    /// A quantity, and what it is per unit torque at the host; nothing where none is asked for.
+    output: (C64, C64),
+}
 
-/// u0 and H at the speeds of a grid, for designs of one ring alone on a station: the same whatever the ring.
-#[derive(Debug, Default)]
+/// The rest at the speeds of a grid, for designs of one ring alone on a station: the same whatever the ring.
+#[derive(Debug)]
 pub(crate) struct Hosts {
+    /// What is known of it besides the angle.
+    quantity: Quantity,
     /// By speed; nothing where the chain resonates.
-    stations: BTreeMap<usize, Vec<Option<OfOrders>>>,
+    stations: BTreeMap<usize, Vec<Option<Vec<Rest>>>>,
 }
 
 impl Hosts {
     /// For these designs at the speeds of `direct`.
-    pub fn of<'d>(direct: &Direct, designs: impl Iterator<Item = &'d [Mounted]>) -> Self {
+    pub fn of<'d>(direct: &Direct, quantity: Quantity, designs: impl Iterator<Item = &'d [Mounted]>) -> Self {
         let mut stations = BTreeMap::new();
         for station in designs.filter_map(single) {
-            let at = |speed: &f64| host(direct, &[], station, *speed);
+            let at = |speed: &f64| host(direct, &[], (station, Some(quantity)), *speed);
             stations.entry(station).or_insert_with(|| direct.grid().speed_rpm.par_iter().map(at).collect());
         }
-        Self { stations }
+        Self { quantity, stations }
     }
 
     /// For a design at a speed of the grid.
-    fn get(&self, design: &[Mounted], speed: usize) -> Option<&[(C64, C64)]> {
+    fn get(&self, design: &[Mounted], speed: usize) -> Option<&[Rest]> {
         self.stations.get(&single(design)?)?.get(speed)?.as_deref()
     }
 }
+
+/// Where an output and what the ring adds to it cancel by more than this, the whole is solved.
+const LARGEST_CANCELLATION: f64 = 1e5;
 
 /// The station that carries a ring alone.
 fn single(design: &[Mounted]) -> Option<usize> {
@@ -55,8 +68,10 @@ pub(crate) struct OpenLaw<'a> {
     index: usize,
     speed_rpm: f64,
     at: Vec<Operating>,
-    /// u0 and H of every order; nothing where the absorber sits on a ring or carries one, or where the rest resonates: the whole is solved then.
-    host: Option<Cow<'a, [(C64, C64)]>>,
+    /// The rest at every order; nothing where the absorber sits on a ring or carries one, or where the rest resonates: the whole is solved then.
+    host: Option<Cow<'a, [Rest]>>,
+    /// What its outputs are of.
+    output: Option<Quantity>,
 }
 
 impl<'a> OpenLaw<'a> {
@@ -69,12 +84,16 @@ impl<'a> OpenLaw<'a> {
             Host::Station(station) if alone => {
                 let mut rest = design.to_vec();
                 rest[index].absorber = Absorber::Locked { ring_inertia: 0.0 };
-                host(direct, &rest, station, speed_rpm)
+                host(direct, &rest, (station, None), speed_rpm)
             }
             _ => None,
         };
-        let host = known.and_then(|(hosts, speed)| hosts.get(design, speed)).map(Cow::Borrowed).or_else(|| solved().map(Cow::Owned));
-        Self { direct, design, index, speed_rpm, at, host }
+        let known = known.and_then(|(hosts, speed)| Some((hosts.quantity, Cow::Borrowed(hosts.get(design, speed)?))));
+        let (output, host) = match known {
+            Some((quantity, host)) => (Some(quantity), Some(host)),
+            None => (None, solved().map(Cow::Owned)),
+        };
+        Self { direct, design, index, speed_rpm, at, host, output }
     }
 
     /// The whole design with a law for the absorber.
@@ -97,13 +116,43 @@ impl<'a> OpenLaw<'a> {
         Ok(self.direct.at_each(&self.with(law), &quantities, &[self.speed_rpm], &mut Work::default())?.swap_remove(0))
     }
 
+    /// A quantity for each order.
+    ///
+    /// # Errors
+    /// As [`Self::ring_twist`].
+    pub fn output(&self, law: &Arc<dyn Law>, quantity: Quantity) -> Result<Vec<C64>, ResponseError> {
+        let on_host = |host| self.output_on_host(quantity, host, self.on_host(law, host));
+        if let Some(found) = self.host.as_deref().and_then(on_host) {
+            return Ok(found);
+        }
+        Ok(self.direct.at_each(&self.with(law), &[quantity], &[self.speed_rpm], &mut Work::default())?.swap_remove(0))
+    }
+
+    /// The same from twist and S: what the quantity is without the ring, and what the torque S times the twist adds to it at the host; nothing where these cancel.
+    fn output_on_host(&self, quantity: Quantity, host: &[Rest], motion: impl Iterator<Item = (C64, C64)>) -> Option<Vec<C64>> {
+        let added = |(rest, (twist, stiffness)): (&Rest, (C64, C64))| {
+            let (own, added) = (rest.output.0, rest.output.1 * stiffness * twist);
+            let sum = own + added;
+            // nothing, too, where it is no number
+            (own.norm_sqr() + added.norm_sqr() <= LARGEST_CANCELLATION.powi(2) * sum.norm_sqr()).then_some(sum)
+        };
+        if self.output != Some(quantity) {
+            return None;
+        }
+        let mut found = Vec::with_capacity(host.len());
+        for each in host.iter().zip(motion) {
+            found.push(added(each)?);
+        }
+        Some(found)
+    }
+
     /// Mean power that the law dissipates, W: sum over orders of omega Im S |ring twist|²/2.
     ///
     /// # Errors
     /// As [`Self::ring_twist`].
     pub fn power(&self, law: &Arc<dyn Law>) -> Result<f64, ResponseError> {
         if let Some(host) = &self.host {
-            let power: f64 = self.on_host(law, host).map(|(twist, rate)| 0.5 * rate * twist.norm_sqr()).sum();
+            let power: f64 = self.on_host(law, host).zip(&self.at).map(|((twist, s), at)| 0.5 * at.omega * s.im * twist.norm_sqr()).sum();
             if power.is_finite() {
                 return Ok(power);
             }
@@ -112,40 +161,105 @@ impl<'a> OpenLaw<'a> {
         Ok(self.at.iter().zip(&twist).map(|(at, y)| law.dissipated_power(*at, y.norm_sqr())).sum())
     }
 
-    /// The same by the factor that temperature puts on the material of a law, where that is quicker; it is not finite where the whole has to be solved.
-    pub(crate) fn power_by_factor<'s>(&'s self, law: &'s dyn Law) -> Option<impl FnMut(f64) -> f64 + 's> {
-        let (host, each) = (self.host.as_ref()?, law.followed_each(&self.at)?);
-        let mut stiffness = vec![ZERO; self.at.len()];
-        // the twist is w² J u0/(S (1 - w² J H) - w² J): what does not depend on S is computed once
-        let known = |(at, (u0, receptance)): (&Operating, &(C64, C64))| {
-            let inertial = law.ring_inertia() * at.omega * at.omega;
-            (0.5 * at.omega * inertial * inertial * u0.norm_sqr(), 1.0 - inertial * receptance, inertial)
-        };
-        let known: Vec<(f64, C64, f64)> = self.at.iter().zip(host.iter()).map(known).collect();
-        Some(move |factor: f64| {
-            each(factor, &mut stiffness);
-            known.iter().zip(&stiffness).map(|((weight, held, inertial), s)| weight * s.im / (s * held - inertial).norm_sqr()).sum()
-        })
+    /// A law by the factor that temperature puts on its material, where that is quicker.
+    pub(crate) fn followed<'s>(&'s self, law: &'s dyn Law) -> Option<Followed<'s>> {
+        let (host, each) = (self.host.as_deref()?, law.followed_each(&self.at)?);
+        let stiffness = [vec![0.0; self.at.len()], vec![0.0; self.at.len()]];
+        Some(Followed { open: self, host, each, known: Known::new(law.ring_inertia(), &self.at, host), stiffness })
     }
 
-    /// Twist of the ring and omega Im S for each order.
-    fn on_host<'s>(&'s self, law: &Arc<dyn Law>, host: &'s [(C64, C64)]) -> impl Iterator<Item = (C64, f64)> + 's {
+    /// Twist of the ring and S for each order.
+    fn on_host<'s>(&'s self, law: &Arc<dyn Law>, host: &'s [Rest]) -> impl Iterator<Item = (C64, C64)> + 's {
         let mut stiffness = vec![ZERO; self.at.len()];
         law.dynamic_stiffness_each(&self.at, &mut stiffness);
-        self.of_stiffness(law.ring_inertia(), &stiffness, host).collect::<Vec<_>>().into_iter()
-    }
-
-    /// The same where S is known.
-    fn of_stiffness<'s>(&'s self, ring: f64, stiffness: &'s [C64], host: &'s [(C64, C64)]) -> impl Iterator<Item = (C64, f64)> + 's {
-        self.at.iter().zip(stiffness).zip(host).map(move |((at, s), (u0, receptance))| {
+        let ring = law.ring_inertia();
+        self.at.iter().zip(stiffness).zip(host).map(move |((at, s), rest)| {
             let inertial = ring * at.omega * at.omega;
-            (inertial * u0 / (s - inertial * (1.0 + s * receptance)), at.omega * s.im)
+            (inertial * rest.angle / (s - inertial * (1.0 + s * rest.receptance)), s)
         })
     }
 }
 
-/// Angle of a station and its receptance for each order, with the rest of a design.
-fn host(direct: &Direct, rest: &[Mounted], station: usize, speed_rpm: f64) -> Option<OfOrders> {
+/// A law by the factor that temperature puts on its material.
+pub(crate) struct Followed<'s> {
+    open: &'s OpenLaw<'s>,
+    host: &'s [Rest],
+    each: ByFactor<'s>,
+    known: Known,
+    /// S of each order, by parts.
+    stiffness: [Vec<f64>; 2],
+}
+
+impl Followed<'_> {
+    fn set(&mut self, log_factor: f64) {
+        let [re, im] = &mut self.stiffness;
+        (self.each)(log_factor, [re, im]);
+    }
+
+    /// Mean power, W; it is not finite where the whole has to be solved.
+    pub fn power(&mut self, log_factor: f64) -> f64 {
+        self.set(log_factor);
+        let [re, im] = &self.stiffness;
+        power(&self.known, [re, im])
+    }
+
+    /// A quantity for each order; nothing where the whole has to be solved.
+    pub fn output(&mut self, log_factor: f64, quantity: Quantity) -> Option<Vec<C64>> {
+        self.set(log_factor);
+        let at = |i: usize| {
+            let s = C64::new(self.stiffness[0][i], self.stiffness[1][i]);
+            let (held, inertial) = (C64::new(self.known.held[0][i], self.known.held[1][i]), self.known.inertial[i]);
+            (inertial * self.host[i].angle / (s * held - inertial), s)
+        };
+        self.open.output_on_host(quantity, self.host, (0..self.host.len()).map(at))
+    }
+}
+
+/// What a power needs besides S. The twist is w² J u0/(S (1 - w² J H) - w² J): what does not depend on S is computed once.
+struct Known {
+    /// w (w² J |u0|)²/2.
+    weight: Vec<f64>,
+    /// 1 - w² J H.
+    held: [Vec<f64>; 2],
+    /// w² J.
+    inertial: Vec<f64>,
+}
+
+impl Known {
+    fn new(ring: f64, at: &[Operating], host: &[Rest]) -> Self {
+        let inertial: Vec<f64> = at.iter().map(|at| ring * at.omega * at.omega).collect();
+        let held = |part: fn(C64) -> f64| inertial.iter().zip(host).map(|(i, rest)| part(1.0 - *i * rest.receptance)).collect();
+        let weight = |((at, i), rest): ((&Operating, &f64), &Rest)| 0.5 * at.omega * i * i * rest.angle.norm_sqr();
+        Self { weight: at.iter().zip(&inertial).zip(host).map(weight).collect(), held: [held(|z| z.re), held(|z| z.im)], inertial }
+    }
+}
+
+/// Sums that run beside each other.
+const SUMS: usize = 8;
+
+/// The sum over orders of weight Im S/|S (1 - w² J H) - w² J|².
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn power(known: &Known, stiffness: [&[f64]; 2]) -> f64 {
+    let n = known.weight.len();
+    let ([re, im], weight, inertial) = (stiffness.map(|part| &part[..n]), &known.weight[..n], &known.inertial[..n]);
+    let (held_re, held_im) = (&known.held[0][..n], &known.held[1][..n]);
+    let of = |i: usize| {
+        let (x, y) = (re[i] * held_re[i] - im[i] * held_im[i] - inertial[i], re[i] * held_im[i] + im[i] * held_re[i]);
+        weight[i] * im[i] / (x * x + y * y)
+    };
+    let mut sums = [0.0; SUMS];
+    let whole = n - n % SUMS;
+    for first in (0..whole).step_by(SUMS) {
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            *sum += of(first + lane);
+        }
+    }
+    (whole..n).for_each(|i| sums[i - whole] += of(i));
+    sums.iter().sum()
+}
+
+/// What a station does for each order, with the rest of a design.
+fn host(direct: &Direct, rest: &[Mounted], (station, quantity): (usize, Option<Quantity>), speed_rpm: f64) -> Option<Vec<Rest>> {
     let mut solver = Factored::new(direct.system);
     let mut unit = vec![ZERO; direct.system.chain.len()];
     let one = |order: usize| {
@@ -153,8 +267,10 @@ fn host(direct: &Direct, rest: &[Mounted], station: usize, speed_rpm: f64) -> Op
         unit.fill(ZERO);
         unit[station] = C64::from(1.0);
         solver.matrix.solve(&mut unit);
-        let found = (solver.angle(station, &solver.x), solver.angle(station, &unit));
-        (found.0.is_finite() && found.1.is_finite()).then_some(found)
+        let output = |x: &[C64]| quantity.map_or(ZERO, |q| solver.output(q, x));
+        let (angle, receptance) = (solver.angle(station, &solver.x), solver.angle(station, &unit));
+        let found = Rest { angle, receptance, output: (output(&solver.x), output(&unit)) };
+        (found.angle.is_finite() && found.receptance.is_finite()).then_some(found)
     };
     (0..direct.system.orders()).map(one).collect()
 }

@@ -4,8 +4,10 @@
 //! (R dP/dT < 1), and from cold the lowest one is reached. Three are possible where heating moves the ring's resonance into an order. Strain: that at which the material's own twist makes it, one
 //! for all orders of a speed. Where a material follows both, the power at each temperature is that at its lowest strain.
 
-use super::{Direct, Hosts, OpenLaw, ResponseError};
-use crate::absorber::{Law, Material, Mounted, at_strain, at_temperature};
+use super::open_law::{Followed, OpenLaw};
+use super::{Direct, Hosts, Quantity, ResponseError};
+use crate::absorber::{Law, Material, Mounted, Thermal, at_strain, at_temperature};
+use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::roots::roots;
 use crate::numerics::synthesis::Synthesiser;
@@ -114,25 +116,11 @@ impl<'a> AtSpeed<'a> {
         Ok(roots(LEAST_STRAIN.logarithm(), MOST_STRAIN.logarithm(), SAMPLES, &mut excess)?.into_iter().map(f64::exponential).collect())
     }
 
-    /// All temperatures in balance up to the limit, ascending (none where it overheats), and the power at the limit, W; nothing where nothing cools it.
-    ///
-    /// # Errors
-    /// As [`Self::strains`].
-    pub fn balances(&self) -> Result<Option<(Vec<Balance>, f64)>, ResponseError> {
-        let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
-        let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
-        let mut quick =
-            self.law.material().is_none_or(|m| m.amplitude.is_none()).then(|| self.open.power_by_factor(self.law.as_ref())).flatten();
-        let mut power = |celsius: f64| match quick.as_mut().map(|power| power(thermal.law.factor(celsius))) {
-            Some(power) if power.is_finite() => Ok(power),
-            _ => self.power_at(celsius),
-        };
-        let mut missing = |celsius: f64| Ok(celsius - base - resistance * power(celsius)?);
-        let found = roots(base, thermal.cooling.limit, SAMPLES, &mut missing)?;
-        // F rises through every other zero, the first among them
-        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: power(celsius)?, stable: i % 2 == 0 });
-        let balances = found.into_iter().enumerate().map(balance).collect::<Result<_, _>>()?;
-        Ok(Some((balances, power(thermal.cooling.limit)?)))
+    /// At any temperature of its material, which is this.
+    pub fn over_temperature(&self, thermal: Thermal) -> OverTemperature<'_> {
+        let follows_strain = self.law.material().is_some_and(|m| m.amplitude.is_some());
+        let quick = if follows_strain { None } else { self.open.followed(self.law.as_ref()) };
+        OverTemperature { own: self, thermal, quick }
     }
 
     /// Power at a temperature, W.
@@ -150,7 +138,7 @@ impl<'a> AtSpeed<'a> {
     /// As [`Self::strains`].
     pub fn reached(&self) -> Result<Option<f64>, ResponseError> {
         let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
-        let Some((balances, at_limit)) = self.balances()? else { return Ok(None) };
+        let (balances, at_limit) = self.over_temperature(thermal).balances()?;
         let (base, resistance) = thermal.cooling.at(self.speed_rpm * RAD_PER_S_PER_RPM);
         Ok(Some(balances.first().map_or(base + resistance * at_limit, |b| b.celsius)))
     }
@@ -161,7 +149,7 @@ impl<'a> AtSpeed<'a> {
     /// As [`Self::strains`].
     pub fn celsius(&self) -> Result<Option<f64>, ResponseError> {
         let Some(thermal) = self.law.material().and_then(|m| m.thermal) else { return Ok(None) };
-        let first = self.balances()?.and_then(|(balances, _)| balances.first().map(|b| b.celsius));
+        let first = self.over_temperature(thermal).balances()?.0.first().map(|b| b.celsius);
         Ok(Some(first.unwrap_or(thermal.cooling.limit)))
     }
 
@@ -177,12 +165,54 @@ impl<'a> AtSpeed<'a> {
         Ok(at_strain(&law, self.strains(celsius)?.first().copied().unwrap_or(MOST_STRAIN)))
     }
 
-    /// The whole design with a law for this absorber.
-    pub fn with(&self, law: &Arc<dyn Law>) -> Vec<Mounted> {
-        self.open.with(law)
+    /// A quantity of the whole design for each order, with a law for this absorber.
+    ///
+    /// # Errors
+    /// As [`Self::strains`].
+    pub fn output(&self, law: &Arc<dyn Law>, quantity: Quantity) -> Result<Vec<C64>, ResponseError> {
+        self.open.output(law, quantity)
     }
 
     fn warmed(&self, celsius: Option<f64>) -> Arc<dyn Law> {
         celsius.map_or_else(|| self.law.clone(), |celsius| at_temperature(&self.law, celsius))
+    }
+}
+
+/// Such an absorber at one speed, at any temperature.
+pub(crate) struct OverTemperature<'s> {
+    own: &'s AtSpeed<'s>,
+    thermal: Thermal,
+    /// Where the law does not follow strain, and knows a quicker way.
+    quick: Option<Followed<'s>>,
+}
+
+impl OverTemperature<'_> {
+    /// All temperatures in balance up to the limit, ascending (none where it overheats), and the power at the limit, W.
+    ///
+    /// # Errors
+    /// As [`AtSpeed::strains`].
+    pub fn balances(&mut self) -> Result<(Vec<Balance>, f64), ResponseError> {
+        let cooling = self.thermal.cooling;
+        let (base, resistance) = cooling.at(self.own.speed_rpm * RAD_PER_S_PER_RPM);
+        let mut missing = |celsius: f64| Ok(celsius - base - resistance * self.power(celsius)?);
+        let found = roots(base, cooling.limit, SAMPLES, &mut missing)?;
+        // F rises through every other zero, the first among them
+        let balance = |(i, celsius): (usize, f64)| Ok(Balance { celsius, power: self.power(celsius)?, stable: i % 2 == 0 });
+        let balances = found.into_iter().enumerate().map(balance).collect::<Result<_, _>>()?;
+        Ok((balances, self.power(cooling.limit)?))
+    }
+
+    fn power(&mut self, celsius: f64) -> Result<f64, ResponseError> {
+        let quick = self.quick.as_mut().map(|quick| quick.power(self.thermal.law.log_factor(celsius)));
+        quick.filter(|power| power.is_finite()).map_or_else(|| self.own.power_at(celsius), Ok)
+    }
+
+    /// A quantity of the whole design for each order, at a temperature.
+    ///
+    /// # Errors
+    /// As [`AtSpeed::strains`].
+    pub fn output(&mut self, celsius: f64, quantity: Quantity) -> Result<Vec<C64>, ResponseError> {
+        let quick = self.quick.as_mut().and_then(|quick| quick.output(self.thermal.law.log_factor(celsius), quantity));
+        quick.map_or_else(|| self.own.output(&self.own.at(Some(celsius))?, quantity), Ok)
     }
 }

@@ -308,10 +308,10 @@ fn factors_of_temperature() {
                 Follows::Inverse => v / factor,
             };
             let followed = law.rebuilt(&declaration.parameters.iter().zip(&values).map(follow).collect::<Vec<_>>());
-            let (mut re, mut im) = (vec![0.0; points.len()], vec![0.0; points.len()]);
-            each(f64::ln(factor), [&mut re, &mut im]);
-            let found = re.into_iter().zip(im).map(|(re, im)| C64::new(re, im));
-            for (found, at) in found.zip(&points) {
+            let [mut re, mut im, mut below] = [(); 3].map(|()| vec![0.0; points.len()]);
+            each(f64::ln(factor), [&mut re, &mut im, &mut below]);
+            for (i, at) in points.iter().enumerate() {
+                let found = C64::new(re[i], im[i]) / below[i];
                 let expected = followed.dynamic_stiffness(*at);
                 assert!((found - expected).norm() <= 1e-13 * expected.norm(), "{} at {at:?}: {found} against {expected}", declaration.name);
             }

@@ -63,9 +63,10 @@ impl Law for FractionalKelvin {
         // temperature puts its factor on the relaxation time
         let power = ImaginaryPower::new(self.exponent);
         let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
-        Some(Box::new(move |factor, [re, im]| {
+        Some(Box::new(move |factor, [re, im, below]| {
             let share = self.stiffness * (self.exponent * factor).exponential();
             own.iter().zip(re).zip(im).for_each(|((z, re), im)| (*re, *im) = (self.stiffness + share * z.re, share * z.im));
+            below.fill(1.0);
         }))
     }
     fn is_analytic(&self) -> bool {

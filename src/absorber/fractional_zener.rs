@@ -64,17 +64,18 @@ impl FractionalZener {
     }
 }
 
-/// S of multiples of some (i omega tau)^alpha, by parts.
+/// S of multiples of some (i omega tau)^alpha, by numerator and denominator.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
-fn stiffness_each(law: &FractionalZener, share: f64, [z_re, z_im]: &[Vec<f64>; 2], [out_re, out_im]: [&mut [f64]; 2]) {
+fn stiffness_each(law: &FractionalZener, share: f64, [z_re, z_im]: &[Vec<f64>; 2], [out_re, out_im, out_below]: [&mut [f64]; 3]) {
     let n = z_re.len();
-    let (z_re, z_im, out_re, out_im) = (&z_re[..n], &z_im[..n], &mut out_re[..n], &mut out_im[..n]);
+    let (z_re, z_im, out_re, out_im, out_below) = (&z_re[..n], &z_im[..n], &mut out_re[..n], &mut out_im[..n], &mut out_below[..n]);
     for i in 0..n {
         let (x, y) = (share * z_re[i], share * z_im[i]);
         let (above, below) = (1.0 + law.glass_ratio * x, 1.0 + x);
-        let (lost, scale) = (law.glass_ratio * y, law.stiffness / (below * below + y * y));
-        out_re[i] = (above * below + lost * y) * scale;
-        out_im[i] = (lost * below - above * y) * scale;
+        let lost = law.glass_ratio * y;
+        out_re[i] = (above * below + lost * y) * law.stiffness;
+        out_im[i] = (lost * below - above * y) * law.stiffness;
+        out_below[i] = below * below + y * y;
     }
 }
 

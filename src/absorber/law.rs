@@ -11,8 +11,8 @@ use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// S at some points, its real and its imaginary parts, by the logarithm of a factor.
-pub(crate) type ByFactor<'s> = Box<dyn Fn(f64, [&mut [f64]; 2]) + 's>;
+/// S at some points by the logarithm of a factor: real and imaginary part of a numerator, and a real denominator.
+pub(crate) type ByFactor<'s> = Box<dyn Fn(f64, [&mut [f64]; 3]) + 's>;
 
 /// The law of a ring: torque from hub to ring per twist between them, S(omega, shaft speed), N m/rad. A law is passive (Im S >= 0 for omega > 0).
 pub trait Law: Debug + Send + Sync {

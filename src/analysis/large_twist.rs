@@ -114,9 +114,10 @@ pub(crate) fn of_design(
     for growth in 0.. {
         let Some(twice) = balance(2 * own.harmonics()) else { return Ok(None) };
         let more = || balance((3 * own.harmonics()).div_ceil(2));
+        let (seen, finer_seen) = (Seen::new(&own), Seen::new(&twice));
         let change = |steady: &Steady| -> Result<f64, ResponseError> {
             let finer = own.refined(&twice, steady)?;
-            Ok(finer.map_or(f64::INFINITY, |finer| (Seen::new(&twice).value(&finer) / Seen::new(&own).value(steady) - 1.0).abs()))
+            Ok(finer.map_or(f64::INFINITY, |finer| (finer_seen.value(&finer) / seen.value(steady) - 1.0).abs()))
         };
         // a motion near the peak tells of too few harmonics before all are found
         if let Some(steady) = known.take()
@@ -128,7 +129,6 @@ pub(crate) fn of_design(
             own = finer;
             continue;
         }
-        let seen = Seen::new(&own);
         let curves = own.curves(&study.speeds_rpm, &mut Work::default())?;
         let largest = |value: &dyn Fn(&Steady) -> f64| seen.peak(&own, &curves, range, value);
         let peak = largest(&|steady| seen.value(steady))?;
@@ -211,7 +211,7 @@ impl Seen {
         let points = &curves[c].points;
         let mut best = (points[i].steady.clone(), points[i].stability);
         for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
-            let at = |share: f64| balance.between((&points[i], &points[j]), share);
+            let at = |share: f64| balance.between(&curves[c], (i, j), share);
             let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &at)? };
             let mut top: Option<Steady> = None;
             maximise(0.0, end, |share| {

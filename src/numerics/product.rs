@@ -2,17 +2,24 @@
 
 use nalgebra::DMatrix;
 
-/// `out` = `a` `b`, all square and of one size.
+/// Rows that are summed together.
+pub(crate) const ROWS: usize = 8;
+
+/// `out` = `a` `b`, all square and of one size, a multiple of [`ROWS`].
 pub(crate) fn multiply(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64>) {
     columns(a.as_slice(), b.as_slice(), out.as_mut_slice(), a.nrows());
 }
 
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn columns(a: &[f64], b: &[f64], out: &mut [f64], n: usize) {
+    let (a, groups) = (a.as_chunks::<ROWS>().0, n / ROWS);
     for (b, out) in b.chunks_exact(n).zip(out.chunks_exact_mut(n)) {
-        out.fill(0.0);
-        for (factor, a) in b.iter().zip(a.chunks_exact(n)) {
-            out.iter_mut().zip(a).for_each(|(out, a)| *out += factor * a);
+        for (g, out) in out.as_chunks_mut::<ROWS>().0.iter_mut().enumerate() {
+            let mut sum = [0.0; ROWS];
+            for (factor, a) in b.iter().zip(a[g..].iter().step_by(groups)) {
+                sum = std::array::from_fn(|i| sum[i] + factor * a[i]);
+            }
+            *out = sum;
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::batch::Block;
 use super::factored::Factored;
 use super::lane::{LANES, Lane};
+use super::output::Output;
 use super::{Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};
@@ -21,7 +22,7 @@ pub struct Direct<'a> {
 
 /// Several points are solved at once without exchange of rows; one that cancels by more than this is solved again with it. Below, the error is at
 /// most about as many roundings.
-const LARGEST_CANCELLATION: f64 = 1e4;
+pub(super) const LARGEST_CANCELLATION: f64 = 1e4;
 
 /// Response of the base to its torque and to a unit torque at each of some stations, at one point.
 #[derive(Debug)]
@@ -40,23 +41,6 @@ impl BasePoint {
         let outputs = self.outputs.iter().flat_map(|(y, each)| std::iter::once(y).chain(each));
         self.stations.iter().chain(self.receptance.iter()).chain(outputs).all(|y| y.is_finite())
     }
-}
-
-/// What a quantity is made of, in a block of points.
-#[derive(Debug)]
-enum Output {
-    /// Of a station.
-    Angle(usize),
-    /// Of a station.
-    Acceleration(usize),
-    /// Twists of links that follow each other.
-    Row(std::ops::Range<usize>),
-    /// Twists of links with their weights.
-    Path(Vec<(usize, f64)>),
-    /// Of a link.
-    Torque(usize),
-    /// Of an absorber.
-    Ring(usize),
 }
 
 impl<'a> Direct<'a> {
@@ -130,7 +114,7 @@ impl<'a> Direct<'a> {
         let mut torques = system.torques(place.1);
         let mut at = [place; LANES];
         let mut scalar: Option<Factored> = None;
-        let made_of: Vec<Output> = quantities.iter().map(|q| self.output(*q)).collect();
+        let made_of: Vec<Output> = quantities.iter().map(|q| Output::of(&system.chain, *q)).collect();
         let mut outputs = Vec::with_capacity(quantities.len());
         for first in (0..count).step_by(LANES) {
             let mut still = [true; LANES];
@@ -154,7 +138,7 @@ impl<'a> Direct<'a> {
             }
             block.solve(&system.chain.stations, design);
             outputs.clear();
-            outputs.extend(made_of.iter().map(|output| self.value(&block, output)));
+            outputs.extend(made_of.iter().map(|output| output.value(&system.chain, &block)));
             for (lane, still) in still.into_iter().enumerate().take(count - first) {
                 let point = first + lane;
                 if still {
@@ -169,38 +153,6 @@ impl<'a> Direct<'a> {
             }
         }
         Ok(())
-    }
-
-    /// What a quantity is made of.
-    fn output(&self, quantity: Quantity) -> Output {
-        match quantity {
-            Quantity::Twist { from, to: None } => Output::Angle(from),
-            Quantity::Twist { from, to: Some(to) } if from < to && self.system.chain.is_row() => Output::Row(from..to),
-            Quantity::Twist { from, to: Some(to) } => Output::Path(self.system.chain.path(from, to)),
-            Quantity::ShaftTorque(s) => Output::Torque(s),
-            Quantity::RingTwist(a) => Output::Ring(a),
-            Quantity::Acceleration(station) => Output::Acceleration(station),
-        }
-    }
-
-    /// The quantity at every point of a block.
-    fn value(&self, block: &Block, output: &Output) -> Lane {
-        match output {
-            Output::Angle(station) => block.x[*station],
-            Output::Row(links) => block.twist[links.clone()].iter().fold(Lane::ZERO, |sum, twist| sum.plus(twist)),
-            Output::Path(path) => path.iter().fold(Lane::ZERO, |sum, (link, weight)| sum.plus(&block.twist[*link].times(*weight))),
-            Output::Torque(s) => {
-                let mut torque = block.twist[*s];
-                (0..LANES).for_each(|l| torque.set(l, self.system.chain.shaft_stiffness(*s, block.omega[l]) * torque.get(l)));
-                torque
-            }
-            Output::Ring(a) => block.ring[*a],
-            Output::Acceleration(station) => {
-                let mut angle = block.x[*station];
-                (0..LANES).for_each(|l| angle.set(l, angle.get(l) * -(block.omega[l] * block.omega[l])));
-                angle
-            }
-        }
     }
 
     /// The phasor of one order (an index) at one speed.

@@ -3,6 +3,7 @@
 //! With u0 the angle of the host under the torque of an order and H its receptance, both without the ring, a ring of inertia J on a law S twists by omega² J u0/(S - omega² J (1 + S H)) against its host.
 
 use super::factored::Factored;
+use super::lane::LANES;
 use super::{Direct, Quantity, ResponseError, Work};
 use crate::absorber::mounted::with_law;
 use crate::absorber::{Absorber, ByFactor, Host, Law, Mounted, Operating};
@@ -164,8 +165,11 @@ impl<'a> OpenLaw<'a> {
     /// A law by the factor that temperature puts on its material, where that is quicker.
     pub(crate) fn followed<'s>(&'s self, law: &'s dyn Law) -> Option<Followed<'s>> {
         let (host, each) = (self.host.as_deref()?, law.followed_each(&self.at)?);
-        let stiffness = [vec![0.0; self.at.len()], vec![0.0; self.at.len()]];
-        Some(Followed { open: self, host, each, known: Known::new(law.ring_inertia(), &self.at, host), stiffness })
+        let known: Vec<Known> =
+            self.at.chunks(LANES).zip(host.chunks(LANES)).map(|(at, host)| Known::new(law.ring_inertia(), at, host)).collect();
+        // where there is no order, S is finite
+        let stiffness = [(); 3].map(|()| vec![1.0; LANES * known.len()]);
+        Some(Followed { open: self, host, each, known, stiffness })
     }
 
     /// Twist of the ring and S for each order.
@@ -185,76 +189,75 @@ pub(crate) struct Followed<'s> {
     open: &'s OpenLaw<'s>,
     host: &'s [Rest],
     each: ByFactor<'s>,
-    known: Known,
-    /// S of each order, by parts.
-    stiffness: [Vec<f64>; 2],
+    known: Vec<Known>,
+    /// S of each order: real and imaginary part of its numerator, and its denominator.
+    stiffness: [Vec<f64>; 3],
 }
 
 impl Followed<'_> {
     fn set(&mut self, log_factor: f64) {
-        let [re, im] = &mut self.stiffness;
-        (self.each)(log_factor, [re, im]);
+        let orders = self.host.len();
+        (self.each)(log_factor, self.stiffness.each_mut().map(|part| &mut part[..orders]));
     }
 
     /// Mean power, W; it is not finite where the whole has to be solved.
     pub fn power(&mut self, log_factor: f64) -> f64 {
         self.set(log_factor);
-        let [re, im] = &self.stiffness;
-        power(&self.known, [re, im])
+        power(&self.known, self.stiffness.each_ref().map(Vec::as_slice))
     }
 
     /// A quantity for each order; nothing where the whole has to be solved.
     pub fn output(&mut self, log_factor: f64, quantity: Quantity) -> Option<Vec<C64>> {
         self.set(log_factor);
         let at = |i: usize| {
-            let s = C64::new(self.stiffness[0][i], self.stiffness[1][i]);
-            let (held, inertial) = (C64::new(self.known.held[0][i], self.known.held[1][i]), self.known.inertial[i]);
-            (inertial * self.host[i].angle / (s * held - inertial), s)
+            let s = C64::new(self.stiffness[0][i], self.stiffness[1][i]) / self.stiffness[2][i];
+            (self.known[i / LANES].twist(i % LANES, s, self.host[i].angle), s)
         };
         self.open.output_on_host(quantity, self.host, (0..self.host.len()).map(at))
     }
 }
 
-/// What a power needs besides S. The twist is w² J u0/(S (1 - w² J H) - w² J): what does not depend on S is computed once.
+/// What a power needs besides S, for some orders. The twist is w² J u0/(S (1 - w² J H) - w² J): what does not depend on S is computed once. Orders that there are not have no weight.
+#[derive(Clone, Copy)]
 struct Known {
     /// w (w² J |u0|)²/2.
-    weight: Vec<f64>,
+    weight: [f64; LANES],
     /// 1 - w² J H.
-    held: [Vec<f64>; 2],
+    held: [[f64; LANES]; 2],
     /// w² J.
-    inertial: Vec<f64>,
+    inertial: [f64; LANES],
 }
 
 impl Known {
     fn new(ring: f64, at: &[Operating], host: &[Rest]) -> Self {
-        let inertial: Vec<f64> = at.iter().map(|at| ring * at.omega * at.omega).collect();
-        let held = |part: fn(C64) -> f64| inertial.iter().zip(host).map(|(i, rest)| part(1.0 - *i * rest.receptance)).collect();
-        let weight = |((at, i), rest): ((&Operating, &f64), &Rest)| 0.5 * at.omega * i * i * rest.angle.norm_sqr();
-        Self { weight: at.iter().zip(&inertial).zip(host).map(weight).collect(), held: [held(|z| z.re), held(|z| z.im)], inertial }
+        let mut known = Self { weight: [0.0; LANES], held: [[0.0; LANES]; 2], inertial: [1.0; LANES] };
+        for (i, (at, rest)) in at.iter().zip(host).enumerate() {
+            let inertial = ring * at.omega * at.omega;
+            let held = 1.0 - inertial * rest.receptance;
+            known.weight[i] = 0.5 * at.omega * inertial * inertial * rest.angle.norm_sqr();
+            (known.held[0][i], known.held[1][i], known.inertial[i]) = (held.re, held.im, inertial);
+        }
+        known
+    }
+
+    /// w² J u0/(S (1 - w² J H) - w² J).
+    fn twist(&self, i: usize, s: C64, angle: C64) -> C64 {
+        self.inertial[i] * angle / (s * C64::new(self.held[0][i], self.held[1][i]) - self.inertial[i])
     }
 }
 
-/// Sums that run beside each other.
-const SUMS: usize = 8;
-
-/// The sum over orders of weight Im S/|S (1 - w² J H) - w² J|².
+/// The sum over orders of weight Im S/|S (1 - w² J H) - w² J|²; with S = N/d it is weight d Im N/|N (1 - w² J H) - d w² J|².
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
-fn power(known: &Known, stiffness: [&[f64]; 2]) -> f64 {
-    let n = known.weight.len();
-    let ([re, im], weight, inertial) = (stiffness.map(|part| &part[..n]), &known.weight[..n], &known.inertial[..n]);
-    let (held_re, held_im) = (&known.held[0][..n], &known.held[1][..n]);
-    let of = |i: usize| {
-        let (x, y) = (re[i] * held_re[i] - im[i] * held_im[i] - inertial[i], re[i] * held_im[i] + im[i] * held_re[i]);
-        weight[i] * im[i] / (x * x + y * y)
-    };
-    let mut sums = [0.0; SUMS];
-    let whole = n - n % SUMS;
-    for first in (0..whole).step_by(SUMS) {
-        for (lane, sum) in sums.iter_mut().enumerate() {
-            *sum += of(first + lane);
+fn power(known: &[Known], stiffness: [&[f64]; 3]) -> f64 {
+    let [re, im, below] = stiffness.map(|part| part.as_chunks::<LANES>().0);
+    let mut sums = [0.0; LANES];
+    for (known, ((re, im), below)) in known.iter().zip(re.iter().zip(im).zip(below)) {
+        let [held_re, held_im] = &known.held;
+        for i in 0..LANES {
+            let (x, y) = (re[i] * held_re[i] - im[i] * held_im[i] - below[i] * known.inertial[i], re[i] * held_im[i] + im[i] * held_re[i]);
+            sums[i] += known.weight[i] * below[i] * im[i] / (x * x + y * y);
         }
     }
-    (whole..n).for_each(|i| sums[i - whole] += of(i));
     sums.iter().sum()
 }
 

@@ -117,7 +117,7 @@ impl<'a> AtSpeed<'a> {
     }
 
     /// At any temperature of its material, which is this.
-    pub fn over_temperature(&self, thermal: Thermal) -> OverTemperature<'_> {
+    pub(crate) fn over_temperature(&self, thermal: Thermal) -> OverTemperature<'_> {
         let follows_strain = self.law.material().is_some_and(|m| m.amplitude.is_some());
         let quick = if follows_strain { None } else { self.open.followed(self.law.as_ref()) };
         OverTemperature { own: self, thermal, quick }

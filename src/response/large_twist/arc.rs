@@ -173,7 +173,7 @@ impl<'w, 'a> Arc<'w, 'a> {
     /// Direction of the curve at a place, on from the last one.
     fn tangent(&mut self, place: &Place) -> Result<Option<DVector<f64>>, ResponseError> {
         let Some((matrix, _)) = self.bordered(&place.x, place.speed_rpm, &place.tangent, &mut None)? else { return Ok(None) };
-        Ok(Lu::new(matrix).solve(&ahead(place.x.len())).map(|t| t.normalize()).filter(|t| t.iter().all(|x| x.is_finite())))
+        Ok(Lu::new(&matrix).solve(&ahead(place.x.len())).map(|t| t.normalize()).filter(|t| t.iter().all(|x| x.is_finite())))
     }
 
     /// A step of a length along the tangent, then back to the curve at right angles to it; with the number of Newton's steps.
@@ -191,7 +191,7 @@ impl<'w, 'a> Arc<'w, 'a> {
             let mut right = DVector::zeros(n + 1);
             right.rows_mut(0, n).copy_from(&missing);
             right[n] = from.tangent.dot(&moved) - length;
-            let lu = Lu::new(matrix);
+            let lu = Lu::new(&matrix);
             let Some(step) = lu.solve(&right).filter(|s| s.iter().all(|x| x.is_finite())) else { return Ok(None) };
             moved -= &step;
             if step.amax() <= LAST_STEP * (1.0 + x.amax() / self.scale) {

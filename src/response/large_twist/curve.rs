@@ -4,7 +4,9 @@
 //! along their arc instead, through folds.
 
 use super::arc::{Arc, Place};
-use super::balance::{Balance, Found, Linear, MOST_STEPS, Steady};
+use super::balance::{Balance, Steady};
+use super::linear::Linear;
+use super::newton::{Found, MOST_STEPS};
 use super::stability::Stability;
 use crate::response::{ResponseError, Work};
 use nalgebra::DVector;
@@ -12,6 +14,8 @@ use nalgebra::DVector;
 /// Speeds between other starts, and these as multiples of the motion at small twist.
 const STARTS_EVERY: usize = 10;
 const STARTS: [f64; 3] = [1.0, 0.0, 3.0];
+/// Motions that the next one is extrapolated from.
+const EXTRAPOLATED: usize = 3;
 /// Newton's steps from a start nearby.
 const NEARBY: usize = 8;
 /// The torque grows by no less than this share.
@@ -40,6 +44,8 @@ pub struct Curve {
     pub points: Vec<CurvePoint>,
     /// Whether it was followed to its ends: out of the range, or back to where it began.
     pub whole: bool,
+    /// Whether it has one motion a speed.
+    of_speed: bool,
 }
 
 impl Balance<'_> {
@@ -91,14 +97,9 @@ impl Balance<'_> {
     fn swept(&self, tables: &[Linear], work: &mut Work) -> Option<Curve> {
         let mut found: Vec<Found> = Vec::with_capacity(tables.len());
         for (i, linear) in tables.iter().enumerate() {
-            let next = match found.as_slice() {
+            let next = match &found[i.saturating_sub(EXTRAPOLATED)..] {
                 [] => self.first(linear, work)?,
-                [only] => self.newton(linear, &only.x, NEARBY, work)?,
-                [.., a, b] => {
-                    let speed = |i: usize| tables[i].speed_rpm;
-                    let share = (speed(i) - speed(i - 1)) / (speed(i - 1) - speed(i - 2));
-                    self.newton(linear, &(&b.x + (&b.x - &a.x) * share), NEARBY, work)?
-                }
+                last => self.newton(linear, &extrapolated(last, &tables[i - last.len()..=i]), NEARBY, work)?,
             };
             if found.last().is_some_and(|last| last.even != next.even) {
                 return None;
@@ -106,7 +107,7 @@ impl Balance<'_> {
             found.push(next);
         }
         let points = found.into_iter().zip(tables).map(|(found, linear)| self.point(linear, found.x, true)).collect::<Option<_>>()?;
-        Some(Curve { points, whole: true })
+        Some(Curve { points, whole: true, of_speed: true })
     }
 
     /// A motion at a speed; nothing where none is found from what is known of small twist.
@@ -123,6 +124,7 @@ impl Balance<'_> {
         let mut list: Vec<(usize, DVector<f64>)> = Vec::new();
         for (i, linear) in tables.iter().enumerate().filter(|(i, _)| i % STARTS_EVERY == 0 || i + 1 == tables.len()) {
             let small = self.small(linear);
+            let known: Vec<&DVector<f64>> = curves.iter().flat_map(|c| c.at(linear.speed_rpm)).collect();
             let starts = STARTS.into_iter().map(|factor| &small * factor).chain(self.equivalent(linear)).enumerate();
             // the first is where the curves began
             for (number, start) in starts.skip(usize::from(!curves.is_empty())) {
@@ -130,7 +132,7 @@ impl Balance<'_> {
                     return list;
                 }
                 // without any other, a motion is worth more work
-                let found = self.newton(linear, &start, MOST_STEPS, work);
+                let found = self.newton_beside(linear, &start, &known, MOST_STEPS, work);
                 let found = if found.is_none() && number == 0 { self.first(linear, work) } else { found };
                 let Some(Found { x, .. }) = found else { continue };
                 let known = |(j, own): &(usize, DVector<f64>)| *j == i && (own - &x).amax() <= SAME * x.amax();
@@ -155,7 +157,7 @@ impl Balance<'_> {
         for (place, asked) in before.chain([(start, true)]).chain(ahead.points) {
             points.extend(self.point(&self.linear(place.speed_rpm)?, place.x, asked));
         }
-        Ok(Curve { points, whole })
+        Ok(Curve { points, whole, of_speed: false })
     }
 
     fn point(&self, linear: &Linear, unknowns: DVector<f64>, asked: bool) -> Option<CurvePoint> {
@@ -196,9 +198,14 @@ impl Balance<'_> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
-    pub fn between(&self, (a, b): (&CurvePoint, &CurvePoint), share: f64) -> Result<Option<Steady>, ResponseError> {
-        let work = &mut Work::default();
+    pub fn between(&self, curve: &Curve, (i, j): (usize, usize), share: f64) -> Result<Option<Steady>, ResponseError> {
+        let (a, b, work) = (&curve.points[i], &curve.points[j], &mut Work::default());
         let (p, q) = (a.steady.speed_rpm, b.steady.speed_rpm);
+        if curve.of_speed {
+            let linear = self.linear(p + share * (q - p))?;
+            let found = self.newton(&linear, &(&a.unknowns + (&b.unknowns - &a.unknowns) * share), NEARBY, work);
+            return Ok(found.and_then(|found| self.steady(&linear, &found.x)));
+        }
         let mut arc = Arc::new(self, (p.min(q), p.max(q)), &a.unknowns, work);
         let Some(place) = arc.between((&a.unknowns, p), (&b.unknowns, q), share)? else { return Ok(None) };
         Ok(self.steady(&self.linear(place.speed_rpm)?, &place.x))
@@ -206,9 +213,21 @@ impl Balance<'_> {
 }
 
 impl Curve {
+    /// Its motions at one of the speeds asked for.
+    fn at(&self, speed_rpm: f64) -> impl Iterator<Item = &DVector<f64>> {
+        self.points.iter().filter(move |p| p.steady.speed_rpm == speed_rpm).map(|p| &p.unknowns)
+    }
+
     /// Whether a motion at one of the speeds asked for is on it.
     fn passes(&self, speed_rpm: f64, x: &DVector<f64>) -> bool {
-        let same = |p: &CurvePoint| p.steady.speed_rpm == speed_rpm && (&p.unknowns - x).amax() <= SAME * x.amax();
-        self.points.iter().any(same)
+        self.at(speed_rpm).any(|own| (own - x).amax() <= SAME * x.amax())
     }
+}
+
+/// What the polynomial through motions at some speeds is at the next one, the last.
+fn extrapolated(motions: &[Found], tables: &[Linear]) -> DVector<f64> {
+    let speed = |i: usize| tables[i].speed_rpm;
+    let last = motions.len();
+    let share = |i: usize| (0..last).filter(|j| *j != i).map(|j| (speed(last) - speed(j)) / (speed(i) - speed(j))).product::<f64>();
+    motions.iter().enumerate().map(|(i, found)| &found.x * share(i)).fold(DVector::zeros(motions[0].x.len()), |sum, x| sum + x)
 }

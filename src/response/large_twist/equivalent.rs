@@ -1,7 +1,8 @@
 //! Where motions of large amplitude may be: those of a ring whose spring is replaced by its mean over a sine of the motion's own amplitude (equivalent linearisation). They are starts for Newton's method, no
 //! results.
 
-use super::balance::{Balance, Linear};
+use super::balance::Balance;
+use super::linear::Linear;
 use crate::absorber::Instant;
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
@@ -23,9 +24,10 @@ impl Balance<'_> {
         if !self.equations().is_ring() {
             return Vec::new();
         }
-        let at = |amplitude: f64| {
-            self.linear_motion(linear, self.mean_stiffness(amplitude, linear.speed_rpm) - self.mean_stiffness(LEAST, linear.speed_rpm))
-        };
+        let sine: Vec<f64> = (0..SAMPLES).map(|i| (TAU * i as f64 / SAMPLES as f64).cosine()).collect();
+        let mean_stiffness = |amplitude: f64| self.mean_stiffness((amplitude, &sine), linear.speed_rpm);
+        let least = mean_stiffness(LEAST);
+        let at = |amplitude: f64| self.linear_motion(linear, mean_stiffness(amplitude) - least);
         let own =
             |x: &DVector<f64>| x.as_slice()[1..].as_chunks::<2>().0.iter().map(|c| C64::new(c[0], c[1]).norm_sqr()).sum::<f64>().sqrt();
         let mut excess = |x: f64| Ok::<f64, Infallible>(x - own(&at(x.exponential())).max(LEAST).logarithm());
@@ -35,10 +37,9 @@ impl Balance<'_> {
     }
 
     /// Mean stiffness of the spring over a sine of this amplitude (rad): 1/(pi A) times the integral of T(A cos phi) cos phi over a period, N m/rad.
-    fn mean_stiffness(&self, amplitude: f64, speed_rpm: f64) -> f64 {
+    fn mean_stiffness(&self, (amplitude, sine): (f64, &[f64]), speed_rpm: f64) -> f64 {
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
         let torque = |twist: f64| self.equations().reactions(&Instant { twist, shaft_speed, ..Instant::default() }).0.value;
-        let sample = |i: usize| (TAU * i as f64 / SAMPLES as f64).cosine();
-        (0..SAMPLES).map(sample).map(|cos| torque(amplitude * cos) * cos).sum::<f64>() * 2.0 / (SAMPLES as f64 * amplitude)
+        sine.iter().map(|cos| torque(amplitude * cos) * cos).sum::<f64>() * 2.0 / (sine.len() as f64 * amplitude)
     }
 }

@@ -9,6 +9,8 @@ pub mod curve;
 mod equivalent;
 mod harmonic_matrix;
 mod in_time;
+mod linear;
+mod newton;
 pub mod stability;
 
 pub use balance::{Balance, Steady};

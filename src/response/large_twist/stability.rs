@@ -9,7 +9,7 @@ use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
 use crate::numerics::matrix_exponential::matrix_exponential;
-use crate::numerics::product::multiply;
+use crate::numerics::product::{ROWS, multiply};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
@@ -49,11 +49,24 @@ impl Balance<'_> {
         let Some(in_time) = &self.in_time else { return Stability::Unknown };
         let reactions = self.reactions(steady.speed_rpm, (steady.mean_twist, &steady.twist), &steady.hub);
         let shaft_speed = steady.speed_rpm * RAD_PER_S_PER_RPM;
-        let cycle_seconds = TAU / (self.order_of_cycle() * shaft_speed);
+        let sample_seconds = TAU / (self.order_of_cycle() * shaft_speed) / reactions.len() as f64;
+        let mean = mean_slopes(&reactions);
+        let held = in_time.rows((&mean.0, &mean.1));
+        let whole = in_time.whole(&held);
+        // exp(A0 dt/2) of steps of so many samples, filled up with zeros to whole groups: products of those are quicker
+        let height = whole.nrows().next_multiple_of(ROWS);
+        let half_step = |stride: usize| matrix_exponential(&(&whole * (0.5 * stride as f64 * sample_seconds))).resize(height, height, 0.0);
+        let fine = half_step(STRIDES[1]);
         let mut largest = f64::INFINITY;
         let mut coarser: Option<f64> = None;
-        for stride in STRIDES {
-            let own = multiplier(in_time, &reactions, stride, cycle_seconds);
+        for (i, stride) in STRIDES.into_iter().enumerate() {
+            // the first steps are twice the second ones
+            let half = match i {
+                0 => product(&fine, &fine),
+                1 => fine.clone(),
+                _ => half_step(stride),
+            };
+            let own = multiplier(in_time, &held, reactions.iter().step_by(stride), (half, stride as f64 * sample_seconds));
             if let Some(coarser) = coarser.replace(own) {
                 // the error is of second order in the step
                 let change = own - coarser;
@@ -67,28 +80,33 @@ impl Balance<'_> {
     }
 }
 
-/// The largest multiplier by steps of so many samples.
-fn multiplier(in_time: &InTime, reactions: &[(Reaction, Reaction)], stride: usize, cycle_seconds: f64) -> f64 {
-    let steps = reactions.len() / stride;
-    let dt = cycle_seconds / steps as f64;
-    let mean = mean_slopes(reactions);
-    let held = in_time.rows((&mean.0, &mean.1));
-    let half = matrix_exponential(&(in_time.whole(&held) * (0.5 * dt)));
-    let full = &half * &half;
-    let size = half.nrows();
+fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut out = DMatrix::zeros(a.nrows(), a.nrows());
+    multiply(a, b, &mut out);
+    out
+}
+
+/// The largest multiplier by steps of dt, of which exp(A0 dt/2) is given, at these reactions; `held`: the rows of A0 that they change.
+fn multiplier<'r>(
+    in_time: &InTime,
+    held: &Rows,
+    reactions: impl ExactSizeIterator<Item = &'r (Reaction, Reaction)>,
+    (half, dt): (DMatrix<f64>, f64),
+) -> f64 {
+    let (steps, size) = (reactions.len(), 2 * in_time.angles());
     let rows = [size / 2 + in_time.hub, size - 1];
-    let mut monodromy = half.clone();
-    let mut next = DMatrix::zeros(size, size);
-    for (j, (own, torque)) in reactions.iter().step_by(stride).enumerate() {
+    let full = product(&half, &half);
+    let (mut monodromy, mut next) = (half.clone(), DMatrix::zeros(half.nrows(), half.nrows()));
+    for (j, (own, torque)) in reactions.enumerate() {
         let mut change = in_time.rows((&own.by, &torque.by));
-        for (row, held) in change.iter_mut().zip(&held) {
+        for (row, held) in change.iter_mut().zip(held) {
             row.iter_mut().zip(held).for_each(|(now, held)| *now = (*now - held) * dt);
         }
         kick(&mut monodromy, rows, &change);
         multiply(if j + 1 < steps { &full } else { &half }, &monodromy, &mut next);
         std::mem::swap(&mut monodromy, &mut next);
     }
-    largest_multiplier(&monodromy, in_time)
+    largest_multiplier(&monodromy.resize(size, size, 0.0), in_time)
 }
 
 /// Multiplies from the left by exp of a matrix V of two rows: 1 + phi(V') V with V' the part of V in the columns of these rows, phi(x) = (e^x - 1)/x.
@@ -104,8 +122,10 @@ fn kick(matrix: &mut DMatrix<f64>, rows: [usize; 2], change: &Rows) {
             sum.iter_mut().zip(row).for_each(|(sum, x)| *sum += x);
         }
     }
+    // of a ring, only slopes by its twist and rate change
+    let changed: Vec<usize> = (0..change[0].len()).filter(|j| change.iter().any(|row| row[*j] != 0.0)).collect();
     for mut column in matrix.column_iter_mut() {
-        let given = [0, 1].map(|r: usize| column.iter().zip(&change[r]).map(|(x, c)| x * c).sum::<f64>());
+        let given = [0, 1].map(|r: usize| changed.iter().map(|j| column[*j] * change[r][*j]).sum::<f64>());
         for (row, phi) in rows.into_iter().zip(phi) {
             column[row] += phi[0] * given[0] + phi[1] * given[1];
         }

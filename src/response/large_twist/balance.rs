@@ -2,11 +2,11 @@
 
 use super::harmonic_matrix::{Spectrum, Transform, add_products};
 use super::in_time::InTime;
-use super::linear::Linear;
+use super::linear::{Linear, Surroundings};
 use crate::absorber::{Absorber, Host, Instant, LargeTwist, Law, Mounted, Operating, Reaction};
 use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
-use crate::response::{Quantity, Work};
+use crate::response::{Quantity, ResponseError, Work};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub struct Balance<'a> {
     pub law: Arc<dyn Law>,
     /// Its station.
     pub station: usize,
-    pub(super) quantities: Vec<Quantity>,
+    quantities: Vec<Quantity>,
     transform: Transform,
     /// For stability; nothing where it cannot be told.
     pub(super) in_time: Option<InTime>,
@@ -102,6 +102,23 @@ impl<'a> Balance<'a> {
     pub(super) fn order_of_cycle(&self) -> f64 {
         let excitation = &self.system.excitation;
         excitation.orders[0].value() / f64::from(excitation.harmonics[0])
+    }
+
+    /// The linear part at a speed.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
+    pub(super) fn linear(&self, speed_rpm: f64) -> Result<Linear, ResponseError> {
+        let surroundings = Surroundings {
+            system: self.system,
+            others: &self.others,
+            station: self.station,
+            quantities: &self.quantities,
+            harmonics: self.harmonics(),
+            order_of_cycle: self.order_of_cycle(),
+            ring_inertia: self.law.ring_inertia(),
+        };
+        surroundings.at(speed_rpm)
     }
 
     /// The motion that the law of small twists gives: where Newton's method starts.

@@ -1,14 +1,14 @@
 //! What chain and other absorbers do at one speed, harmonic by harmonic of the working cycle.
 
-use super::balance::Balance;
-use crate::absorber::Operating;
+use crate::absorber::{Mounted, Operating};
+use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
-use crate::response::ResponseError;
 use crate::response::batch::Block;
 use crate::response::direct::LARGEST_CANCELLATION;
 use crate::response::factored::Factored;
 use crate::response::lane::{LANES, Lane};
 use crate::response::output::Output;
+use crate::response::{Quantity, ResponseError};
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// What the linear part does at one speed, harmonic by harmonic from the first.
@@ -35,16 +35,30 @@ impl Linear {
 /// Under the torque, and per torque on the hub: the hub first, then each quantity.
 type Motions = Vec<(C64, C64)>;
 
-impl Balance<'_> {
-    /// The linear part at a speed.
+/// Chain and other absorbers round the one of large twist.
+pub(super) struct Surroundings<'s> {
+    pub system: &'s System,
+    pub others: &'s [Mounted],
+    /// Station of the absorber.
+    pub station: usize,
+    pub quantities: &'s [Quantity],
+    /// Harmonics of the working cycle, and orders of each.
+    pub harmonics: usize,
+    pub order_of_cycle: f64,
+    /// kg m².
+    pub ring_inertia: f64,
+}
+
+impl Surroundings<'_> {
+    /// At a speed.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
-    pub(super) fn linear(&self, speed_rpm: f64) -> Result<Linear, ResponseError> {
-        let (h, shaft_speed) = (self.harmonics(), speed_rpm * RAD_PER_S_PER_RPM);
+    pub fn at(&self, speed_rpm: f64) -> Result<Linear, ResponseError> {
+        let (h, shaft_speed) = (self.harmonics, speed_rpm * RAD_PER_S_PER_RPM);
         let outputs = vec![Vec::with_capacity(h); self.quantities.len()];
         let mut linear = Linear { speed_rpm, omega: Vec::new(), hub: Vec::new(), outputs, ring: Vec::new() };
-        let at = |k: usize| Operating { omega: k as f64 * self.order_of_cycle() * shaft_speed, shaft_speed };
+        let at = |k: usize| Operating { omega: k as f64 * self.order_of_cycle * shaft_speed, shaft_speed };
         linear.omega.extend((1..=h).map(|k| at(k).omega));
         let harmonics = &self.system.excitation.harmonics;
         let order = |k: usize| harmonics.iter().position(|own| *own as usize == k);
@@ -70,7 +84,7 @@ impl Balance<'_> {
                         self.single(solver, at(k), torques[k - 1].as_deref()).ok_or_else(unbounded)?
                     }
                 };
-                let inertial = self.law.ring_inertia() * at(k).omega.powi(2);
+                let inertial = self.ring_inertia * at(k).omega.powi(2);
                 linear.ring.push(-inertial / (1.0 - inertial * motions[0].1));
                 linear.hub.push(motions[0]);
                 linear.outputs.iter_mut().zip(&motions[1..]).for_each(|(own, motion)| own.push(*motion));
@@ -93,7 +107,7 @@ impl Balance<'_> {
                 (block.omega[lane], block.shaft_speed[lane]) = (at(lane).omega, at(lane).shaft_speed);
                 (0..chain.len()).for_each(|station| block.x[station].set(lane, torque(lane, station)));
             }
-            block.solve(&chain.stations, &self.others);
+            block.solve(&chain.stations, self.others);
             let outputs = std::iter::once(block.x[self.station]).chain(made_of.iter().map(|output| output.value(chain, block))).collect();
             (block.cancelled.map(|c| c <= LARGEST_CANCELLATION), outputs)
         };
@@ -108,7 +122,7 @@ impl Balance<'_> {
 
     /// At one frequency, with exchange of rows; nothing at a resonance.
     fn single(&self, solver: &mut Factored, at: Operating, torque: Option<&[C64]>) -> Option<Motions> {
-        solver.factor_at(&self.others, at).ok()?;
+        solver.factor_at(self.others, at).ok()?;
         match torque {
             Some(torque) => solver.x.copy_from_slice(torque),
             None => solver.x.fill(ZERO),

@@ -320,6 +320,26 @@ fn factors_of_temperature() {
     assert!(told >= 2, "{told}");
 }
 
+/// Laws compute many points several at a time by functions of their own: as they do one by one, to some units of the last place (of the larger of stiffness and damping, whose powers have exponents of up to
+/// twenty), at frequencies and relaxation times far beyond any engine's.
+#[test]
+fn laws_are_the_same_several_points_at_a_time() {
+    let s = system();
+    for declaration in every_law() {
+        let law = (declaration.build)(&typical(&s, declaration, 0.05, 0.8));
+        for count in [1, 7, 8, 9, 300] {
+            let at = |i: usize| 1e-4 * 1e12_f64.powf(i as f64 / count as f64);
+            let points: Vec<Operating> = (0..count).map(|i| Operating { omega: at(i), shaft_speed: 100.0 }).collect();
+            let mut found = vec![ZERO; count];
+            law.dynamic_stiffness_each(&points, &mut found);
+            for (found, at) in found.iter().zip(&points) {
+                let expected = law.dynamic_stiffness(*at);
+                assert!((found - expected).norm() <= 1e-14 * expected.norm(), "{} at {at:?}: {found} against {expected}", declaration.name);
+            }
+        }
+    }
+}
+
 /// A law that says that it is an analytic function of the frequency's logarithm is computed at a few frequencies by the tables, and by polynomials at all others: sweeps of a whole grid by receptances
 /// are those of the direct solution, which asks the law itself, to 1e-11, from a tenth to ten times its typical values. Laws with kinks or of shaft speed do not say so.
 #[test]

@@ -4,12 +4,12 @@
 //! lies between 0 and 90° for 0 < a <= 1 and 0 <= n < 1: the law is passive. For strains of less than one; at large ones the viscosity follows the rate of shear instead.
 
 use super::closed_forms::{EngineMode, viscous_damping};
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, by_frequency};
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring in silicone oil.
@@ -69,6 +69,19 @@ impl Carreau {
     }
 }
 
+/// S at many points. The real part of 1 + (i omega tau)^a is above zero, its imaginary part not below.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn stiffness_each(law: &Carreau, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
+    let exponent = (law.flow_index - 1.0) / law.transition;
+    by_frequency(at, out, |omega| {
+        let z = 1.0 + power.branchless(omega * law.relaxation_time);
+        let size = branchless::exponential(0.5 * exponent * branchless::logarithm(z.re * z.re + z.im * z.im));
+        let (sine, cosine) = branchless::sine_cosine(exponent * branchless::angle(z.re, z.im));
+        let newtonian = omega * law.damping * size;
+        C64::new(-newtonian * sine, newtonian * cosine)
+    });
+}
+
 impl Law for Carreau {
     fn declaration(&self) -> &'static Declaration {
         &CARREAU
@@ -83,8 +96,7 @@ impl Law for Carreau {
         self.stiffness_of(at.omega, self.power(at.omega))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        let power = ImaginaryPower::new(self.transition);
-        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness_of(at.omega, power.of(at.omega * self.relaxation_time)));
+        stiffness_each(self, ImaginaryPower::new(self.transition), at, out);
     }
     fn is_analytic(&self) -> bool {
         true

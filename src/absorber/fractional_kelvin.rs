@@ -3,7 +3,7 @@
 //! Over two or three decades the storage and loss moduli of filled rubber rise as omega^alpha. With (i)^alpha on the principal branch S is passive and causal for 0 < alpha <= 1; alpha = 1 is a spring
 //! beside a dashpot. The stiffness grows without bound at high frequency: `fractional_zener` ends it.
 
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, by_frequency};
 use super::fractional_zener::{EXPONENT, start};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
@@ -42,6 +42,12 @@ pub static FRACTIONAL_KELVIN: Declaration = Declaration {
     }],
 };
 
+/// S at many points.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn at_each(law: &FractionalKelvin, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
+    by_frequency(at, out, |omega| law.stiffness * (1.0 + power.branchless(omega * law.relaxation_time)));
+}
+
 impl Law for FractionalKelvin {
     fn declaration(&self) -> &'static Declaration {
         &FRACTIONAL_KELVIN
@@ -56,8 +62,7 @@ impl Law for FractionalKelvin {
         self.stiffness * (1.0 + ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        let power = ImaginaryPower::new(self.exponent);
-        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness * (1.0 + power.of(at.omega * self.relaxation_time)));
+        at_each(self, ImaginaryPower::new(self.exponent), at, out);
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time

@@ -3,7 +3,7 @@
 //! k at low frequency, r k at high frequency. Thermodynamically admissible for r > 1 and 0 < alpha <= 1 \[Bagley & Torvik 1986\].
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, by_frequency};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
@@ -57,11 +57,18 @@ pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 
 impl FractionalZener {
     /// S of z = (i omega tau)^alpha.
+    #[inline(always)]
     fn stiffness_of(&self, z: C64) -> C64 {
         // one division by a real number costs half of one by a complex one
         let (above, below) = (1.0 + self.glass_ratio * z, 1.0 + z);
         above * below.conj() * (self.stiffness / below.norm_sqr())
     }
+}
+
+/// S at many points.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn at_each(law: &FractionalZener, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
+    by_frequency(at, out, |omega| law.stiffness_of(power.branchless(omega * law.relaxation_time)));
 }
 
 /// S of multiples of some (i omega tau)^alpha, by numerator and denominator.
@@ -93,8 +100,7 @@ impl Law for FractionalZener {
         self.stiffness_of(ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        let power = ImaginaryPower::new(self.exponent);
-        at.iter().zip(out).for_each(|(at, out)| *out = self.stiffness_of(power.of(at.omega * self.relaxation_time)));
+        at_each(self, ImaginaryPower::new(self.exponent), at, out);
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time

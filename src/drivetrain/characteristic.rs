@@ -1,8 +1,9 @@
 //! Hardly damped motions of chain and absorbers by Newton's method on their characteristic equation: laws are taken at the frequency of each motion without an eigenvalue solver a round.
 
 use super::natural::{Basis, at_frequency, is_constant, typical};
-use crate::absorber::{Absorber, Host, Law, Mounted, SpringAndDamper};
+use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::C64;
+use crate::numerics::eigen::of_rank_one;
 use nalgebra::DMatrix;
 use std::ops::Add;
 
@@ -11,6 +12,8 @@ const MOST_ROUNDS: usize = 30;
 /// Relative change at which it ends, which leaves far less, and steps of its differences.
 const SCREENED: f64 = 1e-6;
 const DIFFERENCE: f64 = 1e-5;
+/// Rounds and relative change at which a start is good enough.
+const ROUGHLY: (usize, f64) = (6, 1e-4);
 /// Frequencies between two of the chain that are looked at, and every how many of them a law is computed.
 const SCAN: usize = 24;
 const EVERY: usize = 4;
@@ -97,8 +100,7 @@ impl<'a> Characteristic<'a> {
 
     /// Eigenvalues near the motions without damping, each once, and whether they are all; good enough to tell which motions are hardly damped.
     fn motions(&self) -> Option<(Vec<C64>, bool)> {
-        let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order), self.order);
-        let mut undamped = self.basis.undamped(self.design, &own)?;
+        let mut undamped = self.undamped()?;
         undamped.retain(|s| self.matters(s.im));
         let first = different(undamped.iter().filter_map(|s| self.near(*s)).collect());
         if first.len() == undamped.len() {
@@ -113,6 +115,23 @@ impl<'a> Characteristic<'a> {
         let laws = || self.design.iter().filter_map(|m| m.absorber.law());
         let complete = laws().any(|law| law.depends_on_speed()) || all.len() + laws().count() >= undamped.len();
         Some((all, complete))
+    }
+
+    /// Eigenvalues without damping, each law at a frequency that is typical of it: starts.
+    fn undamped(&self) -> Option<Vec<C64>> {
+        let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order, ROUGHLY), self.order);
+        if let [Mounted { on: Host::Station(_), absorber: Absorber::Ring(law), hub_inertia: 0.0, .. }] = self.design {
+            let k = own(law.as_ref()).stiffness;
+            if k > 0.0 && k.is_finite() {
+                // a ring of coordinate sqrt(J) angle has no stiffness of its own, the modes theirs, and the spring is k v v'
+                let d: Vec<f64> = std::iter::once(0.0).chain(self.modes.iter().map(|mode| mode[0])).collect();
+                let squares: Vec<f64> = std::iter::once(k / law.ring_inertia()).chain(self.modes.iter().map(|mode| k * mode[2])).collect();
+                let omegas: Vec<f64> = of_rank_one(&d, &squares, ROUGHLY.1).into_iter().map(f64::sqrt).collect();
+                let largest = omegas.last().copied().unwrap_or(0.0);
+                return Some(omegas.into_iter().filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect());
+            }
+        }
+        self.basis.undamped(self.design, &own)
     }
 
     /// The eigenvalue near `s`.
@@ -174,11 +193,11 @@ impl<'a> Characteristic<'a> {
             }
             let place = |i: usize| low + (high - low) * share(i);
             // laws are smooth: straight lines between some values tell where to look
-            let laws: Vec<Vec<SpringAndDamper>> = (0..=SCAN / EVERY).map(|k| self.springs(place(EVERY * k))).collect();
+            let places: Vec<f64> = (0..=SCAN / EVERY).map(|k| place(EVERY * k)).collect();
+            let laws: Vec<Vec<f64>> = self.design.iter().map(|m| self.stiffnesses(m, &places)).collect();
             let spring = |i: usize, law: usize| {
-                let (before, after) = (laws[i / EVERY][law], laws[i / EVERY + 1][law]);
-                let stiffness = before.stiffness + (after.stiffness - before.stiffness) * (i % EVERY) as f64 / EVERY as f64;
-                SpringAndDamper { stiffness, damping: 0.0 }
+                let (before, after) = (laws[law][i / EVERY], laws[law][i / EVERY + 1]);
+                SpringAndDamper { stiffness: before + (after - before) * (i % EVERY) as f64 / EVERY as f64, damping: 0.0 }
             };
             let values: Vec<f64> = (0..SCAN)
                 .map(|i| match self.design.len() {
@@ -191,6 +210,18 @@ impl<'a> Characteristic<'a> {
             list.extend((0..SCAN - 1).filter(crossed).filter(|i| !is_known(i)).map(|i| C64::new(0.0, 0.5 * (place(i) + place(i + 1)))));
         }
         list
+    }
+
+    /// Stiffness of an absorber at some circular frequencies; any where it has no law.
+    fn stiffnesses(&self, mounted: &Mounted, omegas: &[f64]) -> Vec<f64> {
+        let Some(law) = mounted.absorber.law() else { return vec![0.0; omegas.len()] };
+        if let Some(spring) = law.spring_and_damper() {
+            return vec![spring.stiffness; omegas.len()];
+        }
+        let at: Vec<Operating> = omegas.iter().map(|omega| Operating { omega: *omega, shaft_speed: omega / self.order }).collect();
+        let mut all = vec![C64::ZERO; at.len()];
+        law.dynamic_stiffness_each(&at, &mut all);
+        all.into_iter().map(|s| s.re).collect()
     }
 
     /// What every absorber is at a circular frequency.

@@ -79,7 +79,7 @@ impl Basis {
         if is_constant(design) {
             return self.with(design, |law| at_frequency(law, 1.0, order));
         }
-        let start = self.with(design, |law| at_frequency(law, typical(self, law, order), order))?;
+        let start = self.with(design, |law| at_frequency(law, typical(self, law, order, (MOST_ROUNDS, SETTLED)), order))?;
         start.into_iter().map(|s| self.settled(design, s, order, MOST_ROUNDS)).collect()
     }
 
@@ -218,10 +218,10 @@ impl Basis {
     }
 }
 
-/// A frequency at which a law may be taken for constant: that of its ring on a held hub.
-pub(super) fn typical(basis: &Basis, law: &dyn Law, order: f64) -> f64 {
+/// A frequency at which a law may be taken for constant: that of its ring on a held hub, to a relative change in so many rounds.
+pub(super) fn typical(basis: &Basis, law: &dyn Law, order: f64, settled: (usize, f64)) -> f64 {
     let first = basis.stiffness.iter().map(|k| k.sqrt()).find(|w| *w > 0.0).unwrap_or(100.0);
-    own_frequency(law, first, order).unwrap_or(first)
+    own_frequency(law, first, order, settled).unwrap_or(first)
 }
 
 /// Number of a ring among those that move.
@@ -230,16 +230,16 @@ fn coordinate(design: &[Mounted], index: usize) -> usize {
 }
 
 /// Frequency of a ring on its held hub, rad/s, from a first guess: omega² J = Re S(omega). Nothing where there is none.
-fn own_frequency(law: &dyn Law, first: f64, order: f64) -> Option<f64> {
+fn own_frequency(law: &dyn Law, first: f64, order: f64, (rounds, settled): (usize, f64)) -> Option<f64> {
     let mut omega = first;
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..rounds {
         let next = (at_frequency(law, omega, order).stiffness / law.ring_inertia()).max(0.0).sqrt();
         if next <= 0.0 || !next.is_finite() {
             return None;
         }
         let change = (next / omega - 1.0).abs();
         omega = next;
-        if change < SETTLED {
+        if change < settled {
             return Some(omega);
         }
     }
@@ -253,7 +253,7 @@ const FIRST_GUESS: f64 = 1000.0;
 
 /// Frequency of a ring on its held hub, rad/s; nothing where there is none.
 pub(crate) fn own(law: &dyn Law) -> Option<f64> {
-    own_frequency(law, FIRST_GUESS, 1.0)
+    own_frequency(law, FIRST_GUESS, 1.0, (MOST_ROUNDS, SETTLED))
 }
 
 /// Loss factor of a law at the ring's own frequency on its held hub, Im S/Re S: twice its damping ratio there. Nothing where there is no such frequency.

@@ -1,7 +1,9 @@
 //! Eigenpairs of undamped and damped systems with a diagonal mass matrix.
 
 use super::C64;
+use super::roots::between;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
+use std::convert::Infallible;
 
 /// Rounds of inverse iteration, the relative change at which it ends, and how far it may lead.
 const MOST_ITERATIONS: usize = 20;
@@ -41,6 +43,48 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
     let vectors = DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, order[j])] / root[i]);
     (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
+}
+
+/// Eigenvalues of diag(d) + v v' for ascending d, ascending, to this relative width; `squares` are those of the elements of v. One lies above each d and below the next \[Golub & Van Loan 2013, section 8.4.3\],
+/// where 1 + sum of v_i²/(d_i - x) is zero.
+pub(crate) fn of_rank_one(d: &[f64], squares: &[f64], width: f64) -> Vec<f64> {
+    let mut list = Vec::with_capacity(d.len());
+    // of equal d all but one stay
+    let mut poles: Vec<(f64, f64)> = Vec::with_capacity(d.len());
+    for (d, square) in d.iter().zip(squares) {
+        match poles.last_mut() {
+            Some((last, sum)) if *last == *d => {
+                *sum += square;
+                list.push(*d);
+            }
+            _ => poles.push((*d, *square)),
+        }
+    }
+    let total: f64 = squares.iter().sum();
+    for (i, &(low, square)) in poles.iter().enumerate() {
+        if square == 0.0 {
+            list.push(low);
+            continue;
+        }
+        let others = |x: f64, end: f64| poles.iter().filter(|p| p.0 != low && p.0 != end).map(|p| p.1 / (p.0 - x)).sum::<f64>();
+        let Ok(found) = match poles[i + 1..].iter().find(|p| p.1 != 0.0) {
+            // times the distances from both ends the sum is finite at these, below zero at the first and above at the other
+            Some(&(high, next)) => {
+                let mut f = |x: f64| {
+                    Ok::<f64, Infallible>((x - low) * (high - x) * (1.0 + others(x, high)) - square * (high - x) + next * (x - low))
+                };
+                between((low, -square * (high - low)), (high, next * (high - low)), width * high, &mut f)
+            }
+            None => {
+                let (high, mut f) = (low + total, |x: f64| Ok((x - low) * (1.0 + others(x, low)) - square));
+                let Ok(last) = f(high);
+                between((low, -square), (high, last), width * high, &mut f)
+            }
+        };
+        list.push(found);
+    }
+    list.sort_by(f64::total_cmp);
+    list
 }
 
 /// Squares of the circular frequencies of M x'' + K x = 0 with positive definite M and symmetric K, ascending. Nothing where M is not that or something is not finite.

@@ -1,5 +1,6 @@
 //! Physics-free mathematics.
 
+pub(crate) mod branchless;
 pub mod eigen;
 pub mod elementary;
 pub mod enclosing;
@@ -58,6 +59,13 @@ impl ImaginaryPower {
         }
         // a tenth of the time of a power that is exact to half a digit
         self.turn * (self.exponent * y.logarithm()).exponential()
+    }
+
+    /// The same without a branch, for y > 0 in loops.
+    #[inline(always)]
+    pub fn branchless(self, y: f64) -> C64 {
+        let size = branchless::exponential(self.exponent * branchless::logarithm(y));
+        C64::new(self.turn.re * size, self.turn.im * size)
     }
 }
 

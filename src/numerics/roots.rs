@@ -49,7 +49,10 @@ pub(crate) fn roots<E>(low: f64, high: f64, samples: usize, f: &mut impl FnMut(f
 }
 
 /// The zero between two points of opposite sign.
-fn between<E>(
+///
+/// # Errors
+/// Those of `f`.
+pub(crate) fn between<E>(
     (mut a, mut fa): (f64, f64),
     (mut b, mut fb): (f64, f64),
     width: f64,

@@ -324,7 +324,7 @@ fn factors_of_temperature() {
 /// twenty), at frequencies and relaxation times far beyond any engine's.
 #[test]
 fn laws_are_the_same_several_points_at_a_time() {
-    let s = system();
+    let s = study("villalva_i6_thesis");
     for declaration in every_law() {
         let law = (declaration.build)(&typical(&s, declaration, 0.05, 0.8));
         for count in [1, 7, 8, 9, 300] {

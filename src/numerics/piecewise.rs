@@ -3,7 +3,7 @@
 //! On a piece of half width a, the polynomial through n Chebyshev nodes of a function that is analytic within b on either side of the real axis errs by about rho^-n of the
 //! function's size, with rho = b/a + sqrt(1 + (b/a)²) \[Trefethen 2013, chapter 8\].
 
-use super::{C64, ZERO};
+use super::C64;
 use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub(crate) struct Piecewise {
     blocks: Vec<(usize, [f64; LANES])>,
     /// Where the points of the blocks stand in the list, a block after the other; those that only fill a block repeat its first.
     places: Vec<[u32; LANES]>,
-    /// From values at the nodes of a piece to the coefficients of its polynomial, lowest power first.
+    /// Of a value at each node of a piece, what it adds to the coefficients of its polynomial, lowest power first.
     to_powers: [[f64; NODES]; NODES],
 }
 
@@ -58,16 +58,22 @@ impl Piecewise {
 
     /// Values at the points, from those at the nodes.
     pub fn values(&self, at_nodes: &[C64], out: &mut [C64]) {
-        let polynomial = |values: &[C64]| -> [[f64; NODES]; 2] {
-            let mut powers = [ZERO; NODES];
-            for (power, row) in powers.iter_mut().zip(&self.to_powers) {
-                *power = row.iter().zip(values).map(|(a, v)| v * *a).sum();
-            }
-            [powers.map(|p| p.re), powers.map(|p| p.im)]
-        };
-        let pieces: Vec<[[f64; NODES]; 2]> = at_nodes.chunks(NODES).map(polynomial).collect();
+        let pieces = coefficients(&self.to_powers, at_nodes);
         evaluate(&pieces, &self.blocks, &self.places, out);
     }
+}
+
+/// Of every piece, by parts.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn coefficients(to_powers: &[[f64; NODES]; NODES], at_nodes: &[C64]) -> Vec<[[f64; NODES]; 2]> {
+    let mut pieces = vec![[[0.0; NODES]; 2]; at_nodes.len() / NODES];
+    for ([real, imaginary], values) in pieces.iter_mut().zip(at_nodes.as_chunks::<NODES>().0) {
+        for (value, shares) in values.iter().zip(to_powers) {
+            real.iter_mut().zip(shares).for_each(|(sum, share)| *sum += share * value.re);
+            imaginary.iter_mut().zip(shares).for_each(|(sum, share)| *sum += share * value.im);
+        }
+    }
+    pieces
 }
 
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
@@ -112,5 +118,5 @@ fn to_powers() -> [[f64; NODES]; NODES] {
         let weight = if k == 0 { 1.0 } else { 2.0 };
         weight / NODES as f64 * (PI * (k as f64) * (j as f64 + 0.5) / NODES as f64).cosine()
     };
-    std::array::from_fn(|p| std::array::from_fn(|j| (0..NODES).map(|k| share(k, j) * chebyshev_powers[k][p]).sum()))
+    std::array::from_fn(|j| std::array::from_fn(|p| (0..NODES).map(|k| share(k, j) * chebyshev_powers[k][p]).sum()))
 }

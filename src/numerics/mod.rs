@@ -38,7 +38,7 @@ pub const I: C64 = C64::new(0.0, 1.0);
 pub const ZERO: C64 = C64::new(0.0, 0.0);
 
 /// (i y)^a for y >= 0 on the principal branch, for many y.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ImaginaryPower {
     exponent: f64,
     /// i^a.
@@ -63,7 +63,7 @@ impl ImaginaryPower {
 
     /// The same without a branch, for y > 0 in loops.
     #[inline(always)]
-    pub fn branchless(self, y: f64) -> C64 {
+    pub(crate) fn branchless(self, y: f64) -> C64 {
         let size = branchless::exponential(self.exponent * branchless::logarithm(y));
         C64::new(self.turn.re * size, self.turn.im * size)
     }

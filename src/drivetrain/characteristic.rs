@@ -2,8 +2,8 @@
 
 use super::natural::{Basis, at_frequency, is_constant, typical};
 use crate::absorber::{Absorber, Host, Law, Mounted, Operating, SpringAndDamper};
-use crate::numerics::C64;
 use crate::numerics::eigen::of_rank_one;
+use crate::numerics::{C64, I};
 use nalgebra::DMatrix;
 use std::ops::Add;
 
@@ -19,6 +19,8 @@ const SCAN: usize = 24;
 const EVERY: usize = 4;
 /// Eigenvalues closer than this are one.
 const SAME_MOTION: f64 = 1e-6;
+/// Newton's method leads to a motion that is known once it is this close to it.
+const KNOWN: f64 = 1e-3;
 /// A frequency of the chain this close to that of a motion is a start that leads there.
 const NEAR: f64 = 0.01;
 /// Starts are looked for this many times below and above the frequencies that are asked for.
@@ -69,11 +71,37 @@ struct Characteristic<'a> {
     modes: Vec<[f64; 3]>,
 }
 
-/// A value with its derivative by s.
+/// A value with its derivatives by s, laws held, and by the frequency at which laws are taken.
 #[derive(Clone, Copy)]
 struct Slope {
     value: C64,
     by_s: C64,
+    by_law: C64,
+}
+
+/// What absorbers are at a frequency, and at the last one or a nearby one.
+#[derive(Default)]
+struct Laws {
+    omega: f64,
+    now: Vec<SpringAndDamper>,
+    omega_before: f64,
+    before: Vec<SpringAndDamper>,
+}
+
+impl Laws {
+    /// Goes to a frequency, by `put`, which computes laws.
+    fn at(&mut self, omega: f64, put: impl Fn(f64, &mut Vec<SpringAndDamper>)) {
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.omega_before = self.omega;
+        if self.before.is_empty() || self.omega_before == omega {
+            self.omega_before = omega * (1.0 + DIFFERENCE);
+            self.before.clear();
+            put(self.omega_before, &mut self.before);
+        }
+        self.omega = omega;
+        self.now.clear();
+        put(omega, &mut self.now);
+    }
 }
 
 impl<'a> Characteristic<'a> {
@@ -102,7 +130,7 @@ impl<'a> Characteristic<'a> {
     fn motions(&self) -> Option<(Vec<C64>, bool)> {
         let mut undamped = self.undamped()?;
         undamped.retain(|s| self.matters(s.im));
-        let first = different(undamped.iter().filter_map(|s| self.near(*s)).collect());
+        let first = different(undamped.iter().filter_map(|s| self.near(*s, &[])).collect());
         if first.len() == undamped.len() {
             return Some((first, true));
         }
@@ -110,7 +138,8 @@ impl<'a> Characteristic<'a> {
         let is_new = |omega: &f64| first.iter().all(|s| (s.im / omega - 1.0).abs() > NEAR);
         let alone = self.basis.omegas().filter(|w| *w > 0.0 && self.matters(*w)).filter(is_new).map(|w| C64::new(0.0, w));
         let starts: Vec<C64> = self.crossings(&first).into_iter().chain(alone).collect();
-        let all = different(first.into_iter().chain(starts.into_iter().filter_map(|s| self.near(s))).collect());
+        let more: Vec<C64> = starts.into_iter().filter_map(|s| self.near(s, &first)).collect();
+        let all = different(first.into_iter().chain(more).collect());
         // laws may leave their rings no motion of their own, but take away no other; a pendulum tuned to the order holds its station, and leaves fewer
         let laws = || self.design.iter().filter_map(|m| m.absorber.law());
         let complete = laws().any(|law| law.depends_on_speed()) || all.len() + laws().count() >= undamped.len();
@@ -134,15 +163,18 @@ impl<'a> Characteristic<'a> {
         self.basis.undamped(self.design, &own)
     }
 
-    /// The eigenvalue near `s`.
-    fn near(&self, mut s: C64) -> Option<C64> {
+    /// The eigenvalue near `s`; nothing where it is one of those that are `known`.
+    fn near(&self, mut s: C64, known: &[C64]) -> Option<C64> {
         let nearest = self.basis.nearest(s.im)?;
         let start = s;
-        let mut last = None;
+        let mut laws = Laws::default();
         for _ in 0..MOST_ROUNDS {
-            let change = self.newton_step(s, nearest, &mut last);
+            let change = self.newton_step(s, nearest, &mut laws);
             s -= change;
             if !(s.im > 0.0 && (s - start).norm_sqr() < 0.25 * start.norm_sqr()) {
+                return None;
+            }
+            if known.iter().any(|known| (s - known).norm_sqr() <= KNOWN * KNOWN * s.norm_sqr()) {
                 return None;
             }
             if change.norm_sqr() <= SCREENED * SCREENED * s.norm_sqr() {
@@ -152,34 +184,40 @@ impl<'a> Characteristic<'a> {
         None
     }
 
-    /// What Newton's method takes from s. `last`: where it was before, with the load there.
-    fn newton_step(&self, s: C64, nearest: usize, last: &mut Option<(C64, Load)>) -> C64 {
+    /// What Newton's method takes from s.
+    fn newton_step(&self, s: C64, nearest: usize, laws: &mut Laws) -> C64 {
         let step = s * DIFFERENCE;
         let [station] = self.stations[..] else {
-            let at = |s: C64| self.with_springs(s.im, |springs| self.at((s, springs), nearest, true));
+            let at = |s: C64| self.at((s, &self.springs(s.im)), nearest, true);
             return at(s) * step * 2.0 / (at(s + step) - at(s - step));
         };
-        // the sum over the modes has a derivative of its own; only that of the law is left to differences: to the last place, which converges as fast
-        let load = |s: C64| self.with_springs(s.im, |springs| self.load(Host::Station(station), (s, springs), true));
-        let here = load(s);
-        let (before, other) = last.unwrap_or_else(|| (s + step, load(s + step)));
-        *last = Some((s, here));
-        let slope = |part: fn(&Load) -> C64| Slope { value: part(&here), by_s: (part(&other) - part(&here)) / (before - s) };
+        laws.at(s.im, |omega, springs| springs.extend(self.design.iter().map(|m| self.spring(m, omega))));
+        let load = |s: C64, springs: &[SpringAndDamper]| self.load(Host::Station(station), (s, springs), true);
+        // laws follow the frequency alone, all else the whole of s: derivatives by both
+        let (here, beyond, earlier) = (load(s, &laws.now), load(s + step, &laws.now), load(s, &laws.before));
+        let slope = |part: fn(&Load) -> C64| {
+            let value = part(&here);
+            Slope { value, by_s: (part(&beyond) - value) / step, by_law: (part(&earlier) - value) / (laws.omega_before - s.im) }
+        };
         let (top, bottom) = (slope(|l| l.above), slope(|l| l.below));
         let squared = s * s;
-        let modal = |[k, c, _]: &[f64; 3]| Slope { value: squared + s * *c + *k, by_s: s * 2.0 + *c };
+        let modal = |[k, c, _]: &[f64; 3]| (squared + s * *c + *k, s * 2.0 + *c);
         let (own, square) = (modal(&self.modes[nearest]), self.modes[nearest][2]);
-        let mut h = Slope { value: C64::ZERO, by_s: C64::ZERO };
+        let (mut h, mut h_by_s) = (C64::ZERO, C64::ZERO);
         for mode in self.modes[..nearest].iter().chain(&self.modes[nearest + 1..]) {
-            let other = modal(mode);
-            let receptance = other.value.conj() / other.value.norm_sqr();
-            h.value += receptance * mode[2];
-            h.by_s -= receptance * receptance * other.by_s * mode[2];
+            let (value, by_s) = modal(mode);
+            let receptance = value.conj() / value.norm_sqr();
+            h += receptance * mode[2];
+            h_by_s -= receptance * receptance * by_s * mode[2];
         }
-        let sum = bottom.value + h.value * top.value;
-        let value = own.value * sum + top.value * square;
-        let by_s = own.by_s * sum + own.value * (bottom.by_s + h.by_s * top.value + h.value * top.by_s) + top.by_s * square;
-        value / by_s
+        let sum = bottom.value + h * top.value;
+        let value = own.0 * sum + top.value * square;
+        let by_s = own.1 * sum + own.0 * (bottom.by_s + h_by_s * top.value + h * top.by_s) + top.by_s * square;
+        let by_law = own.0 * (bottom.by_law + h * top.by_law) + top.by_law * square;
+        // value = by_s (x + i y) + by_law y
+        let by_frequency = I * by_s + by_law;
+        let determinant = by_s.re * by_frequency.im - by_s.im * by_frequency.re;
+        C64::new(value.re * by_frequency.im - value.im * by_frequency.re, by_s.re * value.im - by_s.im * value.re) / determinant
     }
 
     /// Frequencies without damping, as a scan between those of the chain tells; but for those where a motion is `known`.
@@ -227,11 +265,6 @@ impl<'a> Characteristic<'a> {
     /// What every absorber is at a circular frequency.
     fn springs(&self, omega: f64) -> Vec<SpringAndDamper> {
         self.design.iter().map(|m| self.spring(m, omega)).collect()
-    }
-
-    /// The same for `job`, without a list where there is one absorber.
-    fn with_springs<T>(&self, omega: f64, job: impl FnOnce(&[SpringAndDamper]) -> T) -> T {
-        if let [only] = self.design { job(&[self.spring(only, omega)]) } else { job(&self.springs(omega)) }
     }
 
     /// What an absorber is; any spring where it has no law.

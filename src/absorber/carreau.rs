@@ -25,8 +25,6 @@ pub struct Carreau {
     pub transition: f64,
     /// n, from 0 to below 1.
     pub flow_index: f64,
-    /// (i omega tau)^a.
-    power: ImaginaryPower,
 }
 
 const TRANSITION: Parameter = of_material(
@@ -50,16 +48,7 @@ pub static CARREAU: Declaration = Declaration {
         TRANSITION,
         FLOW_INDEX,
     ],
-    build: |v| {
-        Arc::new(Carreau {
-            ring_inertia: v[0],
-            damping: v[1],
-            relaxation_time: v[2],
-            transition: v[3],
-            flow_index: v[4],
-            power: ImaginaryPower::new(v[3]),
-        })
-    },
+    build: |v| Arc::new(Carreau { ring_inertia: v[0], damping: v[1], relaxation_time: v[2], transition: v[3], flow_index: v[4] }),
     closed_forms: &[ClosedForm { name: "carreau_untuned", every_mode: true, is_optimum: false, values: start }],
 };
 
@@ -71,7 +60,7 @@ fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 impl Carreau {
     /// (i omega tau)^a.
     fn power(&self, omega: f64) -> C64 {
-        self.power.of(omega * self.relaxation_time)
+        ImaginaryPower::new(self.transition).of(omega * self.relaxation_time)
     }
 
     /// S of z = (i omega tau)^a.
@@ -82,10 +71,10 @@ impl Carreau {
 
 /// S at many points. The real part of 1 + (i omega tau)^a is above zero, its imaginary part not below.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
-fn stiffness_each(law: &Carreau, at: &[Operating], out: &mut [C64]) {
+fn stiffness_each(law: &Carreau, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
     let exponent = (law.flow_index - 1.0) / law.transition;
     by_frequency(at, out, |omega| {
-        let z = 1.0 + law.power.branchless(omega * law.relaxation_time);
+        let z = 1.0 + power.branchless(omega * law.relaxation_time);
         let size = branchless::exponential(0.5 * exponent * branchless::logarithm(z.re * z.re + z.im * z.im));
         let (sine, cosine) = branchless::sine_cosine(exponent * branchless::angle(z.re, z.im));
         let newtonian = omega * law.damping * size;
@@ -107,7 +96,7 @@ impl Law for Carreau {
         self.stiffness_of(at.omega, self.power(at.omega))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        stiffness_each(self, at, out);
+        stiffness_each(self, ImaginaryPower::new(self.transition), at, out);
     }
     fn is_analytic(&self) -> bool {
         true

@@ -23,8 +23,6 @@ pub struct FractionalKelvin {
     pub relaxation_time: f64,
     /// alpha, above 0 up to 1.
     pub exponent: f64,
-    /// (i omega tau) to that power.
-    power: ImaginaryPower,
 }
 
 /// Ring on a spring beside a springpot.
@@ -32,15 +30,7 @@ pub static FRACTIONAL_KELVIN: Declaration = Declaration {
     name: "fractional_kelvin",
     about: "A ring on filled rubber: a spring beside a fractional element.",
     parameters: &[RING_INERTIA, STIFFNESS, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
-    build: |v| {
-        Arc::new(FractionalKelvin {
-            ring_inertia: v[0],
-            stiffness: v[1],
-            relaxation_time: v[2],
-            exponent: v[3],
-            power: ImaginaryPower::new(v[3]),
-        })
-    },
+    build: |v| Arc::new(FractionalKelvin { ring_inertia: v[0], stiffness: v[1], relaxation_time: v[2], exponent: v[3] }),
     closed_forms: &[ClosedForm {
         name: "fractional_kelvin",
         every_mode: true,
@@ -54,8 +44,8 @@ pub static FRACTIONAL_KELVIN: Declaration = Declaration {
 
 /// S at many points.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
-fn at_each(law: &FractionalKelvin, at: &[Operating], out: &mut [C64]) {
-    by_frequency(at, out, |omega| law.stiffness * (1.0 + law.power.branchless(omega * law.relaxation_time)));
+fn at_each(law: &FractionalKelvin, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
+    by_frequency(at, out, |omega| law.stiffness * (1.0 + power.branchless(omega * law.relaxation_time)));
 }
 
 impl Law for FractionalKelvin {
@@ -69,14 +59,15 @@ impl Law for FractionalKelvin {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        self.stiffness * (1.0 + self.power.of(at.omega * self.relaxation_time))
+        self.stiffness * (1.0 + ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        at_each(self, at, out);
+        at_each(self, ImaginaryPower::new(self.exponent), at, out);
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time
-        let own: Vec<C64> = at.iter().map(|at| self.power.of(at.omega * self.relaxation_time)).collect();
+        let power = ImaginaryPower::new(self.exponent);
+        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
         Some(Box::new(move |factor, [re, im, below]| {
             let share = self.stiffness * (self.exponent * factor).exponential();
             own.iter().zip(re).zip(im).for_each(|((z, re), im)| (*re, *im) = (self.stiffness + share * z.re, share * z.im));
@@ -88,7 +79,7 @@ impl Law for FractionalKelvin {
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;
-        let z = self.power.of(x);
+        let z = ImaginaryPower::new(self.exponent).of(x);
         vec![C64::default(), 1.0 + z, self.stiffness * self.exponent * z / self.relaxation_time, self.stiffness * z * imaginary_ln(x)]
     }
 }

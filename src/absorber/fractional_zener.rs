@@ -25,8 +25,6 @@ pub struct FractionalZener {
     pub relaxation_time: f64,
     /// alpha, above 0 up to 1.
     pub exponent: f64,
-    /// (i omega tau) to that power.
-    power: ImaginaryPower,
 }
 
 /// Power of the frequency that moduli rise with.
@@ -45,16 +43,7 @@ pub static FRACTIONAL_ZENER: Declaration = Declaration {
     name: "fractional_zener",
     about: "A ring on rubber from its rubbery to its glassy end.",
     parameters: &[RING_INERTIA, STIFFNESS, GLASS_RATIO, Parameter { range: Range::Positive, ..RELAXATION_TIME }, EXPONENT],
-    build: |v| {
-        Arc::new(FractionalZener {
-            ring_inertia: v[0],
-            stiffness: v[1],
-            glass_ratio: v[2],
-            relaxation_time: v[3],
-            exponent: v[4],
-            power: ImaginaryPower::new(v[4]),
-        })
-    },
+    build: |v| Arc::new(FractionalZener { ring_inertia: v[0], stiffness: v[1], glass_ratio: v[2], relaxation_time: v[3], exponent: v[4] }),
     closed_forms: &[ClosedForm { name: "fractional_zener", every_mode: true, is_optimum: false, values: start }],
 };
 
@@ -78,8 +67,8 @@ impl FractionalZener {
 
 /// S at many points.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
-fn at_each(law: &FractionalZener, at: &[Operating], out: &mut [C64]) {
-    by_frequency(at, out, |omega| law.stiffness_of(law.power.branchless(omega * law.relaxation_time)));
+fn at_each(law: &FractionalZener, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
+    by_frequency(at, out, |omega| law.stiffness_of(power.branchless(omega * law.relaxation_time)));
 }
 
 /// S of multiples of some (i omega tau)^alpha, by numerator and denominator.
@@ -108,14 +97,15 @@ impl Law for FractionalZener {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        self.stiffness_of(self.power.of(at.omega * self.relaxation_time))
+        self.stiffness_of(ImaginaryPower::new(self.exponent).of(at.omega * self.relaxation_time))
     }
     fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
-        at_each(self, at, out);
+        at_each(self, ImaginaryPower::new(self.exponent), at, out);
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time
-        let own: Vec<C64> = at.iter().map(|at| self.power.of(at.omega * self.relaxation_time)).collect();
+        let power = ImaginaryPower::new(self.exponent);
+        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
         let own = [own.iter().map(|z| z.re).collect(), own.iter().map(|z| z.im).collect()];
         Some(Box::new(move |factor, out| stiffness_each(self, (self.exponent * factor).exponential(), &own, out)))
     }
@@ -124,7 +114,7 @@ impl Law for FractionalZener {
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;
-        let z = self.power.of(x);
+        let z = ImaginaryPower::new(self.exponent).of(x);
         let by_power = self.stiffness * (self.glass_ratio - 1.0) / ((1.0 + z) * (1.0 + z));
         vec![
             C64::default(),

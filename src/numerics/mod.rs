@@ -38,7 +38,7 @@ pub const I: C64 = C64::new(0.0, 1.0);
 pub const ZERO: C64 = C64::new(0.0, 0.0);
 
 /// (i y)^a for y >= 0 on the principal branch, for many y.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct ImaginaryPower {
     exponent: f64,
     /// i^a.

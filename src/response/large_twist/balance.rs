@@ -254,9 +254,8 @@ impl<'a> Balance<'a> {
         let own_mean = Some(&f.own_by[0]);
         if self.equations().is_ring() {
             add_products(jacobian, (0, 0), (true, own_mean), row, &|k| vec![(&f.own_by[0], one), (&f.own_by[1], rate(k))]);
-            for k in 1..=h {
-                let own = linear.ring[k - 1] * row[k];
-                let at = 2 * k - 1;
+            for (k, (torque, row)) in linear.ring.iter().zip(&row[1..]).enumerate() {
+                let (own, at) = (torque * row, 2 * k + 1);
                 jacobian[(at, at)] += own.re;
                 jacobian[(at, at + 1)] -= own.im;
                 jacobian[(at + 1, at)] += own.im;

@@ -59,9 +59,10 @@ impl FractionalZener {
     /// S of z = (i omega tau)^alpha.
     #[inline(always)]
     fn stiffness_of(&self, z: C64) -> C64 {
-        // one division by a real number costs half of one by a complex one
+        // one division by a real number costs half of one by a complex one; the imaginary part of (1 + r z)(1 + z*) is (r - 1) Im z
         let (above, below) = (1.0 + self.glass_ratio * z, 1.0 + z);
-        above * below.conj() * (self.stiffness / below.norm_sqr())
+        let scale = self.stiffness / below.norm_sqr();
+        C64::new((above.re * below.re + above.im * below.im) * scale, (self.glass_ratio - 1.0) * z.im * scale)
     }
 }
 
@@ -79,9 +80,8 @@ fn stiffness_each(law: &FractionalZener, share: f64, [z_re, z_im]: &[Vec<f64>; 2
     for i in 0..n {
         let (x, y) = (share * z_re[i], share * z_im[i]);
         let (above, below) = (1.0 + law.glass_ratio * x, 1.0 + x);
-        let lost = law.glass_ratio * y;
-        out_re[i] = (above * below + lost * y) * law.stiffness;
-        out_im[i] = (lost * below - above * y) * law.stiffness;
+        out_re[i] = (above * below + law.glass_ratio * y * y) * law.stiffness;
+        out_im[i] = (law.glass_ratio - 1.0) * y * law.stiffness;
         out_below[i] = below * below + y * y;
     }
 }

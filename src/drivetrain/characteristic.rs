@@ -155,7 +155,7 @@ impl<'a> Characteristic<'a> {
                 // a ring of coordinate sqrt(J) angle has no stiffness of its own, the modes theirs, and the spring is k v v'
                 let d: Vec<f64> = std::iter::once(0.0).chain(self.modes.iter().map(|mode| mode[0])).collect();
                 let squares: Vec<f64> = std::iter::once(k / law.ring_inertia()).chain(self.modes.iter().map(|mode| k * mode[2])).collect();
-                let omegas: Vec<f64> = of_rank_one(&d, &squares, ROUGHLY.1).into_iter().map(f64::sqrt).collect();
+                let omegas: Vec<f64> = of_rank_one(&d, &squares).into_iter().map(f64::sqrt).collect();
                 let largest = omegas.last().copied().unwrap_or(0.0);
                 return Some(omegas.into_iter().filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect());
             }

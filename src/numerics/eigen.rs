@@ -45,14 +45,20 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
 }
 
-/// Eigenvalues of diag(d) + v v' for ascending d, ascending, to this relative width; `squares` are those of the elements of v. One lies above each d and below the next \[Golub & Van Loan 2013, section 8.4.3\],
-/// where 1 + sum of v_i²/(d_i - x) is zero.
-pub(crate) fn of_rank_one(d: &[f64], squares: &[f64], width: f64) -> Vec<f64> {
-    let mut list = Vec::with_capacity(d.len());
-    // of equal d all but one stay
-    let mut poles: Vec<(f64, f64)> = Vec::with_capacity(d.len());
+/// Share of the sum of squares below which an element of a vector counts as none: it moves an eigenvalue by less than rounding.
+const NONE: f64 = 1e-14;
+/// Width of the interval that an eigenvalue is found to, as a share of its upper end.
+const NARROW: f64 = 1e-12;
+
+/// Eigenvalues of diag(d) + v v' for ascending d, ascending; `squares` are those of the elements of v. One lies above each d and below the next \[Golub & Van Loan 2013, section 8.4.3\], where
+/// 1 + sum of v_i²/(d_i - x) is zero; where an element is none, it is d itself.
+pub(crate) fn of_rank_one(d: &[f64], squares: &[f64]) -> Vec<f64> {
+    let total: f64 = squares.iter().sum();
+    let (mut list, mut poles) = (Vec::with_capacity(d.len()), Vec::<(f64, f64)>::with_capacity(d.len()));
     for (d, square) in d.iter().zip(squares) {
         match poles.last_mut() {
+            _ if *square <= NONE * total => list.push(*d),
+            // of equal d all but one stay
             Some((last, sum)) if *last == *d => {
                 *sum += square;
                 list.push(*d);
@@ -60,25 +66,20 @@ pub(crate) fn of_rank_one(d: &[f64], squares: &[f64], width: f64) -> Vec<f64> {
             _ => poles.push((*d, *square)),
         }
     }
-    let total: f64 = squares.iter().sum();
     for (i, &(low, square)) in poles.iter().enumerate() {
-        if square == 0.0 {
-            list.push(low);
-            continue;
-        }
         let others = |x: f64, end: f64| poles.iter().filter(|p| p.0 != low && p.0 != end).map(|p| p.1 / (p.0 - x)).sum::<f64>();
-        let Ok(found) = match poles[i + 1..].iter().find(|p| p.1 != 0.0) {
+        let Ok(found) = match poles.get(i + 1) {
             // times the distances from both ends the sum is finite at these, below zero at the first and above at the other
             Some(&(high, next)) => {
                 let mut f = |x: f64| {
                     Ok::<f64, Infallible>((x - low) * (high - x) * (1.0 + others(x, high)) - square * (high - x) + next * (x - low))
                 };
-                between((low, -square * (high - low)), (high, next * (high - low)), width * high, &mut f)
+                between((low, -square * (high - low)), (high, next * (high - low)), NARROW * high, &mut f)
             }
             None => {
                 let (high, mut f) = (low + total, |x: f64| Ok((x - low) * (1.0 + others(x, low)) - square));
                 let Ok(last) = f(high);
-                between((low, -square), (high, last), width * high, &mut f)
+                between((low, -square), (high, last), NARROW * high, &mut f)
             }
         };
         list.push(found);

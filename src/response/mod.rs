@@ -22,8 +22,8 @@ pub mod modal;
 pub mod newmark;
 mod open_law;
 pub mod operation;
-pub mod output;
-mod periodic;
+mod output;
+pub mod periodic;
 pub mod power;
 pub mod quantity;
 pub mod quasi_static;
@@ -31,6 +31,7 @@ pub mod receptance;
 pub mod reduced;
 mod ring_sensitivity;
 pub mod selected;
+mod sensitivity;
 pub mod work;
 
 pub use closed_form::ClosedForm;

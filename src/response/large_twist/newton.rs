@@ -58,7 +58,9 @@ impl Balance<'_> {
             let step = lu.solve(&missing)?;
             x -= &step;
             let (size, reach) = (step.amax(), x.amax());
-            if !reach.is_finite() || known.iter().any(|known| (*known - &x).amax() <= KNOWN * reach) {
+            // the first unknown, the mean, may be far larger than all that moves about it
+            let moves = x.as_slice()[1..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            if !x.iter().all(|x| x.is_finite()) || known.iter().any(|known| (*known - &x).amax() <= KNOWN * moves) {
                 return None;
             }
             // the error that is left: the square of the step, or as much less than the step as that is less than the one before

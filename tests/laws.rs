@@ -232,7 +232,7 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
     let peak = finder.peak(&design, &measure, &mut Work::default()).expect("damped").expect("excited");
     for (i, (declaration, _)) in places.iter().enumerate() {
         let at = |speed_rpm: f64| {
-            let place = hartog::objective::Peak { speed_rpm, ..peak.clone() };
+            let place = hartog::objective::Peak { speed_rpm, ..peak };
             finder.gradient(&design, i, &measure, &place, &mut Work::default()).expect("damped")
         };
         // the speed of a peak is known to the root of rounding, which a narrow one multiplies

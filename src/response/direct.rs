@@ -5,6 +5,7 @@ use super::factored::Factored;
 use super::lane::{LANES, Lane};
 use super::output::Output;
 use super::{Grid, Quantity, Response, ResponseError, Work};
+use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
@@ -167,6 +168,44 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<C64, ResponseError> {
         Factored::new(self.system).phasor(design, quantity, (order, speed_rpm), work)
+    }
+
+    /// Derivatives of the phasors of `quantity` at one speed with respect to the parameters of absorber `index` of the design
+    /// (ring inertia first), for each of the given orders: dy/dp = -(dy/dT) theta dz/dp with angle and torque at what carries the absorber.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for the twist of a locked ring.
+    pub(crate) fn sensitivity(
+        &self,
+        design: &[Mounted],
+        index: usize,
+        quantity: Quantity,
+        orders: std::ops::Range<usize>,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<Vec<C64>>, ResponseError> {
+        if let Quantity::RingTwist(of) = quantity {
+            return self.sensitivity_of_ring(design, (index, of), orders, speed_rpm, work);
+        }
+        let mut solver = Factored::new(self.system);
+        let mut unit = vec![ZERO; self.system.chain.len()];
+        let station = station_of(design, index);
+        orders
+            .map(|order| {
+                solver.solve(design, (order, speed_rpm), work)?;
+                unit.fill(ZERO);
+                unit[station] = C64::from(1.0);
+                solver.matrix.solve(&mut unit);
+                let (condensed, at) = (&solver.condensed, Operating { omega: solver.omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+                let ring = &condensed.rings[index];
+                // the host's angle over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
+                let host_over_denominator = solver.hub(ring.hub, ring.host, &solver.x);
+                // by reciprocity a torque on the host does at the station what one on the station does at the host
+                let output = solver.output(quantity, &unit) * condensed.host_per_station(design, index);
+                let factor = -output * host_over_denominator / condensed.denominator(index);
+                Ok(condensed.gradient_times_denominator2(design, index, at).into_iter().map(|g| factor * g).collect())
+            })
+            .collect()
     }
 
     /// Response of the system without absorber at one point, for several quantities, with the receptances of `stations`.

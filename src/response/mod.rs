@@ -31,7 +31,6 @@ pub mod receptance;
 pub mod reduced;
 mod ring_sensitivity;
 pub mod selected;
-mod sensitivity;
 pub mod work;
 
 pub use closed_form::ClosedForm;

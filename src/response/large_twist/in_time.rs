@@ -80,9 +80,11 @@ impl InTime {
 pub(super) fn mean_slopes(reactions: &[(Reaction, Reaction)]) -> ([f64; 5], [f64; 5]) {
     let share = 1.0 / reactions.len() as f64;
     let mean = |of: &dyn Fn(&(Reaction, Reaction)) -> [f64; 5]| {
-        let mut sum = [0.0; 5];
+        // from the first on, so that the mean of a constant is that constant
+        let first = reactions.first().map_or([0.0; 5], of);
+        let mut sum = first;
         for r in reactions {
-            sum.iter_mut().zip(of(r)).for_each(|(s, x)| *s += x * share);
+            sum.iter_mut().zip(of(r)).zip(first).for_each(|((s, x), first)| *s += (x - first) * share);
         }
         sum
     };

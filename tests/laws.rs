@@ -236,6 +236,11 @@ fn check_gradients(s: &Study, sys: &System, places: &Places) {
             let difference = (with(1.0 + 1e-6) - with(1.0 - 1e-6)) / (2e-6 * values[i][p]);
             let what = format!("{}: absorber {i}, {}", words(places), parameter.key);
             let unknown = (beside[p] - gradient[p]).abs();
+            assert!(
+                unknown <= 1e-3 * gradient[p].abs() + 1e-5 * peak.value / values[i][p],
+                "{what}: {} known to {unknown:e} only",
+                gradient[p]
+            );
             assert_close(gradient[p], difference, 1e-4, 1e-5 * peak.value / values[i][p] + unknown, &what);
         }
     }

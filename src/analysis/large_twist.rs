@@ -130,17 +130,21 @@ pub(crate) fn of_design(
             continue;
         }
         let curves = own.curves(&study.speeds_rpm, &mut Work::default())?;
-        let largest = |value: &dyn Fn(&Steady) -> f64| seen.peak(&own, &curves, range, value);
-        let peak = largest(&|steady| seen.value(steady))?;
-        let change = peak.as_ref().map_or(Ok(0.0), |(peak, _)| change(peak))?;
+        let points: Vec<Vec<LargePoint>> = curves.iter().map(|c| c.points.iter().map(|p| seen.point(p)).collect()).collect();
+        let twist = |steady: &Steady| seen.value(steady);
+        let peak = peak(&own, &curves, range, &twist, &|c, i| points[c][i].twist)?;
+        let change = peak.as_ref().map_or(Ok(0.0), |peak| change(&peak.steady))?;
         if change > study.tolerance && growth < MOST_GROWTHS && curves.iter().all(|c| c.whole) {
             let Some(finer) = more() else { return Ok(None) };
             own = finer;
             continue;
         }
         let most = |told: &Told| -> Result<Option<f64>, ResponseError> {
+            if told.is(study.twist) {
+                return Ok(peak.as_ref().map(|peak| peak.value));
+            }
             let value = |steady: &Steady| told.value(&seen.0, steady);
-            Ok(largest(&value)?.map(|(steady, _)| value(&steady)))
+            Ok(self::peak(&own, &curves, range, &value, &|c, i| value(&curves[c].points[i].steady))?.map(|peak| peak.value))
         };
         let over_limit = |(told, limit): (&Option<Told>, &LimitSpec)| -> Result<Option<f64>, ResponseError> {
             Ok(told.as_ref().map_or(Ok(None), &most)?.map(|value| value / limit.limit))
@@ -150,15 +154,14 @@ pub(crate) fn of_design(
             objective: objective.as_ref().map_or(Ok(None), &most)?,
             limits: limits.iter().zip(&study.limits).map(over_limit).collect::<Result<_, _>>()?,
         };
-        let point = |p: &CurvePoint| seen.point(&p.steady, p.stability, p.asked);
         return Ok(Some(LargeTwistOfDesign {
             design: name.to_owned(),
             absorber: own.index,
             harmonics: own.harmonics(),
             change,
             whole: curves.iter().all(|c| c.whole),
-            curves: curves.iter().map(|c| c.points.iter().map(point).collect()).collect(),
-            peak: peak.map(|(steady, stability)| seen.point(&steady, stability, false)),
+            curves: points,
+            peak: peak.map(|peak| seen.motion(&peak.steady, peak.stability, false)),
             at_large_twist,
             travel: own.law.large_twist().and_then(|l| l.largest_twist()),
         }));
@@ -178,7 +181,11 @@ impl Seen {
         self.0.extremes(&steady.quantities[0]).half_peak_to_peak
     }
 
-    fn point(&self, steady: &Steady, stability: Stability, asked: bool) -> LargePoint {
+    fn point(&self, point: &CurvePoint) -> LargePoint {
+        self.motion(&point.steady, point.stability, point.asked)
+    }
+
+    fn motion(&self, steady: &Steady, stability: Stability, asked: bool) -> LargePoint {
         let stable = match stability {
             Stability::Stable(_) => Some(true),
             Stability::Unstable(_) => Some(false),
@@ -193,44 +200,48 @@ impl Seen {
             asked,
         }
     }
+}
 
-    /// The largest that may last: the best point, refined towards its neighbours, or to where stability ends.
-    fn peak(
-        &self,
-        balance: &Balance,
-        curves: &[Curve],
-        range: (f64, f64),
-        value: &dyn Fn(&Steady) -> f64,
-    ) -> Result<Option<(Steady, Stability)>, ResponseError> {
-        let lasting = |(c, curve): (usize, &Curve)| -> Vec<(usize, usize)> {
-            (0..curve.points.len()).filter(|i| curve.points[*i].stability.may_last()).map(|i| (c, i)).collect()
-        };
-        let all = curves.iter().enumerate().flat_map(lasting);
-        let at = |(c, i): (usize, usize)| value(&curves[c].points[i].steady);
-        let Some((c, i)) = all.reduce(|m, p| if at(p) > at(m) { p } else { m }) else { return Ok(None) };
-        let points = &curves[c].points;
-        let mut best = (points[i].steady.clone(), points[i].stability);
-        for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
-            let at = |share: f64| balance.between(&curves[c], (i, j), share);
-            let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &at)? };
-            let mut top: Option<Steady> = None;
-            maximise(0.0, end, |share| {
-                let Some(found) = at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
-                let own = value(&found);
-                if top.as_ref().is_none_or(|t| own > value(t)) {
-                    top = Some(found);
-                }
-                Ok(own)
-            })?;
-            if let Some(top) = top.filter(|t| value(t) > value(&best.0)) {
-                let stability = balance.stability(&top);
-                if stability.may_last() {
-                    best = (top, stability);
-                }
+/// The motion where a value is largest.
+struct Peak {
+    steady: Steady,
+    stability: Stability,
+    value: f64,
+}
+
+/// The largest value that may last: the best point, refined towards its neighbours, or to where stability ends. Values at the points of the curves are given.
+fn peak(
+    balance: &Balance,
+    curves: &[Curve],
+    range: (f64, f64),
+    value: &dyn Fn(&Steady) -> f64,
+    known: &dyn Fn(usize, usize) -> f64,
+) -> Result<Option<Peak>, ResponseError> {
+    let places = curves.iter().enumerate().flat_map(|(c, curve)| (0..curve.points.len()).map(move |i| (c, i)));
+    let lasting = places.filter(|(c, i)| curves[*c].points[*i].stability.may_last()).map(|(c, i)| (c, i, known(c, i)));
+    let Some((c, i, at)) = lasting.reduce(|m, p| if p.2 > m.2 { p } else { m }) else { return Ok(None) };
+    let points = &curves[c].points;
+    let mut best = Peak { steady: points[i].steady.clone(), stability: points[i].stability, value: at };
+    for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
+        let at = |share: f64| balance.between(&curves[c], (i, j), share);
+        let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &at)? };
+        let mut top: Option<(Steady, f64)> = None;
+        maximise(0.0, end, |share| {
+            let Some(found) = at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
+            let own = value(&found);
+            if top.as_ref().is_none_or(|top| own > top.1) {
+                top = Some((found, own));
+            }
+            Ok(own)
+        })?;
+        if let Some((steady, value)) = top.filter(|top| top.1 > best.value) {
+            let stability = balance.stability(&steady);
+            if stability.may_last() {
+                best = Peak { steady, stability, value };
             }
         }
-        Ok(Some(best))
     }
+    Ok(Some(best))
 }
 
 /// Share of the way to an unstable neighbour up to which motions last.

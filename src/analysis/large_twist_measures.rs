@@ -74,6 +74,11 @@ impl<'a> Told<'a> {
         Some(Self { measure, places: measure.quantities.iter().map(&mut place).collect(), harmonic })
     }
 
+    /// Whether it is the synthesis of a quantity at every speed alike.
+    pub fn is(&self, quantity: Quantity) -> bool {
+        self.measure.synthesised() == Some(quantity)
+    }
+
     /// Its value at a motion, in what it counts there; zero at speeds where it does not count. The absorber's own twist is the largest from where it rests.
     pub fn value(&self, synthesiser: &Synthesiser, steady: &Steady) -> f64 {
         let within = &self.measure.within;

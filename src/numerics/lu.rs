@@ -6,6 +6,11 @@ use nalgebra::{DMatrix, DVector};
 /// Rows that are computed together: columns are filled up with zeros to a multiple of it, so that no loop has a rest.
 const ROWS: usize = 8;
 
+/// Rows of so many, filled up.
+pub(crate) fn height(n: usize) -> usize {
+    n.next_multiple_of(ROWS)
+}
+
 /// Factors of a square matrix, column by column.
 #[derive(Debug, Clone)]
 pub(crate) struct Lu {
@@ -21,13 +26,14 @@ pub(crate) struct Lu {
 impl Lu {
     /// Of a square matrix.
     pub fn new(matrix: &DMatrix<f64>) -> Self {
-        let n = matrix.nrows();
-        let height = n.next_multiple_of(ROWS);
-        let mut upper = vec![0.0; n * height];
-        for (column, own) in upper.chunks_exact_mut(height.max(1)).zip(matrix.as_slice().chunks_exact(n.max(1))) {
-            column[..n].copy_from_slice(own);
-        }
-        let mut lower = vec![0.0; n * height];
+        Self::filled_up(matrix.clone().resize_vertically(height(matrix.nrows()), 0.0))
+    }
+
+    /// Of a square matrix whose columns are filled up with zeros to [`height`].
+    pub(crate) fn filled_up(matrix: DMatrix<f64>) -> Self {
+        let n = matrix.ncols();
+        let mut lower = vec![0.0; n * height(n)];
+        let mut upper: Vec<f64> = matrix.data.into();
         let pivots = factor(&mut upper, &mut lower, n);
         Self { n, lower, upper, pivots }
     }
@@ -35,7 +41,7 @@ impl Lu {
     /// x of A x = b; nothing where the matrix is singular.
     pub fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
         let n = self.n;
-        let mut x = vec![0.0; n.next_multiple_of(ROWS)];
+        let mut x = vec![0.0; height(n)];
         x[..n].copy_from_slice(b.as_slice());
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, *pivot);
@@ -43,9 +49,15 @@ impl Lu {
         substitute(&self.lower, &self.upper, n, &mut x).then(|| DVector::from_column_slice(&x[..n]))
     }
 
+    /// X of A X = B, column by column; nothing where the matrix is singular.
+    pub fn solve_all(&self, b: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+        let columns = b.column_iter().map(|column| self.solve(&column.into_owned())).collect::<Option<Vec<_>>>()?;
+        Some(DMatrix::from_columns(&columns))
+    }
+
     /// Whether the determinant is above zero, by the signs alone: the product of many may leave the range of numbers.
     pub(crate) fn is_positive(&self) -> bool {
-        let height = self.n.next_multiple_of(ROWS);
+        let height = height(self.n);
         let negative = (0..self.n).filter(|k| self.upper[k * height + k] < 0.0).count();
         let exchanged = self.pivots.iter().enumerate().filter(|(k, pivot)| *k != **pivot).count();
         (negative + exchanged).is_multiple_of(2)
@@ -61,7 +73,7 @@ fn subtract(from: &mut [f64], factor: f64, column: &[f64]) {
 /// Exchanges rows for the largest element of column k below the diagonal, and divides what is there by it; the row that was taken.
 #[inline(always)]
 fn eliminate(upper: &mut [f64], lower: &mut [f64], (n, k): (usize, usize)) -> usize {
-    let height = n.next_multiple_of(ROWS);
+    let height = height(n);
     let own = &upper[k * height..][..n];
     let pivot = (k..n).fold(k, |p, i| if own[i].abs() > own[p].abs() { i } else { p });
     if pivot != k {
@@ -83,7 +95,7 @@ fn eliminate(upper: &mut [f64], lower: &mut [f64], (n, k): (usize, usize)) -> us
 /// Two columns at a time: what is below and to the right of them is then read and written half as often.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn factor(upper: &mut [f64], lower: &mut [f64], n: usize) -> Vec<usize> {
-    let height = n.next_multiple_of(ROWS);
+    let height = height(n);
     let (mut pivots, mut factors) = (Vec::with_capacity(n), vec![[0.0; 2]; n]);
     for k in (0..n).step_by(2) {
         pivots.push(eliminate(upper, lower, (n, k)));
@@ -114,7 +126,7 @@ fn factor(upper: &mut [f64], lower: &mut [f64], n: usize) -> Vec<usize> {
 /// Both triangles; whether the matrix is regular.
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn substitute(lower: &[f64], upper: &[f64], n: usize, x: &mut [f64]) -> bool {
-    let height = n.next_multiple_of(ROWS);
+    let height = height(n);
     for k in 0..n {
         let (known, first) = (x[k], (k + 1) / ROWS * ROWS);
         subtract(&mut x[first..], known, &lower[k * height..][first..height]);

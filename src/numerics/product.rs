@@ -10,6 +10,13 @@ pub(crate) fn multiply(a: &DMatrix<f64>, b: &DMatrix<f64>, out: &mut DMatrix<f64
     columns(a.as_slice(), b.as_slice(), out.as_mut_slice(), a.nrows());
 }
 
+/// `a` `b` in a matrix of its own.
+pub(crate) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut out = DMatrix::zeros(a.nrows(), a.nrows());
+    multiply(a, b, &mut out);
+    out
+}
+
 #[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn columns(a: &[f64], b: &[f64], out: &mut [f64], n: usize) {
     let (a, groups) = (a.as_chunks::<ROWS>().0, n / ROWS);

@@ -221,13 +221,12 @@ impl<'a> Balance<'a> {
         self.transform.spectra(reactions.iter().map(|r| of(r).into()).map(|(a, b)| C64::new(a, b)).collect())
     }
 
-    /// What the equations miss, in units of an angle, with their Jacobian where asked for; nothing where the law ends.
+    /// What the equations miss, in units of an angle, with their Jacobian added to a matrix where one is given; nothing where the law ends.
     pub(super) fn missing(&self, linear: &Linear, x: &DVector<f64>, jacobian: Option<&mut DMatrix<f64>>) -> Option<DVector<f64>> {
         let (h, ring) = (self.harmonics(), self.equations().is_ring());
         let (twist, hub) = if ring { (phasors(&x.as_slice()[1..]), Vec::new()) } else { self.motion(linear, x) };
         let f = self.forces(linear, x[0], (&twist, &hub), jacobian.is_some())?;
-        let inertia = self.law.ring_inertia();
-        let row: Vec<C64> = (0..=h).map(|k| C64::from(1.0 / (inertia * linear.omega[k.max(1) - 1].powi(2)))).collect();
+        let row = &linear.row;
         let mut missing = DVector::zeros(self.unknowns());
         missing[0] = f.own.phasor(0).re * row[0].re;
         for k in 1..=h {
@@ -241,19 +240,18 @@ impl<'a> Balance<'a> {
             }
         }
         if let Some(jacobian) = jacobian {
-            self.slopes(linear, &f, &row, jacobian);
+            self.slopes(linear, &f, row, jacobian);
         }
         Some(missing)
     }
 
     /// The Jacobian of what the equations miss, by the factor of each harmonic of the absorber's own equation.
     fn slopes(&self, linear: &Linear, f: &Forces, row: &[C64], jacobian: &mut DMatrix<f64>) {
-        jacobian.fill(0.0);
         let h = self.harmonics();
         let (one, rate) = (C64::from(1.0), |k: usize| I * linear.omega[k - 1]);
         let own_mean = Some(&f.own_by[0]);
         if self.equations().is_ring() {
-            add_products(jacobian, (0, 0), (true, own_mean), row, &|k| vec![(&f.own_by[0], one), (&f.own_by[1], rate(k))]);
+            add_products(jacobian, (0, 0), (true, own_mean), row, |k| [(&f.own_by[0], one), (&f.own_by[1], rate(k))]);
             for (k, (torque, row)) in linear.ring.iter().zip(&row[1..]).enumerate() {
                 let (own, at) = (torque * row, 2 * k + 1);
                 jacobian[(at, at)] += own.re;
@@ -263,19 +261,19 @@ impl<'a> Balance<'a> {
             }
             return;
         }
-        fn of_twist(by: &[Spectrum], w: C64) -> Vec<(&Spectrum, C64)> {
-            vec![(&by[0], C64::from(1.0)), (&by[1], w), (&by[2], w * w)]
+        fn of_twist(by: &[Spectrum], w: C64) -> [(&Spectrum, C64); 3] {
+            [(&by[0], C64::from(1.0)), (&by[1], w), (&by[2], w * w)]
         }
-        fn of_hub(by: &[Spectrum], w: C64) -> Vec<(&Spectrum, C64)> {
-            vec![(&by[3], w), (&by[4], w * w)]
+        fn of_hub(by: &[Spectrum], w: C64) -> [(&Spectrum, C64); 2] {
+            [(&by[3], w), (&by[4], w * w)]
         }
         let receptance: Vec<C64> = std::iter::once(ZERO).chain(linear.hub.iter().map(|hub| hub.1)).collect();
         let below = 2 * h + 1;
-        add_products(jacobian, (0, 0), (true, own_mean), row, &|k| of_twist(&f.own_by, rate(k)));
-        add_products(jacobian, (0, below), (true, None), row, &|k| of_hub(&f.own_by, rate(k)));
-        add_products(jacobian, (below, 0), (false, Some(&f.torque_by[0])), &receptance, &|k| of_twist(&f.torque_by, rate(k)));
-        add_products(jacobian, (below, below), (false, None), &receptance, &|k| of_hub(&f.torque_by, rate(k)));
-        (below..jacobian.nrows()).for_each(|i| jacobian[(i, i)] += 1.0);
+        add_products(jacobian, (0, 0), (true, own_mean), row, |k| of_twist(&f.own_by, rate(k)));
+        add_products(jacobian, (0, below), (true, None), row, |k| of_hub(&f.own_by, rate(k)));
+        add_products(jacobian, (below, 0), (false, Some(&f.torque_by[0])), &receptance, |k| of_twist(&f.torque_by, rate(k)));
+        add_products(jacobian, (below, below), (false, None), &receptance, |k| of_hub(&f.torque_by, rate(k)));
+        (below..self.unknowns()).for_each(|i| jacobian[(i, i)] += 1.0);
     }
 
     /// What a solution is.

@@ -138,12 +138,12 @@ fn add_times(sum: &mut [Vec<f64>; 2], values: [&[f64]; 2], factor: C64) {
 
 /// Adds to `matrix`, from its element `at` on, the matrix that takes an unknown's reals to those of `row` times the harmonics of the sum of products: `products(k)` are the functions and what the unknown's
 /// phasor k is in each; its mean stands in `mean`. Rows and columns of means are there where asked for.
-pub(super) fn add_products<'s>(
+pub(super) fn add_products<'s, const N: usize>(
     matrix: &mut DMatrix<f64>,
     (top, left): (usize, usize),
     (mean_row, mean): (bool, Option<&'s Spectrum>),
     row: &[C64],
-    products: &dyn Fn(usize) -> Vec<(&'s Spectrum, C64)>,
+    products: impl Fn(usize) -> [(&'s Spectrum, C64); N],
 ) {
     // row of the mean, then of each harmonic
     let harmonics = row.len() - 1;

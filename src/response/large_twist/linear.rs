@@ -21,6 +21,8 @@ pub(super) struct Linear {
     pub outputs: Vec<Vec<(C64, C64)>>,
     /// Torque of a ring on the hub per angle of hub and twist together: T = -w² J (hub + twist), with hub = u0 - H T.
     pub ring: Vec<C64>,
+    /// Factors that make angles of torques in the absorber's own equation, 1/(w² J): of the mean as of the first harmonic, then of each.
+    pub row: Vec<C64>,
 }
 
 impl Linear {
@@ -28,7 +30,7 @@ impl Linear {
     pub fn under(&self, share: f64) -> Self {
         let scaled = |list: &Vec<(C64, C64)>| list.iter().map(|(y, by)| (y * share, *by)).collect();
         let outputs = self.outputs.iter().map(scaled).collect();
-        Self { speed_rpm: self.speed_rpm, omega: self.omega.clone(), hub: scaled(&self.hub), outputs, ring: self.ring.clone() }
+        Self { hub: scaled(&self.hub), outputs, omega: self.omega.clone(), ring: self.ring.clone(), row: self.row.clone(), ..*self }
     }
 }
 
@@ -57,9 +59,10 @@ impl Surroundings<'_> {
     pub fn at(&self, speed_rpm: f64) -> Result<Linear, ResponseError> {
         let (h, shaft_speed) = (self.harmonics, speed_rpm * RAD_PER_S_PER_RPM);
         let outputs = vec![Vec::with_capacity(h); self.quantities.len()];
-        let mut linear = Linear { speed_rpm, omega: Vec::new(), hub: Vec::new(), outputs, ring: Vec::new() };
+        let mut linear = Linear { speed_rpm, omega: Vec::new(), hub: Vec::new(), outputs, ring: Vec::new(), row: Vec::new() };
         let at = |k: usize| Operating { omega: k as f64 * self.order_of_cycle * shaft_speed, shaft_speed };
         linear.omega.extend((1..=h).map(|k| at(k).omega));
+        linear.row.extend((0..=h).map(|k| C64::from(1.0 / (self.ring_inertia * at(k.max(1)).omega.powi(2)))));
         let harmonics = &self.system.excitation.harmonics;
         let order = |k: usize| harmonics.iter().position(|own| *own as usize == k);
         let stations = self.system.chain.len();

@@ -2,7 +2,7 @@
 
 use super::balance::{Balance, Steady};
 use super::linear::Linear;
-use crate::numerics::lu::Lu;
+use crate::numerics::lu::{Lu, height};
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
@@ -50,9 +50,9 @@ impl Balance<'_> {
                 None => {
                     work.harmonic_balances += 1;
                     factored += 1;
-                    let mut jacobian = DMatrix::zeros(x.len(), x.len());
+                    let mut jacobian = DMatrix::zeros(height(x.len()), x.len());
                     let missing = self.missing(linear, &x, Some(&mut jacobian))?;
-                    (missing, Lu::new(&jacobian))
+                    (missing, Lu::filled_up(jacobian))
                 }
             };
             let step = lu.solve(&missing)?;

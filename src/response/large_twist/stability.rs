@@ -9,7 +9,7 @@ use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
 use crate::numerics::matrix_exponential::matrix_exponential;
-use crate::numerics::product::{ROWS, multiply};
+use crate::numerics::product::{ROWS, multiply, product};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
@@ -78,12 +78,6 @@ impl Balance<'_> {
         }
         if largest > 1.0 + LARGER { Stability::Unstable(largest) } else { Stability::Stable(largest) }
     }
-}
-
-fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut out = DMatrix::zeros(a.nrows(), a.nrows());
-    multiply(a, b, &mut out);
-    out
 }
 
 /// The largest multiplier by steps of dt, of which exp(A0 dt/2) is given, at these reactions; `held`: the rows of A0 that they change.

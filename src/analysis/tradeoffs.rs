@@ -9,7 +9,7 @@ use crate::absorber::{Host, Mounted};
 use crate::input::{FrontSpec, OptimiseSpec};
 use crate::objective::Limit;
 use crate::optimise::tradeoff::{Follower, mark};
-use crate::optimise::{Problem, Space, Tradeoff, largest};
+use crate::optimise::{Optimum, Problem, Space, Tradeoff, largest};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -34,10 +34,10 @@ impl Searches<'_> {
     }
 
     /// The optimum of a family by a measure within the limits of the study, where the study has asked for it.
-    fn known<'o>(&self, spec: &OptimiseSpec, space: &Space, measure: &Limit, optima: &'o [OptimumResult]) -> Option<&'o [f64]> {
+    fn known<'o>(&self, spec: &OptimiseSpec, space: &Space, measure: &Limit, optima: &'o [OptimumResult]) -> Option<&'o Optimum> {
         let family = families::wanted(spec, self.modes).into_iter().find(|f| f.space == *space)?;
         let own = |o: &&OptimumResult| o.family == family.family && self.objectives.get(o.objective) == Some(measure);
-        optima.iter().filter(own).find(|o| !o.robust && o.conflict.is_none()).map(|o| o.optimum.outcome.point.as_slice())
+        optima.iter().filter(own).find(|o| !o.robust && o.conflict.is_none()).map(|o| &o.optimum)
     }
 
     /// Fronts of every pair of the study's measures, beginning with optima that are known.

@@ -8,7 +8,7 @@ use crate::analysis::{RunError, Silent, audit, families, margins};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{AbsorberSpec, FrontSpec, LimitSpec, OptimiseSpec, Size, Study};
-use crate::objective::{Condition, Limit, Measure, Over, PeakFinder, Property};
+use crate::objective::{Condition, Limit, Measure, Over, PeakFinder, Property, Shared};
 use crate::optimise::{LoadCase, Problem, Space};
 use crate::response::{Grid, Method, Quantity, Receptance, Work};
 use heuropt::prelude::{
@@ -74,7 +74,11 @@ impl heuropt::prelude::Problem for Pair<'_> {
         let mut work = Work::default();
         let design = self.problem.space.design(w);
         let found = self.problem.value(w, &mut work).and_then(|(first, excess)| {
-            Ok((first, excess, self.problem.load_cases[0].finder.value(&design, &self.second.measure, &mut work)?))
+            Ok((
+                first,
+                excess,
+                self.problem.load_cases[0].finder.value(&design, (&self.second.measure, 0.0), &Shared::default(), &mut work)?,
+            ))
         });
         let (first, excess, second) = found.unwrap_or((UNBOUNDED, 0.0, UNBOUNDED));
         Evaluation::constrained(vec![first, second], excess)

@@ -50,7 +50,7 @@ impl Lu {
     }
 
     /// X of A X = B, column by column; nothing where the matrix is singular.
-    pub fn solve_all(&self, b: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    pub(crate) fn solve_all(&self, b: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         let columns = b.column_iter().map(|column| self.solve(&column.into_owned())).collect::<Option<Vec<_>>>()?;
         Some(DMatrix::from_columns(&columns))
     }

@@ -346,12 +346,20 @@ impl Synthesiser {
         sums
     }
 
-    /// d(half peak-to-peak) and d(middle) for a change `change` of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
+    /// d(half peak-to-peak) and d(middle) for each of some changes of the phasors, at fixed extreme angles (the envelope theorem: the extremes are
     /// stationary in the angle).
-    pub(crate) fn derivatives_of(&self, extremes: &Extremes, change: &[C64]) -> (f64, f64) {
-        let sum = |psi: f64| -> f64 { self.harmonics.iter().zip(change).map(|(&h, y)| (y * turn(f64::from(h) * psi)).re).sum() };
-        let (high, low) = (sum(extremes.angle_max), sum(extremes.angle_min));
-        (0.5 * (high - low), 0.5 * (high + low))
+    pub(crate) fn derivatives_of<'c>(
+        &self,
+        extremes: &Extremes,
+        changes: impl Iterator<Item = &'c [C64]>,
+    ) -> impl Iterator<Item = (f64, f64)> {
+        let turns = |psi: f64| -> Vec<C64> { self.harmonics.iter().map(|&h| turn(f64::from(h) * psi)).collect() };
+        let (high, low) = (turns(extremes.angle_max), turns(extremes.angle_min));
+        changes.map(move |change| {
+            let sum = |turns: &[C64]| -> f64 { turns.iter().zip(change).map(|(turn, y)| (y * turn).re).sum() };
+            let (high, low) = (sum(&high), sum(&low));
+            (0.5 * (high - low), 0.5 * (high + low))
+        })
     }
 }
 

@@ -109,7 +109,7 @@ impl<'a> PeakFinder<'a> {
     /// Derivatives of half the range of extremes by the changes of the orders.
     fn along(&self, extremes: &Extremes, changes: &[Vec<C64>]) -> Vec<f64> {
         let parameters = changes.first().map_or(0, Vec::len);
-        let along = |p: usize| self.synthesiser.derivatives_of(extremes, &changes.iter().map(|c| c[p]).collect::<Vec<_>>()).0;
-        (0..parameters).map(along).collect()
+        let by_order: Vec<Vec<C64>> = (0..parameters).map(|p| changes.iter().map(|c| c[p]).collect()).collect();
+        self.synthesiser.derivatives_of(extremes, by_order.iter().map(Vec::as_slice)).map(|d| d.0).collect()
     }
 }

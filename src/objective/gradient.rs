@@ -29,56 +29,93 @@ impl PeakFinder<'_> {
         peak: &Peak,
         work: &mut Work,
     ) -> Result<Vec<f64>, ResponseError> {
+        Ok(self.gradients(design, &[index], measure, peak, work)?.swap_remove(index))
+    }
+
+    /// The same for some absorbers, by absorber; nothing for the others.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    pub(crate) fn gradients(
+        &self,
+        design: &[Mounted],
+        absorbers: &[usize],
+        measure: &Measure,
+        peak: &Peak,
+        work: &mut Work,
+    ) -> Result<Vec<Vec<f64>>, ResponseError> {
+        let list = match peak.over {
+            Over::Synthesis | Over::Margin(_) => self.synthesis_gradients((design, absorbers), measure, peak, work)?,
+            Over::Power => {
+                let mut list = self.power_gradients(&self.direct, (design, absorbers), measure, peak.speed_rpm, work)?;
+                list.iter_mut().flatten().for_each(|g| *g *= peak.weight);
+                list
+            }
+            _ => absorbers.iter().map(|index| self.gradient_of_one(design, *index, measure, peak, work)).collect::<Result<_, _>>()?,
+        };
+        let mut by_absorber = vec![Vec::new(); design.len()];
+        absorbers.iter().zip(list).for_each(|(index, own)| by_absorber[*index] = own);
+        Ok(by_absorber)
+    }
+
+    fn gradient_of_one(
+        &self,
+        design: &[Mounted],
+        index: usize,
+        measure: &Measure,
+        peak: &Peak,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
         match peak.over {
-            Over::Synthesis | Over::Margin(_) => self.synthesis_gradient((design, index), measure, peak, work),
             Over::Orders | Over::Order(_) => {
                 let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
                 let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
                 Ok(change[0].iter().map(|d| peak.weight * (y.conj() * d).re / y.norm()).collect())
-            }
-            Over::Power => {
-                let gradient = self.power_gradient(&self.direct, (design, index), measure, peak.speed_rpm, work)?;
-                Ok(gradient.into_iter().map(|g| peak.weight * g).collect())
             }
             Over::Temperature => self.temperature_gradient((design, index), measure, peak, work),
             Over::AtDuty(point) => self.at_duty_gradient((design, index), peak, point, work),
             Over::Mean | Over::MeanPower => self.mean_gradient((design, index), measure, peak.quantity, work),
             Over::Damage => self.damage_gradient((design, index), peak.quantity, work),
             Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),
+            Over::Synthesis | Over::Margin(_) | Over::Power => self.gradient(design, index, measure, peak, work),
         }
     }
 
-    fn synthesis_gradient(
+    fn synthesis_gradients(
         &self,
-        (design, index): (&[Mounted], usize),
+        (design, absorbers): (&[Mounted], &[usize]),
         measure: &Measure,
         peak: &Peak,
         work: &mut Work,
-    ) -> Result<Vec<f64>, ResponseError> {
-        let Some(extremes) = &peak.extremes else { return Ok(Vec::new()) };
+    ) -> Result<Vec<Vec<f64>>, ResponseError> {
+        let Some(extremes) = &peak.extremes else { return Ok(vec![Vec::new(); absorbers.len()]) };
         let metric = PointMetric::of(peak.over, peak.quantity, &measure.within, self.margin, None);
         if metric.has_ridges() {
-            return self.gradient_on_ridge((design, index), peak, metric, work);
+            return absorbers.iter().map(|index| self.gradient_on_ridge((design, *index), peak, metric, work)).collect();
         }
         let mut phasors = vec![ZERO; self.system.orders()];
         if metric.asks_for_all() {
             self.direct.at(design, peak.quantity, peak.speed_rpm, &mut phasors, work)?;
         }
-        let changes = self.changes((design, index), peak, peak.speed_rpm, work)?;
-        Ok(metric.derivatives(&self.synthesiser, peak.speed_rpm, (extremes, &phasors), &changes))
+        let changes = self.changes((design, absorbers), peak, peak.speed_rpm, work)?;
+        let derivatives = |own: &Vec<Vec<C64>>| metric.derivatives(&self.synthesiser, peak.speed_rpm, (extremes, &phasors), own);
+        Ok(changes.iter().map(derivatives).collect())
     }
 
-    /// Derivatives of the phasors of a peak's quantity at a speed, by value of the absorber.
+    /// Derivatives of the phasors of a peak's quantity at a speed: by absorber, by each of its values.
     fn changes(
         &self,
-        (design, index): (&[Mounted], usize),
+        (design, absorbers): (&[Mounted], &[usize]),
         peak: &Peak,
         speed_rpm: f64,
         work: &mut Work,
-    ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let changes = self.direct.sensitivity(design, index, peak.quantity, 0..self.system.orders(), speed_rpm, work)?;
-        let parameters = changes.first().map_or(0, Vec::len);
-        Ok((0..parameters).map(|p| changes.iter().map(|c| c[p]).collect()).collect())
+    ) -> Result<Vec<Vec<Vec<C64>>>, ResponseError> {
+        let by_order = |own: Vec<Vec<C64>>| -> Vec<Vec<C64>> {
+            let parameters = own.first().map_or(0, Vec::len);
+            (0..parameters).map(|p| own.iter().map(|c| c[p]).collect()).collect()
+        };
+        let all = self.direct.sensitivities(design, absorbers, peak.quantity, 0..self.system.orders(), speed_rpm, work)?;
+        Ok(all.into_iter().map(by_order).collect())
     }
 
     fn gradient_on_ridge(
@@ -91,7 +128,8 @@ impl PeakFinder<'_> {
         let mut y = vec![ZERO; self.system.orders()];
         self.direct.at(of.0, peak.quantity, peak.speed_rpm, &mut y, work)?;
         let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
-        let here = self.changes(of, peak, peak.speed_rpm, work)?;
+        let own = |speed: f64, work: &mut Work| Ok(self.changes((of.0, &[of.1]), peak, speed, work)?.swap_remove(0));
+        let here = own(peak.speed_rpm, work)?;
         let steps: Vec<f64> = here.iter().map(|change| FARTHER * DIFFERENCE * length(&y) / length(change)).collect();
         let range = (self.grid.speed_rpm[0], self.grid.speed_rpm[self.grid.len() - 1]);
         let low = (peak.speed_rpm * (1.0 - BESIDE)).max(range.0);
@@ -100,7 +138,7 @@ impl PeakFinder<'_> {
         for (p, step) in steps.into_iter().enumerate().filter(|s| s.1.is_finite()) {
             let mut value = |speed: f64, step: f64| -> Result<f64, ResponseError> {
                 self.direct.at(of.0, peak.quantity, speed, &mut y, work)?;
-                let change = &self.changes(of, peak, speed, work)?[p];
+                let change = &own(speed, work)?[p];
                 y.iter_mut().zip(change).for_each(|(y, d)| *y += d * step);
                 Ok(metric.value(speed, &self.synthesiser.extremes(&y), &y))
             };

@@ -65,6 +65,11 @@ pub struct Within {
 }
 
 impl Within {
+    /// Whether a value has a kink at any speed.
+    pub(super) fn has_kinks(&self) -> bool {
+        self.kinks().next().is_some()
+    }
+
     /// What a value counts at a speed.
     pub fn weight(&self, speed_rpm: f64) -> f64 {
         let (Some(first), Some(last)) = (self.factors.first(), self.factors.last()) else { return 1.0 };

@@ -8,17 +8,16 @@ use super::local_maxima::{self, Candidate};
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
 use super::point_metric::PointMetric;
+use super::shared::{Shared, Sweep};
 use super::speeds::{Resonances, Speeds};
 use super::surrogate::Surrogate;
 use crate::absorber::Mounted;
-use crate::crankshaft::{Known, Margin};
+use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::numerics::C64;
 use crate::numerics::synthesis::{Extremes, Synthesiser, bound};
-use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, Work};
-use std::cell::RefCell;
+use crate::response::{Direct, Grid, Method, Quantity, ResponseError, Work};
 use std::ops::Range;
-use std::rc::Rc;
 
 /// Peaks that differ by less than this share are level.
 pub(super) const LEVEL: f64 = 1e-9;
@@ -69,23 +68,22 @@ impl Found {
     }
 }
 
-/// What measures of one design share.
-#[derive(Debug, Default)]
-struct Shared {
-    known: Known,
-    swept: RefCell<Option<Swept>>,
+/// Which peaks of a measure are asked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Asked {
+    /// Those of at least this share of the largest,
+    pub keep: f64,
+    /// and no less than this.
+    pub least: f64,
 }
 
-/// Sweeps of quantities over speeds, rpm.
-#[derive(Debug)]
-struct Swept {
-    quantities: Vec<Quantity>,
-    speeds_rpm: Vec<f64>,
-    sweeps: Rc<Vec<Vec<C64>>>,
+impl Asked {
+    /// The largest alone.
+    pub const LARGEST: Self = Self { keep: 1.0, least: 0.0 };
 }
 
 /// Of level peaks the one at the lowest speed.
-fn lowest(peaks: Vec<Peak>) -> Option<Peak> {
+pub(super) fn lowest(peaks: Vec<Peak>) -> Option<Peak> {
     peaks.into_iter().min_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm))
 }
 
@@ -131,7 +129,7 @@ impl<'a> PeakFinder<'a> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn peaks(&self, design: &[Mounted], measure: &Measure, keep: f64, work: &mut Work) -> Result<Vec<Peak>, ResponseError> {
-        self.peaks_knowing(design, measure, keep, &Shared::default(), work)
+        self.peaks_knowing(design, measure, Asked { keep, least: 0.0 }, &Shared::default(), work)
     }
 
     /// The largest peak of each measure, as [`PeakFinder::peak`] finds it: what the measures share is evaluated once.
@@ -144,15 +142,19 @@ impl<'a> PeakFinder<'a> {
         measures: &[Measure],
         work: &mut Work,
     ) -> Result<Vec<Option<Peak>>, ResponseError> {
-        let shared = Shared::default();
-        measures.iter().map(|m| Ok(lowest(self.peaks_knowing(design, m, 1.0, &shared, work)?))).collect()
+        let shared = Shared::of(measures.iter());
+        measures.iter().map(|m| Ok(lowest(self.peaks_knowing(design, m, Asked::LARGEST, &shared, work)?))).collect()
     }
 
-    fn peaks_knowing(
+    /// The same with what measures of one design share.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn peaks_knowing(
         &self,
         design: &[Mounted],
         measure: &Measure,
-        keep: f64,
+        asked: Asked,
         shared: &Shared,
         work: &mut Work,
     ) -> Result<Vec<Peak>, ResponseError> {
@@ -161,11 +163,12 @@ impl<'a> PeakFinder<'a> {
             let own = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
             let quantities: Vec<Quantity> = measure.quantities.iter().copied().filter(own).collect();
             let fewer = Measure { quantities, ..measure.clone() };
-            return if fewer.quantities.is_empty() { Ok(Vec::new()) } else { self.peaks(design, &fewer, keep, work) };
+            return if fewer.quantities.is_empty() { Ok(Vec::new()) } else { self.peaks_knowing(design, &fewer, asked, shared, work) };
         }
         work.evaluations += 1;
         work.eigenproblems += u64::from(self.resonances.is_some());
-        let mut found = Found { keep, best: 0.0, peaks: Vec::new() };
+        let keep = asked.keep;
+        let mut found = Found { keep, best: asked.least / keep, peaks: Vec::new() };
         match measure.over {
             Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
             Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
@@ -173,7 +176,7 @@ impl<'a> PeakFinder<'a> {
             Over::AtDuty(point) => return self.at_duty(design, measure, (point, keep), work),
             _ => {}
         }
-        let speeds = self.speeds(design).with_kinks(measure.within.kinks());
+        let speeds = self.speeds_for(design, measure, shared);
         for pole in speeds.poles.iter().filter(|p| measure.within.holds(p.speed_rpm)) {
             self.check_pole(design, measure, pole, work)?;
         }
@@ -182,11 +185,11 @@ impl<'a> PeakFinder<'a> {
         let orders = self.system.orders();
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
-                let swept = self.swept(design, &measure.quantities, &speeds, shared, work)?;
-                let mut sweeps: Vec<(&Quantity, &Vec<C64>)> = measure.quantities.iter().zip(swept.iter()).collect();
+                let swept = self.swept(design, measure, &speeds, shared, work)?;
+                let mut sweeps: Vec<(&Quantity, &Sweep)> = measure.quantities.iter().zip(swept.iter()).collect();
                 if let Over::Margin(_) = measure.over {
                     // the shafts that may be used most, as some speeds tell, first: the others need fewer sums then
-                    let most = |(quantity, sweep): &(&Quantity, &Vec<C64>)| {
+                    let most = |(quantity, sweep): &(&Quantity, &Sweep)| {
                         let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin, Some(&shared.known));
                         let sums = sweep.chunks(orders).zip(&speeds.rpm).step_by(EVERY).map(|(y, speed)| (bound(y), speed));
                         sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
@@ -215,7 +218,7 @@ impl<'a> PeakFinder<'a> {
                 }
             }
             Over::Power => {
-                let twists = self.sweeps(design, &measure.quantities, &speeds, work)?;
+                let twists = self.swept(design, measure, &speeds, shared, work)?;
                 let mut of =
                     |part: &(Range<usize>, Speeds)| self.powers(design, measure, (&part.1, part.0.start), &twists, &mut found, work);
                 parts.iter().try_for_each(&mut of)?;
@@ -253,39 +256,6 @@ impl<'a> PeakFinder<'a> {
             Some(r) => r.speeds(self.system, self.grid, design),
             None => Speeds::of(self.grid),
         }
-    }
-
-    /// Sweeps of some quantities, from those of the last measure where they are the same.
-    fn swept(
-        &self,
-        design: &[Mounted],
-        quantities: &[Quantity],
-        speeds: &Speeds,
-        shared: &Shared,
-        work: &mut Work,
-    ) -> Result<Rc<Vec<Vec<C64>>>, ResponseError> {
-        if let Some(swept) = shared.swept.borrow().as_ref().filter(|s| s.quantities == quantities && s.speeds_rpm == speeds.rpm) {
-            return Ok(swept.sweeps.clone());
-        }
-        let sweeps = Rc::new(self.sweeps(design, quantities, speeds, work)?);
-        let own = Swept { quantities: quantities.to_vec(), speeds_rpm: speeds.rpm.clone(), sweeps: sweeps.clone() };
-        *shared.swept.borrow_mut() = Some(own);
-        Ok(sweeps)
-    }
-
-    fn sweeps(
-        &self,
-        design: &[Mounted],
-        quantities: &[Quantity],
-        speeds: &Speeds,
-        work: &mut Work,
-    ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let grid = self.method.sweep_each(design, quantities, work)?;
-        if speeds.added.is_empty() {
-            return Ok(grid);
-        }
-        let added = self.direct.at_each(design, quantities, &speeds.added_rpm(), work)?;
-        Ok(grid.into_iter().zip(added).map(|(g, a)| speeds.merge(g, &a, self.system.orders())).collect())
     }
 
     /// Speed and place of the local maximum near a candidate, or nothing where it cannot reach `wanted`.

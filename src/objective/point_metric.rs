@@ -121,9 +121,9 @@ impl<'a> PointMetric<'a> {
         (extremes, phasors): (&Extremes, &[C64]),
         changes: &[Vec<C64>],
     ) -> Vec<f64> {
-        let along = |slopes: (f64, f64), change: &[C64]| {
-            let (range, middle) = synthesiser.derivatives_of(extremes, change);
-            slopes.0 * range + slopes.1 * middle
+        let along = |slopes: (f64, f64)| -> Vec<f64> {
+            let all = synthesiser.derivatives_of(extremes, changes.iter().map(Vec::as_slice));
+            all.map(|(range, middle)| slopes.0 * range + slopes.1 * middle).collect()
         };
         let torque = Torque { extremes: *extremes, phasors };
         let most = match self.kind {
@@ -131,7 +131,7 @@ impl<'a> PointMetric<'a> {
             Kind::Used { margin, criterion, shaft, .. } => margin.most_used(criterion, shaft, speed_rpm, &torque),
         };
         let mut by_change: Vec<f64> = match (self.kind, most) {
-            (Kind::HalfRange, _) => changes.iter().map(|change| along((1.0, 0.0), change)).collect(),
+            (Kind::HalfRange, _) => along((1.0, 0.0)),
             (Kind::Used { .. }, None) => vec![0.0; changes.len()],
             (Kind::Used { margin, criterion, .. }, Some(used)) if self.asks_for_all() => changes
                 .iter()
@@ -148,7 +148,7 @@ impl<'a> PointMetric<'a> {
                     (moved(step) - moved(-step)) / (2.0 * step)
                 })
                 .collect(),
-            (Kind::Used { .. }, Some(used)) => changes.iter().map(|change| along(used.slopes, change)).collect(),
+            (Kind::Used { .. }, Some(used)) => along(used.slopes),
         };
         let weight = self.weight(speed_rpm);
         by_change.iter_mut().for_each(|d| *d *= weight);

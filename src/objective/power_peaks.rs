@@ -4,9 +4,10 @@ use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::{Found, PeakFinder};
+use super::shared::Sweep;
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
-use crate::numerics::{C64, ZERO};
+use crate::numerics::ZERO;
 use crate::response::{Direct, Quantity, ResponseError, Work};
 use crate::units::RAD_PER_S_PER_RPM;
 
@@ -25,14 +26,14 @@ impl PeakFinder<'_> {
         design: &[Mounted],
         measure: &Measure,
         (speeds, start): (&Speeds, usize),
-        twists: &[Vec<C64>],
+        twists: &[Sweep],
         found: &mut Found,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
         let Some(&quantity) = measure.quantities.first() else { return Ok(()) };
         let at = |i: usize| -> f64 {
-            let own = |(r, y): (usize, &Vec<C64>)| {
+            let own = |(r, y): (usize, &Sweep)| {
                 let y = &y[(start + i) * orders..(start + i + 1) * orders];
                 self.direct.power_of_twist(design, r, speeds.rpm[i], y)
             };
@@ -75,7 +76,39 @@ impl PeakFinder<'_> {
         Operating { omega: self.system.excitation.orders[order].omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }
     }
 
-    /// Derivatives of a power by the parameters of absorber `index`: of its own law, and of all twists.
+    /// Derivatives of a power by the parameters of some absorbers: of their own laws, and of all twists.
+    pub(super) fn power_gradients(
+        &self,
+        direct: &Direct,
+        (design, absorbers): (&[Mounted], &[usize]),
+        measure: &Measure,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<Vec<f64>>, ResponseError> {
+        let orders = self.system.orders();
+        let mut y = vec![ZERO; orders];
+        let mut gradients: Vec<Vec<f64>> = vec![Vec::new(); absorbers.len()];
+        for i in measure.absorbers().filter(|i| *i < design.len()) {
+            let Some(law) = design[i].absorber.law() else { continue };
+            direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
+            let all = direct.sensitivities(design, absorbers, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;
+            for ((index, gradient), changes) in absorbers.iter().zip(&mut gradients).zip(all) {
+                for (n, (y, changes)) in y.iter().zip(&changes).enumerate() {
+                    let at = self.operating(n, speed_rpm);
+                    gradient.resize(changes.len(), 0.0);
+                    let damping = at.omega * law.dynamic_stiffness(at).im;
+                    gradient.iter_mut().zip(changes).for_each(|(g, d)| *g += damping * (y.conj() * d).re);
+                    if i == *index {
+                        let own = law.derivatives(at);
+                        gradient.iter_mut().zip(own).for_each(|(g, d)| *g += 0.5 * at.omega * d.im * y.norm_sqr());
+                    }
+                }
+            }
+        }
+        Ok(gradients)
+    }
+
+    /// By those of absorber `index` alone.
     pub(super) fn power_gradient(
         &self,
         direct: &Direct,
@@ -84,24 +117,6 @@ impl PeakFinder<'_> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<Vec<f64>, ResponseError> {
-        let orders = self.system.orders();
-        let mut y = vec![ZERO; orders];
-        let mut gradient: Vec<f64> = Vec::new();
-        for i in measure.absorbers().filter(|i| *i < design.len()) {
-            let Some(law) = design[i].absorber.law() else { continue };
-            direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
-            let changes = direct.sensitivity(design, index, Quantity::RingTwist(i), 0..orders, speed_rpm, work)?;
-            for (n, (y, changes)) in y.iter().zip(&changes).enumerate() {
-                let at = self.operating(n, speed_rpm);
-                gradient.resize(changes.len(), 0.0);
-                let damping = at.omega * law.dynamic_stiffness(at).im;
-                gradient.iter_mut().zip(changes).for_each(|(g, d)| *g += damping * (y.conj() * d).re);
-                if i == index {
-                    let own = law.derivatives(at);
-                    gradient.iter_mut().zip(own).for_each(|(g, d)| *g += 0.5 * at.omega * d.im * y.norm_sqr());
-                }
-            }
-        }
-        Ok(gradient)
+        Ok(self.power_gradients(direct, (design, &[index]), measure, speed_rpm, work)?.swap_remove(0))
     }
 }

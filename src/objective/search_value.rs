@@ -1,7 +1,8 @@
 //! What searches ask of a design: its peak from tables where they are within tolerance, else exactly.
 
 use super::measure::Measure;
-use super::peak_search::PeakFinder;
+use super::peak_search::{Asked, PeakFinder, lowest};
+use super::shared::Shared;
 use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
 use crate::response::{ResponseError, Work};
@@ -14,11 +15,17 @@ impl<'a> PeakFinder<'a> {
         self
     }
 
-    /// Value of the largest peak of `measure` for a search: from tables where they are within tolerance, else exactly.
+    /// Value of the largest peak of `measure` for a search: from tables where they are within tolerance, else exactly; nothing where it is below `least`.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub fn value(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
+    pub(crate) fn value(
+        &self,
+        design: &[Mounted],
+        (measure, least): (&Measure, f64),
+        shared: &Shared,
+        work: &mut Work,
+    ) -> Result<f64, ResponseError> {
         if let ([mounted], Some((surrogate, tolerance))) = (design, self.surrogate(measure))
             && surrogate.takes(mounted)
         {
@@ -29,7 +36,22 @@ impl<'a> PeakFinder<'a> {
                 return Ok(found.value);
             }
         }
-        Ok(self.peak(design, measure, work)?.map_or(0.0, |p| p.value))
+        self.exact_value(design, (measure, least), shared, work)
+    }
+
+    /// The same without tables.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn exact_value(
+        &self,
+        design: &[Mounted],
+        (measure, least): (&Measure, f64),
+        shared: &Shared,
+        work: &mut Work,
+    ) -> Result<f64, ResponseError> {
+        let peaks = self.peaks_knowing(design, measure, Asked { least, ..Asked::LARGEST }, shared, work)?;
+        Ok(lowest(peaks).map_or(0.0, |peak| peak.value))
     }
 
     /// The tables for a measure, where there are any, and the error they may have.

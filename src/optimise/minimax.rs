@@ -293,7 +293,9 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
     };
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
     let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
-    Ok(if problem.space.slots.len() > 1 || residual > CERTIFIED_ALONE { polished(problem, found, penalty, work) } else { found })
+    // what misses a limit is no optimum
+    let wanted = found.rows.hold() && (problem.space.slots.len() > 1 || residual > CERTIFIED_ALONE);
+    Ok(if wanted { polished(problem, found, penalty, work) } else { found })
 }
 
 /// Further steps of the same model where decreases are already lost in rounding, kept while they lower the first-order residual and raise nothing: valleys of

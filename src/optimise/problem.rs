@@ -8,6 +8,7 @@ use crate::objective::condition::Condition;
 use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
+use crate::objective::{Asked, Shared};
 use crate::response::{ResponseError, Work};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -17,6 +18,8 @@ use std::fmt::Debug;
 pub(super) const ROW_SHARE: f64 = 0.8;
 /// The same of the crank's utilisation, most of which is bending that no absorber changes.
 const ROW_SHARE_OF_MARGIN: f64 = 0.95;
+/// What is below this share of its limit is no row: it does not reach it in one step.
+const FAR_BELOW: f64 = 0.1;
 /// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
 /// order one in these units.
 pub(crate) const PENALTY: f64 = 20.0;
@@ -208,30 +211,32 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        let found = self.by(w, |finder, design, measure| finder.value(design, measure, work));
+        let found = self.by(w, |finder, design, of, shared| finder.value(design, of, shared, work));
         work.noted(found)
     }
 
     /// The same to rounding.
     pub(super) fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        let found = self.by(w, |finder, design, measure| Ok(finder.peak(design, measure, work)?.map_or(0.0, |p| p.value)));
+        let found = self.by(w, |finder, design, of, shared| finder.exact_value(design, of, shared, work));
         work.noted(found)
     }
 
+    /// With a value of a measure as asked, where it is no less than what comes with it.
     fn by(
         &self,
         w: &[f64],
-        mut of: impl FnMut(&PeakFinder, &[Mounted], &Measure) -> Result<f64, ResponseError>,
+        mut of: impl FnMut(&PeakFinder, &[Mounted], (&Measure, f64), &Shared) -> Result<f64, ResponseError>,
     ) -> Result<(f64, f64), ResponseError> {
         let own = self.space.design(w);
         let (mut values, mut excess) = (vec![0.0_f64; self.objectives.len()], 0.0_f64);
         for (_, load_case) in self.steering() {
-            let design = load_case.absorbers(&own);
+            let (design, shared) = (load_case.absorbers(&own), self.shared());
             for (value, objective) in values.iter_mut().zip(self.objectives) {
-                *value = value.max(of(load_case.finder, &design, &objective.measure)? / objective.limit);
+                *value = value.max(of(load_case.finder, &design, (&objective.measure, 0.0), &shared)? / objective.limit);
             }
             for limit in self.limits {
-                excess = excess.max((of(load_case.finder, &design, &limit.measure)? / limit.limit).logarithm());
+                // what does not reach its limit exceeds nothing
+                excess = excess.max((of(load_case.finder, &design, (&limit.measure, limit.limit), &shared)? / limit.limit).logarithm());
             }
         }
         let value = match self.weights {
@@ -262,32 +267,31 @@ impl Problem<'_> {
 
     fn rows_of(&self, w: &[f64], share: f64, work: &mut Work) -> Result<Rows, ResponseError> {
         let own = self.space.design(w);
+        let cases: Vec<_> = self.steering().map(|(i, s)| (i, s.finder, s.absorbers(&own), self.shared())).collect();
+        let varying: Vec<usize> = (0..own.len()).filter(|i| self.space.varies(*i)).collect();
         let mut rows = Vec::new();
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
         for (role, Limit { measure, limit: unit }) in objectives.chain(limits) {
             let share = if matches!(measure.over, Over::Margin(_)) { share.max(ROW_SHARE_OF_MARGIN) } else { share };
+            let least = if role.is_limit() { FAR_BELOW * unit } else { 0.0 };
             let mut found: Vec<(usize, Peak)> = Vec::new();
-            for (load_case, s) in self.steering() {
-                let peaks = s.finder.peaks(&s.absorbers(&own), measure, share, work)?;
-                found.extend(peaks.into_iter().map(|p| (load_case, p)));
+            for (case, (_, finder, design, shared)) in cases.iter().enumerate() {
+                let peaks = finder.peaks_knowing(design, measure, Asked { keep: share, least }, shared, work)?;
+                found.extend(peaks.into_iter().map(|p| (case, p)));
             }
             // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
             found.retain(|p| p.1.value >= share * largest);
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
-            for (load_case, peak) in found {
-                let s = &self.load_cases[load_case];
-                let design = s.absorbers(&own);
-                let of_absorber = |i: usize, work: &mut Work| {
-                    if self.space.varies(i) { s.finder.gradient(&design, i, measure, &peak, work) } else { Ok(Vec::new()) }
-                };
-                let gradient: Vec<Vec<f64>> = (0..design.len()).map(|i| of_absorber(i, work)).collect::<Result<_, _>>()?;
+            for (case, peak) in found {
+                let (load_case, finder, design, _) = &cases[case];
+                let gradient = finder.gradients(design, &varying, measure, &peak, work)?;
                 // the logarithm keeps limits that are missed by far of a size with the objective
                 let (value, unit) =
                     if role.is_limit() { ((peak.value / unit).logarithm(), peak.value) } else { (peak.value / unit, *unit) };
                 let gradient = self.space.chain_rule(w, &gradient).iter().map(|g| g / unit).collect();
-                rows.push(Row { load_case, role, value, gradient, peak });
+                rows.push(Row { load_case: *load_case, role, value, gradient, peak });
             }
         }
         // objectives first, the largest of all of them before the others
@@ -300,6 +304,11 @@ impl Problem<'_> {
         });
         let weights = if self.weights.is_empty() { vec![1.0] } else { self.weights.to_vec() };
         Ok(Rows { rows, weights })
+    }
+
+    /// What evaluations of a design in one load case share.
+    fn shared(&self) -> Shared {
+        Shared::of(self.objectives.iter().chain(self.limits).map(|l| &l.measure))
     }
 
     /// Load cases in which the family can change something, with their indices.

@@ -88,6 +88,11 @@ impl Optimum {
         self.outcome = outcome;
     }
 
+    /// Starts that ended at the value of the best design.
+    pub(super) fn level_starts(&self) -> impl Iterator<Item = &str> {
+        self.starts.iter().filter(|s| s.finished <= self.value() * (1.0 + SAME)).map(|s| s.name.as_str())
+    }
+
     /// How many starts ended at the best value.
     pub fn agreeing(&self) -> usize {
         let best = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);

@@ -6,7 +6,7 @@
 use super::memory::Remembers;
 use super::minimax::{self, Outcome};
 use super::problem::largest;
-use super::search::{self, Finish, Recorder};
+use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::NamedPoint;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
@@ -73,7 +73,7 @@ pub struct Follower<'a> {
     problem: &'a Problem<'a>,
     second: &'a Limit,
     starts: Starts<'a>,
-    least_first: Option<&'a [f64]>,
+    least_first: Option<&'a Optimum>,
 }
 
 impl<'a> Follower<'a> {
@@ -82,10 +82,10 @@ impl<'a> Follower<'a> {
         Self { problem, second, starts, least_first: None }
     }
 
-    /// With the point of the least of the first measure, where a search of the same problem has found it.
+    /// With the least of the first measure, where a search of the same problem has found it.
     #[must_use]
-    pub(crate) fn with_least_of_first(self, point: Option<&'a [f64]>) -> Self {
-        Self { least_first: point, ..self }
+    pub(crate) fn with_least_of_first(self, optimum: Option<&'a Optimum>) -> Self {
+        Self { least_first: optimum, ..self }
     }
 
     /// Limits of the problem, the second measure at most at a level being the last.
@@ -148,9 +148,9 @@ impl<'a> Follower<'a> {
         self.best_of_points(most, &all, work)
     }
 
-    /// The same by a global search.
-    fn searched(&self, most: f64, work: &mut Work) -> Result<Option<Level>, ResponseError> {
-        let limits = self.limits(most);
+    /// The least of the first measure by a global search, and the starts that led there.
+    fn searched(&self, work: &mut Work) -> Result<Option<(Level, Vec<String>)>, ResponseError> {
+        let limits = self.limits(f64::MAX);
         let problem = self.within(&limits, self.problem.objectives);
         let optimum = search::optimise(&problem, &(self.starts)(&problem.space), Finish::All, &|| {})?;
         *work += optimum.stages.seeds;
@@ -159,19 +159,21 @@ impl<'a> Follower<'a> {
         if !optimum.outcome.rows.hold() {
             return Ok(None);
         }
-        Ok(Some(Level { most, values: self.values(&optimum.outcome.point, &mut Work::default())?, outcome: optimum.outcome }))
+        let values = self.values(&optimum.outcome.point, &mut Work::default())?;
+        let starts = optimum.level_starts().map(str::to_owned).collect();
+        Ok(Some((Level { most: f64::MAX, values, outcome: optimum.outcome }, starts)))
     }
 
-    /// Of designs that are level with this one in the first measure the one with the least of the second.
-    fn least_of_second(&self, last: Level, work: &mut Work) -> Result<Level, ResponseError> {
+    /// Of designs that are level with this one in the first measure the one with the least of the second, from it and from the starts that led to a level one.
+    fn least_of_second(&self, last: Level, level: &[String], work: &mut Work) -> Result<Level, ResponseError> {
         let most = last.values[0] * (1.0 + HELD);
         let first = Limit { measure: self.problem.objectives[0].measure.clone(), limit: most };
         let limits: Vec<Limit> = self.problem.limits.iter().cloned().chain([first]).collect();
         let seconds = [self.second.measure.in_si()];
         let problem = self.within(&limits, &seconds);
-        let starts = (self.starts)(&self.problem.space);
+        let starts = (self.starts)(&self.problem.space).into_iter().filter(|s| level.contains(&s.0));
         let own = last.outcome.point.clone();
-        let points: Vec<Vec<f64>> = std::iter::once(own).chain(starts.into_iter().map(|s| s.1)).collect();
+        let points: Vec<Vec<f64>> = std::iter::once(own).chain(starts.map(|s| s.1)).collect();
         let ends: Vec<(Option<Level>, Work)> = points
             .par_iter()
             .map(|point| {
@@ -205,9 +207,11 @@ impl<'a> Follower<'a> {
 
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
-        let known = self.least_first.map(|point| self.best_of_points(f64::MAX, &[point], work)).transpose()?.flatten();
-        let Some(last) = known.map_or_else(|| self.searched(f64::MAX, work), |level| Ok(Some(level)))? else { return Ok(None) };
-        let last = self.least_of_second(last, work)?;
+        let again = |o: &Optimum, work: &mut Work| self.best_of_points(f64::MAX, &[o.outcome.point.as_slice()], work);
+        let known = self.least_first.map(|o| Ok(again(o, work)?.map(|level| (level, o.level_starts().map(str::to_owned).collect()))));
+        let known: Option<(Level, Vec<String>)> = known.transpose()?.flatten();
+        let Some((last, level)) = known.map_or_else(|| self.searched(work), |known| Ok(Some(known)))? else { return Ok(None) };
+        let last = self.least_of_second(last, &level, work)?;
         // the least that bounds allow needs no search where a design of that holds the limits
         if let Some(lowest) = self.lowest()?
             && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[&last.outcome.point], work)?

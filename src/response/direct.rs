@@ -184,28 +184,65 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        if let Quantity::RingTwist(of) = quantity {
-            return self.sensitivity_of_ring(design, (index, of), orders, speed_rpm, work);
-        }
+        Ok(self.sensitivities(design, &[index], quantity, orders, speed_rpm, work)?.swap_remove(0))
+    }
+
+    /// The same for several absorbers, each with its own list of orders.
+    ///
+    /// # Errors
+    /// As [`Direct::sensitivity`].
+    pub(crate) fn sensitivities(
+        &self,
+        design: &[Mounted],
+        absorbers: &[usize],
+        quantity: Quantity,
+        orders: std::ops::Range<usize>,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<Vec<Vec<C64>>>, ResponseError> {
         let mut solver = Factored::new(self.system);
+        let mut all = vec![Vec::with_capacity(orders.len()); absorbers.len()];
+        for order in orders {
+            solver.solve(design, (order, speed_rpm), work)?;
+            let at = Operating { omega: solver.omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
+            if let Quantity::RingTwist(of) = quantity {
+                let found = self.ring_changes(design, (absorbers, of), &mut solver, at, &mut |i, own| all[i].push(own));
+                found.ok_or(ResponseError::NotApplicable { method: "direct", why: "a locked ring has no twist" })?;
+            } else {
+                self.changes(design, (absorbers, quantity), &mut solver, at, &mut |i, own| all[i].push(own));
+            }
+        }
+        Ok(all)
+    }
+
+    /// The derivatives of a quantity of the chain at one order, the system being solved for its torque, given to `put` with the place in the list of absorbers.
+    fn changes(
+        &self,
+        design: &[Mounted],
+        (absorbers, quantity): (&[usize], Quantity),
+        solver: &mut Factored,
+        at: Operating,
+        put: &mut dyn FnMut(usize, Vec<C64>),
+    ) {
         let mut unit = vec![ZERO; self.system.chain.len()];
-        let station = station_of(design, index);
-        orders
-            .map(|order| {
-                solver.solve(design, (order, speed_rpm), work)?;
+        let mut solved = None;
+        for (i, &index) in absorbers.iter().enumerate() {
+            let station = station_of(design, index);
+            if solved != Some(station) {
                 unit.fill(ZERO);
                 unit[station] = C64::from(1.0);
                 solver.matrix.solve(&mut unit);
-                let (condensed, at) = (&solver.condensed, Operating { omega: solver.omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
-                let ring = &condensed.rings[index];
-                // the host's angle over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
-                let host_over_denominator = solver.hub(ring.hub, ring.host, &solver.x);
-                // by reciprocity a torque on the host does at the station what one on the station does at the host
-                let output = solver.output(quantity, &unit) * condensed.host_per_station(design, index);
-                let factor = -output * host_over_denominator / condensed.denominator(index);
-                Ok(condensed.gradient_times_denominator2(design, index, at).into_iter().map(|g| factor * g).collect())
-            })
-            .collect()
+                solved = Some(station);
+            }
+            let condensed = &solver.condensed;
+            let ring = &condensed.rings[index];
+            // the host's angle over this absorber's denominator is finite; the second denominator of dz/dp is divided out here
+            let host_over_denominator = solver.hub(ring.hub, ring.host, &solver.x);
+            // by reciprocity a torque on the host does at the station what one on the station does at the host
+            let output = solver.output(quantity, &unit) * condensed.host_per_station(design, index);
+            let factor = -output * host_over_denominator / condensed.denominator(index);
+            put(i, condensed.gradient_times_denominator2(design, index, at).into_iter().map(|g| factor * g).collect());
+        }
     }
 
     /// Response of the system without absorber at one point, for several quantities, with the receptances of `stations`.

@@ -5,20 +5,19 @@
 //! d phi_a = -(dS lambda_i phi_i - omega² dJ mu_i psi_i),
 //! with lambda and mu the twists and angles under a unit pair of torques, on ring a and back on what carries it.
 
+use super::Direct;
 use super::factored::Factored;
-use super::{Direct, ResponseError, Work};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Host, Mounted, Operating};
 use crate::numerics::{C64, ZERO};
-use crate::units::RAD_PER_S_PER_RPM;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// Rings of the absorbers on one station, at one frequency: all above it, however they carry each other.
 struct Rings {
     /// Absorbers.
     members: Vec<usize>,
-    /// Dynamic stiffness matrix of their angles.
-    matrix: DMatrix<C64>,
+    /// Dynamic stiffness matrix of their angles, factored.
+    matrix: LU<C64, Dyn, Dyn>,
     /// What the angle of the station puts on each.
     by_station: DVector<C64>,
 }
@@ -44,12 +43,12 @@ impl Rings {
                 }
             }
         }
-        Some(Self { members, matrix, by_station })
+        Some(Self { members, matrix: matrix.lu(), by_station })
     }
 
     /// Angles of the rings under an angle of the station and torques on them.
     fn angles(&self, station: C64, torques: &DVector<C64>) -> Option<DVector<C64>> {
-        self.matrix.clone().lu().solve(&(&self.by_station * station + torques))
+        self.matrix.solve(&(&self.by_station * station + torques))
     }
 
     /// Twist and angle of an absorber's ring.
@@ -65,44 +64,19 @@ impl Rings {
 }
 
 impl Direct<'_> {
-    /// Derivatives of the phasors of the twist of ring `of` at one speed with respect to the parameters of absorber `index` (ring inertia first), for each of the
-    /// given orders.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] at an undamped resonance; [`ResponseError::NotApplicable`] for locked rings.
-    pub(super) fn sensitivity_of_ring(
+    /// Derivatives of the twist of ring `of` at one order with respect to the parameters of some absorbers (ring inertia first), the system being solved for its torque; each is given to `put` with its place
+    /// in the list. Nothing where a ring is locked.
+    pub(super) fn ring_changes(
         &self,
         design: &[Mounted],
-        (index, of): (usize, usize),
-        orders: std::ops::Range<usize>,
-        speed_rpm: f64,
-        work: &mut Work,
-    ) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let mut solver = Factored::new(self.system);
-        let (here, there) = (station_of(design, index), station_of(design, of));
-        orders
-            .map(|order| {
-                solver.solve(design, (order, speed_rpm), work)?;
-                let at = Operating { omega: solver.omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
-                let found = self.ring_changes(design, (index, of), (here, there), &mut solver, at);
-                found.ok_or(ResponseError::NotApplicable { method: "direct", why: "a locked ring has no twist" })
-            })
-            .collect()
-    }
-
-    /// The derivatives at one order, the system being solved for its torque.
-    fn ring_changes(
-        &self,
-        design: &[Mounted],
-        (index, of): (usize, usize),
-        (here, there): (usize, usize),
+        (absorbers, of): (&[usize], usize),
         solver: &mut Factored,
         at: Operating,
-    ) -> Option<Vec<C64>> {
-        let (own, other) = (Rings::new(design, here, at)?, Rings::new(design, there, at)?);
+        put: &mut dyn FnMut(usize, Vec<C64>),
+    ) -> Option<()> {
+        let there = station_of(design, of);
+        let other = Rings::new(design, there, at)?;
         let still = |rings: &Rings| DVector::from_element(rings.members.len(), ZERO);
-        let station = solver.angle(here, &solver.x);
-        let (twist, angle) = own.of(design, index, station, &own.angles(station, &still(&own))?)?;
         // the pair of torques on ring `of` and on what carries it, passed on to the station
         let place = |i: usize| other.members.iter().position(|m| *m == i);
         let mut pair = still(&other);
@@ -119,15 +93,37 @@ impl Direct<'_> {
         let mut unit = vec![ZERO; self.system.chain.len()];
         unit[there] = on_station;
         solver.matrix.solve(&mut unit);
-        let adjoint = solver.angle(here, &unit);
-        let mut angles = own.angles(adjoint, &still(&own))?;
-        if here == there {
-            angles += held;
+        let mut moved: Option<Moved> = None;
+        for (i, &index) in absorbers.iter().enumerate() {
+            let here = station_of(design, index);
+            if moved.as_ref().is_none_or(|m| m.station != here) {
+                let own = Rings::new(design, here, at)?;
+                let (under, adjoint) = (solver.angle(here, &solver.x), solver.angle(here, &unit));
+                let mut by_pair = own.angles(adjoint, &still(&own))?;
+                if here == there {
+                    by_pair += &held;
+                }
+                moved = Some(Moved { station: here, under: (under, own.angles(under, &still(&own))?), by_pair: (adjoint, by_pair), own });
+            }
+            let Moved { own, under, by_pair, .. } = moved.as_ref()?;
+            let (twist, angle) = own.of(design, index, under.0, &under.1)?;
+            let (lambda, mu) = own.of(design, index, by_pair.0, &by_pair.1)?;
+            let law = design[index].absorber.law()?;
+            let mut list: Vec<C64> = law.derivatives(at).into_iter().map(|d| -d * lambda * twist).collect();
+            list[0] += mu * angle * (at.omega * at.omega);
+            if !list.iter().all(|d| d.is_finite()) {
+                return None;
+            }
+            put(i, list);
         }
-        let (lambda, mu) = own.of(design, index, adjoint, &angles)?;
-        let law = design[index].absorber.law()?;
-        let mut list: Vec<C64> = law.derivatives(at).into_iter().map(|d| -d * lambda * twist).collect();
-        list[0] += mu * angle * (at.omega * at.omega);
-        list.iter().all(|d| d.is_finite()).then_some(list)
+        Some(())
     }
+}
+
+/// Rings on a station, with its angle and theirs: under the torque, and under the pair on the ring whose twist is asked for.
+struct Moved {
+    station: usize,
+    own: Rings,
+    under: (C64, DVector<C64>),
+    by_pair: (C64, DVector<C64>),
 }

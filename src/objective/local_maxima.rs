@@ -2,6 +2,7 @@
 
 use super::peak::Place;
 use super::speeds::Speeds;
+use crate::numerics::interpolation::Interpolation;
 use crate::numerics::maximise::{maximise, maximise_bracket};
 use crate::response::{ResponseError, Work};
 
@@ -76,6 +77,49 @@ pub fn maxima(speed: &[f64], values: &[f64]) -> Vec<Candidate> {
         .collect();
     found.sort_by(|a, b| b.value.total_cmp(&a.value));
     found
+}
+
+/// Direct solutions towards a smooth top, and the last step to it as a share of the distance between known speeds: the value is off by its square.
+const MOST: usize = 8;
+const LAST: f64 = 3e-6;
+
+/// Speed of the top beside a known speed that is higher than its neighbours, of a value that is smooth over speed: the lowest place of the polynomial of its inverse through known speeds and those
+/// added on the way; nothing at an end, a kink or a narrow resonance, or where it does not settle between the neighbours.
+///
+/// # Errors
+/// Those of `value_at`.
+pub(super) fn smooth_top(
+    i: usize,
+    speeds: &Speeds,
+    values: &[f64],
+    mut value_at: impl FnMut(f64) -> Result<f64, ResponseError>,
+) -> Result<Option<f64>, ResponseError> {
+    let (rpm, last) = (&speeds.rpm, values.len() - 1);
+    if i == 0 || i == last || speeds.kink[i] || speeds.is_narrow(i) {
+        return Ok(None);
+    }
+    let distance = 0.5 * (rpm[i + 1] - rpm[i - 1]);
+    let mut through = Interpolation::new(rpm[i], distance);
+    let beyond = |j: usize, kink: usize| (j <= last && !speeds.kink[kink]).then_some(j);
+    let near = [Some(i), Some(i - 1), Some(i + 1), beyond(i.wrapping_sub(2), i - 1), beyond(i + 2, i + 1)];
+    for j in near.into_iter().flatten().filter(|j| values[*j] > 0.0) {
+        through.push(rpm[j], 1.0 / values[j]);
+    }
+    let mut at = rpm[i];
+    for _ in 0..MOST {
+        let Some(next) = through.lowest(at).filter(|s| rpm[i - 1] < *s && *s < rpm[i + 1]) else { return Ok(None) };
+        let step = (next - at).abs() / distance;
+        if step <= LAST {
+            return Ok(Some(next));
+        }
+        at = next;
+        let value = value_at(at)?;
+        if !(values[i]..=STEEP * values[i]).contains(&value) {
+            return Ok(None);
+        }
+        through.push(at, 1.0 / value);
+    }
+    Ok(None)
 }
 
 /// How far a peak may rise above a known value: the square of its growth from its lower neighbour, and never less than a well-resolved

@@ -19,6 +19,7 @@ mod search_value;
 mod shared;
 pub mod speeds;
 pub mod surrogate;
+mod sweeps;
 mod synthesis_peaks;
 mod temperature_peaks;
 

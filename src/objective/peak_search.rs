@@ -59,6 +59,11 @@ pub(super) struct Found {
 }
 
 impl Found {
+    /// Nothing yet: what is asked for at least stands for the largest.
+    fn new(Asked { keep, least }: Asked) -> Self {
+        Self { keep, best: if least > 0.0 { least / keep } else { 0.0 }, peaks: Vec::new() }
+    }
+
     /// Adds a peak that is not known yet: a branch may be met from several speeds.
     pub fn put(&mut self, peak: Peak) {
         self.best = self.best.max(peak.value);
@@ -79,7 +84,7 @@ pub(crate) struct Asked {
 
 impl Asked {
     /// The largest alone.
-    pub const LARGEST: Self = Self { keep: 1.0, least: 0.0 };
+    pub(super) const LARGEST: Self = Self { keep: 1.0, least: 0.0 };
 }
 
 /// Of level peaks the one at the lowest speed.
@@ -167,13 +172,12 @@ impl<'a> PeakFinder<'a> {
         }
         work.evaluations += 1;
         work.eigenproblems += u64::from(self.resonances.is_some());
-        let keep = asked.keep;
-        let mut found = Found { keep, best: asked.least / keep, peaks: Vec::new() };
+        let mut found = Found::new(asked);
         match measure.over {
             Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
             Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
             Over::Damage => return Ok(self.damage(design, measure, work)?.into_iter().collect()),
-            Over::AtDuty(point) => return self.at_duty(design, measure, (point, keep), work),
+            Over::AtDuty(point) => return self.at_duty(design, measure, (point, asked.keep), work),
             _ => {}
         }
         let speeds = self.speeds_for(design, measure, shared);
@@ -227,7 +231,7 @@ impl<'a> PeakFinder<'a> {
             Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => {}
         }
         let mut peaks = found.peaks;
-        peaks.retain(|p| p.value >= keep * found.best * (1.0 - LEVEL));
+        peaks.retain(|p| p.value >= found.keep * found.best * (1.0 - LEVEL));
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
         Ok(peaks)
     }

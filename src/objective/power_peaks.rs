@@ -2,7 +2,7 @@
 
 use super::local_maxima;
 use super::measure::{Measure, Over};
-use super::peak::Peak;
+use super::peak::{Peak, Place};
 use super::peak_search::{Found, PeakFinder};
 use super::shared::Sweep;
 use super::speeds::Speeds;
@@ -15,9 +15,18 @@ use crate::units::RAD_PER_S_PER_RPM;
 const LEAST_SHARE: f64 = 0.3;
 
 impl PeakFinder<'_> {
-    /// Power of the absorbers of a measure at a speed, W: sum over rings and orders of omega Im S |twist|²/2.
-    fn power_at(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<f64, ResponseError> {
-        measure.absorbers().try_fold(0.0, |sum, i| Ok(sum + self.direct.dissipated_power(design, i, speed_rpm, work)?))
+    /// Power of the absorbers of a measure at a speed, W, order by order: sum over rings of omega Im S |twist|²/2.
+    fn powers_at(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
+        let own: Vec<usize> = measure.absorbers().filter(|i| *i < design.len()).collect();
+        let twists: Vec<Quantity> = own.iter().map(|i| Quantity::RingTwist(*i)).collect();
+        let mut by_order = vec![0.0; self.system.orders()];
+        for (i, twists) in own.into_iter().zip(self.direct.at_each(design, &twists, &[speed_rpm], work)?) {
+            let Some(law) = design[i].absorber.law() else { continue };
+            for (n, (sum, y)) in by_order.iter_mut().zip(&twists).enumerate() {
+                *sum += law.dissipated_power(self.operating(n, speed_rpm), y.norm_sqr());
+            }
+        }
+        Ok(by_order)
     }
 
     /// Local maxima on a part of the range that begins at index `start` of the sweeps of the ring twists.
@@ -45,30 +54,27 @@ impl PeakFinder<'_> {
             if candidate.value < LEAST_SHARE * found.keep * top {
                 break;
             }
-            let value_at = |speed: f64, work: &mut Work| Ok(self.power_at(design, measure, speed, work)? * measure.within.weight(speed));
+            let value_at = |speed: f64, work: &mut Work| -> Result<f64, ResponseError> {
+                Ok(self.powers_at(design, measure, speed, work)?.iter().sum::<f64>() * measure.within.weight(speed))
+            };
             let wanted = found.keep * found.best.max(top);
-            let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else { continue };
-            let (order, order_value) = self.hottest_order(design, measure, speed_rpm, work)?;
+            let smooth = if self.refine && candidate.may_reach(wanted, speeds.is_narrow(candidate.index)) {
+                local_maxima::smooth_top(candidate.index, speeds, &values, |speed| value_at(speed, work))?
+            } else {
+                None
+            };
+            let peak = match smooth {
+                Some(speed_rpm) => Some((speed_rpm, Place::Interior)),
+                None => self.refined((design, quantity), candidate, speeds, wanted, value_at, work)?,
+            };
+            let Some((speed_rpm, place)) = peak else { continue };
+            let by_order = self.powers_at(design, measure, speed_rpm, work)?;
+            let (order, order_value) = by_order.iter().enumerate().fold((0, 0.0), |m, (n, p)| if *p > m.1 { (n, *p) } else { m });
             let weight = measure.within.weight(speed_rpm);
-            let value = self.power_at(design, measure, speed_rpm, work)? * weight;
+            let value = by_order.iter().sum::<f64>() * weight;
             found.put(Peak { value, weight, over: Over::Power, speed_rpm, order, order_value, quantity, extremes: None, place });
         }
         Ok(())
-    }
-
-    /// The order that dissipates most at a speed, and its power, W.
-    fn hottest_order(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<(usize, f64), ResponseError> {
-        let mut by_order = vec![0.0; self.system.orders()];
-        let mut y = vec![ZERO; by_order.len()];
-        for i in measure.absorbers().filter(|i| *i < design.len()) {
-            let Some(law) = design[i].absorber.law() else { continue };
-            self.direct.at(design, Quantity::RingTwist(i), speed_rpm, &mut y, work)?;
-            for (n, (sum, y)) in by_order.iter_mut().zip(&y).enumerate() {
-                let at = self.operating(n, speed_rpm);
-                *sum += law.dissipated_power(at, y.norm_sqr());
-            }
-        }
-        Ok(by_order.iter().enumerate().fold((0, 0.0), |m, (n, p)| if *p > m.1 { (n, *p) } else { m }))
     }
 
     /// Frequency of an order at a speed.

@@ -35,7 +35,7 @@ impl<'a> Cycle<'a> {
     pub fn new(engine: &'a Engine) -> Option<Self> {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
         let (speeds_rpm, cylinders) = (pressure.speeds_rpm(), engine.layout.firing_deg.len());
-        let traces = (0..speeds_rpm.len()).map(|i| pressure.trace(i, geometry, engine.strokes, cylinders)).collect();
+        let traces = pressure.traces(geometry, engine.strokes, cylinders);
         Some(Self { engine, geometry, speeds_rpm, traces })
     }
 

@@ -79,12 +79,16 @@ pub struct Excitation {
     pub audit: Vec<Audit>,
 }
 
+/// Travel of the piston per crank angle at every sample of a cycle, m/rad: the lever of its force.
+fn levers(geometry: &Geometry, strokes: u32) -> Vec<f64> {
+    each_revolution(strokes, |theta| geometry.slider_crank.motion(theta).slope)
+}
+
 /// Torque of the gas and of liner friction over a cycle. Friction depends on the inertia forces at `speed_rpm` and, between tabulated speeds, is
 /// interpolated with the gas.
-fn torque_without_inertia((geometry, strokes): (&Geometry, u32), trace: &[f64], speed_rpm: f64) -> Vec<f64> {
+fn torque_without_inertia((geometry, levers): (&Geometry, &[f64]), trace: &[f64], speed_rpm: f64) -> Vec<f64> {
     let omega = speed_rpm * RAD_PER_S_PER_RPM;
-    let levers = each_revolution(strokes, |theta| geometry.slider_crank.motion(theta).slope);
-    let at = |(j, (&pressure, lever)): (usize, (&f64, f64))| {
+    let at = |(j, (&pressure, lever)): (usize, (&f64, &f64))| {
         let friction = friction_torque(geometry, Moment { pressure, theta: sample_angle(j), omega });
         gas_force(geometry, pressure) * lever + friction
     };
@@ -131,9 +135,10 @@ impl Excitation {
     pub fn motored_change(&self, engine: &Engine) -> Option<MotoredChange> {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
         let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
+        let levers = levers(geometry, engine.strokes);
         let change = |(index, fired): (usize, &Vec<C64>)| -> Vec<C64> {
             let trace = pressure.motored(index, geometry, engine.strokes);
-            let torque = torque_without_inertia((geometry, engine.strokes), &trace, pressure.speeds_rpm()[index]);
+            let torque = torque_without_inertia((geometry, &levers), &trace, pressure.speeds_rpm()[index]);
             analyser.analyse(&torque).iter().zip(fired).map(|(m, f)| m - f).collect()
         };
         Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
@@ -180,13 +185,14 @@ impl Excitation {
         let harmonics: Vec<u32> = orders.iter().map(|o| o.per_cycle(engine.strokes)).collect();
         let (n, cylinders) = (samples(engine.strokes), engine.layout.firing_deg.len());
         let analyser = Analyser::new(n, &harmonics);
-        let mut gas = Vec::new();
+        let levers = levers(geometry, engine.strokes);
+        let mut torques = Vec::new();
         let mut audit = Vec::new();
-        for (index, &speed_rpm) in pressure.speeds_rpm().iter().enumerate() {
-            let trace = pressure.trace(index, geometry, engine.strokes, cylinders);
-            let torque = torque_without_inertia((geometry, engine.strokes), &trace, speed_rpm);
+        let traces = pressure.traces(geometry, engine.strokes, cylinders);
+        for (index, (&speed_rpm, trace)) in pressure.speeds_rpm().iter().zip(traces).enumerate() {
+            let torque = torque_without_inertia((geometry, &levers), &trace, speed_rpm);
             let mean = torque.iter().sum::<f64>() / n as f64;
-            gas.push(analyser.analyse(&torque));
+            torques.push(torque);
             audit.push(Audit {
                 speed_rpm,
                 indicated_mean_pressure: mean * engine.cycle_deg() * RAD_PER_DEG / geometry.displacement(),
@@ -195,9 +201,10 @@ impl Excitation {
                 brake_torque: pressure.brake_torque(index),
             });
         }
-        let inertia = each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(geometry, theta));
+        torques.push(each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(geometry, theta)));
+        let mut gas = analyser.analyse_each(&torques.iter().map(Vec::as_slice).collect::<Vec<_>>());
         Self {
-            inertia: analyser.analyse(&inertia),
+            inertia: gas.pop().unwrap_or_default(),
             phases: (0..engine.layout.throws()).map(|t| phases(engine.layout.firing_on_throw(t), &orders)).collect(),
             tabulated_rpm: pressure.speeds_rpm().to_vec(),
             orders,

@@ -32,8 +32,7 @@ pub(super) fn degrees(count: usize) -> impl Iterator<Item = f64> + Clone {
 pub(super) fn pressure(study: &Study) -> Option<Figure> {
     let (geometry, pressure) = cylinder_of(study)?;
     let cylinders = study.engine.layout.firing_deg.len();
-    let traces: Vec<Vec<f64>> =
-        (0..pressure.speeds_rpm().len()).map(|i| pressure.trace(i, geometry, study.engine.strokes, cylinders)).collect();
+    let traces: Vec<Vec<f64>> = pressure.traces(geometry, study.engine.strokes, cylinders);
     let peak = |i: &usize| traces[*i].iter().copied().fold(0.0, f64::max);
     let largest = (0..traces.len()).max_by(|a, b| peak(a).total_cmp(&peak(b)))?;
     let mut chosen = vec![0, largest, traces.len() - 1];

@@ -37,6 +37,14 @@ impl Pressure {
         }
     }
 
+    /// That of every tabulated speed.
+    pub(crate) fn traces(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<Vec<f64>> {
+        match self {
+            Self::Otto(m) => m.traces(geometry, strokes, cylinders),
+            other => (0..other.speeds_rpm().len()).map(|i| other.trace(i, geometry, strokes, cylinders)).collect(),
+        }
+    }
+
     /// Pressure of a cylinder that compresses and expands without burning, as in [`Self::trace`].
     pub fn motored(&self, index: usize, geometry: &Geometry, strokes: u32) -> Vec<f64> {
         match self {

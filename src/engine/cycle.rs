@@ -6,6 +6,10 @@ use super::{Engine, Geometry, Source};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::nearest;
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
+use std::sync::OnceLock;
+
+/// Pressure that what the gas does is taken from, Pa.
+const GAUGE: f64 = 1e5;
 
 /// Loads of every throw, sampled over the cycle from the firing of the cylinder that fires at 0°.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +32,15 @@ pub struct Cycle<'a> {
     geometry: &'a Geometry,
     speeds_rpm: &'a [f64],
     traces: Vec<Vec<f64>>,
+    parts: OnceLock<Vec<[OnThrow; 2]>>,
+}
+
+/// Torque on a throw, N m, and force on its pin along the cylinder and across it, N.
+type OnThrow = [f64; 3];
+
+fn on_throw(geometry: &Geometry, at: Moment) -> OnThrow {
+    let UnitForces { torque, big_end: [x, y], .. } = unit_forces(geometry, at);
+    [torque, x, y]
 }
 
 impl<'a> Cycle<'a> {
@@ -36,7 +49,7 @@ impl<'a> Cycle<'a> {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
         let (speeds_rpm, cylinders) = (pressure.speeds_rpm(), engine.layout.firing_deg.len());
         let traces = pressure.traces(geometry, engine.strokes, cylinders);
-        Some(Self { engine, geometry, speeds_rpm, traces })
+        Some(Self { engine, geometry, speeds_rpm, traces, parts: OnceLock::new() })
     }
 
     /// Crank angle of every `stride`-th sample, rad.
@@ -47,7 +60,7 @@ impl<'a> Cycle<'a> {
     /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
     /// speeds.
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
-        let unit: Vec<UnitForces> = self.moments(speed_rpm, stride).into_iter().map(|m| unit_forces(self.geometry, m)).collect();
+        let unit = self.unit(speed_rpm, stride);
         let n = unit.len();
         let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new(), pin_force: Vec::new() };
         for throw in 0..self.engine.layout.throws() {
@@ -57,7 +70,7 @@ impl<'a> Cycle<'a> {
                 let (sine, cosine) = axis.sine_cosine();
                 let mut own = Vec::with_capacity(n);
                 for j in 0..n {
-                    let UnitForces { torque, big_end: [x, y], .. } = unit[(j + n - shift % n) % n];
+                    let [torque, x, y] = unit[(j + n - shift % n) % n];
                     sum[j] += torque;
                     own.push([x * cosine - y * sine, x * sine + y * cosine]);
                     force[j][0] += own[j][0];
@@ -69,6 +82,25 @@ impl<'a> Cycle<'a> {
             loads.pin_force.push(force);
         }
         loads
+    }
+
+    /// What the cylinder that fires at 0° does to its throw, at every `stride`-th sample. Without friction that is linear in the gauge pressure and in the square of the speed, whatever the rod.
+    fn unit(&self, speed_rpm: f64, stride: usize) -> Vec<OnThrow> {
+        let moments = self.moments(speed_rpm, stride).into_iter();
+        if self.geometry.liner_friction != 0.0 {
+            return moments.map(|m| on_throw(self.geometry, m)).collect();
+        }
+        let ambient = self.geometry.crankcase_pressure;
+        let parts = self.parts.get_or_init(|| {
+            let part = |theta, pressure, omega| on_throw(self.geometry, Moment { pressure, theta, omega });
+            let gas = |theta| part(theta, ambient + GAUGE, 0.0).map(|x| x / GAUGE);
+            (0..samples(self.engine.strokes)).map(sample_angle).map(|theta| [gas(theta), part(theta, ambient, 1.0)]).collect()
+        });
+        let at = |(m, [gas, inertia]): (Moment, &[OnThrow; 2])| -> OnThrow {
+            let (gauge, omega2) = (m.pressure - ambient, m.omega * m.omega);
+            std::array::from_fn(|i| gauge * gas[i] + omega2 * inertia[i])
+        };
+        moments.zip(parts.iter().step_by(stride)).map(at).collect()
     }
 
     /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.

@@ -7,7 +7,7 @@ use crate::objective::{Measure, Over, PeakFinder};
 use crate::response::{Direct, Quantity, Response, ResponseError, Work};
 
 /// The median counts. Short: a study that asks for nothing else should not wait for them.
-const REPEATS: Repeats = Repeats { least: 1, most: 9, seconds: 0.02 };
+const REPEATS: Repeats = Repeats { least: 1, most: 9, seconds: 0.01 };
 
 /// Seconds per design on one thread: squares of the magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, the torque of
 /// all shafts on the grid, and the smallest margins of the crank by all criteria, refined.

@@ -252,21 +252,23 @@ fn over_speed(
 ) -> Result<OverSpeed, RunError> {
     let firing = &finders[0];
     let own = Grid::new(&study.speeds_rpm, &[]);
-    let sweeps = shown
-        .par_iter()
-        .map(|d| {
-            let named = (d.name.as_str(), d.conditions.as_slice());
-            let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, Asked::by(study), &mut Work::default());
-            swept.map_err(|error| of_design(d, error))
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    let swept = |d: &&DesignResult| margins::sweep(firing, &own, &d.name, &d.absorbers).map_err(|e| of_design(d, e)).transpose();
-    let margins = shown.par_iter().filter_map(swept).collect::<Result<Vec<_>, _>>()?;
+    let swept = |d: &&DesignResult| {
+        let named = (d.name.as_str(), d.conditions.as_slice());
+        let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, Asked::by(study), &mut Work::default());
+        swept.map_err(|error| of_design(d, error))
+    };
+    let sweeps = || shown.par_iter().map(swept).collect::<Result<Vec<_>, _>>();
+    let margin = |d: &&DesignResult| margins::sweep(firing, &own, &d.name, &d.absorbers).map_err(|e| of_design(d, e)).transpose();
+    let margins = || shown.par_iter().filter_map(margin).collect::<Result<Vec<_>, _>>();
     let best = shown.iter().filter_map(|d| Some((d, d.margins.first()?))).reduce(|a, b| if b.1.margin > a.1.margin { b } else { a });
-    let diagram = best.zip(firing.margin).map_or(Ok(None), |((d, smallest), model)| {
-        diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
-    })?;
-    let duty = duty::duty(study, shown).map_err(|(d, error)| of_design(d, error))?;
+    let diagram = || {
+        best.zip(firing.margin).map_or(Ok(None), |((d, smallest), model)| {
+            diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
+        })
+    };
+    let duty = || duty::duty(study, shown).map_err(|(d, error)| of_design(d, error));
+    let ((sweeps, margins), (diagram, duty)) = rayon::join(|| rayon::join(sweeps, margins), || rayon::join(diagram, duty));
+    let (sweeps, margins, diagram, duty) = (sweeps?, margins?, diagram?, duty?);
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;

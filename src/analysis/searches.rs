@@ -15,6 +15,7 @@ use crate::objective::{Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::search::Recorder;
+use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
     LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search, second_order, starts,
 };
@@ -130,12 +131,12 @@ impl<'a> Searches<'a> {
     /// # Errors
     /// [`RunError`] where none of the starts of one has a finite response.
     pub fn optima(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<OptimumResult>, RunError> {
-        let families = self.sought(spec);
-        let count = families.iter().map(|f| self.starts(spec, &f.family.space).len()).sum();
-        self.progress.stage("optima", count);
+        let with_starts = |sought: Sought| (self.starts(spec, &sought.family.space), sought);
+        let families: Vec<_> = self.sought(spec).into_par_iter().map(with_starts).collect();
+        self.progress.stage("optima", families.iter().map(|f| f.0.len()).sum());
         let step = || self.progress.step();
-        let found =
-            families.into_par_iter().map(|sought| self.optimum(spec, sought, &step)).collect::<Result<Vec<OptimumResult>, RunError>>()?;
+        let one = |(starts, sought)| self.optimum(spec, sought, starts, &step);
+        let found = families.into_par_iter().map(one).collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();
         for stages in found.iter().map(|o| o.optimum.stages) {
             work += stages.seeds;
@@ -149,12 +150,11 @@ impl<'a> Searches<'a> {
     }
 
     /// One of them.
-    fn optimum(&self, spec: &OptimiseSpec, sought: Sought, step: Recorder) -> Result<OptimumResult, RunError> {
+    fn optimum(&self, spec: &OptimiseSpec, sought: Sought, starts: Vec<NamedPoint>, step: Recorder) -> Result<OptimumResult, RunError> {
         let Sought { family: Family { name, family, space, is_main: main }, objective, within } = sought;
         let failed = |error: ResponseError| RunError { what: name.clone(), error };
         let problem =
             Problem { memory: self.memory(Some(optimise::Sought { design: &name, objective })), ..self.problem(space, objective) };
-        let starts = self.starts(spec, &problem.space);
         let found = match &within {
             Some(tolerances) => robust::optimise(&problem, tolerances, &starts, spec.seed, step),
             None => search::optimise(&problem, &starts, search::Finish::All, step).map(|optimum| (Vec::new(), optimum)),

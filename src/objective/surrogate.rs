@@ -9,7 +9,7 @@ use crate::drivetrain::natural;
 use crate::numerics::C64;
 use crate::numerics::interpolation::Interpolation;
 use crate::numerics::synthesis::{Extremes, Samples, Synthesiser};
-use crate::response::receptance::Rows;
+use crate::response::receptance::{Rows, every};
 use crate::response::{Quantity, Receptance, Response, Work};
 
 /// A surrogate peak.
@@ -118,11 +118,8 @@ impl<'a> Surrogate<'a> {
             return None;
         }
         let (system, grid) = (receptance.system(), receptance.grid());
-        let last = grid.len() - 1;
-        let coarse_index: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
-        let table = |q: &Quantity| {
-            Some(Table { coarse: receptance.rows(*q, coarse_index.iter().copied())?, fine: receptance.rows(*q, 0..grid.len())? })
-        };
+        let coarse_index: Vec<usize> = every(stride, grid.len()).collect();
+        let table = |q: &Quantity| Some(Table { coarse: receptance.rows(*q, stride)?, fine: receptance.rows(*q, 1)? });
         Some(Self {
             measure: measure.clone(),
             margin,

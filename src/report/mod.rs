@@ -50,13 +50,13 @@ pub(crate) fn write_run(
         response.and(margin)
     };
     let plots = || plot::run(study, results, folder, written);
-    let rest = || (write_tables(study, results, folder), record::write(study, inputs, results, folder), page::data(study, results));
-    let (large, (plots, (tables, record, data))) = rayon::join(large, || rayon::join(plots, rest));
+    let rest = || (write_tables(study, results, folder), record::write(study, inputs, results, folder), page::prepared(study, results));
+    let (large, (plots, (tables, record, prepared))) = rayon::join(large, || rayon::join(plots, rest));
     tables.and(large).and(plots)?;
     folder.remove_other_plots("response_")?;
     folder.remove_other_plots("front_")?;
     record?;
-    page::write((study, inputs), results, &data, folder)
+    page::write((study, inputs), results, &prepared, folder)
 }
 
 /// Writes the tables of a run but the large ones, and removes those that it does not have.

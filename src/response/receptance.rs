@@ -9,6 +9,7 @@ use crate::absorber::{Host, Mounted};
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+use std::sync::Arc;
 
 /// Near an undamped resonance of the base, y0 H and h u0 are huge and cancel; where they lose more than this factor the direct solve
 /// takes over. It leaves an error of about 1e5 roundings, 2e-11.
@@ -19,7 +20,7 @@ const LARGEST_CANCELLATION: f64 = 1e5;
 pub struct Receptance<'a> {
     direct: Direct<'a>,
     station: usize,
-    tables: Vec<(Quantity, Points)>,
+    tables: Vec<(Quantity, Arc<Points>)>,
     /// Points (index in a sweep) left to the direct solve, one list a table.
     singular: Vec<Vec<usize>>,
     /// Solves spent on the tables.
@@ -65,6 +66,7 @@ impl<'a> Receptance<'a> {
                 }
             }
         }
+        let tables = tables.into_iter().map(|(quantity, points)| (quantity, Arc::new(points))).collect();
         Self { direct, station, tables, singular, setup }
     }
 
@@ -77,16 +79,20 @@ impl<'a> Receptance<'a> {
         self.tables.iter().position(|t| t.0 == quantity).map(|t| (t, mounted))
     }
 
-    /// Some speeds (indices of the grid) of the table of a quantity, for many absorbers; nothing where there is no table, or where
+    /// Every `stride`-th speed of the grid and the last of the table of a quantity, for many absorbers; nothing where there is no table, or where
     /// some of its points need direct solutions.
-    pub fn rows(&self, quantity: Quantity, speeds: impl Iterator<Item = usize>) -> Option<Rows> {
+    pub fn rows(&self, quantity: Quantity, stride: usize) -> Option<Rows> {
         let t = self.tables.iter().position(|t| t.0 == quantity)?;
         if !self.singular[t].is_empty() {
             return None;
         }
         let (all, orders) = (&self.tables[t].1, self.direct.system.orders());
+        let own = |points: Arc<Points>| Some(Rows { points, orders, station: self.station });
+        if stride == 1 {
+            return own(all.clone());
+        }
         let mut points = Points { ring: all.ring, ..Points::default() };
-        for i in speeds {
+        for i in every(stride, self.grid().len()) {
             let row = i * orders..(i + 1) * orders;
             points.omega.extend(&all.omega[row.clone()]);
             points.shaft_speed.extend(&all.shaft_speed[row.clone()]);
@@ -96,7 +102,7 @@ impl<'a> Receptance<'a> {
                 points.h[part].extend(&all.h[part][row.clone()]);
             }
         }
-        Some(Rows { points, orders, station: self.station })
+        own(Arc::new(points))
     }
 
     /// Replaces the points near a singular base by direct solutions.
@@ -119,10 +125,15 @@ impl<'a> Receptance<'a> {
     }
 }
 
+/// Every `stride`-th of so many speeds, and the last.
+pub(crate) fn every(stride: usize, count: usize) -> impl Iterator<Item = usize> {
+    (0..count - 1).step_by(stride).chain([count - 1])
+}
+
 /// Rows of a receptance table, one a speed.
 #[derive(Debug, Clone)]
 pub struct Rows {
-    points: Points,
+    points: Arc<Points>,
     orders: usize,
     /// Station of the absorbers.
     pub station: usize,

@@ -22,21 +22,34 @@ use parts::{TABLES, conditions, limits, model, page, parameters, picture, proven
 
 const SCRIPT: &str = include_str!("page.js");
 
-/// What the script of the page draws from: asks for no plots.
-pub(crate) fn data(study: &Study, results: &Results) -> String {
+/// What takes long of the page and asks for no plots.
+pub(crate) struct Prepared {
+    /// What its script draws from.
+    data: String,
+    /// What the model is.
+    model: Markup,
+}
+
+/// That of a run.
+pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
     // a closing tag within a text would end the script
-    data::data(study, results).to_string().replace("</", "<\\/")
+    Prepared { data: data::data(study, results).to_string().replace("</", "<\\/"), model: model(study) }
 }
 
 /// Writes the page about its data; plots of the run are taken from the folder.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
-pub(crate) fn write((study, inputs): (&Study, &[InputFile]), results: &Results, data: &str, folder: &Folder) -> Result<(), WriteError> {
-    folder.write(PAGE, page(&format!("{} – hartog", study.name), &body((study, inputs), results, data, folder)).as_bytes())
+pub(crate) fn write(
+    (study, inputs): (&Study, &[InputFile]),
+    results: &Results,
+    prepared: &Prepared,
+    folder: &Folder,
+) -> Result<(), WriteError> {
+    folder.write(PAGE, page(&format!("{} – hartog", study.name), &body((study, inputs), results, prepared, folder)).as_bytes())
 }
 
-fn body((study, inputs): (&Study, &[InputFile]), results: &Results, data: &str, folder: &Folder) -> Markup {
+fn body((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &Prepared, folder: &Folder) -> Markup {
     html! {
         (question(study, results))
         (designs(study, results))
@@ -47,10 +60,10 @@ fn body((study, inputs): (&Study, &[InputFile]), results: &Results, data: &str, 
         (modes::modes())
         (certificates(study, results))
         (conditions(results))
-        (model(study))
+        (prepared.model)
         (plots(study, results, folder))
         (provenance(study, inputs, results))
-        script type="application/json" id="data" { (PreEscaped(data)) }
+        script type="application/json" id="data" { (PreEscaped(&prepared.data)) }
         script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
     }
 }

@@ -42,40 +42,40 @@ pub(crate) fn classification(study: &Study, results: &Results, folder: &Folder) 
 /// [`WriteError`] where a file cannot be written.
 pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn() + Sync)) -> Result<(), WriteError> {
     type Plot<'a> = Box<dyn Fn() -> Result<(), WriteError> + Sync + Send + 'a>;
-    let mut plots: Vec<Plot> = Vec::new();
-    for sweep in &results.sweeps {
-        plots.push(Box::new(|| response::draw(study, results, sweep, folder)));
-    }
-    plots.push(Box::new(|| response::overlay(study, results, folder)));
-    plots.push(Box::new(|| campbell::draw(study, results, folder)));
-    plots.push(Box::new(|| excitation::draw(study, results, folder)));
+    // what takes longest first, so that the last ones end together
+    let mut plots: Vec<Plot> = vec![
+        Box::new(|| margin::margins(study, results, folder)),
+        Box::new(|| margin::diagram(study, results, folder)),
+        Box::new(|| excitation::draw(study, results, folder)),
+        Box::new(|| heat::draw(study, results, folder)),
+        Box::new(|| large_twist::draw(study, results, folder)),
+        Box::new(|| robust::draw(study, results, folder)),
+        Box::new(|| front::draw(study, results, folder)),
+        Box::new(|| response::overlay(study, results, folder)),
+        Box::new(|| campbell::draw(study, results, folder)),
+    ];
     if !results.fronts.is_empty() {
         plots.push(Box::new(|| pareto::draw(study, results, folder)));
     }
-    if results.margin.is_some() {
-        plots.push(Box::new(|| margin::margins(study, results, folder).and_then(|()| margin::diagram(study, results, folder))));
-    } else {
-        margin::margins(study, results, folder)?;
-        margin::diagram(study, results, folder)?;
+    for sweep in &results.sweeps {
+        plots.push(Box::new(|| response::draw(study, results, sweep, folder)));
     }
     let drawn: Vec<Result<(), WriteError>> = plots
         .par_iter()
+        .with_max_len(1)
         .map(|plot| {
             let drawn = plot();
             written();
             drawn
         })
         .collect();
-    drawn.into_iter().collect::<Result<(), _>>()?;
-    heat::draw(study, results, folder)?;
-    large_twist::draw(study, results, folder)?;
-    robust::draw(study, results, folder)?;
-    front::draw(study, results, folder)?;
-    results.tradeoffs.iter().for_each(|_| written());
-    Ok(())
+    drawn.into_iter().collect()
 }
 
-/// How many files [`run`] draws.
+/// Plots that every run has, or removes.
+const ALWAYS: usize = 9;
+
+/// How many plots [`run`] draws.
 pub fn count(results: &Results) -> usize {
-    results.sweeps.len() + results.tradeoffs.len() + 3 + usize::from(!results.fronts.is_empty()) + usize::from(results.margin.is_some())
+    ALWAYS + usize::from(!results.fronts.is_empty()) + results.sweeps.len()
 }

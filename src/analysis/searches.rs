@@ -4,11 +4,11 @@ use super::evaluate::{self, Classifier};
 use super::families::{self, Family};
 use super::results::{FrontResult, OptimumResult, RowCase};
 use super::sensitivities::sensitivities;
-use super::timing::Clock;
+use super::timing::{Clock, timed};
 use super::wanted::Wanted;
 use super::{Progress, RunError};
-use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Declaration, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Limit, Measure, Over, PeakFinder};
@@ -241,22 +241,25 @@ impl<'a> Searches<'a> {
     /// [`RunError`] where none of the starts at an inertia has a finite response.
     pub fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
         let Some(FrontSpec::OverInertia(inertias)) = &self.study.front else { return Ok(Vec::new()) };
-        let mut results = Vec::new();
-        for types in families::types(spec) {
-            // a front is of one absorber: validation sees to it
+        let all = families::types(spec);
+        self.progress.stage("fronts", 2 * inertias.len() * all.len());
+        let step = || self.progress.step();
+        // a front is of one absorber: validation sees to it
+        let follow = |types: Vec<&'static Declaration>| {
             let declaration = types[0];
-            self.progress.stage(&format!("front, {}", declaration.name), 2 * inertias.len());
             let space = families::family(spec, &families::Choice { types, rings: vec![Some(inertias[0])] }, self.modes);
-            let problem = self.problem(space, 0);
-            let step = || self.progress.step();
-            let front = front::follow(&problem, inertias, |s| self.starts(spec, s), &step)
-                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
-            clock.lap(&format!("front_{}", declaration.name), front.work);
-            let others = front.points.par_iter().map(|p| self.others(&p.design));
-            let others = others
-                .collect::<Result<Vec<_>, _>>()
-                .map_err(|error| RunError { what: format!("front of {} absorbers", declaration.name), error })?;
-            results.push(FrontResult { declaration, front, others });
+            let failed = |error| RunError { what: format!("front of {} absorbers", declaration.name), error };
+            let (front, seconds) = timed(|| front::follow(&self.problem(space, 0), inertias, |s| self.starts(spec, s), &step));
+            let front = front.map_err(failed)?;
+            let others = front.points.par_iter().map(|p| self.others(&p.design)).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+            Ok((FrontResult { declaration, front, others }, seconds))
+        };
+        let found: Vec<Result<(FrontResult, f64), RunError>> = all.into_par_iter().map(follow).collect();
+        let mut results = Vec::new();
+        for front in found {
+            let (result, seconds) = front?;
+            clock.beside(&format!("front_{}", result.declaration.name), seconds, result.front.work);
+            results.push(result);
         }
         Ok(results)
     }

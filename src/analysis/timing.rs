@@ -33,6 +33,19 @@ impl Clock {
         self.timing.push(Timing { stage: stage.into(), seconds: self.since.elapsed().as_secs_f64(), work });
         self.since = Instant::now();
     }
+
+    /// Ends a stage that ran beside others, which took so many seconds itself; the next begins.
+    pub(crate) fn beside(&mut self, stage: &str, seconds: f64, work: Work) {
+        self.timing.push(Timing { stage: stage.into(), seconds, work });
+        self.since = Instant::now();
+    }
+}
+
+/// What a stage gives with its time, for stages that run side by side.
+pub(crate) fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
+    let start = Instant::now();
+    let found = run();
+    (found, start.elapsed().as_secs_f64())
 }
 
 /// How often something is repeated to be timed.

@@ -4,7 +4,7 @@ use super::RunError;
 use super::families::{self, joined};
 use super::results::{Beside, OptimumResult, TradeoffResult};
 use super::searches::Searches;
-use super::timing::Clock;
+use super::timing::{Clock, timed};
 use crate::absorber::{Host, Mounted};
 use crate::input::{FrontSpec, OptimiseSpec};
 use crate::objective::Limit;
@@ -56,26 +56,31 @@ impl Searches<'_> {
         self.progress.stage("fronts", pairs.len() * families.len() * points);
         let step = || self.progress.step();
         let mut results = Vec::new();
-        for of in pairs {
+        // fronts of all pairs and families side by side
+        let follow = |of: &[usize; 2], (name, space, spec): &(String, Space, OptimiseSpec)| {
             let (first, second) = (measures[of[0]].measure.in_si(), measures[of[1]].measure.in_si());
+            let failed = |error: ResponseError| RunError { what: format!("front of {name}"), error };
+            let problem = Problem {
+                load_cases: self.load_cases,
+                space: space.clone(),
+                objectives: std::slice::from_ref(&first),
+                weights: &[],
+                limits: &self.limits,
+                memory: self.memory(None),
+            };
+            let starts = |space: &Space| self.starts(spec, space);
+            let known = self.known(spec, space, &first, optima);
+            Follower::new(&problem, &second, &starts).with_least_of_first(known).follow(*points, &step).map_err(failed)
+        };
+        let of_pair = |of: &[usize; 2]| families.par_iter().map(|family| timed(|| follow(of, family))).collect::<Vec<_>>();
+        let found: Vec<Vec<(Result<Tradeoff, RunError>, f64)>> = pairs.par_iter().map(of_pair).collect();
+        for (of, found) in pairs.into_iter().zip(found) {
             let mut fronts: Vec<Tradeoff> = Vec::new();
-            for (name, space, spec) in &families {
-                let failed = |error: ResponseError| RunError { what: format!("front of {name}"), error };
-                let objectives = std::slice::from_ref(&first);
-                let problem = Problem {
-                    load_cases: self.load_cases,
-                    space: space.clone(),
-                    objectives,
-                    weights: &[],
-                    limits: &self.limits,
-                    memory: self.memory(None),
-                };
-                let starts = |space: &Space| self.starts(spec, space);
-                let known = self.known(spec, space, &first, optima);
-                let front = Follower::new(&problem, &second, &starts).with_least_of_first(known).follow(*points, &step).map_err(failed)?;
+            for ((name, ..), (front, seconds)) in families.iter().zip(found) {
+                let front = front?;
                 let mut work = front.minimax;
                 work += front.searches;
-                clock.lap(&format!("front_{name}"), work);
+                clock.beside(&format!("front_{name}"), seconds, work);
                 fronts.push(front);
             }
             mark(&mut fronts);

@@ -40,6 +40,12 @@ pub struct Stages {
 }
 
 impl Stages {
+    fn add(&mut self, other: Self) {
+        self.seeds += other.seeds;
+        self.search += other.search;
+        self.minimax += other.minimax;
+    }
+
     /// Of all stages.
     pub(crate) fn all(&self) -> Work {
         let mut all = self.seeds;
@@ -125,44 +131,36 @@ const TOGETHER: f64 = 0.1;
 /// # Errors
 /// The error of the first start, where no start has a finite response.
 pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish, recorder: Recorder) -> Result<Optimum, ResponseError> {
-    let searched: Vec<_> = starts
-        .par_iter()
-        .map(|(_, w)| {
-            let mut stages = Stages::default();
-            let seed = problem.cost(w, &mut stages.seeds);
-            let (mut searched, mut value) = gradient_free::search(problem, w, SEARCH_EVALUATIONS, &mut stages.search);
-            if seed < value {
-                (searched, value) = (w.clone(), seed);
-            }
-            (searched, seed, value, stages)
-        })
-        .collect();
-    let own: Vec<usize> = match finish {
-        Finish::All => (0..starts.len()).collect(),
-        Finish::Distinct => distinct(&searched.iter().map(|s| (s.0.as_slice(), s.2)).collect::<Vec<_>>()),
+    let searched = |w: &Vec<f64>| {
+        let mut stages = Stages::default();
+        let seed = problem.cost(w, &mut stages.seeds);
+        let (point, value) = gradient_free::search(problem, w, SEARCH_EVALUATIONS, &mut stages.search);
+        if seed < value { (w.clone(), seed, seed, stages) } else { (point, seed, value, stages) }
     };
-    let runs: Vec<_> = own
-        .par_iter()
-        .map(|i| {
-            let (searched, seed, value, _) = searched[*i].clone();
-            let mut work = Work::default();
-            let outcome = minimax::minimise(problem, &searched, &mut work);
-            recorder();
-            let finished = outcome.as_ref().map_or(f64::INFINITY, cost);
-            (Start { name: starts[*i].0.clone(), seed, searched: value, finished }, outcome, work)
-        })
-        .collect();
-    let mut stages = Stages::default();
-    for (_, _, _, work) in &searched {
-        stages.seeds += work.seeds;
-        stages.search += work.search;
-    }
+    let finished = |name: &String, (point, seed, searched, mut stages): (Vec<f64>, f64, f64, Stages)| {
+        let outcome = minimax::minimise(problem, &point, &mut stages.minimax);
+        recorder();
+        let finished = outcome.as_ref().map_or(f64::INFINITY, cost);
+        (Start { name: name.clone(), seed, searched, finished }, outcome, stages)
+    };
+    let (mut stages, runs) = match finish {
+        // each start on its own, all the way
+        Finish::All => (Stages::default(), starts.par_iter().map(|(name, w)| finished(name, searched(w))).collect::<Vec<_>>()),
+        Finish::Distinct => {
+            let all: Vec<_> = starts.par_iter().map(|start| searched(&start.1)).collect();
+            let kept = distinct(&all.iter().map(|s| (s.0.as_slice(), s.2)).collect::<Vec<_>>());
+            let left: Vec<&Stages> = (0..all.len()).filter(|i| !kept.contains(i)).map(|i| &all[i].3).collect();
+            let mut stages = Stages::default();
+            left.into_iter().for_each(|s| stages.add(*s));
+            (stages, kept.par_iter().map(|i| finished(&starts[*i].0, all[*i].clone())).collect())
+        }
+    };
     let mut log = Vec::new();
     let mut best: Option<Outcome> = None;
     let mut ends: Vec<Outcome> = Vec::new();
     let mut error = None;
-    for (start, outcome, work) in runs {
-        stages.minimax += work;
+    for (start, outcome, spent) in runs {
+        stages.add(spent);
         log.push(start);
         ends.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
         match outcome {

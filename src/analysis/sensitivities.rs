@@ -3,8 +3,9 @@
 use crate::absorber::{Absorber, Mounted};
 use crate::input::{LimitSpec, MeasureSpec};
 use crate::objective::{Measure, holds};
-use crate::optimise::{LoadCase, largest};
+use crate::optimise::LoadCase;
 use crate::response::{ResponseError, Work};
+use rayon::prelude::*;
 
 /// A measure by a parameter.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -41,46 +42,57 @@ pub(crate) fn sensitivities(
     measures: &[&MeasureSpec],
     limits: &[LimitSpec],
 ) -> Result<Vec<Sensitivity>, ResponseError> {
-    let mut list = Vec::new();
-    let of = measures.iter().map(|m| (*m, None)).chain(limits.iter().map(|l| (&l.of, Some(l.limit))));
-    for (spec, limit) in of {
-        let mut level: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
-        for case in load_cases {
-            let mounted = case.absorbers(design);
-            let mut work = Work::default();
-            for peak in case.finder.peaks(&mounted, &spec.measure, 1.0 - LEVEL, &mut work)? {
-                let gradient = |i: usize| case.finder.gradient(&mounted, i, &spec.measure, &peak, &mut Work::default());
-                level.push((peak.value, (0..mounted.len()).map(gradient).collect::<Result<_, _>>()?));
-            }
-        }
-        let largest = level.iter().map(|l| l.0).fold(0.0, f64::max);
-        level.retain(|l| l.0 >= largest * (1.0 - LEVEL) && l.0 > 0.0);
-        for (absorber, mounted) in design.iter().enumerate() {
-            let Some(law) = mounted.absorber.law() else { continue };
-            for (parameter, value) in law.values().iter().enumerate() {
-                let relative = |l: &(f64, Vec<Vec<f64>>)| l.1.get(absorber).and_then(|g| g.get(parameter)).map_or(0.0, |g| g * value / l.0);
-                let rises: Vec<f64> = level.iter().map(relative).collect();
-                let (more, less) = rises.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, r| (m.0.max(*r), m.1.max(-*r)));
-                if !(more.is_finite() && less.is_finite()) {
-                    continue;
-                }
-                let drift = |sign: f64| limit.and_then(|l| breaks(load_cases, design, (&spec.measure, l), (absorber, parameter), sign));
-                // of a margin or a life it is the inverse that rises
-                let sign = if spec.unit.is_inverse() { -1.0 } else { 1.0 };
-                list.push(Sensitivity {
-                    key: spec.key,
-                    place: spec.place.clone(),
-                    limited: limit.is_some(),
-                    absorber,
-                    parameter,
-                    more: sign * more,
-                    less: sign * less,
-                    drift: (drift(1.0), drift(-1.0)),
-                });
-            }
+    let of: Vec<(&MeasureSpec, Option<f64>)> =
+        measures.iter().map(|m| (*m, None)).chain(limits.iter().map(|l| (&l.of, Some(l.limit)))).collect();
+    let each = of.into_par_iter().map(|(spec, limit)| of_measure(load_cases, design, spec, limit)).collect::<Result<Vec<_>, _>>()?;
+    Ok(each.into_iter().flatten().collect())
+}
+
+/// One measure by each parameter.
+fn of_measure(
+    load_cases: &[LoadCase],
+    design: &[Mounted],
+    spec: &MeasureSpec,
+    limit: Option<f64>,
+) -> Result<Vec<Sensitivity>, ResponseError> {
+    let mut level: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
+    for case in load_cases {
+        let mounted = case.absorbers(design);
+        let mut work = Work::default();
+        for peak in case.finder.peaks(&mounted, &spec.measure, 1.0 - LEVEL, &mut work)? {
+            let gradient = |i: usize| case.finder.gradient(&mounted, i, &spec.measure, &peak, &mut Work::default());
+            level.push((peak.value, (0..mounted.len()).map(gradient).collect::<Result<_, _>>()?));
         }
     }
-    Ok(list)
+    let largest = level.iter().map(|l| l.0).fold(0.0, f64::max);
+    level.retain(|l| l.0 >= largest * (1.0 - LEVEL) && l.0 > 0.0);
+    let parameters = |(absorber, m): (usize, &Mounted)| {
+        let values = m.absorber.law().map_or_else(Vec::new, |law| law.values());
+        values.into_iter().enumerate().map(move |(parameter, value)| (absorber, parameter, value))
+    };
+    let all: Vec<(usize, usize, f64)> = design.iter().enumerate().flat_map(parameters).collect();
+    let by = |(absorber, parameter, value): (usize, usize, f64)| {
+        let relative = |l: &(f64, Vec<Vec<f64>>)| l.1.get(absorber).and_then(|g| g.get(parameter)).map_or(0.0, |g| g * value / l.0);
+        let rises: Vec<f64> = level.iter().map(relative).collect();
+        let (more, less) = rises.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, r| (m.0.max(*r), m.1.max(-*r)));
+        if !(more.is_finite() && less.is_finite()) {
+            return None;
+        }
+        let drift = |sign: f64| limit.and_then(|l| breaks(load_cases, design, (&spec.measure, l), (absorber, parameter), sign));
+        // of a margin or a life it is the inverse that rises
+        let sign = if spec.unit.is_inverse() { -1.0 } else { 1.0 };
+        Some(Sensitivity {
+            key: spec.key,
+            place: spec.place.clone(),
+            limited: limit.is_some(),
+            absorber,
+            parameter,
+            more: sign * more,
+            less: sign * less,
+            drift: rayon::join(|| drift(1.0), || drift(-1.0)),
+        })
+    };
+    Ok(all.into_par_iter().filter_map(by).collect())
 }
 
 /// Steps of a parameter at which a limit is looked at, growing: the largest relative change is a half.
@@ -103,7 +115,9 @@ fn breaks(
         let mut moved = design.to_vec();
         moved[absorber].absorber = Absorber::Ring(law.rebuilt(&values));
         // what has no finite response holds no limit
-        largest(load_cases.iter(), &moved, measure, &mut Work::default()).map_or(true, |value| !holds(value / limit))
+        load_cases
+            .iter()
+            .any(|case| case.peak_above(&moved, measure, limit, &mut Work::default()).map_or(true, |value| !holds(value / limit)))
     };
     let mut below = 0.0;
     for step in STEPS {

@@ -57,6 +57,14 @@ impl LoadCase<'_> {
         Ok(self.finder.peak(&self.absorbers(design), measure, work)?.map_or(0.0, |p| p.value))
     }
 
+    /// The same; nothing is zero, too, where it is below `least`.
+    ///
+    /// # Errors
+    /// As [`Self::peak`].
+    pub(crate) fn peak_above(&self, design: &[Mounted], measure: &Measure, least: f64, work: &mut Work) -> Result<f64, ResponseError> {
+        self.finder.exact_value(&self.absorbers(design), (measure, least), &Shared::default(), work)
+    }
+
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
     fn steers(&self, space: &Space) -> bool {
         match self.condition {

@@ -25,7 +25,7 @@ impl<'a> Analyser<'a> {
     }
 
     /// The same of several functions. Samples at psi and -psi are added for the cosines and subtracted for the sines, of which only half a period is needed then.
-    pub fn analyse_each(&self, functions: &[&[f64]]) -> Vec<Vec<C64>> {
+    pub(crate) fn analyse_each(&self, functions: &[&[f64]]) -> Vec<Vec<C64>> {
         let (n, pairs) = (self.turn.len(), self.turn.len().saturating_sub(1) / 2);
         let folded = |f: &&[f64]| -> [Vec<f64>; 2] {
             let both = || f[1..=pairs].iter().zip(f[n - pairs..].iter().rev());

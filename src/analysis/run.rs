@@ -117,14 +117,16 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } =
-        over_speed(study, (&finders, &load_cases), &shown, progress)?;
+    let response = || over_speed(study, (&finders, &load_cases), &shown, progress);
+    // what one evaluation costs
+    let probe = || {
+        let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) else { return Ok(Vec::new()) };
+        cost::per_design(&finders[0], &d.absorbers, study.twist, &measures).map_err(|error| of_design(d, error))
+    };
+    let (response, probe) = rayon::join(response, probe);
+    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
-    // what one evaluation costs, apart from the stages
-    if let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) {
-        let probe = cost::per_design(&finders[0], &d.absorbers, study.twist, &measures);
-        clock.timing.extend(probe.map_err(|error| of_design(d, error))?);
-    }
+    clock.timing.extend(probe?);
     large_twist::judge(&mut designs, &large_twist);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);

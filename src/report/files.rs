@@ -2,6 +2,7 @@
 
 use super::formats::Format;
 use super::parquet;
+use rayon::prelude::*;
 use std::fs::{File, TryLockError};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -92,12 +93,13 @@ impl Folder {
         let mut names = self.names();
         names.sort();
         names.dedup();
-        let mut files = Vec::new();
-        for name in names.into_iter().filter(|n| n != TIMES) {
+        names.retain(|name| name != TIMES);
+        let told = |name: String| {
             let path = self.path.join(&name);
             let bytes = std::fs::read(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
-            files.push(serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32fast::hash(&bytes)) }));
-        }
+            Ok(serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32fast::hash(&bytes)) }))
+        };
+        let files = names.into_par_iter().map(told).collect::<Result<Vec<_>, _>>()?;
         let mut summary = serde_json::Map::new();
         summary.insert("program".into(), concat!("hartog ", env!("CARGO_PKG_VERSION")).into());
         summary.insert("finished".into(), finished.into());

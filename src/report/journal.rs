@@ -10,9 +10,10 @@ use crate::objective::holds;
 use crate::optimise::{Found, Memory};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD_NO_PAD;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -55,7 +56,7 @@ struct Header {
 impl Header {
     fn new(inputs: &[InputFile]) -> Self {
         let program = concat!("hartog ", env!("CARGO_PKG_VERSION")).to_owned();
-        let build = std::env::current_exe().and_then(std::fs::read).ok().map(|bytes| crc32fast::hash(&bytes));
+        let build = std::env::current_exe().and_then(|path| checksum(&path)).ok();
         Self { program, build, inputs: inputs.to_vec() }
     }
 
@@ -112,6 +113,32 @@ pub(crate) struct Journal {
     /// What an earlier run has found.
     known: HashMap<u64, Vec<u8>>,
     state: Mutex<State>,
+}
+
+/// Parts of a file that are read side by side, and how much of one at a time.
+const PARTS: u64 = 4;
+const AT_A_TIME: usize = 1 << 16;
+
+/// CRC-32 of a file.
+fn checksum(path: &Path) -> std::io::Result<u32> {
+    let length = std::fs::metadata(path)?.len();
+    let part = |i: u64| -> std::io::Result<crc32fast::Hasher> {
+        let (first, last) = (length * i / PARTS, length * (i + 1) / PARTS);
+        let mut file = File::open(path)?;
+        file.seek(SeekFrom::Start(first))?;
+        let mut left = file.take(last - first);
+        let (mut hasher, mut bytes) = (crc32fast::Hasher::new(), vec![0; AT_A_TIME]);
+        loop {
+            match left.read(&mut bytes)? {
+                0 => return Ok(hasher),
+                n => hasher.update(&bytes[..n]),
+            }
+        }
+    };
+    let parts = (0..PARTS).into_par_iter().map(part).collect::<std::io::Result<Vec<_>>>()?;
+    let mut whole = crc32fast::Hasher::new();
+    parts.iter().for_each(|part| whole.combine(part));
+    Ok(whole.finalize())
 }
 
 /// A line.

@@ -248,13 +248,13 @@ impl<'a> Direct<'a> {
     /// Response of the system without absorber at one point, for several quantities, with the receptances of `stations`.
     pub(super) fn base(
         &self,
+        solver: &mut Factored,
         stations: &[usize],
         quantities: &[Quantity],
         order: usize,
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<BasePoint, ResponseError> {
-        let mut solver = Factored::new(self.system);
         let n = self.system.chain.len();
         solver.solve(&[], (order, speed_rpm), work)?;
         let units: Vec<Vec<C64>> = stations

@@ -4,6 +4,7 @@
 //! z = N/D of every absorber: (D + H N) q = u0 with q the angles over their denominators, and y = y0 - h N q, exactly.
 
 use super::direct::BasePoint;
+use super::factored::Factored;
 use super::joint_lanes::{LARGEST_CANCELLATION, Points, Table};
 use super::lane::{LANES, Lane};
 use super::{Direct, Grid, Quantity, Response, ResponseError, Work};
@@ -34,11 +35,12 @@ impl<'a> JointReceptance<'a> {
         let mut setup = Work::default();
         let places: Vec<(usize, f64)> =
             grid.speed_rpm.iter().flat_map(|speed_rpm| (0..system.orders()).map(move |order| (order, *speed_rpm))).collect();
+        let mut solver = Factored::new(system);
         let table = |places: &[(usize, f64)]| {
             let mut bases = places.iter().map(|(order, speed_rpm)| {
                 let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;
                 let at = Operating { omega: system.excitation.orders[*order].value() * shaft_speed, shaft_speed };
-                let base = direct.base(stations, &quantities, *order, *speed_rpm, &mut setup).ok();
+                let base = direct.base(&mut solver, stations, &quantities, *order, *speed_rpm, &mut setup).ok();
                 // useless where the base is singular or the stations can hardly be told apart
                 (at, base.filter(|b| b.is_finite() && distinct(b)))
             });

@@ -3,6 +3,7 @@
 //! With u0 the station's angle and y0 the output without absorber, H the station's receptance, h the output per unit torque there and
 //! z the absorber's dynamic stiffness: y = y0 - h z u0/(1 + z H) = (y0 + z (y0 H - h u0))/(1 + z H), exactly.
 
+use super::factored::Factored;
 use super::kernel::{self, Points};
 use super::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::absorber::{Host, Mounted};
@@ -35,9 +36,10 @@ impl<'a> Receptance<'a> {
         let empty = |q: &Quantity| (*q, Points { ring: matches!(q, Quantity::RingTwist(_)), ..Points::default() });
         let mut tables: Vec<(Quantity, Points)> = quantities.iter().map(empty).collect();
         let mut singular = vec![Vec::new(); quantities.len()];
+        let mut solver = Factored::new(system);
         for (i, &speed_rpm) in grid.speed_rpm.iter().enumerate() {
             for (n, order) in system.excitation.orders.iter().enumerate() {
-                let base = direct.base(&[station], quantities, n, speed_rpm, &mut setup).ok();
+                let base = direct.base(&mut solver, &[station], quantities, n, speed_rpm, &mut setup).ok();
                 for (t, (_, points)) in tables.iter_mut().enumerate() {
                     let (mut y0, mut g, mut h) = (ZERO, ZERO, ZERO);
                     let mut usable = false;

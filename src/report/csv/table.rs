@@ -31,10 +31,11 @@ impl Table {
     }
 }
 
-/// The shortest decimal that reads back exactly.
+/// The shortest decimal that reads back exactly, below 1e-5 and from 1e16 on with an exponent.
 pub fn number(x: f64) -> String {
-    let magnitude = x.abs();
-    if x == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{x}") } else { format!("{x:e}") }
+    let mut buffer = ryu::Buffer::new();
+    let text = buffer.format(x);
+    text.strip_suffix(".0").unwrap_or(text).to_owned()
 }
 
 /// The shortest decimal that reads back to seven significant digits: for curves, of which there are many numbers.

@@ -33,7 +33,8 @@ impl<'a> Analyser<'a> {
         };
         let folded: Vec<[Vec<f64>; 2]> = functions.iter().map(folded).collect();
         // samples at zero and at half a period have no partner
-        let alone = |f: &[f64], h: u32| f[0] + if n.is_multiple_of(2) { f[n / 2] * if h % 2 == 0 { 1.0 } else { -1.0 } } else { 0.0 };
+        let sign = |h: u32| if h.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let alone = |f: &[f64], h: u32| f[0] + if n.is_multiple_of(2) { f[n / 2] * sign(h) } else { 0.0 };
         let mut sums: Vec<Vec<C64>> = functions.iter().map(|f| self.harmonics.iter().map(|h| C64::from(alone(f, *h))).collect()).collect();
         for first in (0..pairs).step_by(BLOCK) {
             let count = BLOCK.min(pairs - first);

@@ -44,8 +44,10 @@ pub(crate) fn sensitivities(
 ) -> Result<Vec<Sensitivity>, ResponseError> {
     let of: Vec<(&MeasureSpec, Option<f64>)> =
         measures.iter().map(|m| (*m, None)).chain(limits.iter().map(|l| (&l.of, Some(l.limit)))).collect();
-    let each = of.into_par_iter().map(|(spec, limit)| of_measure(load_cases, design, spec, limit)).collect::<Result<Vec<_>, _>>()?;
-    Ok(each.into_iter().flatten().collect())
+    // the first error in this order, whichever comes first in time
+    let each: Vec<Result<Vec<Sensitivity>, ResponseError>> =
+        of.into_par_iter().map(|(spec, limit)| of_measure(load_cases, design, spec, limit)).collect();
+    Ok(each.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
 }
 
 /// One measure by each parameter.

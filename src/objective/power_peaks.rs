@@ -49,9 +49,10 @@ impl PeakFinder<'_> {
             measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
         let values: Vec<f64> = (0..speeds.rpm.len()).map(at).collect();
-        let top = values.iter().copied().fold(found.best, f64::max);
+        let known = found.peaks.iter().map(|peak| peak.value).chain(values.iter().copied()).fold(0.0, f64::max);
+        let top = known.max(found.best);
         for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-            if candidate.value < LEAST_SHARE * found.keep * top {
+            if candidate.value < LEAST_SHARE * found.keep * known {
                 break;
             }
             let value_at = |speed: f64, work: &mut Work| -> Result<f64, ResponseError> {

@@ -275,25 +275,36 @@ impl Problem<'_> {
 
     fn rows_of(&self, w: &[f64], share: f64, work: &mut Work) -> Result<Rows, ResponseError> {
         let own = self.space.design(w);
-        let cases: Vec<_> = self.steering().map(|(i, s)| (i, s.finder, s.absorbers(&own), self.shared())).collect();
-        let varying: Vec<usize> = (0..own.len()).filter(|i| self.space.varies(*i)).collect();
-        let mut rows = Vec::new();
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
-        for (role, Limit { measure, limit: unit }) in objectives.chain(limits) {
-            let share = if matches!(measure.over, Over::Margin(_)) { share.max(ROW_SHARE_OF_MARGIN) } else { share };
-            let least = if role.is_limit() { FAR_BELOW * unit } else { 0.0 };
-            let mut found: Vec<(usize, Peak)> = Vec::new();
-            for (case, (_, finder, design, shared)) in cases.iter().enumerate() {
-                let peaks = finder.peaks_knowing(design, measure, Asked { keep: share, least }, shared, work)?;
-                found.extend(peaks.into_iter().map(|p| (case, p)));
+        let asked: Vec<(Role, &Limit, f64)> = objectives
+            .chain(limits)
+            .map(|(role, limit)| {
+                let of_margin = matches!(limit.measure.over, Over::Margin(_));
+                (role, limit, if of_margin { share.max(ROW_SHARE_OF_MARGIN) } else { share })
+            })
+            .collect();
+        // case by case: what measures share of one is given up before the next
+        let mut by_measure: Vec<Vec<(usize, Peak)>> = vec![Vec::new(); asked.len()];
+        let mut designs = Vec::new();
+        for (load_case, s) in self.steering() {
+            let (design, shared) = (s.absorbers(&own), self.shared());
+            for ((role, Limit { measure, limit }, keep), found) in asked.iter().zip(&mut by_measure) {
+                let least = if role.is_limit() { FAR_BELOW * limit } else { 0.0 };
+                let peaks = s.finder.peaks_knowing(&design, measure, Asked { keep: *keep, least }, &shared, work)?;
+                found.extend(peaks.into_iter().map(|p| (designs.len(), p)));
             }
+            designs.push((load_case, s.finder, design));
+        }
+        let varying: Vec<usize> = (0..own.len()).filter(|i| self.space.varies(*i)).collect();
+        let mut rows = Vec::new();
+        for ((role, Limit { measure, limit: unit }, share), mut found) in asked.into_iter().zip(by_measure) {
             // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
             found.retain(|p| p.1.value >= share * largest);
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
             for (case, peak) in found {
-                let (load_case, finder, design, _) = &cases[case];
+                let (load_case, finder, design) = &designs[case];
                 let gradient = finder.gradients(design, &varying, measure, &peak, work)?;
                 // the logarithm keeps limits that are missed by far of a size with the objective
                 let (value, unit) =

@@ -14,6 +14,8 @@ pub(crate) type Recorder<'a> = &'a (dyn Fn() + Sync);
 const SEARCH_EVALUATIONS: u64 = 150;
 /// Starts that end within this share of the best have found the same optimum.
 pub(crate) const SAME: f64 = 1e-6;
+/// A design that is better than all starts' ends by more than this share was found from elsewhere.
+const ELSEWHERE: f64 = 1e-4;
 
 /// One start and where it led.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -94,9 +96,11 @@ impl Optimum {
         self.outcome = outcome;
     }
 
-    /// Starts that ended at the value of the best design.
+    /// Starts that ended level with the best of them; all, where none of them led to the best design.
     pub(super) fn level_starts(&self) -> impl Iterator<Item = &str> {
-        self.starts.iter().filter(|s| s.finished <= self.value() * (1.0 + SAME)).map(|s| s.name.as_str())
+        let least = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+        let level = if least > self.value() * (1.0 + ELSEWHERE) { f64::INFINITY } else { least * (1.0 + SAME) };
+        self.starts.iter().filter(move |s| s.finished <= level).map(|s| s.name.as_str())
     }
 
     /// How many starts ended at the best value.

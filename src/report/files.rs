@@ -99,7 +99,8 @@ impl Folder {
             let bytes = std::fs::read(&path).map_err(|e| WriteError { reason: reason(&e), path })?;
             Ok(serde_json::json!({ "name": name, "bytes": bytes.len(), "crc32": format!("{:08x}", crc32fast::hash(&bytes)) }))
         };
-        let files = names.into_par_iter().map(told).collect::<Result<Vec<_>, _>>()?;
+        let files: Vec<Result<serde_json::Value, WriteError>> = names.into_par_iter().map(told).collect();
+        let files = files.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut summary = serde_json::Map::new();
         summary.insert("program".into(), concat!("hartog ", env!("CARGO_PKG_VERSION")).into());
         summary.insert("finished".into(), finished.into());

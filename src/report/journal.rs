@@ -13,7 +13,7 @@ use base64::engine::general_purpose::STANDARD_NO_PAD;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::{File, OpenOptions};
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -129,9 +129,11 @@ fn checksum(path: &Path) -> std::io::Result<u32> {
         let mut left = file.take(last - first);
         let (mut hasher, mut bytes) = (crc32fast::Hasher::new(), vec![0; AT_A_TIME]);
         loop {
-            match left.read(&mut bytes)? {
-                0 => return Ok(hasher),
-                n => hasher.update(&bytes[..n]),
+            match left.read(&mut bytes) {
+                Ok(0) => return Ok(hasher),
+                Ok(n) => hasher.update(&bytes[..n]),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
             }
         }
     };

@@ -17,7 +17,7 @@ use super::simplest::{self, SimplestLaw};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
-use super::timing::Clock;
+use super::timing::{Clock, Timing};
 use super::wanted::Wanted;
 use super::{Progress, RunError, Silent, calibrate, cost, families};
 use crate::absorber::Mounted;
@@ -27,7 +27,7 @@ use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
-use crate::objective::{Condition, Over, PeakFinder};
+use crate::objective::{Condition, Measure, Over, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
@@ -118,12 +118,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let response = || over_speed(study, (&finders, &load_cases), &shown, progress);
-    // what one evaluation costs
-    let probe = || {
-        let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) else { return Ok(Vec::new()) };
-        cost::per_design(&finders[0], &d.absorbers, study.twist, &measures).map_err(|error| of_design(d, error))
-    };
-    let (response, probe) = rayon::join(response, probe);
+    let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
     let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
@@ -162,6 +157,12 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         timing,
         system,
     })
+}
+
+/// What one evaluation costs, of the first design with an absorber.
+fn probe(study: &Study, finder: &PeakFinder, shown: &[&DesignResult], margins: &[Measure]) -> Result<Vec<Timing>, RunError> {
+    let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) else { return Ok(Vec::new()) };
+    cost::per_design(finder, &d.absorbers, study.twist, margins).map_err(|error| of_design(d, error))
 }
 
 /// Modes that each absorber to be optimised can be tuned to.

@@ -14,6 +14,11 @@ const BESIDE: f64 = 1e-3;
 /// That other design is this many times as far away as where nothing has to be found again.
 const FARTHER: f64 = 30.0;
 
+/// Absorber by absorber.
+fn each(absorbers: &[usize], of: impl FnMut(usize) -> Result<Vec<f64>, ResponseError>) -> Result<Vec<Vec<f64>>, ResponseError> {
+    absorbers.iter().copied().map(of).collect()
+}
+
 impl PeakFinder<'_> {
     /// Derivatives of a peak's value with respect to the parameters of absorber `index`, ring inertia first. At fixed speed and cycle angles they are exact, because a
     /// peak is stationary in both (or held by an end of the range); of a multiaxial margin by differences. Dang Van's sums have peaks on ridges over speed, which move
@@ -51,34 +56,22 @@ impl PeakFinder<'_> {
                 list.iter_mut().flatten().for_each(|g| *g *= peak.weight);
                 list
             }
-            _ => absorbers.iter().map(|index| self.gradient_of_one(design, *index, measure, peak, work)).collect::<Result<_, _>>()?,
+            Over::Orders | Over::Order(_) => each(absorbers, |index| self.order_gradient((design, index), peak, work))?,
+            Over::Temperature => each(absorbers, |index| self.temperature_gradient((design, index), measure, peak, work))?,
+            Over::AtDuty(point) => each(absorbers, |index| self.at_duty_gradient((design, index), peak, point, work))?,
+            Over::Mean | Over::MeanPower => each(absorbers, |index| self.mean_gradient((design, index), measure, peak.quantity, work))?,
+            Over::Damage => each(absorbers, |index| self.damage_gradient((design, index), peak.quantity, work))?,
+            Over::Property(property) => each(absorbers, |index| Ok(self.property_gradient(design, index, measure, property)))?,
         };
         let mut by_absorber = vec![Vec::new(); design.len()];
         absorbers.iter().zip(list).for_each(|(index, own)| by_absorber[*index] = own);
         Ok(by_absorber)
     }
 
-    fn gradient_of_one(
-        &self,
-        design: &[Mounted],
-        index: usize,
-        measure: &Measure,
-        peak: &Peak,
-        work: &mut Work,
-    ) -> Result<Vec<f64>, ResponseError> {
-        match peak.over {
-            Over::Orders | Over::Order(_) => {
-                let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
-                let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
-                Ok(change[0].iter().map(|d| peak.weight * (y.conj() * d).re / y.norm()).collect())
-            }
-            Over::Temperature => self.temperature_gradient((design, index), measure, peak, work),
-            Over::AtDuty(point) => self.at_duty_gradient((design, index), peak, point, work),
-            Over::Mean | Over::MeanPower => self.mean_gradient((design, index), measure, peak.quantity, work),
-            Over::Damage => self.damage_gradient((design, index), peak.quantity, work),
-            Over::Property(property) => Ok(self.property_gradient(design, index, measure, property)),
-            Over::Synthesis | Over::Margin(_) | Over::Power => self.gradient(design, index, measure, peak, work),
-        }
+    fn order_gradient(&self, (design, index): (&[Mounted], usize), peak: &Peak, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
+        let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
+        let change = self.direct.sensitivity(design, index, peak.quantity, peak.order..peak.order + 1, peak.speed_rpm, work)?;
+        Ok(change[0].iter().map(|d| peak.weight * (y.conj() * d).re / y.norm()).collect())
     }
 
     fn synthesis_gradients(

@@ -14,6 +14,9 @@ const MARGIN: f64 = 0.005;
 const NARROW: f64 = 10.0;
 /// A refined peak this many times its known value is looked at again more closely; if it grows as much again, nothing damps it.
 const STEEP: f64 = 50.0;
+/// Direct solutions towards a smooth top, and the last step to it as a share of the distance between known speeds: the value is off by its square.
+const MOST: usize = 8;
+const LAST: f64 = 3e-6;
 
 /// A local maximum among known values.
 #[derive(Debug, Clone, Copy)]
@@ -78,10 +81,6 @@ pub fn maxima(speed: &[f64], values: &[f64]) -> Vec<Candidate> {
     found.sort_by(|a, b| b.value.total_cmp(&a.value));
     found
 }
-
-/// Direct solutions towards a smooth top, and the last step to it as a share of the distance between known speeds: the value is off by its square.
-const MOST: usize = 8;
-const LAST: f64 = 3e-6;
 
 /// Speed of the top beside a known speed that is higher than its neighbours, of a value that is smooth over speed: the lowest place of the polynomial of its inverse through known speeds and those
 /// added on the way; nothing at an end, a kink or a narrow resonance, or where it does not settle between the neighbours.

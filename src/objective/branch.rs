@@ -12,6 +12,7 @@ use crate::numerics::interpolation::Interpolation;
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Extremes;
 use crate::response::{Quantity, ResponseError, Work};
+use std::collections::VecDeque;
 
 /// From one direct solution to the next, shares of the distance between known speeds that end the search. The slope at a point is off by the product of its distances to the others: two near ones are
 /// needed before a step says how little is left.
@@ -59,6 +60,84 @@ enum Away {
     Unclear,
 }
 
+/// A branch at neighbouring known speeds, followed from one to the next and computed once at each.
+struct Followed<'b, 'f, 'a> {
+    branches: &'b Branches<'f, 'a>,
+    /// Index of the first of them.
+    first: usize,
+    known: VecDeque<OnBranch>,
+}
+
+impl Followed<'_, '_, '_> {
+    /// The branch at a known speed.
+    fn at(&mut self, i: usize) -> OnBranch {
+        while i < self.first {
+            self.first -= 1;
+            self.known.push_front(self.branches.known(self.first, &self.known[0].extremes));
+        }
+        while i >= self.first + self.known.len() {
+            let last = self.known.len() - 1;
+            self.known.push_back(self.branches.known(self.first + last + 1, &self.known[last].extremes));
+        }
+        self.known[i - self.first]
+    }
+
+    /// The branch at the next known speed on a side, where there is one.
+    fn beside(&mut self, i: usize, side: usize) -> Option<OnBranch> {
+        let next = i.wrapping_add(side);
+        (next < self.branches.speeds.rpm.len()).then(|| self.at(next))
+    }
+
+    /// The known speed, not far from `i`, at which the branch is higher than at its neighbours; nothing where it rises further.
+    fn climbed(&mut self, i: usize) -> Option<usize> {
+        let mut here = (i, self.at(i).value);
+        for side in [1, usize::MAX] {
+            while let Some(there) = self.beside(here.0, side).filter(|there| there.value > here.1) {
+                here = (here.0.wrapping_add(side), there.value);
+                if here.0.abs_diff(i) > FARTHEST {
+                    return None;
+                }
+            }
+            if here.0 != i {
+                break;
+            }
+        }
+        Some(here.0)
+    }
+
+    /// Whether a branch that is highest at a known speed may reach `wanted` between its neighbours.
+    fn may_reach(&mut self, i: usize, wanted: f64) -> bool {
+        match (self.beside(i, usize::MAX), self.at(i), self.beside(i, 1)) {
+            (Some(left), top, Some(right)) if !self.branches.speeds.kink[i] => {
+                local_maxima::may_reach([left, top, right].map(|p| (p.speed_rpm, p.value)), wanted)
+            }
+            _ => true,
+        }
+    }
+
+    /// Where the branch goes from a known speed, an end of the range or a kink of the torque, on one side of it: by the slope there of the parabola through it and two neighbours, where
+    /// that is larger than what it may be wrong by.
+    fn away(&mut self, i: usize, side: usize) -> Away {
+        let Speeds { rpm, kink, .. } = self.branches.speeds;
+        let (next, after) = (i.wrapping_add(side), i.wrapping_add(side).wrapping_add(side));
+        if next >= rpm.len() {
+            return Away::Falls;
+        }
+        if after >= rpm.len() || kink[next] {
+            return Away::Unclear;
+        }
+        let (chord, slope) = slopes(&[i, next, after].map(|i| self.at(i)));
+        let doubt = DOUBT * (slope - chord).abs();
+        if slope > doubt {
+            Away::Falls
+        } else if slope < -doubt {
+            Away::Rises
+        } else {
+            Away::Unclear
+        }
+    }
+}
+
 /// What branches are followed in.
 pub(super) struct Branches<'f, 'a> {
     pub finder: &'f PeakFinder<'a>,
@@ -70,7 +149,7 @@ pub(super) struct Branches<'f, 'a> {
     pub sweep: &'f [C64],
 }
 
-impl Branches<'_, '_> {
+impl<'f, 'a> Branches<'f, 'a> {
     fn phasors(&self, i: usize) -> &[C64] {
         let orders = self.finder.system.orders();
         &self.sweep[i * orders..(i + 1) * orders]
@@ -86,6 +165,11 @@ impl Branches<'_, '_> {
         self.of(self.speeds.rpm[i], self.finder.synthesiser.branch(y, from), y)
     }
 
+    /// The branch of `from` at a known speed and its neighbours.
+    fn followed(&self, i: usize, from: &Extremes) -> Followed<'_, 'f, 'a> {
+        Followed { branches: self, first: i, known: VecDeque::from([self.known(i, from)]) }
+    }
+
     /// The branch of `from` at any speed, and the phasors there.
     fn at(&self, speed_rpm: f64, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<OnBranch, ResponseError> {
         self.finder.direct.at(self.design, self.quantity, speed_rpm, y, work)?;
@@ -98,8 +182,9 @@ impl Branches<'_, '_> {
         work.syntheses += 1;
         let from = self.finder.synthesiser.extremes(self.phasors(i));
         // what is known to a millionth may have led to a neighbour
-        let Some((i, near)) = self.climbed(i, &from) else { return Ok(None) };
-        let Some((top, place)) = self.local(i, &near.extremes, y, work)? else { return Ok(None) };
+        let mut branch = self.followed(i, &from);
+        let Some(i) = branch.climbed(i) else { return Ok(None) };
+        let Some((top, place)) = self.local(i, &mut branch, y, work)? else { return Ok(None) };
         work.syntheses += 1;
         let pairs = self.finder.synthesiser.pairs(y, share);
         let is_own = self.metric.value(top.speed_rpm, &pairs[0], y) <= top.value * (1.0 + ANOTHER);
@@ -113,16 +198,16 @@ impl Branches<'_, '_> {
         self.metric.value(self.speeds.rpm[i], &self.finder.synthesiser.extremes(y), y)
     }
 
-    /// The top of the branch of `from` beside a known speed that is higher than its neighbours.
-    fn local(&self, i: usize, from: &Extremes, y: &mut [C64], work: &mut Work) -> Result<Option<(OnBranch, Place)>, ResponseError> {
+    /// The top of a branch beside a known speed that is higher than its neighbours.
+    fn local(&self, i: usize, branch: &mut Followed, y: &mut [C64], work: &mut Work) -> Result<Option<(OnBranch, Place)>, ResponseError> {
         if self.speeds.is_narrow(i) {
             return Ok(None);
         }
         let is_end = i == 0 || i + 1 == self.speeds.rpm.len();
         let beside = if is_end || self.speeds.kink[i] {
-            match [usize::MAX, 1].map(|side| self.away(i, side, from)) {
+            match [usize::MAX, 1].map(|side| branch.away(i, side)) {
                 [Away::Falls, Away::Falls] => {
-                    let top = self.at(self.speeds.rpm[i], from, y, work)?;
+                    let top = self.at(self.speeds.rpm[i], &branch.at(i).extremes, y, work)?;
                     return Ok(Some((top, if is_end { Place::End } else { Place::Interior })));
                 }
                 [Away::Falls, Away::Rises] => Beside::After,
@@ -132,7 +217,7 @@ impl Branches<'_, '_> {
         } else {
             Beside::Both
         };
-        Ok(self.top((i, from), beside, y, work)?.map(|top| (top, Place::Interior)))
+        Ok(self.top((i, branch), beside, y, work)?.map(|top| (top, Place::Interior)))
     }
 
     /// The peak of another branch than that of the one at `(speed, place)` beside a known speed, and the phasors there; nothing where it has none there that may reach `wanted`.
@@ -145,11 +230,12 @@ impl Branches<'_, '_> {
         work: &mut Work,
     ) -> Result<Option<(OnBranch, Place)>, ResponseError> {
         if !self.speeds.is_narrow(i) {
-            let Some((near, top)) = self.climbed(i, start) else { return Ok(None) };
-            if !self.may_reach(near, &top, wanted) {
+            let mut branch = self.followed(i, start);
+            let Some(near) = branch.climbed(i) else { return Ok(None) };
+            if !branch.may_reach(near, wanted) {
                 return Ok(None);
             }
-            if let Some(peak) = self.local(near, &top.extremes, y, work)? {
+            if let Some(peak) = self.local(near, &mut branch, y, work)? {
                 return Ok(Some(peak));
             }
         }
@@ -183,74 +269,16 @@ impl Branches<'_, '_> {
         if low < high { maximise(low, high, value) } else { Ok((low, value(low)?)) }
     }
 
-    /// Where the branch of `from` goes from a known speed, an end of the range or a kink of the torque, on one side of it: by the slope there of the parabola through it and two neighbours, where
-    /// that is larger than what it may be wrong by.
-    fn away(&self, i: usize, side: usize, from: &Extremes) -> Away {
-        let Speeds { rpm, kink, .. } = self.speeds;
-        let (next, after) = (i.wrapping_add(side), i.wrapping_add(side).wrapping_add(side));
-        if next >= rpm.len() {
-            return Away::Falls;
-        }
-        if after >= rpm.len() || kink[next] {
-            return Away::Unclear;
-        }
-        let here = self.known(i, from);
-        let there = self.known(next, &here.extremes);
-        let (chord, slope) = slopes(&[here, there, self.known(after, &there.extremes)]);
-        let doubt = DOUBT * (slope - chord).abs();
-        if slope > doubt {
-            Away::Falls
-        } else if slope < -doubt {
-            Away::Rises
-        } else {
-            Away::Unclear
-        }
-    }
-
-    /// The known speed, not far from `i`, at which the branch of `from` is higher than at its neighbours; nothing where it rises further.
-    fn climbed(&self, i: usize, from: &Extremes) -> Option<(usize, OnBranch)> {
-        let mut here = (i, self.known(i, from));
-        for side in [1, usize::MAX] {
-            while let Some(there) = self.beside(here.0, side, &here.1.extremes).filter(|there| there.value > here.1.value) {
-                here = (here.0.wrapping_add(side), there);
-                if here.0.abs_diff(i) > FARTHEST {
-                    return None;
-                }
-            }
-            if here.0 != i {
-                break;
-            }
-        }
-        Some(here)
-    }
-
-    /// The branch of `from` at the next known speed on a side, where there is one.
-    fn beside(&self, i: usize, side: usize, from: &Extremes) -> Option<OnBranch> {
-        let next = i.wrapping_add(side);
-        (next < self.speeds.rpm.len()).then(|| self.known(next, from))
-    }
-
-    /// Whether a branch that is highest at a known speed may reach `wanted` between its neighbours.
-    fn may_reach(&self, i: usize, top: &OnBranch, wanted: f64) -> bool {
-        let sides = [usize::MAX, 1].map(|side| self.beside(i, side, &top.extremes));
-        match sides {
-            [Some(left), Some(right)] if !self.speeds.kink[i] => {
-                local_maxima::may_reach([left, *top, right].map(|p| (p.speed_rpm, p.value)), wanted)
-            }
-            _ => true,
-        }
-    }
-
-    /// The top of the branch of `from` near a known speed, within `beside` (known speeds round it, or on one side), and the phasors there: the lowest place of the polynomial of 1/v² through all that
+    /// The top of a branch near a known speed, within `beside` (known speeds round it, or on one side), and the phasors there: the lowest place of the polynomial of 1/v² through all that
     /// is known, a parabola for a single resonance, which every direct solution makes more exact; nothing where that does not settle.
     fn top(
         &self,
-        (i, from): (usize, &Extremes),
+        (i, branch): (usize, &mut Followed),
         beside: Beside,
         y: &mut [C64],
         work: &mut Work,
     ) -> Result<Option<OnBranch>, ResponseError> {
-        let (rpm, middle) = (&self.speeds.rpm, self.known(i, from));
+        let (rpm, middle) = (&self.speeds.rpm, branch.at(i));
         let sides: &[usize] = match beside {
             Beside::Both => &[1, usize::MAX],
             Beside::After => &[1],
@@ -261,19 +289,18 @@ impl Branches<'_, '_> {
         let mut through = Interpolation::new(middle.speed_rpm, distance);
         through.push(middle.speed_rpm, middle.value.powi(-2));
         for side in sides {
-            let mut here = (i, middle);
+            let mut here = i;
             for _ in 0..4 / sides.len() {
-                let next = here.0.wrapping_add(*side);
                 // no further than a kink
-                if next >= rpm.len() || (here.0 != i && self.speeds.kink[here.0]) {
+                if here != i && self.speeds.kink[here] {
                     break;
                 }
-                let there = self.known(next, &here.1.extremes);
-                if here.0 == i && there.value > middle.value {
+                let Some(there) = branch.beside(here, *side) else { break };
+                if here == i && there.value > middle.value {
                     return Ok(None);
                 }
                 through.push(there.speed_rpm, there.value.powi(-2));
-                here = (next, there);
+                here = here.wrapping_add(*side);
             }
         }
         let mut best = middle;

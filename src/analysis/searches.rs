@@ -17,7 +17,8 @@ use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search, second_order, starts,
+    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search,
+    second_order, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -94,9 +95,21 @@ impl<'a> Searches<'a> {
         Problem { load_cases: self.load_cases, space, objectives, weights, limits: &self.limits, memory: self.memory(None) }
     }
 
+    /// Absorbers of a family whose places make no difference to anything that is asked for.
+    fn interchange(&self, space: &Space) -> Interchange {
+        let of_front = match &self.study.front {
+            Some(FrontSpec::Of { measures, .. }) => measures.as_slice(),
+            _ => &[],
+        };
+        let measures = self.objectives.iter().chain(&self.combined).chain(self.duty.iter().flat_map(|d| &d.0)).map(|l| &l.measure);
+        Interchange::of(space, measures.chain(of_front.iter().map(|m| &m.measure)), &self.limits)
+    }
+
     /// Closed forms, random points, and the best of many random points where tables can tell it in no time.
     pub(super) fn starts(&self, spec: &OptimiseSpec, space: &Space) -> Vec<(String, Vec<f64>)> {
-        let mut list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
+        let interchange = self.interchange(space);
+        let list = starts::starts(space, self.modes, spec.random_starts, spec.seed);
+        let mut list = starts::distinct(list, |point| interchange.ordered(space, point));
         if spec.random_starts > 0 {
             let points = starts::random_points(space, &list[0].1, SCREENED, spec.seed);
             if let Some(best) = self.finders[0].best_of(points.iter().map(|w| space.design(w)), &self.study.objective.measure) {

@@ -126,6 +126,27 @@ impl Measure {
         Limit { measure: self.clone(), limit: 1.0 }
     }
 
+    /// The same where two absorbers have changed places.
+    pub(crate) fn exchanged(&self, i: usize, j: usize) -> Self {
+        let place = |k: usize| {
+            if k == i {
+                j
+            } else if k == j {
+                i
+            } else {
+                k
+            }
+        };
+        let of = |q: &Quantity| if let Quantity::RingTwist(k) = q { Quantity::RingTwist(place(*k)) } else { *q };
+        Self { quantities: self.quantities.iter().map(of).collect(), ..self.clone() }
+    }
+
+    /// Whether it is another one; the order of quantities does not count.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        let within = |a: &Self, b: &Self| a.quantities.iter().all(|q| b.quantities.contains(q));
+        self.over == other.over && self.within == other.within && within(self, other) && within(other, self)
+    }
+
     /// Absorbers whose ring twists it is made of.
     pub(crate) fn absorbers(&self) -> impl Iterator<Item = usize> + '_ {
         self.quantities.iter().filter_map(|q| if let Quantity::RingTwist(i) = q { Some(*i) } else { None })

@@ -3,6 +3,7 @@
 pub(crate) mod conflict;
 pub mod front;
 pub mod gradient_free;
+mod interchange;
 pub mod memory;
 pub mod minimax;
 pub(crate) mod prices;
@@ -18,6 +19,7 @@ pub mod variables;
 
 pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
+pub(crate) use interchange::Interchange;
 pub use memory::{Found, Memory, Remembers, Sought};
 pub use minimax::{Outcome, Stop};
 pub use prices::OnBound;

@@ -42,19 +42,20 @@ pub fn starts(space: &Space, modes: &[Vec<EngineMode>], random: usize, seed: u64
     for (i, point) in random_points(space, &middle, random, seed).into_iter().enumerate() {
         list.push((format!("random {}", i + 1), point));
     }
-    distinct(list)
+    distinct(list, <[f64]>::to_vec)
 }
 
-/// Without starts at the place of an earlier one: closed forms may agree, and what agrees because it began alike proves nothing.
-fn distinct(list: Vec<NamedPoint>) -> Vec<NamedPoint> {
+/// Without starts at the place of an earlier one, each `ordered`: closed forms may agree, and what agrees because it began alike proves nothing.
+pub(crate) fn distinct(list: Vec<NamedPoint>, ordered: impl Fn(&[f64]) -> Vec<f64>) -> Vec<NamedPoint> {
     let alike = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < ALIKE);
-    let mut distinct: Vec<NamedPoint> = Vec::new();
+    let mut distinct: Vec<(NamedPoint, Vec<f64>)> = Vec::new();
     for start in list {
-        if distinct.iter().all(|known| !alike(&known.1, &start.1)) {
-            distinct.push(start);
+        let own = ordered(&start.1);
+        if distinct.iter().all(|(_, known)| !alike(known, &own)) {
+            distinct.push((start, own));
         }
     }
-    distinct
+    distinct.into_iter().map(|(start, _)| start).collect()
 }
 
 /// Ring inertias to start an absorber with, and how they are named.

@@ -16,6 +16,8 @@ use nalgebra::{DMatrix, DVector};
 pub enum Stop {
     /// The model promises no decrease worth having.
     Converged,
+    /// Limits are missed, and no step promises to miss them by less.
+    OutOfReach,
     /// Steps became as small as rounding without reaching the decrease the model promised: the peaks are not smooth there.
     SmallSteps,
     /// The limit of iterations.
@@ -31,6 +33,7 @@ impl Stop {
     pub fn reason(self) -> &'static str {
         match self {
             Self::Converged => "converged: no step promises a decrease above 1e-12",
+            Self::OutOfReach => "no step promises to miss the limits by less",
             Self::SmallSteps => "steps became too small to measure a decrease",
             Self::Iterations => "iteration limit",
             Self::NoModel => "the quadratic model could not be solved",
@@ -77,6 +80,11 @@ const LIFT: f64 = 2.0;
 const NEAREST: f64 = 0.97;
 const SMALLEST_REACH: f64 = 1e-10;
 const DECREASE: f64 = 1e-12;
+/// Of a design that misses a limit nobody needs that many digits: reach, and decrease over what it costs, at which its weight grows.
+const SMALLEST_REACH_MISSED: f64 = 1e-6;
+const DECREASE_MISSED: f64 = 1e-9;
+/// No heavier weight helps where the first step with one promises to lessen by no more than this share what limits are missed by.
+const LITTLE: f64 = 1e-3;
 /// First-order residual that optima are polished to (of one absorber where it is above the second number), and most steps of that.
 const CERTIFIED: f64 = 1e-9;
 const CERTIFIED_ALONE: f64 = 1e-8;
@@ -228,6 +236,7 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
     let mut rows = problem.rows_near(&point, share(radius), work)?;
     let mut iterations = 0;
     let mut penalty = PENALTY;
+    let mut weighed = penalty;
     let stop = loop {
         let unit = rows.objective();
         if n == 0 || unit == 0.0 {
@@ -236,7 +245,8 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
         if iterations == MOST_ITERATIONS {
             break Stop::Iterations;
         }
-        if radius < SMALLEST_REACH {
+        let missed = rows.excess() > HELD;
+        if radius < if missed { SMALLEST_REACH_MISSED } else { SMALLEST_REACH } {
             break Stop::SmallSteps;
         }
         iterations += 1;
@@ -244,12 +254,20 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
         let Some(step) = solve(&model, rows.weights(), &hessian, &reach(&point, &bounds, radius), penalty) else { break Stop::NoModel };
         let here = merit(&rows, unit, penalty);
         let promised = here - step.model;
-        if promised < DECREASE {
-            if rows.excess() > HELD && penalty < HEAVIEST {
+        if missed {
+            if penalty > weighed && promised < LITTLE * penalty * rows.excess() {
+                break Stop::OutOfReach;
+            }
+            weighed = penalty;
+            if promised < DECREASE_MISSED * here {
+                if penalty >= HEAVIEST {
+                    break Stop::OutOfReach;
+                }
                 penalty *= HEAVIER;
                 radius = FIRST_REACH;
                 continue;
             }
+        } else if promised < DECREASE {
             break Stop::Converged;
         }
         let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).zip(&bounds).map(|((w, d), b)| snapped(w + d, *b)).collect() };
@@ -295,7 +313,9 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
     let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
     // what misses a limit is no optimum
     let wanted = found.rows.hold() && (problem.space.slots.len() > 1 || residual > CERTIFIED_ALONE);
-    Ok(if wanted { polished(problem, found, penalty, work) } else { found })
+    // nor do steps as small as rounding tell a neighbour of curvature
+    let curvature = found.curvature.clone();
+    Ok(if wanted { Outcome { curvature, ..polished(problem, found, penalty, work) } } else { found })
 }
 
 /// Further steps of the same model where decreases are already lost in rounding, kept while they lower the first-order residual and raise nothing: valleys of

@@ -13,6 +13,7 @@ use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
 use crate::objective::{HELD, Limit, Over, Property};
 use crate::response::{ResponseError, Work};
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 /// A point of a front.
@@ -48,6 +49,14 @@ struct Level {
     most: f64,
     outcome: Outcome,
     values: [f64; 2],
+}
+
+/// A point to begin with, and the curvature there.
+type Known<'l> = (&'l [f64], Option<&'l DMatrix<f64>>);
+
+/// Where an outcome ended.
+fn end(outcome: &Outcome) -> Known<'_> {
+    (&outcome.point, Some(&outcome.curvature))
 }
 
 /// Levels that are looked at from all starts, ends included.
@@ -114,15 +123,19 @@ impl<'a> Follower<'a> {
         Ok([of(&self.problem.objectives[0])?, of(self.second)?])
     }
 
-    /// The best outcome of the minimax method from some points.
-    fn best_of_points(&self, most: f64, points: &[&[f64]], work: &mut Work) -> Result<Option<Level>, ResponseError> {
+    /// The best outcome of the minimax method from some points, with the curvature there where it is known.
+    fn best_of_points(&self, most: f64, points: &[Known], work: &mut Work) -> Result<Option<Level>, ResponseError> {
         let limits = self.limits(most);
         let problem = self.within(&limits, self.problem.objectives);
         let ends: Vec<(Option<Outcome>, Work)> = points
             .par_iter()
-            .map(|point| {
+            .map(|(point, curvature)| {
                 let mut work = Work::default();
-                let outcome = minimax::minimise(&problem, point, &mut work).ok();
+                let outcome = match curvature {
+                    Some(known) => minimax::minimise_with(&problem, point, (*known).clone(), &mut work),
+                    None => minimax::minimise(&problem, point, &mut work),
+                };
+                let outcome = outcome.ok();
                 let finite = outcome.filter(|o| self.values(&o.point, &mut work).is_ok());
                 (finite, work)
             })
@@ -142,9 +155,9 @@ impl<'a> Follower<'a> {
     }
 
     /// The same from some points and from all starts of a search.
-    fn best_of_starts(&self, most: f64, points: &[&[f64]], work: &mut Work) -> Result<Option<Level>, ResponseError> {
+    fn best_of_starts(&self, most: f64, points: &[Known], work: &mut Work) -> Result<Option<Level>, ResponseError> {
         let starts = (self.starts)(&self.problem.space);
-        let all: Vec<&[f64]> = points.iter().copied().chain(starts.iter().map(|s| s.1.as_slice())).collect();
+        let all: Vec<Known> = points.iter().copied().chain(starts.iter().map(|s| (s.1.as_slice(), None))).collect();
         self.best_of_points(most, &all, work)
     }
 
@@ -207,14 +220,14 @@ impl<'a> Follower<'a> {
 
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
-        let again = |o: &Optimum, work: &mut Work| self.best_of_points(f64::MAX, &[o.outcome.point.as_slice()], work);
+        let again = |o: &Optimum, work: &mut Work| self.best_of_points(f64::MAX, &[(&o.outcome.point, None)], work);
         let known = self.least_first.map(|o| Ok(again(o, work)?.map(|level| (level, o.level_starts().map(str::to_owned).collect()))));
         let known: Option<(Level, Vec<String>)> = known.transpose()?.flatten();
         let Some((last, level)) = known.map_or_else(|| self.searched(work), |known| Ok(Some(known)))? else { return Ok(None) };
         let last = self.least_of_second(last, &level, work)?;
         // the least that bounds allow needs no search where a design of that holds the limits
         if let Some(lowest) = self.lowest()?
-            && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[&last.outcome.point], work)?
+            && let Some(first) = self.best_of_starts(lowest * (1.0 + HELD), &[(&last.outcome.point, None)], work)?
         {
             return Ok(Some([first, last]));
         }
@@ -231,7 +244,7 @@ impl<'a> Follower<'a> {
         // designs that are level in the second measure differ in the first; the least of the second may be one without a finite first, as a ring without damping is
         for above in ABOVE_LEAST {
             let most = (least * (1.0 + HELD)).max(least + above * (last.values[1] - least));
-            if let Some(first) = self.best_of_starts(most, &[&found.outcome.point, &last.outcome.point], work)? {
+            if let Some(first) = self.best_of_starts(most, &[(&found.outcome.point, None), (&last.outcome.point, None)], work)? {
                 return Ok(Some([first, last]));
             }
         }
@@ -254,7 +267,7 @@ impl<'a> Follower<'a> {
             .into_par_iter()
             .map(|most| {
                 let mut work = Work::default();
-                Ok((self.best_of_starts(most, &[&first.outcome.point, &last.outcome.point], &mut work)?, work))
+                Ok((self.best_of_starts(most, &[(&first.outcome.point, None), (&last.outcome.point, None)], &mut work)?, work))
             })
             .collect::<Result<_, ResponseError>>()?;
         let mut levels = vec![first];
@@ -274,8 +287,7 @@ impl<'a> Follower<'a> {
                 .map(|i| {
                     let (left, right) = (&levels[i], &levels[i + 1]);
                     let mut work = Work::default();
-                    let points: [&[f64]; 2] = [&left.outcome.point, &right.outcome.point];
-                    let level = self.best_of_points(middle(left, right), &points, &mut work)?;
+                    let level = self.best_of_points(middle(left, right), &[end(&left.outcome), end(&right.outcome)], &mut work)?;
                     recorder();
                     Ok((i, level, work))
                 })
@@ -318,7 +330,7 @@ impl<'a> Follower<'a> {
                 .into_par_iter()
                 .map(|(i, j)| {
                     let mut work = Work::default();
-                    let level = self.best_of_points(levels[i].most, &[&levels[j].outcome.point], &mut work)?;
+                    let level = self.best_of_points(levels[i].most, &[end(&levels[j].outcome)], &mut work)?;
                     Ok((i, level, work))
                 })
                 .collect::<Result<_, ResponseError>>()?;

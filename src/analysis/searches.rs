@@ -14,6 +14,7 @@ use crate::numerics::elementary::Elementary;
 use crate::objective::{Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
+use crate::optimise::front::KnownOptimum;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
@@ -248,11 +249,22 @@ impl<'a> Searches<'a> {
         self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
     }
 
-    /// The fronts, with the time of each.
+    /// Optima by the first objective of families that differ from this one in the ring they hold.
+    fn known_along<'o>(&self, spec: &OptimiseSpec, space: &Space, optima: &'o [OptimumResult]) -> Vec<KnownOptimum<'o>> {
+        let families = families::wanted(spec, self.modes);
+        let asked = |o: &&OptimumResult| o.objective == 0 && !o.robust && o.conflict.is_none();
+        let along = |o: &'o OptimumResult| {
+            let family = families.iter().find(|f| f.family == o.family)?;
+            family.space.is_but_for_ring(space).then(|| KnownOptimum { space: family.space.clone(), outcome: &o.optimum.outcome })
+        };
+        optima.iter().filter(asked).filter_map(along).collect()
+    }
+
+    /// The fronts, with the time of each, beginning with optima that are known.
     ///
     /// # Errors
     /// [`RunError`] where none of the starts at an inertia has a finite response.
-    pub fn fronts(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
+    pub fn fronts(&self, spec: &OptimiseSpec, optima: &[OptimumResult], clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
         let Some(FrontSpec::OverInertia(inertias)) = &self.study.front else { return Ok(Vec::new()) };
         let all = families::types(spec);
         self.progress.stage("fronts", 2 * inertias.len() * all.len());
@@ -262,7 +274,9 @@ impl<'a> Searches<'a> {
             let declaration = types[0];
             let space = families::family(spec, &families::Choice { types, rings: vec![Some(inertias[0])] }, self.modes);
             let failed = |error| RunError { what: format!("front of {} absorbers", declaration.name), error };
-            let (front, seconds) = timed(|| front::follow(&self.problem(space, 0), inertias, |s| self.starts(spec, s), &step));
+            let known = self.known_along(spec, &space, optima);
+            let problem = self.problem(space, 0);
+            let (front, seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
             let front = front.map_err(failed)?;
             let others = front.points.par_iter().map(|p| self.others(&p.design)).collect::<Result<Vec<_>, _>>().map_err(failed)?;
             Ok((FrontResult { declaration, front, others }, seconds))

@@ -127,7 +127,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
                     Exact { family: f.declaration.name.into(), of, points: points.collect(), evaluations: f.front.work.evaluations };
                 beside(space, &study.objective.measure, &inertia, exact)
             };
-            Ok(searches.fronts(spec, &mut clock)?.into_iter().map(one).collect())
+            Ok(searches.fronts(spec, &[], &mut clock)?.into_iter().map(one).collect())
         }
         FrontSpec::Of { measures, .. } => {
             let families = searches.families_of_front(spec);

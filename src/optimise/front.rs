@@ -1,11 +1,14 @@
 //! The front of ring inertia against the objective: the optimum followed along the inertia.
 
 use super::minimax::{self, Outcome};
-use super::search::{self, Finish, Optimum, Recorder};
+use super::search::{self, Finish, Recorder};
+use super::starts::Starts;
 use super::{Problem, Space};
 use crate::absorber::Mounted;
+use crate::numerics::elementary::Elementary;
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One point of a front.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -31,8 +34,45 @@ pub struct Front {
     pub work: Work,
 }
 
-/// Points between two global searches: fixed, so that the result does not depend on threads.
+/// Inertias that differ by less than this share are one.
+const SAME: f64 = 1e-9;
+/// From one inertia to the next a coordinate differs by no more than this from where it is expected, unless another branch takes over.
+const JUMP: f64 = 0.4;
+/// An optimum that is lower than another by more than this share is a better one.
+const BETTER: f64 = 1e-9;
+/// Points between two heads, about: fixed, so that the result does not depend on threads.
 const SEGMENT: usize = 17;
+
+/// An optimum for a ring inertia, as a global search has found it.
+#[derive(Debug, Clone)]
+pub(crate) struct KnownOptimum<'a> {
+    /// Its family.
+    pub space: Space,
+    /// The optimum.
+    pub outcome: &'a Outcome,
+}
+
+/// Points that others are walked to from: those next to known optima, with these, both ends, and some between where these are far apart.
+fn heads<'k, 'a>(inertias: &[f64], known: &'k [KnownOptimum<'a>]) -> BTreeMap<usize, Option<&'k KnownOptimum<'a>>> {
+    let last = inertias.len() - 1;
+    let ring = |optimum: &KnownOptimum| optimum.space.slots[0].values[0];
+    let apart = |i: usize, optimum: &KnownOptimum| (inertias[i] / ring(optimum)).logarithm().abs();
+    let mut heads: BTreeMap<usize, Option<&KnownOptimum>> = [(0, None), (last, None)].into();
+    for optimum in known {
+        let nearest = (0..=last).fold(0, |m, i| if apart(i, optimum) < apart(m, optimum) { i } else { m });
+        let within = inertias[0] * (1.0 - SAME) <= ring(optimum) && ring(optimum) <= inertias[last] * (1.0 + SAME);
+        let nearer = heads.get(&nearest).copied().flatten().is_none_or(|k| apart(nearest, optimum) < apart(nearest, k));
+        if within && nearer {
+            heads.insert(nearest, Some(optimum));
+        }
+    }
+    let own: Vec<usize> = heads.keys().copied().collect();
+    for ends in own.windows(2) {
+        let parts = ((ends[1] - ends[0]) as f64 / SEGMENT as f64).round().max(1.0) as usize;
+        heads.extend((1..parts).map(|k| (ends[0] + k * (ends[1] - ends[0]) / parts, None)));
+    }
+    heads
+}
 
 /// Values of a family at a point with another ring: what grows with the ring follows it, so that the tuning is kept.
 fn retuned(space: &Space, point: &[f64], ring_inertia: f64) -> Vec<Vec<f64>> {
@@ -47,96 +87,150 @@ fn retuned(space: &Space, point: &[f64], ring_inertia: f64) -> Vec<Vec<f64>> {
     values
 }
 
-/// The optimum followed from a head over some inertias: index, inertia and problem of each.
-fn walk<'a>(
-    (mut space, mut outcome): (Space, Outcome),
-    over: impl Iterator<Item = (usize, f64, Problem<'a>)>,
-    recorder: Recorder,
-) -> Result<(Vec<(usize, Outcome)>, Work), ResponseError> {
-    let mut work = Work::default();
-    // by how much the last optimum lay beside where it was expected: the next one does so, too
-    let mut beside = vec![0.0; outcome.point.len()];
-    let mut outcomes = Vec::new();
-    for (i, inertia, problem) in over {
-        let guess = problem.space.point(&retuned(&space, &outcome.point, inertia));
-        let near = guess.iter().zip(&beside).zip(problem.space.bounds());
-        let start: Vec<f64> = near.map(|((g, b), (low, high))| (g + b).clamp(low, high)).collect();
-        outcome = minimax::minimise_with(&problem, &start, outcome.curvature, &mut work)?;
-        beside = outcome.point.iter().zip(&guess).map(|(p, g)| p - g).collect();
-        space = problem.space;
-        outcomes.push((i, outcome.clone()));
-        recorder();
-    }
-    Ok((outcomes, work))
+/// What is followed: a problem over ring inertias, ascending.
+struct Follower<'a> {
+    problem: &'a Problem<'a>,
+    inertias: &'a [f64],
+    starts: Starts<'a>,
+    recorder: Recorder<'a>,
 }
 
-/// Follows the optimum over `inertias` (ascending). At every seventeenth inertia and the last a global search from `starts` is made; in
+impl<'a> Follower<'a> {
+    fn at(&self, i: usize) -> Problem<'a> {
+        Problem { space: self.problem.space.with_ring_inertia(self.inertias[i]), ..*self.problem }
+    }
+
+    /// The optimum for an inertia by a global search.
+    fn searched(&self, i: usize) -> Result<(Outcome, Work), ResponseError> {
+        let problem = self.at(i);
+        let optimum = search::optimise(&problem, &(self.starts)(&problem.space), Finish::Distinct, &|| {})?;
+        (self.recorder)();
+        let work = optimum.stages.all();
+        Ok((optimum.outcome, work))
+    }
+
+    /// The optimum followed from one over some inertias, as long as `go_on` says so.
+    fn walk(
+        &self,
+        (mut space, mut outcome): (Space, Outcome),
+        over: impl Iterator<Item = usize>,
+        go_on: impl Fn(usize, &Outcome) -> bool,
+    ) -> Result<(Vec<(usize, Outcome)>, Work), ResponseError> {
+        let mut work = Work::default();
+        // by how much the last optimum lay beside where it was expected: the next one does so, too
+        let mut beside = vec![0.0; outcome.point.len()];
+        let mut outcomes = Vec::new();
+        for i in over {
+            let problem = self.at(i);
+            let guess = problem.space.point(&retuned(&space, &outcome.point, self.inertias[i]));
+            let near = guess.iter().zip(&beside).zip(problem.space.bounds());
+            let start: Vec<f64> = near.map(|((g, b), (low, high))| (g + b).clamp(low, high)).collect();
+            outcome = minimax::minimise_with(&problem, &start, outcome.curvature, &mut work)?;
+            beside = outcome.point.iter().zip(&guess).map(|(p, g)| p - g).collect();
+            space = problem.space;
+            (self.recorder)();
+            if !go_on(i, &outcome) {
+                break;
+            }
+            outcomes.push((i, outcome.clone()));
+        }
+        Ok((outcomes, work))
+    }
+
+    /// Optima that others are walked to from.
+    fn heads(&self, known: &[KnownOptimum], work: &mut Work) -> Result<BTreeMap<usize, Outcome>, ResponseError> {
+        let of = |(i, known): (usize, Option<&KnownOptimum>)| {
+            let Some(KnownOptimum { space, outcome }) = known else { return Ok((i, self.searched(i)?)) };
+            let (mut found, work) = self.walk((space.clone(), (*outcome).clone()), std::iter::once(i), |_, _| true)?;
+            Ok((i, (found.swap_remove(0).1, work)))
+        };
+        let found: Vec<(usize, (Outcome, Work))> =
+            heads(self.inertias, known).into_par_iter().map(of).collect::<Result<_, ResponseError>>()?;
+        found.iter().for_each(|f| *work += f.1.1);
+        Ok(found.into_iter().map(|(i, (outcome, _))| (i, outcome)).collect())
+    }
+
+    /// Each interval between two heads is walked from its left and from its right one: between heads of one branch another may be better.
+    fn between(&self, heads: BTreeMap<usize, Outcome>, work: &mut Work) -> Result<Vec<Outcome>, ResponseError> {
+        let knots: Vec<(&usize, &Outcome)> = heads.iter().collect();
+        let walks: Vec<(Vec<(usize, Outcome)>, Work)> = (0..2 * (knots.len() - 1))
+            .into_par_iter()
+            .map(|i| {
+                let (left, right) = (*knots[i / 2].0, *knots[i / 2 + 1].0);
+                let inner: Vec<usize> = if i % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
+                let (head, outcome) = knots[i / 2 + i % 2];
+                self.walk((self.at(*head).space, outcome.clone()), inner.into_iter(), |_, _| true)
+            })
+            .collect::<Result<_, _>>()?;
+        let mut best = heads;
+        for (outcomes, spent) in walks {
+            *work += spent;
+            for (i, outcome) in outcomes {
+                if best.get(&i).is_none_or(|b| outcome.merit() < b.merit()) {
+                    best.insert(i, outcome);
+                }
+            }
+        }
+        Ok(best.into_values().collect())
+    }
+
+    /// Where the optimum jumps from one inertia to the next, two branches cross, and a third may be better there: both are searched, and what is better is followed to both sides.
+    fn look_at_jumps(&self, best: &mut [Outcome], work: &mut Work) -> Result<(), ResponseError> {
+        let jumps = |i: &usize| {
+            let (own, next) = (self.at(*i).space, self.at(i + 1).space);
+            let guess = next.point(&retuned(&own, &best[*i].point, self.inertias[i + 1]));
+            guess.iter().zip(&best[i + 1].point).any(|(g, p)| (g - p).abs() > JUMP)
+        };
+        let beside: BTreeSet<usize> = (0..best.len() - 1).filter(jumps).flat_map(|i| [i, i + 1]).collect();
+        let found: Vec<(usize, (Outcome, Work))> =
+            beside.into_par_iter().map(|i| Ok((i, self.searched(i)?))).collect::<Result<_, ResponseError>>()?;
+        for (i, (outcome, spent)) in found {
+            *work += spent;
+            let better = |i: usize, o: &Outcome, best: &[Outcome]| {
+                let (own, known) = (o.merit(), best[i].merit());
+                own.0 < known.0 || (own.0 == known.0 && own.1 < known.1 * (1.0 - BETTER))
+            };
+            if !better(i, &outcome, best) {
+                continue;
+            }
+            let after = self.walk((self.at(i).space, outcome.clone()), i + 1..best.len(), |i, o| better(i, o, best))?;
+            let before = self.walk((self.at(i).space, outcome.clone()), (0..i).rev(), |i, o| better(i, o, best))?;
+            best[i] = outcome;
+            for (outcomes, spent) in [after, before] {
+                *work += spent;
+                outcomes.into_iter().for_each(|(i, outcome)| best[i] = outcome);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Follows the optimum over `inertias` (ascending). It begins at `known` optima, and at both ends and about every seventeenth inertia with a global search from `starts`; in
 /// between the optimum is followed from both sides by the minimax method, and the better one kept.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
-pub fn follow(
+pub(crate) fn follow(
     problem: &Problem,
-    inertias: &[f64],
-    starts: impl Fn(&Space) -> Vec<(String, Vec<f64>)> + Sync,
+    (inertias, known): (&[f64], &[KnownOptimum]),
+    starts: Starts,
     recorder: Recorder,
 ) -> Result<Front, ResponseError> {
-    let last = inertias.len() - 1;
-    let at = |i: usize| Problem { space: problem.space.with_ring_inertia(inertias[i]), ..*problem };
-    let mut knots: Vec<usize> = (0..last).step_by(SEGMENT).collect();
-    knots.push(last);
-    let heads: Vec<Optimum> = knots
-        .par_iter()
-        .map(|&i| {
-            let problem = at(i);
-            let optimum = search::optimise(&problem, &starts(&problem.space), Finish::Distinct, &|| {});
-            recorder();
-            optimum
-        })
-        .collect::<Result<_, _>>()?;
+    let follower = Follower { problem, inertias, starts, recorder };
     let mut work = Work::default();
-    for head in &heads {
-        work += head.stages.seeds;
-        work += head.stages.search;
-        work += head.stages.minimax;
-    }
-    // each segment is walked from its left and from its right head: between heads of one branch another may be better
-    let walks: Vec<(Vec<(usize, Outcome)>, Work)> = (0..2 * (knots.len() - 1))
-        .into_par_iter()
-        .map(|i| {
-            let (left, right) = (knots[i / 2], knots[i / 2 + 1]);
-            let inner: Vec<usize> = if i % 2 == 0 { (left + 1..right).collect() } else { (left + 1..right).rev().collect() };
-            let from = (at(knots[i / 2 + i % 2]).space, heads[i / 2 + i % 2].outcome.clone());
-            walk(from, inner.into_iter().map(|i| (i, inertias[i], at(i))), recorder)
-        })
-        .collect::<Result<_, _>>()?;
-    let mut best: Vec<Option<Outcome>> = vec![None; inertias.len()];
-    for (knot, head) in knots.iter().zip(heads) {
-        best[*knot] = Some(head.outcome);
-    }
-    for (outcomes, spent) in walks {
-        work += spent;
-        for (i, outcome) in outcomes {
-            if best[i].as_ref().is_none_or(|b| outcome.merit() < b.merit()) {
-                best[i] = Some(outcome);
-            }
-        }
-    }
+    let heads = follower.heads(known, &mut work)?;
+    let mut best = follower.between(heads, &mut work)?;
+    follower.look_at_jumps(&mut best, &mut work)?;
     let mut lowest = f64::INFINITY;
-    let points = best
-        .into_iter()
-        .enumerate()
-        .filter_map(|(i, outcome)| outcome.map(|o| (i, o)))
-        .map(|(i, o)| {
-            let value = o.rows.objective();
-            let holds = o.rows.hold();
-            let dominated = value >= lowest || !holds;
-            if holds {
-                lowest = lowest.min(value);
-            }
-            let design = at(i).space.design(&o.point);
-            FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
-        })
-        .collect();
-    Ok(Front { points, work })
+    let points = best.into_iter().enumerate().map(|(i, o)| {
+        let value = o.rows.objective();
+        let holds = o.rows.hold();
+        let dominated = value >= lowest || !holds;
+        if holds {
+            lowest = lowest.min(value);
+        }
+        let design = follower.at(i).space.design(&o.point);
+        FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
+    });
+    Ok(Front { points: points.collect(), work })
 }

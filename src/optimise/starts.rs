@@ -21,6 +21,9 @@ const ALIKE: f64 = 1e-6;
 /// A named start.
 pub(crate) type NamedPoint = (String, Vec<f64>);
 
+/// Starts of a search in a family.
+pub type Starts<'a> = &'a (dyn Fn(&Space) -> Vec<NamedPoint> + Sync);
+
 /// Starts for a family, with the modes of each of its absorbers: the closed forms of each mode (a free ring inertia at its upper bound and its middle),
 /// the lowest bounds, then `random` points from `seed`.
 pub fn starts(space: &Space, modes: &[Vec<EngineMode>], random: usize, seed: u64) -> Vec<NamedPoint> {

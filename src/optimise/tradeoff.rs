@@ -3,12 +3,12 @@
 //! The second is held below a level (the epsilon constraint \[Haimes, Lasdon & Wismer 1971\]), and the optimum followed from level to level by the minimax method, from both neighbours. Both
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
+use super::Problem;
 use super::memory::Remembers;
 use super::minimax::{self, Outcome};
 use super::problem::largest;
 use super::search::{self, Finish, Optimum, Recorder};
-use super::starts::NamedPoint;
-use super::{Problem, Space};
+use super::starts::Starts;
 use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
 use crate::objective::{HELD, Limit, Over, Property};
@@ -73,9 +73,6 @@ const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
 const WORTH: f64 = 1e-4;
 /// Rounds in which points take over what a neighbour found.
 const MOST_ROUNDS: usize = 20;
-
-/// Starts of a search in a family.
-pub type Starts<'a> = &'a (dyn Fn(&Space) -> Vec<NamedPoint> + Sync);
 
 /// A front between the least of each of two measures.
 pub struct Follower<'a> {

@@ -110,6 +110,14 @@ impl Space {
         self.variables.iter().any(|v| v.absorber == absorber)
     }
 
+    /// Whether another family has the same freedom, but for the ring inertia of its first absorber, which both hold.
+    pub(crate) fn is_but_for_ring(&self, other: &Self) -> bool {
+        let alike = |a: &Variable, b: &Variable| (a.absorber, a.parameter, a.lower, a.upper) == (b.absorber, b.parameter, b.lower, b.upper);
+        let free = self.variables.len() == other.variables.len() && self.variables.iter().zip(&other.variables).all(|(a, b)| alike(a, b));
+        let held = |space: &Self| space.slots.first().map(|s| s.values[0]);
+        free && held(self).is_some_and(|ring| self.slots == other.with_ring_inertia(ring).slots)
+    }
+
     /// The same family with the ring inertia of its first absorber held.
     #[must_use]
     pub(crate) fn with_ring_inertia(&self, ring_inertia: f64) -> Self {

@@ -68,14 +68,12 @@ impl<'a> Cycle<'a> {
             for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
                 let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
                 let (sine, cosine) = axis.sine_cosine();
+                let (late, early) = unit.split_at(n - shift % n);
                 let mut own = Vec::with_capacity(n);
-                for j in 0..n {
-                    let [torque, x, y] = unit[(j + n - shift % n) % n];
-                    sum[j] += torque;
-                    own.push([x * cosine - y * sine, x * sine + y * cosine]);
-                    force[j][0] += own[j][0];
-                    force[j][1] += own[j][1];
-                }
+                own.extend(early.iter().chain(late).map(|[_, x, y]| [x * cosine - y * sine, x * sine + y * cosine]));
+                let torques = early.iter().chain(late).map(|on| on[0]);
+                sum.iter_mut().zip(torques).for_each(|(sum, torque)| *sum += torque);
+                force.iter_mut().zip(&own).for_each(|(sum, own)| *sum = [sum[0] + own[0], sum[1] + own[1]]);
                 loads.rod_force.push(own);
             }
             loads.torque.push(sum);

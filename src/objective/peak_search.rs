@@ -22,6 +22,8 @@ use std::ops::Range;
 /// Peaks that differ by less than this share are level.
 pub(super) const LEVEL: f64 = 1e-9;
 
+/// A peak is found to be no less than this share below what is known of it.
+const CERTAIN: f64 = 1e-6;
 /// Every so many speeds tell which shaft may be used most.
 const EVERY: usize = 8;
 
@@ -199,6 +201,7 @@ impl<'a> PeakFinder<'a> {
                         sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
                     };
                     sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
+                    found.best = found.best.max(self.used_at_known_peaks(measure, (&speeds, &sweeps), shared, work));
                 }
                 for (quantity, sweep) in sweeps {
                     let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
@@ -233,7 +236,30 @@ impl<'a> PeakFinder<'a> {
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= found.keep * found.best * (1.0 - LEVEL));
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        if let (Over::Margin(_), Some(peak)) = (measure.over, peaks.first()) {
+            shared.worst.borrow_mut().push((peak.quantity, peak.speed_rpm));
+        }
         Ok(peaks)
+    }
+
+    /// What the crank is used by a criterion next to the peaks of others, a little less: what uses it less need not be looked at.
+    fn used_at_known_peaks(
+        &self,
+        measure: &Measure,
+        (speeds, sweeps): (&Speeds, &[(&Quantity, &Sweep)]),
+        shared: &Shared,
+        work: &mut Work,
+    ) -> f64 {
+        let (orders, last) = (self.system.orders(), speeds.rpm.len() - 1);
+        let mut used = |(quantity, speed_rpm): &(Quantity, f64)| -> Option<f64> {
+            let sweep = sweeps.iter().find(|s| s.0 == quantity)?.1;
+            let i = speeds.rpm.partition_point(|s| s < speed_rpm).min(last);
+            let (speed, y) = (speeds.rpm[i], &sweep[i * orders..(i + 1) * orders]);
+            work.syntheses += 1;
+            let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
+            measure.within.holds(speed).then(|| metric.value(speed, &self.synthesiser.extremes(y), y))
+        };
+        shared.worst.borrow().iter().filter_map(&mut used).fold(0.0, f64::max) * (1.0 - CERTAIN)
     }
 
     /// The largest peak of `measure`; of peaks level to 1e-9, as an optimum has them, the one at the lowest speed.

@@ -19,6 +19,8 @@ pub(crate) struct Shared {
     /// Quantities that measures over the same speeds will ask for.
     pub(super) together: Vec<Quantity>,
     pub(super) swept: RefCell<Vec<Swept>>,
+    /// Shafts and speeds (rpm) at which the crank is used most by criteria that have been asked for: by the next one it is hardly used less there than anywhere.
+    pub(super) worst: RefCell<Vec<(Quantity, f64)>>,
 }
 
 /// Sweeps over speeds, rpm.

@@ -193,10 +193,12 @@ impl<'a> Follower<'a> {
             if !better(i, &outcome, best) {
                 continue;
             }
-            let after = self.walk((self.at(i).space, outcome.clone()), i + 1..best.len(), |i, o| better(i, o, best))?;
-            let before = self.walk((self.at(i).space, outcome.clone()), (0..i).rev(), |i, o| better(i, o, best))?;
+            let known: &[Outcome] = best;
+            let to = |side: Vec<usize>| self.walk((self.at(i).space, outcome.clone()), side.into_iter(), |i, o| better(i, o, known));
+            let (after, before) = rayon::join(|| to((i + 1..known.len()).collect()), || to((0..i).rev().collect()));
             best[i] = outcome;
-            for (outcomes, spent) in [after, before] {
+            for walked in [after, before] {
+                let (outcomes, spent) = walked?;
                 *work += spent;
                 outcomes.into_iter().for_each(|(i, outcome)| best[i] = outcome);
             }

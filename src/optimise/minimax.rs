@@ -4,10 +4,10 @@
 //! curvature of the Lagrangian), then measures the true peaks. Without curvature the method stalls wherever fewer peaks are level than
 //! there are variables: Den Hartog's problem has two level peaks and two variables, and its optimum is not a vertex of the linear model.
 
+use super::curvature::{lagrangian, same_peak, update};
 use super::problem::{PENALTY, ROW_SHARE};
 use super::subproblem::{Line, Step, solve};
 use super::{Problem, Row, Rows};
-use crate::objective::Peak;
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
@@ -89,6 +89,8 @@ const LITTLE: f64 = 1e-3;
 const CERTIFIED: f64 = 1e-9;
 const CERTIFIED_ALONE: f64 = 1e-8;
 const MOST_POLISHING: usize = 12;
+/// An optimum is reached where no coordinate differs by more than this, nor its objective by more than this share.
+const ARRIVED: (f64, f64) = (1e-4, 1e-7);
 /// A limit that is missed by less than this holds.
 const HELD: f64 = 1e-8;
 /// Where one is missed for the sake of the objective, its weight grows by this factor, up to that: a limit may cost more than the first weight is.
@@ -125,57 +127,6 @@ fn snapped(w: f64, (low, high): (f64, f64)) -> f64 {
     }
 }
 
-/// How far apart two peaks are: in speed (relative) and, for a synthesis, in the angles of the cycle.
-fn distance(a: &Peak, b: &Peak) -> f64 {
-    let apart = |x: f64, y: f64| {
-        let d = (x - y).rem_euclid(std::f64::consts::TAU);
-        d.min(std::f64::consts::TAU - d)
-    };
-    let angles = match (&a.extremes, &b.extremes) {
-        (Some(a), Some(b)) => apart(a.angle_max, b.angle_max) + apart(a.angle_min, b.angle_min),
-        _ => 0.0,
-    };
-    let speeds = if a.speed_rpm == b.speed_rpm { 0.0 } else { (a.speed_rpm / b.speed_rpm - 1.0).abs() };
-    speeds + 0.1 * angles
-}
-
-/// The row at a new point that belongs to the same peak: the nearest, within a tenth.
-fn same_peak<'r>(row: &Row, rows: &'r Rows) -> Option<&'r Row> {
-    rows.rows
-        .iter()
-        .filter(|r| r.load_case == row.load_case && r.role == row.role && r.peak.quantity == row.peak.quantity)
-        .filter(|r| r.peak.extremes.is_some() || r.peak.order == row.peak.order)
-        .map(|r| (distance(&r.peak, &row.peak), r))
-        .filter(|(d, _)| *d < 0.1)
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, r)| r)
-}
-
-/// Gradient of the Lagrangian at `rows` with the multipliers found at `old`, or nothing where a peak has gone.
-pub(super) fn lagrangian(old: &Rows, multipliers: &[f64], rows: &Rows, unit: f64) -> Option<DVector<f64>> {
-    let mut sum = DVector::zeros(old.rows.first().map_or(0, |r| r.gradient.len()));
-    for (row, multiplier) in old.rows.iter().zip(multipliers) {
-        if *multiplier > 1e-6 {
-            let scale = if row.role.is_limit() { 1.0 } else { 1.0 / unit };
-            sum += DVector::from_column_slice(&same_peak(row, rows)?.gradient) * (multiplier * scale);
-        }
-    }
-    Some(sum)
-}
-
-/// Damped update after Powell: keeps the matrix positive definite. \[Nocedal & Wright 2006\] procedure 18.2.
-fn update(hessian: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
-    let bs = &*hessian * step;
-    let sbs = step.dot(&bs);
-    if sbs <= 0.0 || step.norm() < 1e-12 {
-        return;
-    }
-    let sy = step.dot(change);
-    let theta = if sy >= 0.2 * sbs { 1.0 } else { 0.8 * sbs / (sbs - sy) };
-    let r = change * theta + &bs * (1.0 - theta);
-    *hessian += &r * r.transpose() / step.dot(&r) - &bs * bs.transpose() / sbs;
-}
-
 /// First-order conditions at a point: the step of the model with unit curvature and no trust region, and its multipliers.
 struct FirstOrder {
     residual: f64,
@@ -207,7 +158,12 @@ fn none_known() -> DMatrix<f64> {
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance at the start.
 pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Outcome, ResponseError> {
-    minimise_with(problem, start, DMatrix::identity(start.len(), start.len()) * 0.1, work)
+    minimise_with(problem, start, first_curvature(start), work)
+}
+
+/// What nothing is known of.
+fn first_curvature(start: &[f64]) -> DMatrix<f64> {
+    DMatrix::identity(start.len(), start.len()) * 0.1
 }
 
 /// The same, beginning with a curvature: that of a problem nearby.
@@ -215,17 +171,45 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
 /// # Errors
 /// As [`minimise`].
 pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Work) -> Result<Outcome, ResponseError> {
+    minimise_knowing(problem, start, (curvature, None), work)
+}
+
+/// The same from a start that may lead to a `known` optimum: once it is there, that is the outcome.
+///
+/// # Errors
+/// As [`minimise`].
+pub(super) fn minimise_towards(problem: &Problem, start: &[f64], known: &Outcome, work: &mut Work) -> Result<Outcome, ResponseError> {
+    minimise_knowing(problem, start, (first_curvature(start), Some(known)), work)
+}
+
+fn minimise_knowing(
+    problem: &Problem,
+    start: &[f64],
+    (curvature, known): (DMatrix<f64>, Option<&Outcome>),
+    work: &mut Work,
+) -> Result<Outcome, ResponseError> {
     let n = start.len();
     let parts = |outcome: &Outcome| (outcome.clone(), outcome.curvature.as_slice().to_vec());
     let joined = |(outcome, curvature): (Outcome, Vec<f64>)| Outcome { curvature: DMatrix::from_vec(n, n, curvature), ..outcome };
-    let own = ("minimax", start.to_vec(), curvature.as_slice().to_vec());
-    let run = |work: &mut Work| from(problem, start, curvature, work).map(|outcome| parts(&outcome));
+    let own = ("minimax", start.to_vec(), curvature.as_slice().to_vec(), known.map(|k| &k.point));
+    let run = |work: &mut Work| from(problem, start, (curvature, known), work).map(|outcome| parts(&outcome));
     let found = problem.remembered(&own, work, run).map(joined)?;
     problem.tell(&found.point, &found.rows);
     Ok(found)
 }
 
-fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Work) -> Result<Outcome, ResponseError> {
+/// Whether a point is that of an optimum but for what the next steps would add, and as good.
+fn is_at(known: &Outcome, point: &[f64], rows: &Rows) -> bool {
+    let near = point.iter().zip(&known.point).all(|(a, b)| (a - b).abs() < ARRIVED.0);
+    near && rows.hold() && rows.objective() <= known.rows.objective() * (1.0 + ARRIVED.1)
+}
+
+fn from(
+    problem: &Problem,
+    start: &[f64],
+    (curvature, known): (DMatrix<f64>, Option<&Outcome>),
+    work: &mut Work,
+) -> Result<Outcome, ResponseError> {
     let bounds = problem.space.bounds();
     let n = start.len();
     let mut point = start.to_vec();
@@ -307,6 +291,9 @@ fn from(problem: &Problem, start: &[f64], curvature: DMatrix<f64>, work: &mut Wo
         {
             point = to;
             rows = there;
+            if let Some(known) = known.filter(|k| is_at(k, &point, &rows)) {
+                return Ok(known.clone());
+            }
         }
     };
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);

@@ -1,6 +1,7 @@
 //! Optimisation: the problem and its variables, starts, gradient-free search, sequential quadratic minimax, and the front over ring inertia.
 
 pub(crate) mod conflict;
+mod curvature;
 pub mod front;
 pub mod gradient_free;
 mod interchange;

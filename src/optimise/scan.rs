@@ -102,11 +102,12 @@ pub(crate) fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f6
     }
     lowest.sort_by(|a, b| a.0.total_cmp(&b.0));
     lowest.truncate(MOST_FOLLOWED);
+    let known = &optimum.outcome;
     let ends: Vec<(Option<Outcome>, Work)> = lowest
         .par_iter()
         .map(|(_, w)| {
             let mut work = Work::default();
-            (minimax::minimise(problem, w, &mut work).ok(), work)
+            (minimax::minimise_towards(problem, w, known, &mut work).ok(), work)
         })
         .collect();
     let mut scan = Scan { designs: lines.iter().map(Vec::len).sum(), followed: ends.len(), better: false };

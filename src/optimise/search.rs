@@ -123,6 +123,16 @@ pub enum Finish {
     Distinct,
 }
 
+/// Where the search without derivatives has led from a start.
+#[derive(Debug, Clone)]
+struct Searched {
+    point: Vec<f64>,
+    /// Cost at the start, and there.
+    seed: f64,
+    value: f64,
+    stages: Stages,
+}
+
 /// First-order conditions are met below this residual.
 const MET: f64 = 1e-6;
 /// Ends closer than this in every coordinate are one.
@@ -139,31 +149,39 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         let mut stages = Stages::default();
         let seed = problem.cost(w, &mut stages.seeds);
         let (point, value) = gradient_free::search(problem, w, SEARCH_EVALUATIONS, &mut stages.search);
-        if seed < value { (w.clone(), seed, seed, stages) } else { (point, seed, value, stages) }
+        if seed < value { Searched { point: w.clone(), seed, value: seed, stages } } else { Searched { point, seed, value, stages } }
     };
-    let finished = |name: &String, (point, seed, searched, mut stages): (Vec<f64>, f64, f64, Stages)| {
-        let outcome = minimax::minimise(problem, &point, &mut stages.minimax);
+    let mut stages = Stages::default();
+    let all: Vec<Searched> = starts.par_iter().map(|start| searched(&start.1)).collect();
+    let kept: Vec<usize> = match finish {
+        Finish::All => (0..all.len()).collect(),
+        Finish::Distinct => distinct(&all),
+    };
+    (0..all.len()).filter(|i| !kept.contains(i)).for_each(|i| stages.add(all[i].stages));
+    let finished = |i: &usize, known: Option<&Outcome>| {
+        let Searched { point, seed, value: searched, mut stages } = all[*i].clone();
+        let outcome = match known {
+            Some(known) => minimax::minimise_towards(problem, &point, known, &mut stages.minimax),
+            None => minimax::minimise(problem, &point, &mut stages.minimax),
+        };
         recorder();
         let finished = outcome.as_ref().map_or(f64::INFINITY, cost);
-        (Start { name: name.clone(), seed, searched, finished }, outcome, stages)
+        (*i, (Start { name: starts[*i].0.clone(), seed, searched, finished }, outcome, stages))
     };
-    let (mut stages, runs) = match finish {
-        // each start on its own, all the way
-        Finish::All => (Stages::default(), starts.par_iter().map(|(name, w)| finished(name, searched(w))).collect::<Vec<_>>()),
-        Finish::Distinct => {
-            let all: Vec<_> = starts.par_iter().map(|start| searched(&start.1)).collect();
-            let kept = distinct(&all.iter().map(|s| (s.0.as_slice(), s.2)).collect::<Vec<_>>());
-            let left: Vec<&Stages> = (0..all.len()).filter(|i| !kept.contains(i)).map(|i| &all[i].3).collect();
-            let mut stages = Stages::default();
-            left.into_iter().for_each(|s| stages.add(*s));
-            (stages, kept.par_iter().map(|i| finished(&starts[*i].0, all[*i].clone())).collect())
-        }
-    };
+    // the best, and what the search has not brought next to it; the others, which may lead to the same optimum, after that
+    let best = kept.iter().copied().reduce(|m, i| if all[i].value < all[m].value { i } else { m });
+    let (later, first): (Vec<usize>, Vec<usize>) =
+        kept.into_iter().partition(|i| best.is_some_and(|best| best != *i && together(&all[best].point, &all[*i].point)));
+    let mut runs: Vec<_> = first.par_iter().map(|i| finished(i, None)).collect();
+    let outcome = runs.iter().find(|r| Some(r.0) == best).and_then(|r| r.1.1.as_ref().ok());
+    let known = outcome.filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned();
+    runs.par_extend(later.par_iter().map(|i| finished(i, known.as_ref())));
+    runs.sort_by_key(|r| r.0);
     let mut log = Vec::new();
     let mut best: Option<Outcome> = None;
     let mut ends: Vec<Outcome> = Vec::new();
     let mut error = None;
-    for (start, outcome, spent) in runs {
+    for (_, (start, outcome, spent)) in runs {
         stages.add(spent);
         log.push(start);
         ends.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
@@ -199,9 +217,13 @@ fn others(problem: &Problem, best: &Outcome, mut ends: Vec<Outcome>) -> Vec<Loca
     distinct[1..].iter().map(|o| LocalOptimum { design: problem.space.design(&o.point), value: o.rows.objective() }).collect()
 }
 
+/// Whether two points are of one basin.
+fn together(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < TOGETHER)
+}
+
 /// Indices of the points with no better one near, in their order.
-fn distinct(points: &[(&[f64], f64)]) -> Vec<usize> {
-    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < TOGETHER);
-    let better = |i: usize, j: usize| points[j].1 < points[i].1 || (points[j].1 == points[i].1 && j < i);
-    (0..points.len()).filter(|i| !(0..points.len()).any(|j| better(*i, j) && near(points[*i].0, points[j].0))).collect()
+fn distinct(points: &[Searched]) -> Vec<usize> {
+    let better = |i: usize, j: usize| points[j].value < points[i].value || (points[j].value == points[i].value && j < i);
+    (0..points.len()).filter(|i| !(0..points.len()).any(|j| better(*i, j) && together(&points[*i].point, &points[j].point))).collect()
 }

@@ -1,6 +1,7 @@
 //! Second-order conditions: curvature of the Lagrangian along the directions that first order leaves free.
 
-use super::minimax::{Outcome, lagrangian};
+use super::curvature::lagrangian;
+use super::minimax::Outcome;
 use super::{Problem, Row};
 use crate::response::Work;
 use nalgebra::{DMatrix, DVector};

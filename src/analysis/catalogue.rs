@@ -5,7 +5,7 @@ use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked};
 use crate::input::{DesignSpec, Study};
-use crate::objective::{PeakFinder, holds};
+use crate::objective::{DesignPeaks, PeakFinder, holds};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -62,7 +62,9 @@ fn judge(finders: &[PeakFinder], wanted: &Wanted, design: &DesignSpec) -> Result
     let (mut value, mut over) = (0.0f64, 0.0f64);
     for condition in wanted.judged_in(&design.absorbers) {
         for finder in engines_in(condition, finders) {
-            let (objective, limits) = asked(finder, &absorbers(condition, finder, &design.absorbers)?, wanted, &mut Work::default())?;
+            let design = absorbers(condition, finder, &design.absorbers)?;
+            let mut peaks = DesignPeaks::new(finder, &design, wanted.asked());
+            let (objective, limits) = asked(&mut peaks, wanted, &mut Work::default())?;
             value = value.max(objective);
             over = limits.into_iter().fold(over, f64::max);
         }

@@ -5,8 +5,8 @@ use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked, shafts};
 use crate::absorber::Mounted;
-use crate::objective::{Condition, Measure, Over, Peak, PeakFinder};
-use crate::response::{Quantity, ResponseError, Work};
+use crate::objective::{Condition, DesignPeaks, Measure, Over, Peak, PeakFinder};
+use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
 /// Numbers of a design in such a load case, SI.
@@ -42,10 +42,11 @@ pub(crate) fn in_conditions(
     let one = |condition: Condition, finder: &PeakFinder| -> Result<(ConditionResult, Work), ResponseError> {
         let cylinder = finder.system.excitation.units.misfiring();
         let (design, mut work) = (absorbers(condition, finder, design)?, Work::default());
-        let mut peak = |quantities: Vec<Quantity>| finder.peak(&design, &Measure::new(quantities, Over::Synthesis), &mut work);
-        let (twist, shafts) = (peak(vec![wanted.twist])?, shafts(finder));
-        let torque = if shafts.is_empty() { None } else { peak(shafts)? };
-        let (objective, limits) = asked(finder, &design, wanted, &mut work)?;
+        let (twist, shafts) = (Measure::new(vec![wanted.twist], Over::Synthesis), Measure::new(shafts(finder), Over::Synthesis));
+        let mut peaks = DesignPeaks::new(finder, &design, [&twist, &shafts].into_iter().chain(wanted.asked()));
+        let twist = peaks.peak(&twist, &mut work)?;
+        let torque = if shafts.quantities.is_empty() { None } else { peaks.peak(&shafts, &mut work)? };
+        let (objective, limits) = asked(&mut peaks, wanted, &mut work)?;
         Ok((ConditionResult { condition, cylinder, twist, torque, objective, limits }, work))
     };
     let mut results = Vec::new();

@@ -7,9 +7,8 @@ use super::{BarredRange, ConditionResult, RunError, StillBroken, barred, conditi
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
-use crate::objective::{Condition, Measure, Over, Peak, PeakFinder, Place, holds};
+use crate::objective::{Condition, DesignPeaks, Measure, Over, Peak, PeakFinder, Place, holds};
 use crate::response::{Quantity, ResponseError, Unamplified, Work, quasi_static};
-use std::ops::Range;
 
 /// What makes a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -218,18 +217,22 @@ fn firing(
     wanted: &Wanted,
     work: &mut Work,
 ) -> Result<(DesignResult, Vec<f64>), ResponseError> {
-    let mut peak = |quantities: Vec<Quantity>, over| finder.peak(design, &Measure::new(quantities, over), work);
-    let hub = Quantity::Twist { from: wanted.hub, to: None };
-    let shafts = shafts(finder);
-    let twist = peak(vec![wanted.twist], Over::Synthesis)?;
-    let order_twist = peak(vec![wanted.twist], Over::Orders)?;
-    let order_hub = peak(vec![hub], Over::Orders)?;
-    let torque = if shafts.is_empty() { None } else { peak(shafts, Over::Synthesis)? };
+    let of = |quantities: Vec<Quantity>, over: Over| Measure::new(quantities, over);
     let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
-    let ring_twist = if rings.is_empty() { None } else { Some(peak(rings, Over::Synthesis)?.map_or(0.0, |p| p.value)) };
-    let (objective, limits) = asked(finder, design, wanted, work)?;
-    let power = largest_power(finder, design, 0..design.len(), work)?;
-    let loads = loads(finder, design, power.zip(ring_twist), work)?;
+    let (twist, torque) = (of(vec![wanted.twist], Over::Synthesis), of(shafts(finder), Over::Synthesis));
+    let (ring_twist, power) = (of(rings.clone(), Over::Synthesis), of(rings, Over::Power));
+    let measures = [&twist, &torque, &ring_twist, &power].into_iter().chain(wanted.asked()).chain(wanted.margins);
+    let peaks = &mut DesignPeaks::new(finder, design, measures);
+    let twist = peaks.peak(&twist, work)?;
+    let order_twist = peaks.peak(&of(vec![wanted.twist], Over::Orders), work)?;
+    let order_hub = peaks.peak(&of(vec![Quantity::Twist { from: wanted.hub, to: None }], Over::Orders), work)?;
+    let torque = if torque.quantities.is_empty() { None } else { peaks.peak(&torque, work)? };
+    let mut largest = |measure: &Measure| -> Result<Option<f64>, ResponseError> {
+        if design.is_empty() { Ok(None) } else { Ok(Some(peaks.peak(measure, work)?.map_or(0.0, |p| p.value))) }
+    };
+    let (ring_twist, power) = (largest(&ring_twist)?, largest(&power)?);
+    let (objective, limits) = asked(peaks, wanted, work)?;
+    let loads = loads(peaks, work)?;
     let result = DesignResult {
         name: name.to_owned(),
         absorbers: design.to_vec(),
@@ -245,31 +248,21 @@ fn firing(
         limits: Vec::new(),
         barred: Vec::new(),
         still_broken: Vec::new(),
-        margins: margins::smallest(finder, design, wanted.margins, work)?,
+        margins: margins::smallest_of(peaks, wanted.margins, work)?,
         conditions: Vec::new(),
     };
     Ok((result, limits))
 }
 
-/// What each absorber bears; `all`: power and ring twist of all together, which are those of the only one.
-fn loads(finder: &PeakFinder, design: &[Mounted], all: Option<(f64, f64)>, work: &mut Work) -> Result<Vec<AbsorberLoad>, ResponseError> {
-    if let ([_], Some((power, ring_twist))) = (design, all) {
-        return Ok(vec![AbsorberLoad { power, ring_twist, made_of: made_of(&design[0].absorber, ring_twist) }]);
-    }
+/// What each absorber bears.
+fn loads(peaks: &mut DesignPeaks, work: &mut Work) -> Result<Vec<AbsorberLoad>, ResponseError> {
+    let design = peaks.design;
     let one = |i: usize| {
-        let power = largest_power(finder, design, i..i + 1, work)?.unwrap_or(0.0);
-        let measure = Measure::new(vec![Quantity::RingTwist(i)], Over::Synthesis);
-        let ring_twist = finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value);
+        let mut largest = |over: Over| -> Result<f64, ResponseError> {
+            Ok(peaks.peak(&Measure::new(vec![Quantity::RingTwist(i)], over), work)?.map_or(0.0, |p| p.value))
+        };
+        let (power, ring_twist) = (largest(Over::Power)?, largest(Over::Synthesis)?);
         Ok(AbsorberLoad { power, ring_twist, made_of: made_of(&design[i].absorber, ring_twist) })
     };
     (0..design.len()).map(one).collect()
-}
-
-/// Largest power of some of its absorbers together over the speed range.
-fn largest_power(finder: &PeakFinder, design: &[Mounted], of: Range<usize>, work: &mut Work) -> Result<Option<f64>, ResponseError> {
-    if design.is_empty() {
-        return Ok(None);
-    }
-    let measure = Measure::new(of.map(Quantity::RingTwist).collect(), Over::Power);
-    Ok(Some(finder.peak(design, &measure, work)?.map_or(0.0, |p| p.value)))
 }

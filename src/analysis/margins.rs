@@ -5,7 +5,7 @@ use crate::crankshaft::fillets::Fillet;
 use crate::crankshaft::{self, Margin, Torque, Used};
 use crate::input::Study;
 use crate::numerics::ZERO;
-use crate::objective::{Measure, Over, Peak, PeakFinder};
+use crate::objective::{DesignPeaks, Measure, Over, Peak, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use rayon::prelude::*;
 
@@ -75,9 +75,15 @@ pub fn smallest(
     measures: &[Measure],
     work: &mut Work,
 ) -> Result<Vec<SmallestMargin>, ResponseError> {
+    smallest_of(&mut DesignPeaks::new(finder, design, measures.iter()), measures, work)
+}
+
+/// The same with what is known of the design.
+pub(crate) fn smallest_of(peaks: &mut DesignPeaks, measures: &[Measure], work: &mut Work) -> Result<Vec<SmallestMargin>, ResponseError> {
+    let (finder, design) = (peaks.finder, peaks.design);
     let mut list = Vec::new();
-    let peaks = finder.peak_of_each(design, measures, work)?;
-    for (measure, peak) in measures.iter().zip(peaks) {
+    for measure in measures {
+        let peak = peaks.peak(measure, work)?;
         let (Some(model), Over::Margin(criterion), Some(peak)) = (finder.margin, measure.over, peak) else { continue };
         let (Quantity::ShaftTorque(shaft), Some(extremes)) = (peak.quantity, peak.extremes) else { continue };
         let mut phasors = vec![ZERO; finder.system.orders()];

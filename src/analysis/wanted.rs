@@ -2,7 +2,7 @@
 
 use crate::absorber::Mounted;
 use crate::input::{LimitSpec, Study};
-use crate::objective::{Condition, Measure, PeakFinder};
+use crate::objective::{Condition, DesignPeaks, Measure, PeakFinder};
 use crate::response::{Quantity, ResponseError, Work};
 
 /// What to evaluate.
@@ -38,6 +38,11 @@ impl<'a> Wanted<'a> {
         }
     }
 
+    /// What is minimised and what is limited.
+    pub(crate) fn asked(&self) -> impl Iterator<Item = &Measure> {
+        std::iter::once(self.objective).chain(self.limits.iter().map(|l| &l.of.measure))
+    }
+
     /// Conditions that a design is judged in: those that an optimum is to hold in, and in operation where that differs.
     pub(crate) fn judged_in(&self, design: &[Mounted]) -> Vec<Condition> {
         let in_operation = Some(Condition::InOperation).filter(|c| !c.changes_nothing(design));
@@ -51,8 +56,8 @@ pub fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
 }
 
 /// Objective, and each limited measure over its limit.
-pub fn asked(finder: &PeakFinder, design: &[Mounted], wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
-    let mut largest = |m: &Measure| Ok(finder.peak(design, m, work)?.map_or(0.0, |p| p.value));
+pub(crate) fn asked(peaks: &mut DesignPeaks, wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
+    let mut largest = |m: &Measure| Ok(peaks.peak(m, work)?.map_or(0.0, |p| p.value));
     let limits = wanted.limits.iter().map(|l| Ok(largest(&l.of.measure)? / l.limit)).collect::<Result<_, _>>()?;
     Ok((largest(wanted.objective)?, limits))
 }

@@ -3,6 +3,7 @@
 mod branch;
 pub mod condition;
 mod damage;
+mod design_peaks;
 pub mod duty;
 mod duty_means;
 mod gradient;
@@ -25,6 +26,7 @@ mod temperature_peaks;
 
 pub use condition::Condition;
 pub(crate) use damage::Sheared;
+pub(crate) use design_peaks::DesignPeaks;
 pub use duty::DutyLoad;
 pub(crate) use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};

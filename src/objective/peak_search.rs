@@ -139,20 +139,6 @@ impl<'a> PeakFinder<'a> {
         self.peaks_knowing(design, measure, Asked { keep, least: 0.0 }, &Shared::default(), work)
     }
 
-    /// The largest peak of each measure, as [`PeakFinder::peak`] finds it: what the measures share is evaluated once.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub(crate) fn peak_of_each(
-        &self,
-        design: &[Mounted],
-        measures: &[Measure],
-        work: &mut Work,
-    ) -> Result<Vec<Option<Peak>>, ResponseError> {
-        let shared = Shared::of(measures.iter());
-        measures.iter().map(|m| Ok(lowest(self.peaks_knowing(design, m, Asked::LARGEST, &shared, work)?))).collect()
-    }
-
     /// The same with what measures of one design share.
     ///
     /// # Errors

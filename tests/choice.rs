@@ -186,7 +186,8 @@ fn the_best_of_a_catalogue() {
     assert_eq!(results.catalogue.len(), expected.len());
     for (i, (found, (breaks, value, name))) in results.catalogue.iter().zip(&expected).enumerate() {
         assert_eq!((&found.design, found.place, found.over_limit > 1.0, found.shown), (name, i + 1, *breaks, i < 5));
-        assert_eq!(found.objective, Some(*value));
+        // one sweep of the twist or several quantities at once: the same to rounding
+        assert_close(found.objective.expect("a twist"), *value, 1e-13, 0.0, name);
     }
     let shown: Vec<&str> = results.designs.iter().skip(1).map(|d| d.name.as_str()).collect();
     assert_eq!(shown, expected[..5].iter().map(|e| e.2.as_str()).collect::<Vec<_>>());

@@ -180,13 +180,7 @@ impl<'a> PeakFinder<'a> {
                 let swept = self.swept(design, measure, &speeds, shared, work)?;
                 let mut sweeps: Vec<(&Quantity, &Sweep)> = measure.quantities.iter().zip(swept.iter()).collect();
                 if let Over::Margin(_) = measure.over {
-                    // the shafts that may be used most, as some speeds tell, first: the others need fewer sums then
-                    let most = |(quantity, sweep): &(&Quantity, &Sweep)| {
-                        let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin, Some(&shared.known));
-                        let sums = sweep.chunks(orders).zip(&speeds.rpm).step_by(EVERY).map(|(y, speed)| (bound(y), speed));
-                        sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
-                    };
-                    sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
+                    self.worst_first(measure, &speeds, &mut sweeps, shared);
                     found.best = found.best.max(self.used_at_known_peaks(measure, (&speeds, &sweeps), shared, work));
                 }
                 for (quantity, sweep) in sweeps {
@@ -226,6 +220,16 @@ impl<'a> PeakFinder<'a> {
             shared.worst.borrow_mut().push((peak.quantity, peak.speed_rpm));
         }
         Ok(peaks)
+    }
+
+    /// The shafts that may be used most, as some speeds tell, come first: the others need fewer sums then.
+    fn worst_first(&self, measure: &Measure, speeds: &Speeds, sweeps: &mut [(&Quantity, &Sweep)], shared: &Shared) {
+        let most = |(quantity, sweep): &(&Quantity, &Sweep)| {
+            let metric = PointMetric::of(measure.over, **quantity, &measure.within, self.margin, Some(&shared.known));
+            let sums = sweep.chunks(self.system.orders()).zip(&speeds.rpm).step_by(EVERY).map(|(y, speed)| (bound(y), speed));
+            sums.map(|(sum, speed)| metric.bound(*speed, sum)).fold(0.0, f64::max)
+        };
+        sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
     }
 
     /// What the crank is used by a criterion next to the peaks of others, a little less: what uses it less need not be looked at.

@@ -5,42 +5,12 @@
 //! there are variables: Den Hartog's problem has two level peaks and two variables, and its optimum is not a vertex of the linear model.
 
 use super::curvature::{lagrangian, same_peak, update};
-use super::problem::{PENALTY, ROW_SHARE};
+use super::problem::ROW_SHARE;
+use super::stop::{DECREASE, HELD, Stop, Verdict, Weight};
 use super::subproblem::{Line, Step, solve};
 use super::{Problem, Row, Rows};
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
-
-/// Why the iteration ended.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-pub enum Stop {
-    /// The model promises no decrease worth having.
-    Converged,
-    /// Limits are missed, and no step promises to miss them by less.
-    OutOfReach,
-    /// Steps became as small as rounding without reaching the decrease the model promised: the peaks are not smooth there.
-    SmallSteps,
-    /// The limit of iterations.
-    Iterations,
-    /// The quadratic model had no solution.
-    NoModel,
-    /// Nothing can vary.
-    NothingFree,
-}
-
-impl Stop {
-    /// In words.
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::Converged => "converged: no step promises a decrease above 1e-12",
-            Self::OutOfReach => "no step promises to miss the limits by less",
-            Self::SmallSteps => "steps became too small to measure a decrease",
-            Self::Iterations => "iteration limit",
-            Self::NoModel => "the quadratic model could not be solved",
-            Self::NothingFree => "nothing is free to vary",
-        }
-    }
-}
 
 /// Where the iteration ended.
 #[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
@@ -79,23 +49,14 @@ const LARGEST_REACH: f64 = 2.0;
 const LIFT: f64 = 2.0;
 const NEAREST: f64 = 0.97;
 const SMALLEST_REACH: f64 = 1e-10;
-const DECREASE: f64 = 1e-12;
-/// Of a design that misses a limit nobody needs that many digits: reach, and decrease over what it costs, at which its weight grows.
+/// Of a design that misses a limit, of which nobody needs that many digits.
 const SMALLEST_REACH_MISSED: f64 = 1e-6;
-const DECREASE_MISSED: f64 = 1e-9;
-/// No heavier weight helps where the first step with one promises to lessen by no more than this share what limits are missed by.
-const LITTLE: f64 = 1e-3;
 /// First-order residual that optima are polished to (of one absorber where it is above the second number), and most steps of that.
 const CERTIFIED: f64 = 1e-9;
 const CERTIFIED_ALONE: f64 = 1e-8;
 const MOST_POLISHING: usize = 12;
 /// An optimum is reached where no coordinate differs by more than this, nor its objective by more than this share.
 const ARRIVED: (f64, f64) = (1e-4, 1e-7);
-/// A limit that is missed by less than this holds.
-const HELD: f64 = 1e-8;
-/// Where one is missed for the sake of the objective, its weight grows by this factor, up to that: a limit may cost more than the first weight is.
-const HEAVIER: f64 = 10.0;
-const HEAVIEST: f64 = 1e6;
 
 /// Rows in units of the largest objective.
 fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
@@ -198,6 +159,58 @@ fn minimise_knowing(
     Ok(found)
 }
 
+/// What cannot be lifted to the top within a reach is left out: a relative change is hardly larger than the step.
+fn share(reach: f64) -> f64 {
+    (1.0 - LIFT * reach).clamp(ROW_SHARE, NEAREST)
+}
+
+/// A point with what its next step depends on.
+struct At<'p> {
+    problem: &'p Problem<'p>,
+    bounds: &'p [(f64, f64)],
+    point: &'p [f64],
+    rows: &'p Rows,
+    unit: f64,
+    penalty: f64,
+    radius: f64,
+}
+
+impl At<'_> {
+    fn step(&self, model: &[Line], hessian: &DMatrix<f64>) -> Option<Step> {
+        solve(model, self.rows.weights(), hessian, &reach(self.point, self.bounds, self.radius), self.penalty)
+    }
+
+    /// Where a step leads, or its second-order correction where that is better, and the decrease as a share of what was promised.
+    fn tried(
+        &self,
+        (model, hessian): (&[Line], &DMatrix<f64>),
+        step: &Step,
+        promised: f64,
+        work: &mut Work,
+    ) -> (Vec<f64>, Result<Rows, ResponseError>, f64) {
+        let length = step.change.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
+        let here = merit(self.rows, self.unit, self.penalty);
+        let mut to = |change: &[f64]| {
+            let moved = self.point.iter().zip(change).zip(self.bounds);
+            let point: Vec<f64> = moved.map(|((w, d), b)| snapped(w + d, *b)).collect();
+            let there = self.problem.rows_near(&point, share(2.0 * length), work);
+            let decrease = there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, self.unit, self.penalty));
+            (point, there, decrease / promised)
+        };
+        let first = to(&step.change);
+        if first.2 < 0.25
+            && let Ok(trial) = &first.1
+            && let Some(corrected) = corrected(self.rows, trial, model, step, self.unit)
+            && let Some(second) = self.step(&corrected, hessian)
+        {
+            // the same model through the values measured at the trial point
+            let second = to(&second.change);
+            return if second.2 > first.2 { second } else { first };
+        }
+        first
+    }
+}
+
 /// Whether a point is that of an optimum but for what the next steps would add, and as good.
 fn is_at(known: &Outcome, point: &[f64], rows: &Rows) -> bool {
     let near = point.iter().zip(&known.point).all(|(a, b)| (a - b).abs() < ARRIVED.0);
@@ -215,12 +228,9 @@ fn from(
     let mut point = start.to_vec();
     let mut hessian = curvature;
     let mut radius = FIRST_REACH;
-    // what a step cannot lift to the top is left out: a relative change is hardly larger than the step
-    let share = |reach: f64| (1.0 - LIFT * reach).clamp(ROW_SHARE, NEAREST);
     let mut rows = problem.rows_near(&point, share(radius), work)?;
     let mut iterations = 0;
-    let mut penalty = PENALTY;
-    let mut weighed = penalty;
+    let mut weight = Weight::first();
     let stop = loop {
         let unit = rows.objective();
         if n == 0 || unit == 0.0 {
@@ -229,50 +239,24 @@ fn from(
         if iterations == MOST_ITERATIONS {
             break Stop::Iterations;
         }
-        let missed = rows.excess() > HELD;
-        if radius < if missed { SMALLEST_REACH_MISSED } else { SMALLEST_REACH } {
+        if radius < if rows.excess() > HELD { SMALLEST_REACH_MISSED } else { SMALLEST_REACH } {
             break Stop::SmallSteps;
         }
         iterations += 1;
+        let at = At { problem, bounds: &bounds, point: &point, rows: &rows, unit, penalty: weight.now, radius };
         let model = lines(&rows, unit);
-        let Some(step) = solve(&model, rows.weights(), &hessian, &reach(&point, &bounds, radius), penalty) else { break Stop::NoModel };
-        let here = merit(&rows, unit, penalty);
+        let Some(step) = at.step(&model, &hessian) else { break Stop::NoModel };
+        let here = merit(&rows, unit, weight.now);
         let promised = here - step.model;
-        if missed {
-            if penalty > weighed && promised < LITTLE * penalty * rows.excess() {
-                break Stop::OutOfReach;
-            }
-            weighed = penalty;
-            if promised < DECREASE_MISSED * here {
-                if penalty >= HEAVIEST {
-                    break Stop::OutOfReach;
-                }
-                penalty *= HEAVIER;
+        match weight.verdict(&rows, here, promised) {
+            Verdict::Try => {}
+            Verdict::Heavier => {
                 radius = FIRST_REACH;
                 continue;
             }
-        } else if promised < DECREASE {
-            break Stop::Converged;
+            Verdict::Stop(stop) => break stop,
         }
-        let moved = |change: &[f64]| -> Vec<f64> { point.iter().zip(change).zip(&bounds).map(|((w, d), b)| snapped(w + d, *b)).collect() };
-        let mut to = moved(&step.change);
-        let length = step.change.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
-        let mut there = problem.rows_near(&to, share(2.0 * length), work);
-        let decrease = |there: &Result<Rows, ResponseError>| there.as_ref().map_or(f64::NEG_INFINITY, |r| here - merit(r, unit, penalty));
-        let mut ratio = decrease(&there) / promised;
-        if ratio < 0.25
-            && let Ok(trial) = &there
-            && let Some(corrected) = corrected(&rows, trial, &model, &step, unit)
-            && let Some(second) = solve(&corrected, rows.weights(), &hessian, &reach(&point, &bounds, radius), penalty)
-        {
-            // second-order correction: the same model through the values measured at the trial point
-            let to2 = moved(&second.change);
-            let there2 = problem.rows_near(&to2, share(2.0 * length), work);
-            let ratio2 = decrease(&there2) / promised;
-            if ratio2 > ratio {
-                (to, there, ratio) = (to2, there2, ratio2);
-            }
-        }
+        let (to, there, ratio) = at.tried((&model, &hessian), &step, promised, work);
         let change = DVector::from_iterator(n, to.iter().zip(&point).map(|(a, b)| a - b));
         let length = change.amax();
         if let Ok(there) = &there
@@ -296,6 +280,7 @@ fn from(
             }
         }
     };
+    let penalty = weight.now;
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
     let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
     // what misses a limit is no optimum

@@ -114,6 +114,12 @@ pub(super) fn cost(outcome: &Outcome) -> f64 {
     outcome.rows.objective() * (1.0 + PENALTY * outcome.rows.excess())
 }
 
+/// Whether an outcome is lower than another, or level and closer to first-order conditions.
+fn is_better(a: &Outcome, b: &Outcome) -> bool {
+    let (own, other) = (cost(a), cost(b));
+    own < other * (1.0 - LEVEL) || (own < other * (1.0 + LEVEL) && a.kkt_residual < b.kkt_residual)
+}
+
 /// Which starts are finished by the minimax method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Finish {
@@ -133,7 +139,10 @@ struct Searched {
     stages: Stages,
 }
 
-/// First-order conditions are met below this residual.
+/// Costs that differ by less than this share are level.
+const LEVEL: f64 = 1e-12;
+/// First-order conditions are met below this residual; an optimum that others are held against meets them this well.
+const WELL_MET: f64 = 1e-8;
 const MET: f64 = 1e-6;
 /// Ends closer than this in every coordinate are one.
 const APART: f64 = 1e-3;
@@ -174,7 +183,7 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         kept.into_iter().partition(|i| best.is_some_and(|best| best != *i && together(&all[best].point, &all[*i].point)));
     let mut runs: Vec<_> = first.par_iter().map(|i| finished(i, None)).collect();
     let outcome = runs.iter().find(|r| Some(r.0) == best).and_then(|r| r.1.1.as_ref().ok());
-    let known = outcome.filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned();
+    let known = outcome.filter(|o| o.kkt_residual < WELL_MET && o.rows.hold()).cloned();
     runs.par_extend(later.par_iter().map(|i| finished(i, known.as_ref())));
     runs.sort_by_key(|r| r.0);
     let mut log = Vec::new();
@@ -186,7 +195,7 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         log.push(start);
         ends.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
         match outcome {
-            Ok(o) if best.as_ref().is_none_or(|b| cost(&o) < cost(b) * (1.0 - 1e-12)) => best = Some(o),
+            Ok(o) if best.as_ref().is_none_or(|b| is_better(&o, b)) => best = Some(o),
             Ok(_) => {}
             Err(e) => error = error.or(Some(e)),
         }

@@ -4,13 +4,13 @@
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
 use super::Problem;
+use super::levels::{Level, SAME, distinct, gaps, middle};
 use super::memory::Remembers;
 use super::minimax::{self, Outcome};
 use super::problem::largest;
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;
 use crate::absorber::Mounted;
-use crate::numerics::elementary::Elementary;
 use crate::objective::{HELD, Limit, Over, Property};
 use crate::response::{ResponseError, Work};
 use nalgebra::DMatrix;
@@ -42,15 +42,6 @@ pub struct Tradeoff {
     pub searches: Work,
 }
 
-/// What follows one level of the second measure.
-#[derive(Debug, Clone)]
-struct Level {
-    /// What the second measure may be.
-    most: f64,
-    outcome: Outcome,
-    values: [f64; 2],
-}
-
 /// A point to begin with, and the curvature there.
 type Known<'l> = (&'l [f64], Option<&'l DMatrix<f64>>);
 
@@ -63,10 +54,6 @@ fn end(outcome: &Outcome) -> Known<'_> {
 const KNOTS: usize = 5;
 /// An optimum that is lower than another by more than this share is a better one.
 const BETTER: f64 = 1e-9;
-/// Points nearer in the second measure than this share of its range are one.
-const SAME: f64 = 1e-6;
-/// A jump of the front is followed up to this share of the range of the second measure.
-const RESOLVED: f64 = 1e-3;
 /// Where a front begins, as shares of the range of the second measure above its least: at the first at which there is a design.
 const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
 /// A design that is level in the first measure ends a front where it is lower in the second by more than this share: less is what rounding of the first leaves.
@@ -342,44 +329,6 @@ impl<'a> Follower<'a> {
         }
         Ok(())
     }
-}
-
-/// Leaves out levels whose optimum is that of the one before.
-fn distinct(levels: &mut Vec<Level>) {
-    let same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
-    levels.dedup_by(|b, a| same(a.values[0], b.values[0]) && same(a.values[1], b.values[1]));
-}
-
-/// Up to where the optimum of a level is known to be the same.
-fn reach(level: &Level) -> f64 {
-    level.most.max(level.values[1])
-}
-
-/// The level half way between two.
-fn middle(left: &Level, right: &Level) -> f64 {
-    0.5 * (reach(left) + right.values[1])
-}
-
-/// Intervals that are longer than the front divided by its points, the longest first, no more than are left; ascending.
-fn gaps(levels: &[Level], count: usize) -> Vec<usize> {
-    let range = |k: usize| {
-        let all = || levels.iter().map(|l| l.values[k]);
-        let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-        if high > low { high - low } else { 1.0 }
-    };
-    let ranges = [range(0), range(1)];
-    let length = |i: usize| {
-        let along = |k: usize| (levels[i + 1].values[k] - levels[i].values[k]) / ranges[k];
-        along(0).hypotenuse(along(1))
-    };
-    let total: f64 = (0..levels.len() - 1).map(length).sum();
-    let wanted = total / (count - 1) as f64;
-    let apart = |i: &usize| levels[i + 1].values[1] - reach(&levels[*i]) > RESOLVED * ranges[1];
-    let mut list: Vec<usize> = (0..levels.len() - 1).filter(apart).filter(|i| length(*i) > wanted).collect();
-    list.sort_by(|a, b| length(*b).total_cmp(&length(*a)).then(a.cmp(b)));
-    list.truncate(count - levels.len());
-    list.sort_unstable();
-    list
 }
 
 /// Marks what another point of any front is no worse than in both measures, and the knee of what is left.

@@ -131,6 +131,12 @@ impl Excitation {
         }
     }
 
+    /// A share of the way from this torque to that of an engine which differs from it only by what its gas torque is linear in.
+    pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
+        let row = |(a, b): (&Vec<C64>, &Vec<C64>)| a.iter().zip(b).map(|(a, b)| a + (b - a) * share).collect();
+        Self { gas: self.gas.iter().zip(&other.gas).map(row).collect(), ..self.clone() }
+    }
+
     /// What a unit of this engine loses when it does not fire; nothing where the torque comes from a table.
     pub fn motored_change(&self, engine: &Engine) -> Option<MotoredChange> {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return None };

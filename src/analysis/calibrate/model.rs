@@ -3,8 +3,8 @@
 use crate::analysis::RunError;
 use crate::analysis::amplitude::near;
 use crate::drivetrain::System;
-use crate::engine::Excitation;
-use crate::input::{CalibrateSpec, Input, Study};
+use crate::engine::{Excitation, Pressure, Source};
+use crate::input::{CalibrateSpec, FreeInput, Input, Study};
 use crate::response::{Direct, Grid, ResponseError, Work};
 use std::sync::Arc;
 
@@ -14,6 +14,30 @@ pub(crate) struct Model<'a> {
     spec: &'a CalibrateSpec,
     grid: Grid,
     torques: Vec<(Vec<f64>, Arc<Excitation>)>,
+    level: Option<Level>,
+}
+
+/// Torques at two levels of the pressure of an Otto cycle: without friction torque is linear in it.
+struct Level {
+    scales: [f64; 2],
+    torques: [Excitation; 2],
+}
+
+impl Level {
+    /// Where the level alone is fitted of what changes the torque.
+    fn of(study: &Study, spec: &CalibrateSpec) -> Option<Self> {
+        let Source::Cylinder { geometry, pressure: Pressure::Otto(_) } = &study.engine.source else { return None };
+        let mut inputs = spec.inputs.iter().filter(|f| f.input.changes_torque());
+        let (Some(FreeInput { input: Input::PressureScale, lower, upper, .. }), None) = (inputs.next(), inputs.next()) else { return None };
+        let torque = |scale: f64| Excitation::new(&study.with_inputs(&[(Input::PressureScale, scale)]).engine, study.order_limit);
+        let is_linear = geometry.liner_friction == 0.0 && lower < upper;
+        is_linear.then(|| Self { scales: [*lower, *upper], torques: [torque(*lower), torque(*upper)] })
+    }
+
+    fn at(&self, scale: f64) -> Excitation {
+        let ([lower, upper], [low, high]) = (self.scales, &self.torques);
+        low.towards(high, (scale - lower) / (upper - lower))
+    }
 }
 
 /// Torques kept: those of a point and of its neighbours in the first inputs.
@@ -22,7 +46,7 @@ const KEPT: usize = 4;
 impl<'a> Model<'a> {
     /// Of a study.
     pub fn new(study: &'a Study, spec: &'a CalibrateSpec) -> Self {
-        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new() }
+        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new(), level: Level::of(study, spec) }
     }
 
     /// With the engine file as it is.
@@ -38,7 +62,11 @@ impl<'a> Model<'a> {
         let torque = match self.torques.iter().find(|t| t.0 == key) {
             Some((_, torque)) => torque.clone(),
             None => {
-                let torque = Arc::new(Excitation::new(&study.engine, study.order_limit));
+                let torque = match (&self.level, key.as_slice()) {
+                    (Some(level), [scale]) => level.at(*scale),
+                    _ => Excitation::new(&study.engine, study.order_limit),
+                };
+                let torque = Arc::new(torque);
                 self.torques.truncate(KEPT - 1);
                 self.torques.insert(0, (key, torque.clone()));
                 torque

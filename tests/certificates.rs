@@ -82,6 +82,25 @@ fn second_order_of_a_single_peak() {
     assert_close(second.curvature.expect("one free direction"), difference, 1e-3, 0.0, "curvature of the sum");
 }
 
+/// Two alike rings on one station may change places: of starts that differ by that only, one is made, since the other takes the same steps to the same design. A limit on one of them tells them apart.
+#[test]
+fn starts_of_alike_rings() {
+    let starts = |limited: bool| -> Vec<String> {
+        let mut s = study("villalva_v10_limits");
+        s.front = None;
+        s.limits.retain(|l| limited && l.words.contains("absorber 1"));
+        let mut found = s.run().unwrap_or_else(|e| panic!("{e}")).optima;
+        found.remove(0).optimum.starts.into_iter().map(|s| s.name).collect()
+    };
+    let (alike, apart) = (starts(false), starts(true));
+    assert!(alike.iter().all(|name| apart.contains(name)));
+    let mirrored: Vec<&str> = apart.iter().filter(|name| !alike.contains(name)).map(String::as_str).collect();
+    let expected =
+        ["1 and 1, the other way", "2 and 1", "3 and 1", "2 and 2, the other way"].map(|modes| format!("closed forms, modes {modes}"));
+    assert_eq!(mirrored.len(), expected.len(), "{mirrored:?}");
+    assert!(expected.iter().all(|name| mirrored.contains(&name.as_str())), "{mirrored:?}");
+}
+
 /// Law: sensitivities are one-sided differences by formulas of two masses, of twist (two level peaks: more and less are no opposites) and of a limited ring twist, which
 /// holds up to the drift and no further. Differences over 1e-6 err by about that share.
 #[test]

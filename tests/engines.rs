@@ -254,8 +254,8 @@ fn loads_over_the_cycle() {
         }
         // every throw of an engine of equal cylinders is loaded alike
         let compression = |row: &Vec<[f64; 2]>| row.iter().map(|f| -f[0]).fold(0.0, f64::max);
-        for row in &loads.pin_force {
-            assert_close(compression(row), compression(&loads.pin_force[0]), 1e-9, 0.0, name);
+        for row in &loads.pin_force() {
+            assert_close(compression(row), compression(&loads.pin_force()[0]), 1e-9, 0.0, name);
         }
     }
     let s = study("villalva_i6_thesis");
@@ -266,5 +266,5 @@ fn loads_over_the_cycle() {
     let oscillating = geometry.oscillating_mass() * r * omega * omega * (1.0 + r / l);
     let rotating = geometry.rod_rotating_fraction() * geometry.rod_mass * r * omega * omega;
     let loads = throw_loads(&s.engine, 3200.0).expect("a cylinder");
-    assert_close(-loads.pin_force[0][0][0], gas - oscillating - rotating, 1e-12, 0.0, "dead centre");
+    assert_close(-loads.pin_force()[0][0][0], gas - oscillating - rotating, 1e-12, 0.0, "dead centre");
 }

@@ -120,7 +120,7 @@ fn throws_do_the_work_of_their_pins() {
         let loads = throw_loads(&engine, speed).expect("cylinders");
         let e = Excitation::new(&engine, 12.0);
         for throw in 0..e.throws() {
-            let (torque, force) = (&loads.torque[throw], &loads.pin_force[throw]);
+            let (torque, force) = (&loads.torque[throw], &loads.pin_force()[throw]);
             let scale = torque.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             for (n, c) in harmonics::analyse(torque, &e.harmonics).iter().enumerate() {
                 assert!((e.throw_torque(throw, n, speed) - c).norm() < 1e-9 * scale, "{name}, throw {throw}, order {}", e.orders[n]);
@@ -231,7 +231,7 @@ fn tangential_force_is_torque() {
         let radius = geometry(name).slider_crank.crank_radius;
         let loads = throw_loads(&s.engine, 2500.0).expect("cylinders");
         let angles = pin_angles(&s.engine);
-        for (throw, (forces, torque)) in loads.pin_force.iter().zip(&loads.torque).enumerate() {
+        for (throw, (forces, torque)) in loads.pin_force().iter().zip(&loads.torque).enumerate() {
             let scale = torque.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
             for j in (0..forces.len()).step_by(37) {
                 let [_, tangential] = crank_fixed(forces[j], loads.theta[j] + angles[throw]);

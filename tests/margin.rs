@@ -56,7 +56,7 @@ impl Case {
     }
 }
 
-fn random_absorber(random: &mut Xoshiro256PlusPlus, name: &str) -> Mounted {
+pub fn random_absorber(random: &mut Xoshiro256PlusPlus, name: &str) -> Mounted {
     let (ring, omega) = if name == "villalva_i6_thesis" { (0.05, 1440.0) } else { (0.02, 2590.0) };
     let mut factor = || random.random_range(-1.0..1.0f64).exp();
     let (stiffness, damping) = (ring * omega * omega * factor(), 0.4 * ring * omega * factor());

@@ -1,6 +1,6 @@
 //! Margin of the crank by multiaxial criteria: histories of bending and torque, stresses per unit load, optima.
 
-use crate::margin::{Case, ENGINES, short};
+use crate::margin::{Case, ENGINES, random_absorber, short};
 use crate::support::{assert_close, system};
 use hartog::absorber::{Host, TUNED};
 use hartog::analysis::{Silent, margins, run};
@@ -137,6 +137,30 @@ fn bounds_of_nominal_states_hold() {
             let least = rows.smallest(m.criterion).into_iter().fold(f64::INFINITY, f64::min);
             let what = format!("{}, {}: {} {least}", d.name, model.criteria[m.criterion].name(), m.margin);
             assert!((0.99 * least..=least * (1.0 + 1e-12)).contains(&m.margin), "{what}");
+        }
+    }
+}
+
+/// Law: criteria that are asked together share what they know of a design, and the peaks of one tell the next what need not be looked at: the smallest margins are those of each alone, to the last bit.
+#[test]
+fn criteria_together_and_alone() {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
+    for name in ENGINES {
+        let case = Case::new(short(name));
+        let measures = margins::measures(&case.study);
+        for _ in 0..4 {
+            let design = [random_absorber(&mut random, name)];
+            case.with(|finder| {
+                let found = margins::smallest(finder, &design, &measures, &mut Work::default()).expect("finite");
+                for (m, measure) in found.iter().zip(&measures) {
+                    let own = margins::smallest(finder, &design, std::slice::from_ref(measure), &mut Work::default()).expect("finite");
+                    assert_eq!(
+                        (m.margin.to_bits(), m.speed_rpm.to_bits()),
+                        (own[0].margin.to_bits(), own[0].speed_rpm.to_bits()),
+                        "{name}"
+                    );
+                }
+            });
         }
     }
 }

@@ -21,8 +21,15 @@ pub struct ThrowLoads {
     pub rod_force: Vec<Vec<[f64; 2]>>,
     /// Torque, mean included, N m: one row a throw.
     pub torque: Vec<Vec<f64>>,
+}
+
+impl ThrowLoads {
     /// Force of the rods of a throw together: one row a throw.
-    pub pin_force: Vec<Vec<[f64; 2]>>,
+    pub fn pin_force(&self) -> Vec<Vec<[f64; 2]>> {
+        let rods = self.rod_force.len() / self.torque.len().max(1);
+        let together = |rods: &[Vec<[f64; 2]>], j: usize| rods.iter().fold([0.0; 2], |sum, rod| [sum[0] + rod[j][0], sum[1] + rod[j][1]]);
+        self.rod_force.chunks(rods.max(1)).map(|own| (0..self.theta.len()).map(|j| together(own, j)).collect()).collect()
+    }
 }
 
 /// Loads of an engine at any speed; keeps the pressure at the tabulated ones.
@@ -62,9 +69,9 @@ impl<'a> Cycle<'a> {
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
         let unit = self.unit(speed_rpm, stride);
         let n = unit.len();
-        let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new(), pin_force: Vec::new() };
+        let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new() };
         for throw in 0..self.engine.layout.throws() {
-            let (mut sum, mut force) = (vec![0.0; n], vec![[0.0; 2]; n]);
+            let mut sum = vec![0.0; n];
             for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
                 let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
                 let (sine, cosine) = axis.sine_cosine();
@@ -73,11 +80,9 @@ impl<'a> Cycle<'a> {
                 own.extend(early.iter().chain(late).map(|[_, x, y]| [x * cosine - y * sine, x * sine + y * cosine]));
                 let torques = early.iter().chain(late).map(|on| on[0]);
                 sum.iter_mut().zip(torques).for_each(|(sum, torque)| *sum += torque);
-                force.iter_mut().zip(&own).for_each(|(sum, own)| *sum = [sum[0] + own[0], sum[1] + own[1]]);
                 loads.rod_force.push(own);
             }
             loads.torque.push(sum);
-            loads.pin_force.push(force);
         }
         loads
     }

@@ -108,7 +108,7 @@ pub fn peaks(study: &Study, published: &Published, system: &System) -> Result<Ve
                 let largest = |rows: &[Vec<f64>]| rows.iter().flatten().copied().fold(0.0, f64::max);
                 let compression = |rows: &[Vec<[f64; 2]>]| rows.iter().flatten().map(|f| -f[0]).fold(0.0, f64::max);
                 if what == "crankpin_force" {
-                    (at.map(|l| compression(&l.pin_force) / N_PER_KN), format!("largest compression over the cycle at {speed} rpm"))
+                    (at.map(|l| compression(&l.pin_force()) / N_PER_KN), format!("largest compression over the cycle at {speed} rpm"))
                 } else {
                     (at.map(|l| largest(&l.torque)), format!("largest over the cycle at {speed} rpm"))
                 }

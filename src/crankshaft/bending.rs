@@ -4,6 +4,7 @@ use super::loads::{CrankLoads, CrankModel, InPlane, Section as History};
 use super::{Crank, CriticalLocation, Family, Place};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
+use crate::engine::cycle::ThrowLoads;
 use crate::fatigue::Cycle;
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -41,8 +42,8 @@ pub fn table(
             None => sections.push((section, vec![i])),
         }
     }
-    let row = |speed: &f64| {
-        let loads = model.at(*speed);
+    let row = |place: &mut ThrowLoads, speed: &f64| {
+        let loads = model.in_place_of(std::mem::take(place), *speed);
         let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; locations.len()];
         let mut webs = vec![None; if with_histories { 2 * crank.throws() } else { 0 }];
         for (section, own) in &sections {
@@ -56,9 +57,12 @@ pub fn table(
         }
         let missing = |(i, known): (usize, Option<History>)| known.unwrap_or_else(|| history(&loads.web(i / 2, i % 2 == 1)));
         let webs = webs.into_iter().enumerate().map(missing).collect();
-        (local, mean_torque(chain, &loads), webs)
+        let mean_torque = mean_torque(chain, &loads);
+        *place = loads.place();
+        (local, mean_torque, webs)
     };
-    let rows: Vec<_> = speeds_rpm.par_iter().map(row).collect();
+    // loads of one speed take the place of the last: they are large
+    let rows: Vec<_> = speeds_rpm.par_iter().map_init(ThrowLoads::default, row).collect();
     let mut table = Table::default();
     for (bending, mean_torque, histories) in rows {
         table.bending.push(bending);

@@ -72,7 +72,13 @@ impl<'a> CrankModel<'a> {
 
     /// The loads at a speed, rpm.
     pub fn at(&self, speed_rpm: f64) -> CrankLoads<'_> {
-        let ThrowLoads { theta, torque, rod_force, .. } = self.cycle.loads(speed_rpm, STRIDE);
+        self.in_place_of(ThrowLoads::default(), speed_rpm)
+    }
+
+    /// The same in the place of others, which are not needed any more.
+    pub(super) fn in_place_of(&self, mut loads: ThrowLoads, speed_rpm: f64) -> CrankLoads<'_> {
+        self.cycle.loads_into(speed_rpm, STRIDE, &mut loads);
+        let ThrowLoads { theta, torque, rod_force } = loads;
         let rods = self.crank.rods;
         // what turns with a throw acts at its middle: half on each of two rods
         let outward = self.crank.unbalance * (speed_rpm * RAD_PER_S_PER_RPM).powi(2) / rods as f64;
@@ -100,6 +106,11 @@ pub struct CrankLoads<'a> {
 }
 
 impl CrankLoads<'_> {
+    /// Their place, for others.
+    pub(super) fn place(self) -> ThrowLoads {
+        ThrowLoads { theta: self.theta, torque: self.torque, rod_force: self.forces }
+    }
+
     /// In axes of a throw: radial, tangential.
     fn turned(&self, [x, y]: [f64; 2], j: usize, throw: usize) -> [f64; 2] {
         let (sine, cosine) = self.model.turns[throw][j];

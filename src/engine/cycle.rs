@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 const GAUGE: f64 = 1e5;
 
 /// Loads of every throw, sampled over the cycle from the firing of the cylinder that fires at 0°.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ThrowLoads {
     /// Crank angle of every sample, rad.
     pub theta: Vec<f64>,
@@ -67,24 +67,35 @@ impl<'a> Cycle<'a> {
     /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
     /// speeds.
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
+        let mut loads = ThrowLoads::default();
+        self.loads_into(speed_rpm, stride, &mut loads);
+        loads
+    }
+
+    /// The same in the place of others.
+    pub(crate) fn loads_into(&self, speed_rpm: f64, stride: usize, loads: &mut ThrowLoads) {
         let unit = self.unit(speed_rpm, stride);
         let n = unit.len();
-        let mut loads = ThrowLoads { theta: self.theta(stride), rod_force: Vec::new(), torque: Vec::new() };
-        for throw in 0..self.engine.layout.throws() {
-            let mut sum = vec![0.0; n];
-            for (firing, axis) in self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw)) {
+        if loads.theta.len() != n {
+            loads.theta = self.theta(stride);
+        }
+        loads.torque.resize_with(self.engine.layout.throws(), Vec::new);
+        loads.rod_force.resize_with(self.engine.layout.firing_deg.len(), Vec::new);
+        let mut rods = loads.rod_force.iter_mut();
+        for (throw, sum) in loads.torque.iter_mut().enumerate() {
+            sum.clear();
+            sum.resize(n, 0.0);
+            let on_throw = self.engine.layout.firing_on_throw(throw).iter().zip(axes(self.engine, throw));
+            for ((firing, axis), own) in on_throw.zip(&mut rods) {
                 let shift = (firing / self.engine.cycle_deg() * n as f64).round() as usize;
                 let (sine, cosine) = axis.sine_cosine();
                 let (late, early) = unit.split_at(n - shift % n);
-                let mut own = Vec::with_capacity(n);
+                own.clear();
                 own.extend(early.iter().chain(late).map(|[_, x, y]| [x * cosine - y * sine, x * sine + y * cosine]));
                 let torques = early.iter().chain(late).map(|on| on[0]);
                 sum.iter_mut().zip(torques).for_each(|(sum, torque)| *sum += torque);
-                loads.rod_force.push(own);
             }
-            loads.torque.push(sum);
         }
-        loads
     }
 
     /// What the cylinder that fires at 0° does to its throw, at every `stride`-th sample. Without friction that is linear in the gauge pressure and in the square of the speed, whatever the rod.

@@ -131,7 +131,7 @@ impl Excitation {
         }
     }
 
-    /// A share of the way from this torque to that of an engine which differs from it only by what its gas torque is linear in.
+    /// A share of the way from this torque to that of an engine which differs from it only by what its gas torque is linear in; the audit stays that of this one.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
         let row = |(a, b): (&Vec<C64>, &Vec<C64>)| a.iter().zip(b).map(|(a, b)| a + (b - a) * share).collect();
         Self { gas: self.gas.iter().zip(&other.gas).map(row).collect(), ..self.clone() }

@@ -141,7 +141,7 @@ impl Measure {
         Self { quantities: self.quantities.iter().map(of).collect(), ..self.clone() }
     }
 
-    /// Whether it is another one; the order of quantities does not count.
+    /// Whether another measure asks for the same; the order of quantities does not count.
     pub(crate) fn is(&self, other: &Self) -> bool {
         let within = |a: &Self, b: &Self| a.quantities.iter().all(|q| b.quantities.contains(q));
         self.over == other.over && self.within == other.within && within(self, other) && within(other, self)

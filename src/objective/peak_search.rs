@@ -22,7 +22,7 @@ use std::ops::Range;
 /// Peaks that differ by less than this share are level.
 pub(super) const LEVEL: f64 = 1e-9;
 
-/// A peak is found to be no less than this share below what is known of it.
+/// A peak is found at no more than this share below a value that is known beside it.
 const CERTAIN: f64 = 1e-6;
 /// Every so many speeds tell which shaft may be used most.
 const EVERY: usize = 8;
@@ -174,14 +174,15 @@ impl<'a> PeakFinder<'a> {
         }
         let parts: Vec<(Range<usize>, Speeds)> =
             speeds.parts(&measure.within.ranges).into_iter().map(|part| (part.clone(), speeds.part(part))).collect();
-        let orders = self.system.orders();
+        let (orders, mut hint) = (self.system.orders(), 0.0);
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
                 let swept = self.swept(design, measure, &speeds, shared, work)?;
                 let mut sweeps: Vec<(&Quantity, &Sweep)> = measure.quantities.iter().zip(swept.iter()).collect();
                 if let Over::Margin(_) = measure.over {
                     self.worst_first(measure, &speeds, &mut sweeps, shared);
-                    found.best = found.best.max(self.used_at_known_peaks(measure, (&speeds, &sweeps), shared, work));
+                    hint = self.used_at_known_peaks(measure, (&speeds, &sweeps), shared, work);
+                    found.best = found.best.max(hint);
                 }
                 for (quantity, sweep) in sweeps {
                     let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
@@ -216,6 +217,11 @@ impl<'a> PeakFinder<'a> {
         let mut peaks = found.peaks;
         peaks.retain(|p| p.value >= found.keep * found.best * (1.0 - LEVEL));
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        if peaks.is_empty() && hint > Found::new(asked).best {
+            // sweep and direct solution differ by more than they should: without the hint nothing is lost
+            shared.worst.borrow_mut().clear();
+            return self.peaks_knowing(design, measure, asked, shared, work);
+        }
         if let (Over::Margin(_), Some(peak)) = (measure.over, peaks.first()) {
             shared.worst.borrow_mut().push((peak.quantity, peak.speed_rpm));
         }
@@ -232,7 +238,7 @@ impl<'a> PeakFinder<'a> {
         sweeps.sort_by_cached_key(|s| std::cmp::Reverse(most(s).to_bits()));
     }
 
-    /// What the crank is used by a criterion next to the peaks of others, a little less: what uses it less need not be looked at.
+    /// Share of its strength that the crank uses by this criterion beside the peaks of criteria that were asked before, less a millionth: speeds that use less need not be looked at.
     fn used_at_known_peaks(
         &self,
         measure: &Measure,

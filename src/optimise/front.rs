@@ -34,8 +34,8 @@ pub struct Front {
     pub work: Work,
 }
 
-/// Inertias that differ by less than this share are one.
-const SAME: f64 = 1e-9;
+/// A known optimum leads to that of an inertia which differs by no more than this share.
+const NEXT_TO: f64 = 0.04;
 /// From one inertia to the next a coordinate differs by no more than this from where it is expected, unless another branch takes over.
 const JUMP: f64 = 0.4;
 /// An optimum that is lower than another by more than this share is a better one.
@@ -60,9 +60,8 @@ fn heads<'k, 'a>(inertias: &[f64], known: &'k [KnownOptimum<'a>]) -> BTreeMap<us
     let mut heads: BTreeMap<usize, Option<&KnownOptimum>> = [(0, None), (last, None)].into();
     for optimum in known {
         let nearest = (0..=last).fold(0, |m, i| if apart(i, optimum) < apart(m, optimum) { i } else { m });
-        let within = inertias[0] * (1.0 - SAME) <= ring(optimum) && ring(optimum) <= inertias[last] * (1.0 + SAME);
         let nearer = heads.get(&nearest).copied().flatten().is_none_or(|k| apart(nearest, optimum) < apart(nearest, k));
-        if within && nearer {
+        if apart(nearest, optimum) <= NEXT_TO && nearer {
             heads.insert(nearest, Some(optimum));
         }
     }
@@ -140,9 +139,12 @@ impl<'a> Follower<'a> {
     /// Optima that others are walked to from.
     fn heads(&self, known: &[KnownOptimum], work: &mut Work) -> Result<BTreeMap<usize, Outcome>, ResponseError> {
         let of = |(i, known): (usize, Option<&KnownOptimum>)| {
-            let Some(KnownOptimum { space, outcome }) = known else { return Ok((i, self.searched(i)?)) };
-            let (mut found, work) = self.walk((space.clone(), (*outcome).clone()), std::iter::once(i), |_, _| true)?;
-            Ok((i, (found.swap_remove(0).1, work)))
+            let walked = |k: &KnownOptimum| self.walk((k.space.clone(), k.outcome.clone()), std::iter::once(i), |_, _| true);
+            match known.map(walked) {
+                Some(Ok((mut found, work))) => Ok((i, (found.swap_remove(0).1, work))),
+                // a step may lead to a design without a finite response
+                Some(Err(_)) | None => Ok((i, self.searched(i)?)),
+            }
         };
         let found: Vec<(usize, (Outcome, Work))> =
             heads(self.inertias, known).into_par_iter().map(of).collect::<Result<_, ResponseError>>()?;
@@ -182,8 +184,10 @@ impl<'a> Follower<'a> {
             guess.iter().zip(&best[i + 1].point).any(|(g, p)| (g - p).abs() > JUMP)
         };
         let beside: BTreeSet<usize> = (0..best.len() - 1).filter(jumps).flat_map(|i| [i, i + 1]).collect();
+        // these are no points of their own
+        let silent = Follower { recorder: &|| {}, ..*self };
         let found: Vec<(usize, (Outcome, Work))> =
-            beside.into_par_iter().map(|i| Ok((i, self.searched(i)?))).collect::<Result<_, ResponseError>>()?;
+            beside.into_par_iter().map(|i| Ok((i, silent.searched(i)?))).collect::<Result<_, ResponseError>>()?;
         for (i, (outcome, spent)) in found {
             *work += spent;
             let better = |i: usize, o: &Outcome, best: &[Outcome]| {
@@ -194,11 +198,11 @@ impl<'a> Follower<'a> {
                 continue;
             }
             let known: &[Outcome] = best;
-            let to = |side: Vec<usize>| self.walk((self.at(i).space, outcome.clone()), side.into_iter(), |i, o| better(i, o, known));
+            let to = |side: Vec<usize>| silent.walk((self.at(i).space, outcome.clone()), side.into_iter(), |i, o| better(i, o, known));
             let (after, before) = rayon::join(|| to((i + 1..known.len()).collect()), || to((0..i).rev().collect()));
             best[i] = outcome;
-            for walked in [after, before] {
-                let (outcomes, spent) = walked?;
+            // where a design has no finite response the way ends
+            for (outcomes, spent) in [after, before].into_iter().flatten() {
                 *work += spent;
                 outcomes.into_iter().for_each(|(i, outcome)| best[i] = outcome);
             }
@@ -207,8 +211,8 @@ impl<'a> Follower<'a> {
     }
 }
 
-/// Follows the optimum over `inertias` (ascending). It begins at `known` optima, and at both ends and about every seventeenth inertia with a global search from `starts`; in
-/// between the optimum is followed from both sides by the minimax method, and the better one kept.
+/// Follows the optimum over `inertias` (ascending). It begins next to `known` optima; where there are none, at both ends and about every seventeenth inertia with a global search from `starts`. In
+/// between the optimum is followed from both sides by the minimax method, and the better one kept; where it jumps, both points are searched again.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.

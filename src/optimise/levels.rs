@@ -7,6 +7,7 @@ use crate::numerics::elementary::Elementary;
 const RESOLVED: f64 = 1e-3;
 /// Points nearer in the second measure than this share of its range are one.
 pub(super) const SAME: f64 = 1e-6;
+
 /// What follows one level of the second measure.
 #[derive(Debug, Clone)]
 pub(super) struct Level {

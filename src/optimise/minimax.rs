@@ -6,7 +6,7 @@
 
 use super::curvature::{lagrangian, same_peak, update};
 use super::problem::ROW_SHARE;
-use super::stop::{DECREASE, HELD, Stop, Verdict, Weight};
+use super::stop::{DECREASE, Stop, Verdict, Weight};
 use super::subproblem::{Line, Step, solve};
 use super::{Problem, Row, Rows};
 use crate::response::{ResponseError, Work};
@@ -36,12 +36,19 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether it is an optimum that others may be held against.
+    pub(super) fn is_certain(&self) -> bool {
+        self.rows.hold() && self.kkt_residual < WELL_MET
+    }
+
     /// What outcomes are compared by: a limit that fails counts before the objective.
     pub(super) fn merit(&self) -> (f64, f64) {
         (if self.rows.hold() { 0.0 } else { self.rows.excess() }, self.rows.objective())
     }
 }
 
+/// First-order residual of an optimum that others are held against.
+const WELL_MET: f64 = 1e-8;
 const MOST_ITERATIONS: usize = 80;
 const FIRST_REACH: f64 = 0.3;
 const LARGEST_REACH: f64 = 2.0;
@@ -55,8 +62,8 @@ const SMALLEST_REACH_MISSED: f64 = 1e-6;
 const CERTIFIED: f64 = 1e-9;
 const CERTIFIED_ALONE: f64 = 1e-8;
 const MOST_POLISHING: usize = 12;
-/// An optimum is reached where no coordinate differs by more than this, nor its objective by more than this share.
-const ARRIVED: (f64, f64) = (1e-4, 1e-7);
+/// An optimum is reached where no coordinate differs by more than this, nor the objective by more than these shares below and above.
+const ARRIVED: (f64, [f64; 2]) = (1e-4, [1e-9, 1e-7]);
 
 /// Rows in units of the largest objective.
 fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
@@ -122,7 +129,7 @@ pub fn minimise(problem: &Problem, start: &[f64], work: &mut Work) -> Result<Out
     minimise_with(problem, start, first_curvature(start), work)
 }
 
-/// What nothing is known of.
+/// Curvature to begin with where none is known.
 fn first_curvature(start: &[f64]) -> DMatrix<f64> {
     DMatrix::identity(start.len(), start.len()) * 0.1
 }
@@ -140,7 +147,7 @@ pub(crate) fn minimise_with(problem: &Problem, start: &[f64], curvature: DMatrix
 /// # Errors
 /// As [`minimise`].
 pub(super) fn minimise_towards(problem: &Problem, start: &[f64], known: &Outcome, work: &mut Work) -> Result<Outcome, ResponseError> {
-    minimise_knowing(problem, start, (first_curvature(start), Some(known)), work)
+    minimise_knowing(problem, start, (first_curvature(start), Some(known).filter(|k| k.is_certain())), work)
 }
 
 fn minimise_knowing(
@@ -214,7 +221,8 @@ impl At<'_> {
 /// Whether a point is that of an optimum but for what the next steps would add, and as good.
 fn is_at(known: &Outcome, point: &[f64], rows: &Rows) -> bool {
     let near = point.iter().zip(&known.point).all(|(a, b)| (a - b).abs() < ARRIVED.0);
-    near && rows.hold() && rows.objective() <= known.rows.objective() * (1.0 + ARRIVED.1)
+    let ([below, above], ratio) = (ARRIVED.1, rows.objective() / known.rows.objective());
+    near && rows.hold() && (1.0 - below..=1.0 + above).contains(&ratio)
 }
 
 fn from(
@@ -239,7 +247,7 @@ fn from(
         if iterations == MOST_ITERATIONS {
             break Stop::Iterations;
         }
-        if radius < if rows.excess() > HELD { SMALLEST_REACH_MISSED } else { SMALLEST_REACH } {
+        if radius < if rows.hold() { SMALLEST_REACH } else { SMALLEST_REACH_MISSED } {
             break Stop::SmallSteps;
         }
         iterations += 1;
@@ -283,9 +291,9 @@ fn from(
     let penalty = weight.now;
     let FirstOrder { residual, multipliers, bounds } = first_order(&rows, &point, &bounds, penalty);
     let found = Outcome { point, rows, multipliers, bounds, kkt_residual: residual, iterations, stop, curvature: hessian };
-    // what misses a limit is no optimum
+    // a design that misses a limit is no optimum
     let wanted = found.rows.hold() && (problem.space.slots.len() > 1 || residual > CERTIFIED_ALONE);
-    // nor do steps as small as rounding tell a neighbour of curvature
+    // a neighbour is handed the curvature of the search: steps of polishing are as small as rounding
     let curvature = found.curvature.clone();
     Ok(if wanted { Outcome { curvature, ..polished(problem, found, penalty, work) } } else { found })
 }

@@ -141,15 +141,14 @@ struct Searched {
 
 /// Costs that differ by less than this share are level.
 const LEVEL: f64 = 1e-12;
-/// First-order conditions are met below this residual; an optimum that others are held against meets them this well.
-const WELL_MET: f64 = 1e-8;
+/// First-order conditions are met below this residual.
 const MET: f64 = 1e-6;
 /// Ends closer than this in every coordinate are one.
 const APART: f64 = 1e-3;
 /// Points closer than this in every coordinate are of one basin.
 const TOGETHER: f64 = 0.1;
 
-/// Runs every start and keeps the best; the first of equals, so that threads change nothing.
+/// Runs every start and keeps the best; of level ones the one closest to first-order conditions, in the order of the starts, so that threads change nothing.
 ///
 /// # Errors
 /// The error of the first start, where no start has a finite response.
@@ -183,7 +182,7 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         kept.into_iter().partition(|i| best.is_some_and(|best| best != *i && together(&all[best].point, &all[*i].point)));
     let mut runs: Vec<_> = first.par_iter().map(|i| finished(i, None)).collect();
     let outcome = runs.iter().find(|r| Some(r.0) == best).and_then(|r| r.1.1.as_ref().ok());
-    let known = outcome.filter(|o| o.kkt_residual < WELL_MET && o.rows.hold()).cloned();
+    let known = outcome.cloned();
     runs.par_extend(later.par_iter().map(|i| finished(i, known.as_ref())));
     runs.sort_by_key(|r| r.0);
     let mut log = Vec::new();

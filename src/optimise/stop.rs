@@ -5,14 +5,15 @@ use super::problem::PENALTY;
 
 /// A decrease below this is none.
 pub(super) const DECREASE: f64 = 1e-12;
-/// Of a design that misses a limit nobody needs that many digits: decrease over what it costs at which its weight grows.
+/// The same of a design that misses a limit, as a share of what it costs: such a design needs fewer digits.
 const DECREASE_MISSED: f64 = 1e-9;
-/// No heavier weight helps where the first step with one promises to lessen by no more than this share what limits are missed by.
+/// A step that lessens the excess over limits by no more than this share of it does not help to meet them.
 const LITTLE: f64 = 1e-3;
 /// A limit that is missed by less than this holds.
-pub(super) const HELD: f64 = 1e-8;
-/// Where one is missed for the sake of the objective, its weight grows by this factor, up to that: a limit may cost more than the first weight is.
+const HELD: f64 = 1e-8;
+/// Where a limit is missed for the sake of the objective, its weight grows by this factor: a limit may cost more than the first weight is.
 const HEAVIER: f64 = 10.0;
+/// No weight grows beyond this.
 const HEAVIEST: f64 = 1e6;
 
 /// Why the iteration ended.
@@ -20,8 +21,6 @@ const HEAVIEST: f64 = 1e6;
 pub enum Stop {
     /// The model promises no decrease worth having.
     Converged,
-    /// Limits are missed, and no step promises to miss them by less.
-    OutOfReach,
     /// Steps became as small as rounding without reaching the decrease the model promised: the peaks are not smooth there.
     SmallSteps,
     /// The limit of iterations.
@@ -30,6 +29,8 @@ pub enum Stop {
     NoModel,
     /// Nothing can vary.
     NothingFree,
+    /// Limits are missed, and no step promises to miss them by less.
+    OutOfReach,
 }
 
 impl Stop {
@@ -37,11 +38,11 @@ impl Stop {
     pub fn reason(self) -> &'static str {
         match self {
             Self::Converged => "converged: no step promises a decrease above 1e-12",
-            Self::OutOfReach => "no step promises to miss the limits by less",
             Self::SmallSteps => "steps became too small to measure a decrease",
             Self::Iterations => "iteration limit",
             Self::NoModel => "the quadratic model could not be solved",
             Self::NothingFree => "nothing is free to vary",
+            Self::OutOfReach => "no step promises to miss the limits by less",
         }
     }
 }
@@ -70,16 +71,16 @@ impl Weight {
         if rows.excess() <= HELD {
             return if promised < DECREASE { Verdict::Stop(Stop::Converged) } else { Verdict::Try };
         }
+        let is_missed = !rows.hold();
+        // the first step with a heavier weight tells whether that helps
         let has_grown = self.now > self.before;
         self.before = self.now;
-        if has_grown && promised < LITTLE * self.now * rows.excess() {
-            return Verdict::Stop(Stop::OutOfReach);
-        }
-        if promised >= DECREASE_MISSED * here {
+        let helps_little = has_grown && is_missed && promised < LITTLE * self.now * rows.excess();
+        if !helps_little && promised >= if is_missed { DECREASE_MISSED * here } else { DECREASE } {
             return Verdict::Try;
         }
         if self.now >= HEAVIEST {
-            return Verdict::Stop(Stop::OutOfReach);
+            return Verdict::Stop(if is_missed { Stop::OutOfReach } else { Stop::Converged });
         }
         self.now *= HEAVIER;
         Verdict::Heavier

@@ -110,12 +110,19 @@ impl Space {
         self.variables.iter().any(|v| v.absorber == absorber)
     }
 
-    /// Whether another family has the same freedom, but for the ring inertia of its first absorber, which both hold.
+    /// Whether another family has the same absorbers and variables, but for the ring inertia of its first absorber, which both hold, and for bounds, which may follow the ring.
     pub(crate) fn is_but_for_ring(&self, other: &Self) -> bool {
-        let alike = |a: &Variable, b: &Variable| (a.absorber, a.parameter, a.lower, a.upper) == (b.absorber, b.parameter, b.lower, b.upper);
-        let free = self.variables.len() == other.variables.len() && self.variables.iter().zip(&other.variables).all(|(a, b)| alike(a, b));
-        let held = |space: &Self| space.slots.first().map(|s| s.values[0]);
-        free && held(self).is_some_and(|ring| self.slots == other.with_ring_inertia(ring).slots)
+        let free = |space: &Self| -> Vec<(usize, usize)> { space.variables.iter().map(|v| (v.absorber, v.parameter)).collect() };
+        let variables = free(self);
+        let is_held = |i: usize, p: usize| (i, p) != (0, 0) && !variables.contains(&(i, p));
+        let alike = |(i, (a, b)): (usize, (&Slot, &Slot))| {
+            let held = (0..a.values.len()).filter(|p| is_held(i, *p)).all(|p| a.values[p] == b.values[p]);
+            a.declaration == b.declaration && a.on == b.on && a.hub_inertia == b.hub_inertia && a.material == b.material && held
+        };
+        variables == free(other)
+            && !variables.contains(&(0, 0))
+            && self.slots.len() == other.slots.len()
+            && self.slots.iter().zip(&other.slots).enumerate().all(alike)
     }
 
     /// The same family with the ring inertia of its first absorber held.

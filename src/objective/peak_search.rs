@@ -66,6 +66,13 @@ impl Found {
         Self { keep, best: if least > 0.0 { least / keep } else { 0.0 }, peaks: Vec::new() }
     }
 
+    /// Those that are asked for, the largest first.
+    fn kept(mut self) -> Vec<Peak> {
+        self.peaks.retain(|p| p.value >= self.keep * self.best * (1.0 - LEVEL));
+        self.peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        self.peaks
+    }
+
     /// Adds a peak that is not known yet: a branch may be met from several speeds.
     pub fn put(&mut self, peak: Peak) {
         self.best = self.best.max(peak.value);
@@ -193,10 +200,7 @@ impl<'a> PeakFinder<'a> {
                 }
             }
             Over::Orders | Over::Order(_) => {
-                let only = match measure.over {
-                    Over::Order(order) => self.system.excitation.orders.iter().position(|o| *o == order).map_or(0..0, |n| n..n + 1),
-                    _ => 0..orders,
-                };
+                let only = self.orders_of(measure.over);
                 for quantity in &measure.quantities {
                     let sweep = self.magnitudes(design, *quantity, &speeds, work)?;
                     for (part, speeds) in &parts {
@@ -214,9 +218,7 @@ impl<'a> PeakFinder<'a> {
             Over::Temperature => parts.iter().try_for_each(|(_, speeds)| self.temperatures(design, measure, speeds, &mut found, work))?,
             Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => {}
         }
-        let mut peaks = found.peaks;
-        peaks.retain(|p| p.value >= found.keep * found.best * (1.0 - LEVEL));
-        peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let peaks = found.kept();
         if peaks.is_empty() && hint > Found::new(asked).best {
             // sweep and direct solution differ by more than they should: without the hint nothing is lost
             shared.worst.borrow_mut().clear();
@@ -226,6 +228,14 @@ impl<'a> PeakFinder<'a> {
             shared.worst.borrow_mut().push((peak.quantity, peak.speed_rpm));
         }
         Ok(peaks)
+    }
+
+    /// Indices of the orders that a measure of single orders asks for.
+    fn orders_of(&self, over: Over) -> Range<usize> {
+        match over {
+            Over::Order(order) => self.system.excitation.orders.iter().position(|o| *o == order).map_or(0..0, |n| n..n + 1),
+            _ => 0..self.system.orders(),
+        }
     }
 
     /// The shafts that may be used most, as some speeds tell, come first: the others need fewer sums then.

@@ -1,7 +1,7 @@
 //! Torque of every throw as complex amplitudes of engine orders, at any speed.
 
 use super::forces::{Moment, friction_torque, gas_force, inertia_torque_per_omega2};
-use super::pressure::{Parts, each_revolution, sample_angle, samples};
+use super::pressure::{each_revolution, sample_angle, samples};
 use super::{Engine, Geometry, HarmonicTable, Order, Source};
 use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
@@ -192,45 +192,31 @@ impl Excitation {
         let (n, cylinders) = (samples(engine.strokes), engine.layout.firing_deg.len());
         let analyser = Analyser::new(n, &harmonics);
         let levers = levers(geometry, engine.strokes);
-        let inertia = each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(geometry, theta));
-        let audit = |index: usize, mean: f64, peak_pressure: f64| Audit {
-            speed_rpm: pressure.speeds_rpm()[index],
-            indicated_mean_pressure: mean * engine.cycle_deg() * RAD_PER_DEG / geometry.displacement(),
-            peak_pressure,
-            mean_torque: mean * cylinders as f64,
-            brake_torque: pressure.brake_torque(index),
-        };
-        let mean = |torque: &[f64]| torque.iter().sum::<f64>() / n as f64;
-        // without friction the torque is linear in the pressure
-        let parts = pressure.parts(geometry, engine.strokes, cylinders).filter(|_| geometry.liner_friction == 0.0);
-        let (mut gas, audits) = if let Some(Parts { fixed, varying, times }) = parts {
-            let of = |trace: &[f64]| torque_without_inertia((geometry, &levers), trace, 0.0);
-            let (still, mut moving) = (of(&fixed), of(&varying));
-            // gauge pressure counts once
-            moving.iter_mut().zip(of(&vec![0.0; n])).for_each(|(torque, none)| *torque -= none);
-            let means = [mean(&still), mean(&moving)];
-            let analysed = analyser.analyse_each(&[&still, &moving, &inertia]);
-            let with = |times: &f64| analysed[0].iter().zip(&analysed[1]).map(|(f, v)| f + v * *times).collect();
-            let peak = |times: f64| fixed.iter().zip(&varying).map(|(f, v)| f + v * times).fold(f64::NEG_INFINITY, f64::max);
-            let audits = times.iter().enumerate().map(|(i, times)| audit(i, means[0] + times * means[1], peak(*times))).collect();
-            (times.iter().map(with).chain([analysed[2].clone()]).collect::<Vec<Vec<C64>>>(), audits)
-        } else {
-            let traces = pressure.traces(geometry, engine.strokes, cylinders);
-            let torque = |(trace, speed_rpm): (&Vec<f64>, &f64)| torque_without_inertia((geometry, &levers), trace, *speed_rpm);
-            let torques: Vec<Vec<f64>> = traces.iter().zip(pressure.speeds_rpm()).map(torque).collect();
-            let peak = |trace: &[f64]| trace.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let audits = torques.iter().zip(&traces).enumerate().map(|(i, (own, trace))| audit(i, mean(own), peak(trace))).collect();
-            let all: Vec<&[f64]> = torques.iter().chain([&inertia]).map(Vec::as_slice).collect();
-            (analyser.analyse_each(&all), audits)
-        };
+        let mut torques = Vec::new();
+        let mut audit = Vec::new();
+        let traces = pressure.traces(geometry, engine.strokes, cylinders);
+        for (index, (&speed_rpm, trace)) in pressure.speeds_rpm().iter().zip(traces).enumerate() {
+            let torque = torque_without_inertia((geometry, &levers), &trace, speed_rpm);
+            let mean = torque.iter().sum::<f64>() / n as f64;
+            torques.push(torque);
+            audit.push(Audit {
+                speed_rpm,
+                indicated_mean_pressure: mean * engine.cycle_deg() * RAD_PER_DEG / geometry.displacement(),
+                peak_pressure: trace.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                mean_torque: mean * cylinders as f64,
+                brake_torque: pressure.brake_torque(index),
+            });
+        }
+        torques.push(each_revolution(engine.strokes, |theta| inertia_torque_per_omega2(geometry, theta)));
+        let mut gas = analyser.analyse_each(&torques.iter().map(Vec::as_slice).collect::<Vec<_>>());
         Self {
             inertia: gas.pop().unwrap_or_default(),
-            audit: audits,
             phases: (0..engine.layout.throws()).map(|t| phases(engine.layout.firing_on_throw(t), &orders)).collect(),
             tabulated_rpm: pressure.speeds_rpm().to_vec(),
             orders,
             harmonics,
             gas,
+            audit,
             units: Units::Equal,
             changes: Vec::new(),
         }

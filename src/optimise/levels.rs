@@ -24,7 +24,7 @@ pub(super) fn distinct(levels: &mut Vec<Level>) {
 }
 
 /// Up to where the optimum of a level is known to be the same.
-pub(super) fn reach(level: &Level) -> f64 {
+fn reach(level: &Level) -> f64 {
     level.most.max(level.values[1])
 }
 

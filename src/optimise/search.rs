@@ -181,8 +181,7 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
     let (later, first): (Vec<usize>, Vec<usize>) =
         kept.into_iter().partition(|i| best.is_some_and(|best| best != *i && together(&all[best].point, &all[*i].point)));
     let mut runs: Vec<_> = first.par_iter().map(|i| finished(i, None)).collect();
-    let outcome = runs.iter().find(|r| Some(r.0) == best).and_then(|r| r.1.1.as_ref().ok());
-    let known = outcome.cloned();
+    let known = runs.iter().find(|r| Some(r.0) == best).and_then(|r| r.1.1.as_ref().ok()).cloned();
     runs.par_extend(later.par_iter().map(|i| finished(i, known.as_ref())));
     runs.sort_by_key(|r| r.0);
     let mut log = Vec::new();

@@ -66,7 +66,7 @@ impl Weight {
         Self { now: PENALTY, before: PENALTY }
     }
 
-    /// Of a step from a point that costs `here`.
+    /// What comes of a step that promises so much, from a point that costs `here`.
     pub fn verdict(&mut self, rows: &Rows, here: f64, promised: f64) -> Verdict {
         if rows.excess() <= HELD {
             return if promised < DECREASE { Verdict::Stop(Stop::Converged) } else { Verdict::Try };

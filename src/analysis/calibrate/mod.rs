@@ -11,7 +11,7 @@ pub use statistics::Statistics;
 
 use super::{Progress, RunError};
 use crate::input::{FreeInput, Input, Study};
-use model::Model;
+use model::{Level, Model};
 use search::Found;
 use std::cell::RefCell;
 
@@ -107,9 +107,10 @@ impl Calibration {
 pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Option<Calibration>), RunError> {
     let (Some(spec), Some(published)) = (&study.calibrate, &study.published) else { return Ok((study.clone(), None)) };
     let measured: Vec<f64> = spec.rows.iter().filter_map(|r| published.amplitudes[*r].amplitude).collect();
-    let before = Model::new(study, spec).as_in_the_file()?;
-    let Found { best, evaluations, agreeing } = search::search(study, spec, &measured, progress)?;
-    let model = RefCell::new(Model::new(study, spec));
+    let level = Level::of(study, spec);
+    let before = Model::new(study, spec, level.as_ref()).as_in_the_file()?;
+    let Found { best, evaluations, agreeing } = search::search((study, spec), level.as_ref(), &measured, progress)?;
+    let model = RefCell::new(Model::new(study, spec, level.as_ref()));
     let statistics = statistics::statistics(&best.jacobian, &best.residuals, &search::sizes(spec, &best.point), |one, variance| {
         statistics::stretch(variance, |t| {
             let x = search::inside(spec, &best.point, one, t)?;

@@ -14,18 +14,18 @@ pub(crate) struct Model<'a> {
     spec: &'a CalibrateSpec,
     grid: Grid,
     torques: Vec<(Vec<f64>, Arc<Excitation>)>,
-    level: Option<Level>,
+    level: Option<&'a Level>,
 }
 
 /// Torques at two levels of the pressure of an Otto cycle: without friction torque is linear in it.
-struct Level {
+pub(super) struct Level {
     scales: [f64; 2],
     torques: [Excitation; 2],
 }
 
 impl Level {
     /// Where the level alone is fitted of what changes the torque.
-    fn of(study: &Study, spec: &CalibrateSpec) -> Option<Self> {
+    pub fn of(study: &Study, spec: &CalibrateSpec) -> Option<Self> {
         let Source::Cylinder { geometry, pressure: Pressure::Otto(_) } = &study.engine.source else { return None };
         let mut inputs = spec.inputs.iter().filter(|f| f.input.changes_torque());
         let (Some(FreeInput { input: Input::PressureScale, lower, upper, .. }), None) = (inputs.next(), inputs.next()) else { return None };
@@ -44,9 +44,9 @@ impl Level {
 const KEPT: usize = 4;
 
 impl<'a> Model<'a> {
-    /// Of a study.
-    pub fn new(study: &'a Study, spec: &'a CalibrateSpec) -> Self {
-        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new(), level: Level::of(study, spec) }
+    /// Of a study; `level` where its torque is linear.
+    pub fn new(study: &'a Study, spec: &'a CalibrateSpec, level: Option<&'a Level>) -> Self {
+        Self { study, spec, grid: Grid::new(&study.speeds_rpm, &[]), torques: Vec::new(), level }
     }
 
     /// With the engine file as it is.
@@ -62,7 +62,7 @@ impl<'a> Model<'a> {
         let torque = match self.torques.iter().find(|t| t.0 == key) {
             Some((_, torque)) => torque.clone(),
             None => {
-                let torque = match (&self.level, key.as_slice()) {
+                let torque = match (self.level, key.as_slice()) {
                     (Some(level), [scale]) => level.at(*scale),
                     _ => Excitation::new(&study.engine, study.order_limit),
                 };

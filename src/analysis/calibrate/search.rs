@@ -1,6 +1,6 @@
 //! Searches from several starts: the sum of squares has several minima where amplitudes bend.
 
-use super::model::Model;
+use super::model::{Level, Model};
 use super::statistics;
 use crate::analysis::{Progress, RunError};
 use crate::input::{CalibrateSpec, FreeInput, Study};
@@ -51,11 +51,16 @@ fn towards(spec: &CalibrateSpec, point: &[f64], one: &[f64], t: f64) -> Vec<f64>
 }
 
 /// Searches from the engine file and between the bounds, then along the valley of the best.
-pub fn search(study: &Study, spec: &CalibrateSpec, measured: &[f64], progress: &dyn Progress) -> Result<Found, RunError> {
+pub fn search(
+    (study, spec): (&Study, &CalibrateSpec),
+    level: Option<&Level>,
+    measured: &[f64],
+    progress: &dyn Progress,
+) -> Result<Found, RunError> {
     let ranges: Vec<Range> = spec.inputs.iter().map(range).collect();
     let all = |starts: Vec<Vec<f64>>| -> Result<Vec<Fit>, RunError> {
         let one = |start: &Vec<f64>| {
-            let mut model = Model::new(study, spec);
+            let mut model = Model::new(study, spec, level);
             let residuals = |x: &[f64]| Ok(model.amplitudes(x)?.iter().zip(measured).map(|(a, b)| a - b).collect());
             let found = fit(residuals, &ranges, start);
             progress.step();

@@ -1,7 +1,7 @@
 //! Cylinder pressure over the working cycle.
 
 use super::measured::Measured;
-use super::otto::{Otto, Parts};
+use super::otto::Otto;
 use super::wiebe::Wiebe;
 use crate::engine::load::between;
 use crate::engine::{Geometry, Load};
@@ -42,14 +42,6 @@ impl Pressure {
         match self {
             Self::Otto(m) => m.traces(geometry, strokes, cylinders),
             other => (0..other.speeds_rpm().len()).map(|i| other.trace(i, geometry, strokes, cylinders)).collect(),
-        }
-    }
-
-    /// The same in parts, where they are no more than two.
-    pub(crate) fn parts(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Option<Parts> {
-        match self {
-            Self::Otto(m) => Some(m.parts(geometry, strokes, cylinders)),
-            _ => None,
         }
     }
 

@@ -24,17 +24,6 @@ pub struct Otto {
     pub heat_capacity_ratio: f64,
 }
 
-/// Traces at all tabulated speeds: one that is alike at all of them, and so many times another.
-#[derive(Debug)]
-pub(crate) struct Parts {
-    /// Pa.
-    pub fixed: Vec<f64>,
-    /// Pa per unit.
-    pub varying: Vec<f64>,
-    /// At each speed.
-    pub times: Vec<f64>,
-}
-
 impl Otto {
     /// Brake mean effective pressure, Pa: work per cycle over displaced volume. \[Villalva 2014\] eq. (3.6) with the speed in rev/s.
     pub fn brake_mean_pressure(&self, index: usize, geometry: &Geometry, strokes: u32, cylinders: usize) -> f64 {
@@ -48,15 +37,6 @@ impl Otto {
     pub(super) fn traces(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<Vec<f64>> {
         let powers = self.powers(geometry, strokes);
         (0..self.speeds_rpm.len()).map(|i| self.isentropes(&powers, self.after(i, geometry, strokes, cylinders))).collect()
-    }
-
-    /// The traces as one that is alike at all speeds, and so many times another.
-    pub(super) fn parts(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Parts {
-        let powers = self.powers(geometry, strokes);
-        let [fixed, mut varying] = [0.0, 1.0].map(|after| self.isentropes(&powers, after));
-        varying.iter_mut().zip(&fixed).for_each(|(v, f)| *v -= f);
-        let times = (0..self.speeds_rpm.len()).map(|i| self.after(i, geometry, strokes, cylinders)).collect();
-        Parts { fixed, varying, times }
     }
 
     /// Without heat: expansion along the compression line.

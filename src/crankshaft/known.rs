@@ -3,7 +3,9 @@
 use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::numerics::C64;
-use crate::numerics::synthesis::{Extremes, Most, Precision, Synthesiser};
+use crate::numerics::extremes::Most;
+use crate::numerics::screen::Screen;
+use crate::numerics::synthesis::Extremes;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -46,7 +48,7 @@ impl Known {
     pub(crate) fn extremes_if(
         &self,
         (shaft, speed_rpm): (usize, f64),
-        (synthesiser, precision): (&Synthesiser, Precision),
+        screen: &mut Screen,
         phasors: &[C64],
         can_matter: impl Fn(Most) -> bool,
     ) -> (Option<Extremes>, Most) {
@@ -56,7 +58,7 @@ impl Known {
             Some(KnownTorque::AtMost(most)) if !can_matter(*most) => return (None, *most),
             _ => {}
         }
-        let found = synthesiser.extremes_if(phasors, precision, can_matter);
+        let found = screen.extremes_if(phasors, can_matter);
         let known = found.0.map_or(KnownTorque::AtMost(found.1), |extremes| KnownTorque::Found(extremes, found.1));
         self.torques.borrow_mut().insert(key, known);
         found

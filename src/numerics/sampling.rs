@@ -1,53 +1,151 @@
-//! The inner loop of sampling a sum of harmonics over its period.
+//! Samples of a sum of harmonics over its period: the same on every processor.
 
 use super::C64;
+use crate::numerics::elementary::Elementary;
 use multiversion::multiversion;
+use std::f64::consts::TAU;
 
 /// Samples that are summed at a time.
-pub(super) const BLOCK: usize = 16;
+pub(super) const BLOCK: usize = 8;
+/// A value for each place in a block.
+type Lanes = [f64; BLOCK];
+/// Kinds of harmonics, by what is left of them after division by four: cosines and sines of one kind become the same in the next eighth of the period, but for signs.
+const KINDS: usize = 4;
 
-/// f at equidistant angles of a period. Cosines and sines of even and of odd harmonics (`evens` even ones come first) are summed over its first
-/// quarter; the other quarters have the same sums with other signs. Returns the smallest and the largest value.
+/// Smallest and largest samples.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sampled {
+    /// By places in the blocks of the first eighth, with the samples that mirror them.
+    pub lows: Lanes,
+    pub highs: Lanes,
+    /// Of all.
+    pub low: f64,
+    pub high: f64,
+}
+
+/// Cosines and sines of some harmonics over an eighth of the period; the other samples have the same sums with other signs.
+#[derive(Debug, Clone)]
+pub(super) struct Tables {
+    /// Index of the harmonic of every column: row by row the next of each kind, where there is one.
+    columns: Vec<Option<usize>>,
+    /// Samples in a quarter of a period, the first half a step from angle zero: a whole number of pairs of blocks.
+    quarter: usize,
+    /// cos(h psi) and sin(h psi) at every sample of the first eighth: block by block of samples, column by column.
+    cosine: Vec<Lanes>,
+    sine: Vec<Lanes>,
+}
+
+impl Tables {
+    /// For some harmonics: at least eight samples in the shortest wave.
+    pub fn new(harmonics: &[u32]) -> Self {
+        let kinds: [Vec<usize>; KINDS] =
+            std::array::from_fn(|kind| (0..harmonics.len()).filter(|i| harmonics[*i] as usize % KINDS == kind).collect());
+        let rows = kinds.iter().map(Vec::len).max().unwrap_or(0);
+        let columns: Vec<Option<usize>> = (0..rows).flat_map(|row| kinds.iter().map(move |kind| kind.get(row).copied())).collect();
+        let quarter = (2 * harmonics.iter().max().map_or(1, |&h| h as usize)).next_multiple_of(2 * BLOCK);
+        let table = |f: fn(f64) -> f64| {
+            // angles by whole numbers of half steps
+            let at = |h: u32, j: usize| f(TAU * (((2 * j + 1) * h as usize) % (8 * quarter)) as f64 / (8 * quarter) as f64);
+            let column = |b: usize, i: Option<usize>| i.map_or([0.0; BLOCK], |i| std::array::from_fn(|j| at(harmonics[i], b * BLOCK + j)));
+            (0..quarter / BLOCK / 2).flat_map(|b| columns.iter().map(move |i| column(b, *i))).collect()
+        };
+        let (cosine, sine) = (table(f64::cosine), table(f64::sine));
+        Self { columns, quarter, cosine, sine }
+    }
+
+    /// Samples in a period.
+    pub fn samples(&self) -> usize {
+        4 * self.quarter
+    }
+
+    /// Samples the sum of these harmonics; `ordered` is a buffer.
+    pub fn sample(&self, phasors: &[C64], ordered: &mut Vec<C64>, f: &mut Vec<f64>) -> Sampled {
+        ordered.clear();
+        ordered.extend(self.columns.iter().map(|i| i.map_or(C64::ZERO, |i| phasors[i])));
+        f.resize(self.samples(), 0.0);
+        sample(ordered, &self.cosine, &self.sine, f)
+    }
+}
+
+/// Indices of a sample of the first eighth of a period and of those that mirror it, of `n` in a period.
+pub(super) fn mirrored(j: usize, n: usize) -> [usize; 8] {
+    let q = n / 4;
+    [j, q - 1 - j, q + j, 2 * q - 1 - j, 2 * q + j, 3 * q - 1 - j, 3 * q + j, n - 1 - j]
+}
+
+/// Place by place.
+#[inline(always)]
+fn each(a: &Lanes, b: &Lanes, of: impl Fn(f64, f64) -> f64) -> Lanes {
+    std::array::from_fn(|j| of(a[j], b[j]))
+}
+
+/// f at psi, pi - psi, pi + psi and 2 pi - psi by sums at psi over cosines and sines of even and of odd harmonics.
+#[inline(always)]
+fn quarters(even_cos: &Lanes, even_sin: &Lanes, odd_cos: &Lanes, odd_sin: &Lanes, ends: &mut (Lanes, Lanes)) -> [Lanes; 4] {
+    let (sum, difference) = (each(even_cos, odd_cos, |a, b| a + b), each(even_cos, odd_cos, |a, b| a - b));
+    let (sines, other) = (each(even_sin, odd_sin, |a, b| a + b), each(even_sin, odd_sin, |a, b| a - b));
+    for (cosines, sines) in [(&sum, &sines), (&difference, &other)] {
+        let (above, below) = (each(cosines, sines, |c, s| c + s.abs()), each(cosines, sines, |c, s| c - s.abs()));
+        ends.0 = each(&ends.0, &below, |a, b| if b < a { b } else { a });
+        ends.1 = each(&ends.1, &above, |a, b| if b > a { b } else { a });
+    }
+    let (add, subtract) = (|a: f64, b: f64| a + b, |a: f64, b: f64| a - b);
+    [each(&sum, &sines, subtract), each(&difference, &other, add), each(&difference, &other, subtract), each(&sum, &sines, add)]
+}
+
+/// f at equidistant angles of a period, by phasors, cosines and sines row by row of kinds.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-pub(super) fn sample(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], f: &mut [f64]) -> (f64, f64) {
+fn sample(phasors: &[C64], cosine: &[Lanes], sine: &[Lanes], f: &mut [f64]) -> Sampled {
     let (first, rest) = f.split_at_mut(f.len() / 4);
     let (second, rest) = rest.split_at_mut(first.len());
     let (third, fourth) = rest.split_at_mut(first.len());
-    let (cosine, sine) = (cosine.as_chunks::<BLOCK>().0, sine.as_chunks::<BLOCK>().0);
-    let forwards = first.as_chunks_mut::<BLOCK>().0.iter_mut().zip(third.as_chunks_mut::<BLOCK>().0);
-    let backwards = second.as_chunks_mut::<BLOCK>().0.iter_mut().zip(fourth.as_chunks_mut::<BLOCK>().0).rev();
-    let tables = cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len()));
-    let (mut low, mut high) = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
-    for (((first, third), (second, fourth)), (cosine, sine)) in forwards.zip(backwards).zip(tables) {
-        let (mut even_cos, mut even_sin, mut odd_cos, mut odd_sin) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-        for ((y, c), s) in phasors[..evens].iter().zip(&cosine[..evens]).zip(&sine[..evens]) {
+    let [first, second, third, fourth] = [first, second, third, fourth].map(|quarter| quarter.as_chunks_mut::<BLOCK>().0);
+    let mut ends = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
+    let last = first.len() - 1;
+    for (b, (cosine, sine)) in cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len())).enumerate() {
+        let mut sums = [[0.0; BLOCK]; 12];
+        let [cos0, sin0, cos1, sin1, cos2, sin2, cos3, sin3, next_cos1, next_sin1, next_cos3, next_sin3] = &mut sums;
+        let rows = cosine.as_chunks::<KINDS>().0.iter().zip(sine.as_chunks::<KINDS>().0);
+        for (y, (c, s)) in phasors.as_chunks::<KINDS>().0.iter().zip(rows) {
             for j in 0..BLOCK {
-                even_cos[j] += y.re * c[j];
-                even_sin[j] += y.im * s[j];
+                cos0[j] += y[0].re * c[0][j];
+                sin0[j] += y[0].im * s[0][j];
+                cos2[j] += y[2].re * c[2][j];
+                sin2[j] += y[2].im * s[2][j];
+                cos1[j] += y[1].re * c[1][j];
+                sin1[j] += y[1].im * s[1][j];
+                cos3[j] += y[3].re * c[3][j];
+                sin3[j] += y[3].im * s[3][j];
+                // at pi/2 - psi cosines of odd harmonics are sines, and sines cosines
+                next_cos1[j] += y[1].re * s[1][j];
+                next_sin1[j] += y[1].im * c[1][j];
+                next_cos3[j] += y[3].re * s[3][j];
+                next_sin3[j] += y[3].im * c[3][j];
             }
         }
-        for ((y, c), s) in phasors[evens..].iter().zip(&cosine[evens..]).zip(&sine[evens..]) {
-            for j in 0..BLOCK {
-                odd_cos[j] += y.re * c[j];
-                odd_sin[j] += y.im * s[j];
-            }
-        }
-        for j in 0..BLOCK {
-            let (sum, difference) = (even_cos[j] + odd_cos[j], even_cos[j] - odd_cos[j]);
-            let (sines, other) = (even_sin[j] + odd_sin[j], even_sin[j] - odd_sin[j]);
-            first[j] = sum - sines;
-            third[j] = difference - other;
-            second[BLOCK - 1 - j] = difference + other;
-            fourth[BLOCK - 1 - j] = sum + sines;
-            let (above, below) = (sum + sines.abs(), sum - sines.abs());
-            high[j] = if above > high[j] { above } else { high[j] };
-            low[j] = if below < low[j] { below } else { low[j] };
-            let (above, below) = (difference + other.abs(), difference - other.abs());
-            high[j] = if above > high[j] { above } else { high[j] };
-            low[j] = if below < low[j] { below } else { low[j] };
-        }
+        let (add, subtract) = (|a: f64, b: f64| a + b, |a: f64, b: f64| a - b);
+        let r = last - b;
+        let backwards = |f: Lanes| -> Lanes { std::array::from_fn(|j| f[BLOCK - 1 - j]) };
+        let f = quarters(&each(cos0, cos2, add), &each(sin0, sin2, add), &each(cos1, cos3, add), &each(sin1, sin3, add), &mut ends);
+        (first[b], second[r], third[b], fourth[r]) = (f[0], backwards(f[1]), f[2], backwards(f[3]));
+        let f = quarters(
+            &each(cos0, cos2, subtract),
+            &each(sin2, sin0, subtract),
+            &each(next_cos1, next_cos3, subtract),
+            &each(next_sin1, next_sin3, subtract),
+            &mut ends,
+        );
+        (first[r], second[b], third[r], fourth[b]) = (backwards(f[0]), f[1], backwards(f[2]), f[3]);
     }
-    let smaller = |m: f64, v: &f64| if *v < m { *v } else { m };
-    let larger = |m: f64, v: &f64| if *v > m { *v } else { m };
-    (low.iter().fold(f64::INFINITY, smaller), high.iter().fold(f64::NEG_INFINITY, larger))
+    let ((mut lows, mut highs), mut half) = (ends, BLOCK / 2);
+    while half > 0 {
+        for j in 0..half {
+            let (a, b) = (lows[j], lows[j + half]);
+            lows[j] = if a < b { a } else { b };
+            let (a, b) = (highs[j], highs[j + half]);
+            highs[j] = if a > b { a } else { b };
+        }
+        half /= 2;
+    }
+    Sampled { lows: ends.0, highs: ends.1, low: lows[0], high: highs[0] }
 }

@@ -3,7 +3,9 @@
 use super::measure::{Over, Within};
 use crate::crankshaft::{Known, Margin, Torque};
 use crate::numerics::C64;
-use crate::numerics::synthesis::{Extremes, Most, Precision, Synthesiser};
+use crate::numerics::extremes::Most;
+use crate::numerics::screen::Screen;
+use crate::numerics::synthesis::{Extremes, Synthesiser};
 use crate::response::Quantity;
 
 /// The value of a synthesis, with what it counts at each speed.
@@ -66,19 +68,18 @@ impl<'a> PointMetric<'a> {
     }
 
     /// The value of a sum where it may reach `wanted` if it is up to `rise` times as large, else minus infinity; with what bounds the sum.
-    pub(crate) fn value_above(&self, synthesis: (&Synthesiser, Precision), speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> Above {
+    pub(crate) fn value_above(&self, screen: &mut Screen, speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> Above {
         let weight = self.weight(speed_rpm);
         let can_matter = |most: Most| self.at_most(speed_rpm, most.half_peak_to_peak * rise, most.middle * rise) >= wanted;
-        let (synthesiser, precision) = synthesis;
         match self.kind {
             Kind::HalfRange => {
-                let found = synthesiser.extremes_if(y, precision, can_matter);
+                let found = screen.extremes_if(y, can_matter);
                 Above { value: found.0.map_or(f64::NEG_INFINITY, |e| e.half_peak_to_peak * weight), most: found.1 }
             }
             Kind::Used { margin, criterion, shaft, known } => {
                 let (extremes, most) = match known {
-                    Some(known) => known.extremes_if((shaft, speed_rpm), synthesis, y, can_matter),
-                    None => synthesiser.extremes_if(y, precision, can_matter),
+                    Some(known) => known.extremes_if((shaft, speed_rpm), screen, y, can_matter),
+                    None => screen.extremes_if(y, can_matter),
                 };
                 let used = extremes.and_then(|extremes| {
                     let torque = Torque { extremes, phasors: y };

@@ -257,7 +257,7 @@ impl<'a> Surrogate<'a> {
             self.synthesiser.sample(&row, &mut s.samples);
             work.receptance_points += self.orders as u64;
             work.syntheses += 1;
-            let extremes = self.synthesiser.near_samples(&row, &s.samples);
+            let extremes = self.synthesiser.near_samples(&s.samples);
             (extremes, curve.value(i, &extremes))
         };
         let none = (Extremes::default(), 0.0);

@@ -8,7 +8,9 @@ use super::peak_search::{Found, LEVEL, PeakFinder};
 use super::point_metric::PointMetric;
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
-use crate::numerics::synthesis::{Extremes, Most, Precision, bound, dominating};
+use crate::numerics::extremes::{Most, Precision};
+use crate::numerics::screen::Screen;
+use crate::numerics::synthesis::{Extremes, bound, dominating};
 use crate::numerics::{C64, ZERO, magnitudes};
 use crate::response::{Quantity, ResponseError, Work};
 
@@ -36,10 +38,10 @@ impl PeakFinder<'_> {
         let rises: Vec<f64> = (0..sums.len()).map(|i| if self.refine { local_maxima::growth(&sums, i) } else { 1.0 }).collect();
         let bounds: Vec<f64> = (0..sums.len()).map(|i| metric.bound(speeds.rpm[i], sums[i] * rises[i])).collect();
         // what is refined is found to rounding between the speeds
-        let precision = if self.refine { Precision::Millionth } else { Precision::Rounding };
+        let mut screen = Screen::new(&self.synthesiser, if self.refine { Precision::Millionth } else { Precision::Rounding });
         let mut know = |i: usize, (rise, wanted): (f64, f64)| {
             work.syntheses += 1;
-            metric.value_above((&self.synthesiser, precision), speeds.rpm[i], phasors(i), (rise, wanted))
+            metric.value_above(&mut screen, speeds.rpm[i], phasors(i), (rise, wanted))
         };
         // what is known of a neighbour bounds a sum, too: by no more than their terms differ
         let mut most: Vec<Option<Most>> = vec![None; bounds.len()];
@@ -53,8 +55,15 @@ impl PeakFinder<'_> {
         };
         let (mut values, mut top) = (vec![f64::NEG_INFINITY; bounds.len()], best);
         // the largest first: the others need less then
-        let mut order: Vec<usize> = (0..bounds.len()).filter(|i| bounds[*i] > 0.0).collect();
-        order.sort_unstable_by(|a, b| bounds[*b].total_cmp(&bounds[*a]).then(a.cmp(b)));
+        let by_bound = |a: &usize, b: &usize| bounds[*b].total_cmp(&bounds[*a]).then(a.cmp(b));
+        let first = (0..bounds.len()).filter(|i| bounds[*i] > 0.0).min_by(by_bound);
+        let mut order: Vec<usize> = Vec::new();
+        if let Some(i) = first.filter(|i| bounds[*i] >= keep * top) {
+            let known = know(i, (rises[i], keep * top));
+            (values[i], most[i], top) = (known.value, Some(known.most), top.max(known.value));
+            order.extend((0..bounds.len()).filter(|j| *j != i && bounds[*j] > 0.0 && bounds[*j] >= keep * top));
+            order.sort_unstable_by(by_bound);
+        }
         for i in order {
             let wanted = keep * top;
             if bounds[i] < wanted {

@@ -15,12 +15,12 @@ pub(crate) struct Screen<'s> {
 
 impl<'s> Screen<'s> {
     /// As right as `precision` says.
-    pub fn new(synthesiser: &'s Synthesiser, precision: Precision) -> Self {
+    pub(crate) fn new(synthesiser: &'s Synthesiser, precision: Precision) -> Self {
         Self { synthesiser, precision, samples: Samples::default() }
     }
 
     /// The extremes; nothing where `can_matter` says no to bounds of them, which come with them.
-    pub fn extremes_if(&mut self, phasors: &[C64], can_matter: impl Fn(Most) -> bool) -> (Option<Extremes>, Most) {
+    pub(crate) fn extremes_if(&mut self, phasors: &[C64], can_matter: impl Fn(Most) -> bool) -> (Option<Extremes>, Most) {
         if phasors.len() == 1 {
             let own = self.synthesiser.extremes(phasors);
             return (Some(own), Most::of(&own));

@@ -70,6 +70,7 @@ impl Criterion {
 
     /// Share of the strength that is used, with its derivatives by amplitude and mean, 1/Pa. A yield strength that is not known counts as the fatigue
     /// limit.
+    #[inline]
     pub fn utilisation(self, cycle: Cycle, strength: Strength) -> (f64, f64, f64) {
         let (limit, tensile) = (strength.fatigue_limit, strength.tensile);
         let yielding = strength.yielding.unwrap_or(limit);

@@ -1,10 +1,13 @@
 //! What searches ask of a design: its peak from tables where they are within tolerance, else exactly.
 
-use super::measure::Measure;
+use super::measure::{Measure, Over};
+use super::peak::Peak;
 use super::peak_search::{Asked, PeakFinder, lowest};
+use super::point_metric::PointMetric;
 use super::shared::Shared;
 use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
+use crate::numerics::ZERO;
 use crate::response::{ResponseError, Work};
 
 impl<'a> PeakFinder<'a> {
@@ -52,6 +55,27 @@ impl<'a> PeakFinder<'a> {
     ) -> Result<f64, ResponseError> {
         let peaks = self.peaks_knowing(design, measure, Asked { least, ..Asked::LARGEST }, shared, work)?;
         Ok(lowest(peaks).map_or(0.0, |peak| peak.value))
+    }
+
+    /// What a measure of a design is at least: its value at the speed of a peak of another design; zero where that says nothing.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn at_least(&self, design: &[Mounted], (measure, peak): (&Measure, &Peak), work: &mut Work) -> Result<f64, ResponseError> {
+        match peak.over {
+            Over::Synthesis | Over::Margin(_) => {
+                let mut y = vec![ZERO; self.system.orders()];
+                self.direct.at(design, peak.quantity, peak.speed_rpm, &mut y, work)?;
+                work.syntheses += 1;
+                let metric = PointMetric::of(measure.over, peak.quantity, &measure.within, self.margin, None);
+                Ok(metric.value(peak.speed_rpm, &self.synthesiser.extremes(&y), &y))
+            }
+            Over::Orders | Over::Order(_) => {
+                let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
+                Ok(peak.weight * y.norm())
+            }
+            _ => Ok(0.0),
+        }
     }
 
     /// The tables for a measure, where there are any, and the error they may have.

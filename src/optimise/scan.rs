@@ -54,6 +54,10 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
         .par_iter()
         .map(|w| {
             let mut work = Work::default();
+            if problem.is_above(w, &optimum.outcome.rows, &mut work) {
+                work.evaluations += 1;
+                return (f64::INFINITY, work);
+            }
             let (value, excess) = problem.exactly(w, &mut work).unwrap_or((f64::INFINITY, 0.0));
             (if excess > HELD { f64::INFINITY } else { value }, work)
         })

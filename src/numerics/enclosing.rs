@@ -69,15 +69,11 @@ fn distance2<const D: usize>(points: &[&[f64]; D], centre: &[f64; D], i: usize) 
 
 /// Index and squared distance of the farthest point.
 fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, f64) {
-    let n = points[0].len();
-    let places = if D == 2 {
-        let block = farthest_block(points[0], points[1], centre[0], centre[1]);
-        block * BLOCK..n.min((block + 1) * BLOCK)
-    } else {
-        0..n
-    };
-    let mut best = (places.start, f64::NEG_INFINITY);
-    for i in places {
+    if D == 2 {
+        return farthest_in_plane(points[0], points[1], [centre[0], centre[1]]);
+    }
+    let mut best = (0, f64::NEG_INFINITY);
+    for i in 0..points[0].len() {
         let d = distance2(points, centre, i);
         if d > best.1 {
             best = (i, d);
@@ -87,30 +83,31 @@ fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, 
 }
 
 /// Points looked at together.
-const BLOCK: usize = 64;
+const LANES: usize = 16;
 
-/// The block of points in which the farthest one lies, in two dimensions.
+/// The same in two dimensions: the distance first, then who has it.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn farthest_block(x: &[f64], y: &[f64], cx: f64, cy: f64) -> usize {
-    const LANES: usize = 16;
-    let mut best = (0, f64::NEG_INFINITY);
-    for (block, (x, y)) in x.chunks(BLOCK).zip(y.chunks(BLOCK)).enumerate() {
-        let mut most = [f64::NEG_INFINITY; LANES];
-        let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
-        for (x, y) in xs.0.iter().zip(ys.0) {
-            for l in 0..LANES {
-                let (dx, dy) = (x[l] - cx, y[l] - cy);
-                let d = dx * dx + dy * dy;
-                most[l] = if d > most[l] { d } else { most[l] };
-            }
-        }
-        let rest = xs.1.iter().zip(ys.1).map(|(x, y)| (x - cx) * (x - cx) + (y - cy) * (y - cy));
-        let most = most.into_iter().chain(rest).fold(f64::NEG_INFINITY, |m, d| if d > m { d } else { m });
-        if most > best.1 {
-            best = (block, most);
+fn farthest_in_plane(x: &[f64], y: &[f64], centre: [f64; 2]) -> (usize, f64) {
+    let distance2 = |x: f64, y: f64| (x - centre[0]) * (x - centre[0]) + (y - centre[1]) * (y - centre[1]);
+    let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
+    let mut lanes = [f64::NEG_INFINITY; LANES];
+    for (x, y) in xs.0.iter().zip(ys.0) {
+        for l in 0..LANES {
+            let d = distance2(x[l], y[l]);
+            lanes[l] = if d > lanes[l] { d } else { lanes[l] };
         }
     }
-    best.0
+    let rest = xs.1.iter().zip(ys.1).map(|(x, y)| distance2(*x, *y));
+    let most = lanes.into_iter().chain(rest).fold(f64::NEG_INFINITY, |m, d| if d > m { d } else { m });
+    let has = |(x, y): (&[f64; LANES], &[f64; LANES])| {
+        let mut any = false;
+        for l in 0..LANES {
+            any |= distance2(x[l], y[l]) == most;
+        }
+        any
+    };
+    let from = LANES * xs.0.iter().zip(ys.0).position(has).unwrap_or(xs.0.len());
+    ((from..x.len()).find(|i| distance2(x[*i], y[*i]) == most).unwrap_or(0), most)
 }
 
 /// The smallest ball of a basis and one more point, which it holds on its surface.

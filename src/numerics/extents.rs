@@ -5,6 +5,19 @@ use multiversion::multiversion;
 /// Points that are looked at together.
 pub(super) const LANES: usize = 16;
 
+/// The largest of some numbers, two halves at a time.
+#[inline(always)]
+fn largest<T: Copy + PartialOrd>(mut lanes: [T; LANES]) -> T {
+    let mut half = LANES / 2;
+    while half > 0 {
+        for l in 0..half {
+            lanes[l] = if lanes[l + half] > lanes[l] { lanes[l + half] } else { lanes[l] };
+        }
+        half /= 2;
+    }
+    lanes[0]
+}
+
 /// Part of a point along a direction.
 pub(super) fn along([a, b]: [f32; 2], x: f32, y: f32) -> f32 {
     a * x + b * y
@@ -25,10 +38,7 @@ pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 
                 high[l] = if v > high[l] { v } else { high[l] };
             }
         }
-        for l in 0..LANES {
-            range.0 = if -low[l] < range.0 { -low[l] } else { range.0 };
-            range.1 = if high[l] > range.1 { high[l] } else { range.1 };
-        }
+        *range = (-largest(low), largest(high));
         for (x, y) in xs.1.iter().zip(ys.1) {
             let v = along(*d, *x, *y);
             range.0 = if v < range.0 { v } else { range.0 };
@@ -49,6 +59,6 @@ pub(crate) fn range(numbers: &[f64]) -> (f64, f64) {
             high[l] = if chunk[l] > high[l] { chunk[l] } else { high[l] };
         }
     }
-    let least = low.iter().map(|v| -v).chain(rest.iter().copied()).fold(f64::INFINITY, |m, v| if v < m { v } else { m });
-    (least, high.iter().chain(rest).fold(f64::NEG_INFINITY, |m, v| if *v > m { *v } else { m }))
+    let least = rest.iter().fold(-largest(low), |m, v| if *v < m { *v } else { m });
+    (least, rest.iter().fold(largest(high), |m, v| if *v > m { *v } else { m }))
 }

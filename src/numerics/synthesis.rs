@@ -105,8 +105,8 @@ impl Synthesiser {
     pub(crate) fn branch(&self, phasors: &[C64], from: &Extremes) -> Extremes {
         let step = self.step();
         let end = |angle: f64, sign: f64| {
-            let start = Local { angle, value: sign * self.derivatives(phasors, angle).0, bend: 0.0 };
-            self.newton(phasors, angle, sign, step).unwrap_or(start)
+            let start = || Local { angle, value: sign * self.derivatives(phasors, angle).0, bend: 0.0 };
+            self.newton(phasors, angle, sign, step).unwrap_or_else(start)
         };
         Extremes::of(end(from.angle_max, 1.0), end(from.angle_min, -1.0))
     }

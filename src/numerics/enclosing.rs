@@ -85,7 +85,7 @@ fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, 
 /// Points looked at together.
 const LANES: usize = 16;
 
-/// The same in two dimensions: the distance first, then who has it.
+/// The same in two dimensions: the distance first, then the point that has it.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
 fn farthest_in_plane(x: &[f64], y: &[f64], centre: [f64; 2]) -> (usize, f64) {
     let distance2 = |x: f64, y: f64| (x - centre[0]) * (x - centre[0]) + (y - centre[1]) * (y - centre[1]);

@@ -5,7 +5,7 @@ use multiversion::multiversion;
 /// Points that are looked at together.
 pub(super) const LANES: usize = 16;
 
-/// The largest of some numbers, two halves at a time.
+/// The largest of some numbers, by halving.
 #[inline(always)]
 fn largest<T: Copy + PartialOrd>(mut lanes: [T; LANES]) -> T {
     let mut half = LANES / 2;

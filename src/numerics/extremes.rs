@@ -33,6 +33,6 @@ impl Most {
 pub(crate) enum Precision {
     /// As right as numbers are.
     Rounding,
-    /// To about a millionth, for values that only say where to look more closely.
+    /// To about a millionth where short waves are small, else to a thousandth: for values that only say where to look more closely.
     Millionth,
 }

@@ -66,7 +66,7 @@ impl Samples {
         columns.flat_map(move |j| mirrored(j, n)).filter(move |j| sign * self.values[*j] >= level)
     }
 
-    /// The largest of `sign` f, to about a millionth, where no maximum stands further than `reach` above its nearest sample.
+    /// The largest of `sign` f where no maximum stands further than `reach` above its nearest sample: to about a millionth where the shortest waves are small, else to a thousandth.
     pub(super) fn near_end(&self, sign: f64, reach: f64) -> Local {
         let (f, last) = (&self.values, self.values.len() - 1);
         let lowest = self.end(sign) - reach;
@@ -87,8 +87,8 @@ impl Samples {
         self.top_at(self.values.iter().position(|v| *v == end).unwrap_or(0), sign)
     }
 
-    /// The maximum of `sign` f beside sample `j`, which is higher than those next to it: that of the polynomial through seven samples. At eight samples in the shortest
-    /// wave it errs by at most a two thousandth of that wave, of a wave three times as long by less than a millionth.
+    /// The maximum of `sign` f beside sample `j`, which is higher than those next to it: that of the polynomial through seven samples. With eight samples in the shortest wave the polynomial
+    /// errs by at most a two-thousandth of the amplitude of that wave, and by less than a millionth of that of a wave three times as long.
     pub(super) fn top_at(&self, j: usize, sign: f64) -> Local {
         let (f, n) = (&self.values, self.values.len());
         let at = |k: usize| if k >= n { k - n } else { k };
@@ -107,7 +107,8 @@ impl Samples {
         let vertex = if c2 < 0.0 { (-0.5 * c1 / c2).clamp(-1.0, 1.0) } else { 0.0 };
         let slope = |x: f64| c1 + x * (2.0 * c2 + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5 + x * 6.0 * c6))));
         let bend = |x: f64| 2.0 * c2 + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5 + x * 30.0 * c6)));
-        let x = if bend(vertex) < 0.0 { (vertex - slope(vertex) / bend(vertex)).clamp(-1.0, 1.0) } else { vertex };
+        let newton = |x: f64| if bend(x) < 0.0 { (x - slope(x) / bend(x)).clamp(-1.0, 1.0) } else { x };
+        let x = newton(newton(vertex));
         let value = middle + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * c6)))));
         Local { angle: self.angle(j) + x * self.step(), value, bend: 2.0 * c2 / (self.step() * self.step()) }
     }

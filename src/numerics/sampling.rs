@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 pub(super) const BLOCK: usize = 8;
 /// A value for each place in a block.
 type Lanes = [f64; BLOCK];
-/// Kinds of harmonics, by what is left of them after division by four: cosines and sines of one kind become the same in the next eighth of the period, but for signs.
-const KINDS: usize = 4;
+/// Harmonics that are summed together: one of each of two kinds, of even harmonics those with and without the factor four, of odd ones those a multiple of four and one or three.
+const PAIR: usize = 2;
 
 /// Smallest and largest samples.
 #[derive(Debug, Clone, Copy, Default)]
@@ -26,8 +26,10 @@ pub(super) struct Sampled {
 /// Cosines and sines of some harmonics over an eighth of the period; the other samples have the same sums with other signs.
 #[derive(Debug, Clone)]
 pub(super) struct Tables {
-    /// Index of the harmonic of every column: row by row the next of each kind, where there is one.
+    /// Indices of the harmonics, pair by pair, where there is one: even ones first,
     columns: Vec<Option<usize>>,
+    /// and how many columns those have.
+    evens: usize,
     /// Samples in a quarter of a period, the first half a step from angle zero: a whole number of pairs of blocks.
     quarter: usize,
     /// cos(h psi) and sin(h psi) at every sample of the first eighth: block by block of samples, column by column.
@@ -38,10 +40,15 @@ pub(super) struct Tables {
 impl Tables {
     /// For some harmonics: at least eight samples in the shortest wave.
     pub fn new(harmonics: &[u32]) -> Self {
-        let kinds: [Vec<usize>; KINDS] =
-            std::array::from_fn(|kind| (0..harmonics.len()).filter(|i| harmonics[*i] as usize % KINDS == kind).collect());
-        let rows = kinds.iter().map(Vec::len).max().unwrap_or(0);
-        let columns: Vec<Option<usize>> = (0..rows).flat_map(|row| kinds.iter().map(move |kind| kind.get(row).copied())).collect();
+        let of_kind = |kind: u32| (0..harmonics.len()).filter(move |i| harmonics[*i] % 4 == kind);
+        let pairs = |kinds: [u32; PAIR]| {
+            let kinds = kinds.map(|kind| of_kind(kind).collect::<Vec<usize>>());
+            let rows = 0..kinds[0].len().max(kinds[1].len());
+            rows.flat_map(|row| [kinds[0].get(row).copied(), kinds[1].get(row).copied()]).collect::<Vec<Option<usize>>>()
+        };
+        let (mut columns, odd) = (pairs([0, 2]), pairs([1, 3]));
+        let evens = columns.len();
+        columns.extend(odd);
         let quarter = (2 * harmonics.iter().max().map_or(1, |&h| h as usize)).next_multiple_of(2 * BLOCK);
         let table = |f: fn(f64) -> f64| {
             // angles by whole numbers of half steps
@@ -50,7 +57,7 @@ impl Tables {
             (0..quarter / BLOCK / 2).flat_map(|b| columns.iter().map(move |i| column(b, *i))).collect()
         };
         let (cosine, sine) = (table(f64::cosine), table(f64::sine));
-        Self { columns, quarter, cosine, sine }
+        Self { columns, evens, quarter, cosine, sine }
     }
 
     /// Samples in a period.
@@ -63,7 +70,7 @@ impl Tables {
         ordered.clear();
         ordered.extend(self.columns.iter().map(|i| i.map_or(C64::ZERO, |i| phasors[i])));
         f.resize(self.samples(), 0.0);
-        sample(ordered, &self.cosine, &self.sine, f)
+        sample(ordered, self.evens, (&self.cosine, &self.sine), f)
     }
 }
 
@@ -93,36 +100,57 @@ fn quarters(even_cos: &Lanes, even_sin: &Lanes, odd_cos: &Lanes, odd_sin: &Lanes
     [each(&sum, &sines, subtract), each(&difference, &other, add), each(&difference, &other, subtract), each(&sum, &sines, add)]
 }
 
-/// f at equidistant angles of a period, by phasors, cosines and sines row by row of kinds.
+/// Sums over cosines and sines of even harmonics at psi, those of one kind and then those of the other.
+#[inline(always)]
+fn even_sums(phasors: &[[C64; PAIR]], cosine: &[[Lanes; PAIR]], sine: &[[Lanes; PAIR]]) -> [Lanes; 4] {
+    let (mut cos0, mut sin0, mut cos2, mut sin2) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+    for (y, (c, s)) in phasors.iter().zip(cosine.iter().zip(sine)) {
+        for j in 0..BLOCK {
+            cos0[j] += y[0].re * c[0][j];
+            sin0[j] += y[0].im * s[0][j];
+            cos2[j] += y[1].re * c[1][j];
+            sin2[j] += y[1].im * s[1][j];
+        }
+    }
+    [cos0, sin0, cos2, sin2]
+}
+
+/// The same of odd harmonics, and at pi/2 - psi, where cosines are sines and sines cosines but for signs.
+#[inline(always)]
+fn odd_sums(phasors: &[[C64; PAIR]], cosine: &[[Lanes; PAIR]], sine: &[[Lanes; PAIR]]) -> ([Lanes; 4], [Lanes; 4]) {
+    let (mut cos1, mut sin1, mut cos3, mut sin3) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+    let (mut next_cos1, mut next_sin1, mut next_cos3, mut next_sin3) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+    for (y, (c, s)) in phasors.iter().zip(cosine.iter().zip(sine)) {
+        for j in 0..BLOCK {
+            cos1[j] += y[0].re * c[0][j];
+            sin1[j] += y[0].im * s[0][j];
+            cos3[j] += y[1].re * c[1][j];
+            sin3[j] += y[1].im * s[1][j];
+            next_cos1[j] += y[0].re * s[0][j];
+            next_sin1[j] += y[0].im * c[0][j];
+            next_cos3[j] += y[1].re * s[1][j];
+            next_sin3[j] += y[1].im * c[1][j];
+        }
+    }
+    ([cos1, sin1, cos3, sin3], [next_cos1, next_sin1, next_cos3, next_sin3])
+}
+
+/// f at equidistant angles of a period, by phasors, cosines and sines, `evens` of them of even harmonics.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
-fn sample(phasors: &[C64], cosine: &[Lanes], sine: &[Lanes], f: &mut [f64]) -> Sampled {
+fn sample(phasors: &[C64], evens: usize, (cosine, sine): (&[Lanes], &[Lanes]), f: &mut [f64]) -> Sampled {
     let (first, rest) = f.split_at_mut(f.len() / 4);
     let (second, rest) = rest.split_at_mut(first.len());
     let (third, fourth) = rest.split_at_mut(first.len());
     let [first, second, third, fourth] = [first, second, third, fourth].map(|quarter| quarter.as_chunks_mut::<BLOCK>().0);
     let mut ends = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
     let last = first.len() - 1;
+    let (even, odd) = phasors.split_at(evens);
+    let (even, odd) = (even.as_chunks::<PAIR>().0, odd.as_chunks::<PAIR>().0);
     for (b, (cosine, sine)) in cosine.chunks(phasors.len()).zip(sine.chunks(phasors.len())).enumerate() {
-        let mut sums = [[0.0; BLOCK]; 12];
-        let [cos0, sin0, cos1, sin1, cos2, sin2, cos3, sin3, next_cos1, next_sin1, next_cos3, next_sin3] = &mut sums;
-        let rows = cosine.as_chunks::<KINDS>().0.iter().zip(sine.as_chunks::<KINDS>().0);
-        for (y, (c, s)) in phasors.as_chunks::<KINDS>().0.iter().zip(rows) {
-            for j in 0..BLOCK {
-                cos0[j] += y[0].re * c[0][j];
-                sin0[j] += y[0].im * s[0][j];
-                cos2[j] += y[2].re * c[2][j];
-                sin2[j] += y[2].im * s[2][j];
-                cos1[j] += y[1].re * c[1][j];
-                sin1[j] += y[1].im * s[1][j];
-                cos3[j] += y[3].re * c[3][j];
-                sin3[j] += y[3].im * s[3][j];
-                // at pi/2 - psi cosines of odd harmonics are sines, and sines cosines
-                next_cos1[j] += y[1].re * s[1][j];
-                next_sin1[j] += y[1].im * c[1][j];
-                next_cos3[j] += y[3].re * s[3][j];
-                next_sin3[j] += y[3].im * c[3][j];
-            }
-        }
+        let ((even_cosine, odd_cosine), (even_sine, odd_sine)) = (cosine.split_at(evens), sine.split_at(evens));
+        let [cos0, sin0, cos2, sin2] = &even_sums(even, even_cosine.as_chunks().0, even_sine.as_chunks().0);
+        let ([cos1, sin1, cos3, sin3], [next_cos1, next_sin1, next_cos3, next_sin3]) =
+            &odd_sums(odd, odd_cosine.as_chunks().0, odd_sine.as_chunks().0);
         let (add, subtract) = (|a: f64, b: f64| a + b, |a: f64, b: f64| a - b);
         let r = last - b;
         let backwards = |f: Lanes| -> Lanes { std::array::from_fn(|j| f[BLOCK - 1 - j]) };

@@ -56,7 +56,7 @@ impl Synthesiser {
         Extremes::of(first(1.0), first(-1.0))
     }
 
-    /// Extremes to about a millionth from samples of the sum, at the largest and the smallest of them.
+    /// Extremes from samples of the sum, beside the largest and the smallest of them: to about a millionth where short waves are small.
     pub(crate) fn near_samples(&self, samples: &Samples) -> Extremes {
         Extremes::of(samples.near_top(1.0), samples.near_top(-1.0))
     }
@@ -149,7 +149,7 @@ impl Synthesiser {
         let mut known: Option<(usize, f64)> = None;
         let mut high: Vec<usize> = samples.reaching(sign, lowest).collect();
         high.sort_unstable();
-        // samples with one after each, of which at least one is high enough
+        // pairs of a sample and the next, at least one of which is high enough
         let (beside, last) = (|j: usize, k: usize| (k + 1) % f.len() == j, high.last().copied());
         let before = high.iter().zip(last.into_iter().chain(high.iter().copied()));
         let pairs = before.flat_map(|(&j, k)| (!beside(j, k)).then(|| if j == 0 { f.len() - 1 } else { j - 1 }).into_iter().chain([j]));

@@ -20,8 +20,8 @@ pub(super) const ROW_SHARE: f64 = 0.8;
 const ROW_SHARE_OF_MARGIN: f64 = 0.95;
 /// What is below this share of its limit is no row: it does not reach it in one step.
 const FAR_BELOW: f64 = 0.1;
-/// Peaks that differ by less than this share are as large as the largest.
-const LEVEL: f64 = 1e-3;
+/// Peaks within this share of the largest are active: what another design has there says most of it.
+const ACTIVE: f64 = 1e-3;
 /// Weight of the worst excess over a limit, relative to the objective: exact penalties need more than the multipliers, which are of
 /// order one in these units.
 pub(crate) const PENALTY: f64 = 20.0;
@@ -260,10 +260,10 @@ impl Problem<'_> {
         }
     }
 
-    /// Whether the objective at a point is above that of some rows: at the speeds of their largest peaks it is already.
-    pub(super) fn is_above(&self, w: &[f64], rows: &Rows, work: &mut Work) -> bool {
+    /// Whether the objective at a point is certainly above that of some rows: at the speeds of their largest peaks it is already.
+    pub(super) fn is_surely_above(&self, w: &[f64], rows: &Rows, work: &mut Work) -> bool {
         let (own, mut values) = (self.space.design(w), vec![0.0_f64; self.objectives.len()]);
-        rows.rows.iter().filter(|r| rows.is_largest(r, LEVEL)).any(|row| {
+        rows.rows.iter().filter(|r| rows.is_largest(r, ACTIVE)).any(|row| {
             let Role::Objective(i) = row.role else { return false };
             let (load_case, Limit { measure, limit }) = (&self.load_cases[row.load_case], &self.objectives[i]);
             let least = load_case.finder.at_least(&load_case.absorbers(&own), (measure, &row.peak), work);

@@ -54,7 +54,7 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
         .par_iter()
         .map(|w| {
             let mut work = Work::default();
-            if problem.is_above(w, &optimum.outcome.rows, &mut work) {
+            if problem.is_surely_above(w, &optimum.outcome.rows, &mut work) {
                 work.evaluations += 1;
                 return (f64::INFINITY, work);
             }

@@ -1,6 +1,6 @@
 //! Where a law is asked for its dynamic stiffness, and that of a spring and a damper.
 
-use crate::numerics::C64;
+use crate::numerics::{C64, ImaginaryPower};
 
 /// Where a law is asked for its stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +28,14 @@ pub(super) fn by_frequency(at: &[Operating], out: &mut [C64], of: impl Fn(f64) -
         }
         out.iter_mut().zip(re.into_iter().zip(im)).for_each(|(out, (re, im))| *out = C64::new(re, im));
     }
+}
+
+/// (i omega tau)^alpha at many points, for tau > 0.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+pub(super) fn powers(at: &[Operating], tau: f64, alpha: f64) -> Vec<C64> {
+    let (power, mut out) = (ImaginaryPower::new(alpha), vec![C64::default(); at.len()]);
+    by_frequency(at, &mut out, |omega| power.branchless(omega * tau));
+    out
 }
 
 /// A spring and a viscous damper side by side: S = k + i omega c.

@@ -3,13 +3,12 @@
 //! Over two or three decades the storage and loss moduli of filled rubber rise as omega^alpha. With (i)^alpha on the principal branch S is passive and causal for 0 < alpha <= 1; alpha = 1 is a spring
 //! beside a dashpot. The stiffness grows without bound at high frequency: `fractional_zener` ends it.
 
-use super::dynamic_stiffness::{Operating, by_frequency};
+use super::dynamic_stiffness::{Operating, by_frequency, powers};
 use super::fractional_zener::{EXPONENT, start};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
-use crate::numerics::elementary::Elementary;
-use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring on a spring beside a springpot.
@@ -66,10 +65,9 @@ impl Law for FractionalKelvin {
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time
-        let power = ImaginaryPower::new(self.exponent);
-        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
+        let own = powers(at, self.relaxation_time, self.exponent);
         Some(Box::new(move |factor, [re, im, below]| {
-            let share = self.stiffness * (self.exponent * factor).exponential();
+            let share = self.stiffness * branchless::exponential(self.exponent * factor);
             own.iter().zip(re).zip(im).for_each(|((z, re), im)| (*re, *im) = (self.stiffness + share * z.re, share * z.im));
             below.fill(1.0);
         }))

@@ -3,13 +3,12 @@
 //! k at low frequency, r k at high frequency. Thermodynamically admissible for r > 1 and 0 < alpha <= 1 \[Bagley & Torvik 1986\].
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::{Operating, by_frequency};
+use super::dynamic_stiffness::{Operating, by_frequency, powers};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::elementary::Elementary;
-use crate::numerics::{C64, ImaginaryPower, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
 use std::sync::Arc;
 
 /// Ring on rubber of four numbers.
@@ -104,10 +103,9 @@ impl Law for FractionalZener {
     }
     fn followed_each<'s>(&'s self, at: &'s [Operating]) -> Option<ByFactor<'s>> {
         // temperature puts its factor on the relaxation time
-        let power = ImaginaryPower::new(self.exponent);
-        let own: Vec<C64> = at.iter().map(|at| power.of(at.omega * self.relaxation_time)).collect();
+        let own = powers(at, self.relaxation_time, self.exponent);
         let own = [own.iter().map(|z| z.re).collect(), own.iter().map(|z| z.im).collect()];
-        Some(Box::new(move |factor, out| stiffness_each(self, (self.exponent * factor).exponential(), &own, out)))
+        Some(Box::new(move |factor, out| stiffness_each(self, branchless::exponential(self.exponent * factor), &own, out)))
     }
     fn is_analytic(&self) -> bool {
         true

@@ -6,7 +6,6 @@ use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
 use crate::numerics::elementary::Elementary;
 use crate::units::RAD_PER_S_PER_RPM;
-use multiversion::multiversion;
 
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
 pub(crate) const STRIDE: usize = 2;
@@ -208,7 +207,7 @@ impl CrankLoads<'_> {
 }
 
 /// Adds a multiple of a row to a sum.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
     for (s, v) in sum.iter_mut().zip(row) {
         *s += factor * v;
@@ -216,7 +215,7 @@ fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
 }
 
 /// Moment along and across a throw, and shear force along it, from their parts in axes of the engine.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn turn([moment, shear]: [&[[f64; 2]]; 2], turns: &[(f64, f64)], [along, across, shear_along]: [&mut [f64]; 3]) {
     let out = along.iter_mut().zip(across).zip(shear_along);
     for (((((a, t), s), [mx, my]), [sx, sy]), (sine, cosine)) in out.zip(moment).zip(shear).zip(turns) {

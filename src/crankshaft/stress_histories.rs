@@ -14,7 +14,6 @@ use crate::fatigue::multiaxial::plane_state::Points;
 use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate};
 use crate::numerics::C64;
 use crate::numerics::periodic_sums::PeriodicSums;
-use multiversion::multiversion;
 use std::cell::OnceCell;
 
 /// Samples that ranges are taken of together.
@@ -184,7 +183,7 @@ impl Histories {
 }
 
 /// Adds the stress of moments and of shear forces, each times its own per unit.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn add(stress: &mut [f64], (by_moment, moment): (f64, &[f64]), (by_shear, shear): (f64, &[f64])) {
     for ((s, m), v) in stress.iter_mut().zip(moment).zip(shear) {
         *s += by_moment * m + by_shear * v;

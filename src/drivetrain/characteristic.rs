@@ -12,6 +12,8 @@ const MOST_ROUNDS: usize = 30;
 /// Relative change at which it ends, which leaves far less, and steps of its differences.
 const SCREENED: f64 = 1e-6;
 const DIFFERENCE: f64 = 1e-5;
+/// Relative width of the interval that the square of a frequency without damping is found to: a start.
+const START: f64 = 1e-6;
 /// Rounds and relative change at which a start is good enough.
 const ROUGHLY: (usize, f64) = (6, 1e-4);
 /// Frequencies between two of the chain that are looked at, and every how many of them a law is computed.
@@ -64,6 +66,8 @@ struct Characteristic<'a> {
     design: &'a [Mounted],
     /// Stations that carry absorbers, each once.
     stations: Vec<usize>,
+    /// Whether a ring carries another.
+    stacked: bool,
     order: f64,
     /// Frequencies in which motions are asked for, rad/s.
     within: (f64, f64),
@@ -118,7 +122,8 @@ impl<'a> Characteristic<'a> {
         stations.dedup();
         let square = |mode: usize| stations.first().map_or(0.0, |station| basis.shape(*station, mode).powi(2));
         let modes = (0..basis.len()).map(|i| [basis.stiffness(i), basis.own_damping(i), square(i)]).collect();
-        Self { basis, design, stations, order, within, modes }
+        let stacked = design.iter().any(|m| matches!(m.on, Host::Ring(_)));
+        Self { basis, design, stations, stacked, order, within, modes }
     }
 
     /// Whether a motion may be of those that are asked for.
@@ -155,7 +160,7 @@ impl<'a> Characteristic<'a> {
                 // a ring of coordinate sqrt(J) angle has no stiffness of its own, the modes theirs, and the spring is k v v'
                 let d: Vec<f64> = std::iter::once(0.0).chain(self.modes.iter().map(|mode| mode[0])).collect();
                 let squares: Vec<f64> = std::iter::once(k / law.ring_inertia()).chain(self.modes.iter().map(|mode| k * mode[2])).collect();
-                let omegas: Vec<f64> = of_rank_one(&d, &squares).into_iter().map(f64::sqrt).collect();
+                let omegas: Vec<f64> = of_rank_one(&d, &squares, START).into_iter().map(f64::sqrt).collect();
                 let largest = omegas.last().copied().unwrap_or(0.0);
                 return Some(omegas.into_iter().filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect());
             }
@@ -327,7 +332,7 @@ impl<'a> Characteristic<'a> {
     fn load(&self, on: Host, (s, springs): (C64, &[SpringAndDamper]), damped: bool) -> Load {
         let carried = self.design.iter().enumerate().filter(|(_, m)| m.on == on);
         let all = carried.map(|(index, mounted)| {
-            let further = self.load(Host::Ring(index), (s, springs), damped);
+            let further = if self.stacked { self.load(Host::Ring(index), (s, springs), damped) } else { Load::NONE };
             match &mounted.absorber {
                 Absorber::Ring(law) => {
                     let spring = springs[index];

@@ -47,12 +47,9 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
 
 /// Share of the sum of squares below which an element of a vector counts as none: it moves an eigenvalue by less than rounding.
 const NONE: f64 = 1e-14;
-/// Width of the interval that an eigenvalue is found to, as a share of its upper end.
-const NARROW: f64 = 1e-12;
-
 /// Eigenvalues of diag(d) + v v' for ascending d, ascending; `squares` are those of the elements of v. One lies above each d and below the next \[Golub & Van Loan 2013, section 8.4.3\], where
-/// 1 + sum of v_i²/(d_i - x) is zero; where an element is none, it is d itself.
-pub(crate) fn of_rank_one(d: &[f64], squares: &[f64]) -> Vec<f64> {
+/// 1 + sum of v_i²/(d_i - x) is zero; where an element is none, it is d itself. Each is found to an interval of this share of its upper end.
+pub(crate) fn of_rank_one(d: &[f64], squares: &[f64], narrow: f64) -> Vec<f64> {
     let total: f64 = squares.iter().sum();
     let (mut list, mut poles) = (Vec::with_capacity(d.len()), Vec::<(f64, f64)>::with_capacity(d.len()));
     for (d, square) in d.iter().zip(squares) {
@@ -74,12 +71,12 @@ pub(crate) fn of_rank_one(d: &[f64], squares: &[f64]) -> Vec<f64> {
                 let mut f = |x: f64| {
                     Ok::<f64, Infallible>((x - low) * (high - x) * (1.0 + others(x, high)) - square * (high - x) + next * (x - low))
                 };
-                between((low, -square * (high - low)), (high, next * (high - low)), NARROW * high, &mut f)
+                between((low, -square * (high - low)), (high, next * (high - low)), narrow * high, &mut f)
             }
             None => {
                 let (high, mut f) = (low + total, |x: f64| Ok((x - low) * (1.0 + others(x, low)) - square));
                 let Ok(last) = f(high);
-                between((low, -square), (high, last), NARROW * high, &mut f)
+                between((low, -square), (high, last), narrow * high, &mut f)
             }
         };
         list.push(found);

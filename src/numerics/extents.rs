@@ -1,7 +1,5 @@
 //! How far numbers reach, and points of a plane along directions.
 
-use multiversion::multiversion;
-
 /// Points that are looked at together.
 pub(super) const LANES: usize = 16;
 
@@ -24,7 +22,7 @@ pub(super) fn along([a, b]: [f32; 2], x: f32, y: f32) -> f32 {
 }
 
 /// Smallest and largest part of the points along each direction.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 2]; N]) -> [(f32, f32); N] {
     let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
     let mut all = [(f32::INFINITY, f32::NEG_INFINITY); N];
@@ -49,7 +47,7 @@ pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 
 }
 
 /// Smallest and largest number; infinities of opposite sign where there is none.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 pub(crate) fn range(numbers: &[f64]) -> (f64, f64) {
     let (whole, rest) = numbers.as_chunks::<LANES>();
     let (mut low, mut high) = ([f64::NEG_INFINITY; LANES], [f64::NEG_INFINITY; LANES]);

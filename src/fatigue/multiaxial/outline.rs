@@ -8,7 +8,6 @@ use super::papadopoulos;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::smallest_ball_from;
 use crate::numerics::extents::{extents, range};
-use multiversion::multiversion;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -118,7 +117,7 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
 }
 
 /// Distances from the least, scaled.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn shares(numbers: &[f64], least: f64, scale: f64) -> Vec<f32> {
     numbers.iter().map(|v| ((v - least) * scale) as f32).collect()
 }

@@ -10,7 +10,6 @@ use super::papadopoulos;
 use crate::numerics::enclosing::{smallest_ball, smallest_ball_from};
 use crate::numerics::extents::range;
 use crate::numerics::hull::hull;
-use multiversion::multiversion;
 use std::cell::OnceCell;
 
 /// A path over the cycle, Pa. What asks for its corners only finds them first.
@@ -127,7 +126,7 @@ fn held_by_some(x: &[f64], y: &[f64]) -> Vec<usize> {
 const LANES: usize = 16;
 
 /// Largest sum of the Tresca stress about a centre and of `k` times the hydrostatic stress.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon"))]
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
 fn largest_sum(normal: &[f64], shear: &[f64], [s0, t0]: [f64; 2], k: f64) -> f64 {
     let sum = |s: f64, t: f64| (0.25 * (s - s0) * (s - s0) + (t - t0) * (t - t0)).sqrt() + k * s / 3.0;
     let (s, t) = (normal.as_chunks::<LANES>(), shear.as_chunks::<LANES>());

@@ -15,7 +15,7 @@ use nalgebra::DVector;
 const STARTS_EVERY: usize = 10;
 const STARTS: [f64; 3] = [1.0, 0.0, 3.0];
 /// Motions that the next one is extrapolated from.
-const EXTRAPOLATED: usize = 3;
+const EXTRAPOLATED: usize = 4;
 /// Newton's steps from a start nearby.
 const NEARBY: usize = 8;
 /// The torque grows by no less than this share.

@@ -6,8 +6,8 @@ use crate::numerics::lu::{Lu, height};
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};
 
-/// A step is the last when it is this share of the motion: the error it leaves is about the square of that.
-const LAST_STEP: f64 = 1e-8;
+/// A step is the last when it is no larger than the first share of the motion, and leaves an error of no more than the second.
+const LAST_STEP: (f64, f64) = (1e-6, 1e-13);
 /// A step of this share of the motion leads so near that its Jacobian serves the next.
 const NEAR: f64 = 1e-2;
 /// A Jacobian serves as long as each step is this share of the one before.
@@ -65,7 +65,7 @@ impl Balance<'_> {
             }
             // the error that is left: the square of the step, or as much less than the step as that is less than the one before
             let scale = if is_kept { last } else { reach };
-            if size <= LAST_STEP * reach && size * size <= LAST_STEP * LAST_STEP * reach * scale {
+            if size <= LAST_STEP.0 * reach && size * size <= LAST_STEP.1 * reach * scale {
                 return Some(Found { x, even: lu.is_positive() });
             }
             let converges = size <= if is_kept { SHRINKS * last } else { NEAR * reach };

@@ -66,6 +66,19 @@ impl Samples {
         columns.flat_map(move |j| mirrored(j, n)).filter(move |j| sign * self.values[*j] >= level)
     }
 
+    /// f' at sample `j` by seven samples: it errs by no more than the sixth power of a step times f^(7)/140.
+    pub(super) fn slope(&self, j: usize) -> f64 {
+        let [(a1, _), (a2, _), (a3, _)] = self.beside(j);
+        (45.0 * a1 - 9.0 * a2 + a3) * (1.0 / 60.0) / self.step()
+    }
+
+    /// Differences and sums of the samples one, two and three steps after and before sample `j`.
+    fn beside(&self, j: usize) -> [(f64, f64); 3] {
+        let (f, n) = (&self.values, self.values.len());
+        let at = |k: usize| f[if k >= n { k - n } else { k }];
+        [1, 2, 3].map(|d| (at(j + d) - at(j + n - d), at(j + d) + at(j + n - d)))
+    }
+
     /// The largest of `sign` f where no maximum stands further than `reach` above its nearest sample: to about a millionth where the shortest waves are small, else to a thousandth.
     pub(super) fn near_end(&self, sign: f64, reach: f64) -> Local {
         let (f, last) = (&self.values, self.values.len() - 1);
@@ -90,13 +103,8 @@ impl Samples {
     /// The maximum of `sign` f beside sample `j`, which is higher than those next to it: that of the polynomial through seven samples. With eight samples in the shortest wave the polynomial
     /// errs by at most a two-thousandth of the amplitude of that wave, and by less than a millionth of that of a wave three times as long.
     pub(super) fn top_at(&self, j: usize, sign: f64) -> Local {
-        let (f, n) = (&self.values, self.values.len());
-        let at = |k: usize| if k >= n { k - n } else { k };
-        let pair = |d: usize| {
-            let (above, below) = (f[at(j + d)], f[at(j + n - d)]);
-            (sign * (above - below), sign * (above + below))
-        };
-        let (middle, [(a1, b1), (a2, b2), (a3, b3)]) = (sign * f[j], [pair(1), pair(2), pair(3)]);
+        let [(a1, b1), (a2, b2), (a3, b3)] = self.beside(j).map(|(difference, sum)| (sign * difference, sign * sum));
+        let middle = sign * self.values[j];
         // Taylor coefficients about the sample, in steps
         let c1 = (45.0 * a1 - 9.0 * a2 + a3) * (1.0 / 60.0);
         let c2 = (270.0 * b1 - 27.0 * b2 + 2.0 * b3 - 490.0 * middle) * (1.0 / 360.0);

@@ -9,6 +9,8 @@ use super::{C64, ZERO, magnitudes, series};
 use crate::numerics::elementary::{ComplexElementary, turn};
 use std::f64::consts::TAU;
 
+/// Of samples, several times what they err by, as a share of the sum of magnitudes.
+const ROUNDING: f64 = 1e-14;
 /// Other pairs of extremes that are offered, at most.
 const MOST_OTHERS: usize = 4;
 
@@ -29,16 +31,21 @@ pub struct Synthesiser {
     /// Their squares.
     squares: Vec<f64>,
     tables: Tables,
+    /// What a slope by samples may err by, of each harmonic of magnitude one.
+    doubts: Vec<f64>,
 }
 
 impl Synthesiser {
     /// For the given harmonic numbers (ascending, each at least 1).
     pub fn new(harmonics: &[u32]) -> Self {
+        let tables = Tables::new(harmonics);
+        let step = TAU / tables.samples() as f64;
         Self {
             harmonics: harmonics.to_vec(),
             consecutive: harmonics.iter().zip(1..).all(|(h, n)| *h == n),
             squares: harmonics.iter().map(|h| f64::from(h * h)).collect(),
-            tables: Tables::new(harmonics),
+            doubts: harmonics.iter().map(|&h| f64::from(h) * (f64::from(h) * step).powi(6) / 140.0 + ROUNDING / step).collect(),
+            tables,
         }
     }
 
@@ -144,7 +151,12 @@ impl Synthesiser {
         let (f, step) = (samples.values(), self.step());
         let top = samples.end(sign);
         let lowest = top - below - self.reach(phasors);
-        let slope = |j: usize| sign * self.derivatives(phasors, samples.angle(j)).1;
+        // its sign is what counts: exact where seven samples leave a doubt
+        let doubt = magnitudes::weighted(phasors, &self.doubts);
+        let slope = |j: usize| {
+            let own = samples.slope(j);
+            sign * if own.abs() > doubt { own } else { self.derivatives(phasors, samples.angle(j)).1 }
+        };
         let mut found: Vec<Local> = Vec::with_capacity(4);
         let mut known: Option<(usize, f64)> = None;
         let mut high: Vec<usize> = samples.reaching(sign, lowest).collect();

@@ -13,10 +13,14 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 const SMALLEST: f64 = -708.0;
 const LARGEST: f64 = 709.0;
 
-/// Sum of c_0 + c_1 x + ... with these coefficients, the highest first.
+/// Sum of c_0 + c_1 x + ... with these coefficients, the highest first: even and odd powers apart, so that neither waits for the other.
 #[inline(always)]
 fn polynomial<const N: usize>(coefficients: [f64; N], x: f64) -> f64 {
-    coefficients.into_iter().fold(0.0, |sum, c| sum * x + c)
+    let (square, mut sums) = (x * x, [0.0; 2]);
+    for (i, c) in coefficients.into_iter().enumerate() {
+        sums[i % 2] = sums[i % 2] * square + c;
+    }
+    sums[N % 2] * x + sums[(N + 1) % 2]
 }
 
 /// 1/n! for n from `first` down by steps of `step`, with alternating signs where asked for.

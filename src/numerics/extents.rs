@@ -3,10 +3,10 @@
 /// Points that are looked at together.
 pub(super) const LANES: usize = 16;
 
-/// The largest of some numbers, by halving.
+/// The largest of some numbers, a power of two of them, by halving.
 #[inline(always)]
-fn largest<T: Copy + PartialOrd>(mut lanes: [T; LANES]) -> T {
-    let mut half = LANES / 2;
+pub(super) fn largest<T: Copy + PartialOrd, const N: usize>(mut lanes: [T; N]) -> T {
+    let mut half = N / 2;
     while half > 0 {
         for l in 0..half {
             lanes[l] = if lanes[l + half] > lanes[l] { lanes[l + half] } else { lanes[l] };

@@ -1,6 +1,7 @@
 //! Samples of a sum of harmonics over its period: the same on every processor.
 
 use super::C64;
+use super::extents::largest;
 use crate::numerics::elementary::Elementary;
 use std::f64::consts::TAU;
 
@@ -8,7 +9,7 @@ use std::f64::consts::TAU;
 pub(super) const BLOCK: usize = 8;
 /// A value for each place in a block.
 type Lanes = [f64; BLOCK];
-/// Harmonics that are summed together: one of each of two kinds, of even harmonics those with and without the factor four, of odd ones those a multiple of four and one or three.
+/// Harmonics that are summed together, one of each of two kinds: of even ones those with and without the factor four, of odd ones those that are one and those that are three above a multiple of four.
 const PAIR: usize = 2;
 
 /// Smallest and largest samples.
@@ -164,15 +165,6 @@ fn sample(phasors: &[C64], evens: usize, (cosine, sine): (&[Lanes], &[Lanes]), f
         );
         (first[r], second[b], third[r], fourth[b]) = (backwards(f[0]), f[1], backwards(f[2]), f[3]);
     }
-    let ((mut lows, mut highs), mut half) = (ends, BLOCK / 2);
-    while half > 0 {
-        for j in 0..half {
-            let (a, b) = (lows[j], lows[j + half]);
-            lows[j] = if a < b { a } else { b };
-            let (a, b) = (highs[j], highs[j + half]);
-            highs[j] = if a > b { a } else { b };
-        }
-        half /= 2;
-    }
-    Sampled { lows: ends.0, highs: ends.1, low: lows[0], high: highs[0] }
+    let (lows, highs) = ends;
+    Sampled { lows, highs, low: -largest(lows.map(|v| -v)), high: largest(highs) }
 }

@@ -41,6 +41,7 @@ mod multiaxial;
 mod multiaxial_margin;
 mod new;
 mod numerics;
+mod one_order;
 mod optima;
 mod page;
 mod pairs;

@@ -31,6 +31,7 @@ mod large_twist;
 mod laws;
 mod layering;
 mod life;
+mod limited;
 mod limits;
 mod load;
 mod long;

@@ -1,10 +1,10 @@
 //! Ranges of speed that a society's rule bars: round each critical speed at which a design breaks its limit.
 
-use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::Wanted;
 use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
+use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, PeakFinder, Place, holds};
 use crate::response::{ResponseError, Work};
 

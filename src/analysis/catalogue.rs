@@ -1,10 +1,10 @@
 //! Absorbers of catalogues in the order of the study's objective.
 
 use super::RunError;
-use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked};
 use crate::input::{DesignSpec, Study};
+use crate::objective::in_operation::absorbers;
 use crate::objective::{DesignPeaks, PeakFinder, holds};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;

@@ -1,10 +1,10 @@
 //! A design in a load case with a fault: a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
 
 use super::RunError;
-use super::in_operation::absorbers;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked, shafts};
 use crate::absorber::Mounted;
+use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, DesignPeaks, Measure, Over, Peak, PeakFinder};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;

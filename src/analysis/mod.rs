@@ -17,7 +17,6 @@ pub mod evaluate;
 pub mod families;
 pub mod fit_law;
 pub(crate) mod heat;
-pub(crate) mod in_operation;
 pub(crate) mod large_twist;
 mod large_twist_measures;
 mod life;

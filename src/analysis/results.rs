@@ -21,7 +21,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Tradeoff};
+use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Survey, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -44,6 +44,9 @@ pub struct OptimumResult {
     pub prices: Vec<f64>,
     /// What designs elsewhere say of it.
     pub scan: Scan,
+    /// What its whole box says of it, where there are limits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub survey: Option<Survey>,
     /// What random designs near it say of it.
     pub nearby: Nearby,
     /// What second order says of it, where peaks keep their places that near.

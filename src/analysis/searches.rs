@@ -11,15 +11,15 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
-use crate::objective::{Limit, Measure, Over, PeakFinder};
+use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::front::KnownOptimum;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, front, largest, prices, robust, scan, search,
-    second_order, starts,
+    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Survey, Tolerances, front, largest, prices, robust, scan, search,
+    second_order, starts, survey,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -30,6 +30,12 @@ const SCANNED: usize = 24;
 const FIRST_ORDER: f64 = 1e-4;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
+
+/// An optimum in operation that is above that of the reference by less than this share is level with it.
+const LEVEL: f64 = 1e-9;
+/// Starts of a search in operation: other local optima of the reference at most, and random points.
+const MOST_OTHERS: usize = 2;
+const RANDOM_IN_OPERATION: usize = 2;
 
 /// An optimum that is sought.
 struct Sought {
@@ -174,13 +180,28 @@ impl<'a> Searches<'a> {
             None => search::optimise(&problem, &starts, search::Finish::All, step).map(|optimum| (Vec::new(), optimum)),
         };
         let (deviations, mut optimum) = found.map_err(failed)?;
-        let scenarios = robust::scenarios(self.load_cases, &deviations);
-        let problem = Problem { load_cases: &scenarios, ..problem };
+        let mut scenarios = robust::scenarios(self.load_cases, &deviations);
         let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-        let scan = scan::scan(&problem, &mut optimum, &lines);
-        let nearby = scan::nearby(&problem, &mut optimum, spec.seed);
+        let reference = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
+        let scan = scan::scan(&reference, &mut optimum, &lines);
+        let mut survey = self.survey(&reference, &mut optimum, spec.seed);
+        let nearby = scan::nearby(&reference, &mut optimum, spec.seed);
         let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
-        let conflict = conflict_of(&problem, &mut optimum, &all).map_err(failed)?;
+        let mut conflict = conflict_of(&reference, &mut optimum, &all).map_err(failed)?;
+        let at_reference = scenarios.clone();
+        // limits are judged in operation, too: a design that is as good there is the best of both
+        if conflict.is_none() && within.is_none() && !self.limits.is_empty() {
+            scenarios.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None });
+            let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
+            if is_worse_in_operation(&both, &optimum).map_err(failed)? {
+                optimum = search_in_operation(&both, &optimum, spec.seed, step).map_err(failed)?;
+                survey = self.survey(&both, &mut optimum, spec.seed);
+                conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
+            } else {
+                scenarios.pop();
+            }
+        }
+        let problem = Problem { load_cases: &scenarios, ..problem };
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
         let second_order = if conflict.is_some() || !first_order {
@@ -193,10 +214,12 @@ impl<'a> Searches<'a> {
         let classifier = Classifier::new(self.finders[0].system, self.study.twist);
         let nature = |r: &Row| {
             let load_case = &scenarios[r.load_case];
-            classifier.nature(load_case.finder, &load_case.absorbers(mounted), &r.peak)
+            classifier.nature(load_case.finder, &load_case.absorbers(mounted)?, &r.peak)
         };
         let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
-        let sensitivities = sensitivities(&scenarios, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
+        // those of the materials' reference: in operation the state of the material follows, too
+        let sensitivities =
+            sensitivities(&at_reference, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
         let load_case = |r: &Row| {
             let load_case = &scenarios[r.load_case];
             RowCase { condition: load_case.condition, cylinder: load_case.cylinder, deviation: load_case.deviation.cloned() }
@@ -214,6 +237,7 @@ impl<'a> Searches<'a> {
             objective,
             prices,
             scan,
+            survey,
             nearby,
             second_order,
             sensitivities,
@@ -221,6 +245,11 @@ impl<'a> Searches<'a> {
             conflict,
             robust: within.is_some(),
         })
+    }
+
+    /// The whole box of an optimum under limits.
+    fn survey(&self, problem: &Problem, optimum: &mut Optimum, seed: u64) -> Option<Survey> {
+        (!self.limits.is_empty() && !problem.space.variables.is_empty()).then(|| survey::survey(problem, optimum, seed))
     }
 
     /// What is sought: every family by the first objective; the main size of each type once more by every other objective, and within tolerances.
@@ -290,6 +319,28 @@ impl<'a> Searches<'a> {
         }
         Ok(results)
     }
+}
+
+/// Whether an optimum of the materials' reference is worse in operation: beyond a limit, or above its value.
+fn is_worse_in_operation(both: &Problem, optimum: &Optimum) -> Result<bool, ResponseError> {
+    if Condition::InOperation.changes_nothing(&optimum.design) {
+        return Ok(false);
+    }
+    let rows = both.rows(&optimum.outcome.point, &mut Work::default())?;
+    Ok(!rows.hold() || rows.objective() > optimum.value() * (1.0 + LEVEL))
+}
+
+/// The search of a problem that has the absorbers in operation, too: from the optimum of the reference and its other local optima.
+fn search_in_operation(both: &Problem, reference: &Optimum, seed: u64, step: Recorder) -> Result<Optimum, ResponseError> {
+    let values = |design: &[Mounted]| design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>();
+    let mut starts = vec![("optimum of the reference".to_owned(), reference.outcome.point.clone())];
+    let others = reference.others.iter().take(MOST_OTHERS).enumerate();
+    starts.extend(others.map(|(i, other)| (format!("other optimum {}", i + 1), both.space.point(&values(&other.design)))));
+    let middle = &reference.outcome.point;
+    starts.extend(
+        starts::random_points(&both.space, middle, RANDOM_IN_OPERATION, seed).into_iter().map(|point| ("random".to_owned(), point)),
+    );
+    search::optimise(both, &starts, search::Finish::Distinct, step)
 }
 
 /// Where limits are broken: an optimum from a design that holds them, or the conflict.

@@ -59,7 +59,7 @@ fn of_measure(
 ) -> Result<Vec<Sensitivity>, ResponseError> {
     let mut level: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
     for case in load_cases {
-        let mounted = case.absorbers(design);
+        let mounted = case.absorbers(design)?;
         let mut work = Work::default();
         for peak in case.finder.peaks(&mounted, &spec.measure, 1.0 - LEVEL, &mut work)? {
             let gradient = |i: usize| case.finder.gradient(&mounted, i, &spec.measure, &peak, &mut Work::default());

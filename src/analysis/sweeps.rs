@@ -1,13 +1,13 @@
 //! Response of a design over the speeds of the study, for tables and plots.
 
 use super::ConditionResult;
-use super::in_operation::absorbers;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
 use crate::engine::Units;
 use crate::input::Study;
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
+use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::units::DEG_PER_RAD;

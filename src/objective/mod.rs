@@ -7,6 +7,7 @@ mod design_peaks;
 pub mod duty;
 mod duty_means;
 mod gradient;
+pub(crate) mod in_operation;
 mod local_maxima;
 pub mod measure;
 mod order_peaks;

@@ -16,7 +16,13 @@ const LEAST_SHARE: f64 = 0.3;
 
 impl PeakFinder<'_> {
     /// Power of the absorbers of a measure at a speed, W, order by order: sum over rings of omega Im S |twist|²/2.
-    fn powers_at(&self, design: &[Mounted], measure: &Measure, speed_rpm: f64, work: &mut Work) -> Result<Vec<f64>, ResponseError> {
+    pub(super) fn powers_at(
+        &self,
+        design: &[Mounted],
+        measure: &Measure,
+        speed_rpm: f64,
+        work: &mut Work,
+    ) -> Result<Vec<f64>, ResponseError> {
         let own: Vec<usize> = measure.absorbers().filter(|i| *i < design.len()).collect();
         let twists: Vec<Quantity> = own.iter().map(|i| Quantity::RingTwist(*i)).collect();
         let mut by_order = vec![0.0; self.system.orders()];

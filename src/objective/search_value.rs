@@ -78,6 +78,23 @@ impl<'a> PeakFinder<'a> {
         }
     }
 
+    /// Value of a measure of a design at the speed of a peak of another design near it; `None` of a measure that is not found speed by speed.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
+    pub(crate) fn value_at_peak(
+        &self,
+        design: &[Mounted],
+        (measure, peak): (&Measure, &Peak),
+        work: &mut Work,
+    ) -> Result<Option<f64>, ResponseError> {
+        match peak.over {
+            Over::Synthesis | Over::Margin(_) | Over::Orders | Over::Order(_) => Ok(Some(self.at_least(design, (measure, peak), work)?)),
+            Over::Power => Ok(Some(self.powers_at(design, measure, peak.speed_rpm, work)?.iter().sum::<f64>() * peak.weight)),
+            _ => Ok(None),
+        }
+    }
+
     /// The tables for a measure, where there are any, and the error they may have.
     fn surrogate(&self, measure: &Measure) -> Option<(&Surrogate<'a>, f64)> {
         self.surrogates.iter().find(|s| s.0.measure() == measure).map(|(surrogate, tolerance)| (surrogate, *tolerance))

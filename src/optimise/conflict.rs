@@ -1,7 +1,7 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
 use super::memory::Remembers;
-use super::{Optimum, Problem, Role, minimax, search};
+use super::{Optimum, Problem, Role, minimax, search, survey};
 use crate::objective::{Limit, holds};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -42,14 +42,7 @@ pub(crate) enum Verdict {
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
 pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
-    let feasibility = Problem {
-        load_cases: problem.load_cases,
-        space: problem.space.clone(),
-        objectives: problem.limits,
-        weights: &[],
-        limits: &[],
-        memory: problem.memory.map(Remembers::part),
-    };
+    let feasibility = survey::feasibility(problem);
     let mut all = starts.to_vec();
     all.push(("optimum".into(), optimum.outcome.point.clone()));
     let mut nearest = search::optimise(&feasibility, &all, search::Finish::All, &|| {})?;

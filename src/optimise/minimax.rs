@@ -36,6 +36,23 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// A design that no step was made from: nothing is said of its first-order conditions.
+    pub(super) fn unmoved(point: &[f64], rows: Rows) -> Self {
+        let (n, multipliers) = (point.len(), vec![0.0; rows.rows.len()]);
+        let bounds = vec![[0.0; 2]; n];
+        let curvature = first_curvature(point);
+        Self {
+            point: point.to_vec(),
+            rows,
+            multipliers,
+            bounds,
+            kkt_residual: f64::INFINITY,
+            iterations: 0,
+            stop: Stop::NoModel,
+            curvature,
+        }
+    }
+
     /// Whether it is an optimum that others may be held against.
     pub(super) fn is_certain(&self) -> bool {
         self.rows.hold() && self.kkt_residual < WELL_MET

@@ -5,6 +5,7 @@ use super::variables::Space;
 use crate::absorber::{Deviation, Mounted};
 use crate::numerics::elementary::Elementary;
 use crate::objective::condition::Condition;
+use crate::objective::in_operation;
 use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
@@ -43,11 +44,28 @@ pub struct LoadCase<'a> {
 
 impl LoadCase<'_> {
     /// The absorbers of a design as they are here.
-    pub fn absorbers(&self, design: &[Mounted]) -> Vec<Mounted> {
-        let own = self.condition.absorbers(design);
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing damps a resonance, of absorbers in operation.
+    pub fn absorbers(&self, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
         match self.deviation {
-            Some(deviation) => deviation.of(&own),
-            None => own,
+            // what deviates is what was drawn; its state in operation follows from that
+            Some(deviation) if self.condition == Condition::InOperation => {
+                in_operation::absorbers(self.condition, self.finder, &deviation.of(design))
+            }
+            Some(deviation) => Ok(deviation.of(&self.condition.absorbers(design))),
+            None => in_operation::absorbers(self.condition, self.finder, design),
+        }
+    }
+
+    /// The same where only a few speeds are asked for: in operation, no state is found but at those.
+    pub(super) fn absorbers_at_few_speeds(&self, design: &[Mounted]) -> Vec<Mounted> {
+        match self.deviation {
+            Some(deviation) if self.condition == Condition::InOperation => {
+                in_operation::absorbers_at_few_speeds(self.condition, self.finder, &deviation.of(design))
+            }
+            Some(deviation) => deviation.of(&self.condition.absorbers(design)),
+            None => in_operation::absorbers_at_few_speeds(self.condition, self.finder, design),
         }
     }
 
@@ -56,7 +74,7 @@ impl LoadCase<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub(crate) fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
-        Ok(self.finder.peak(&self.absorbers(design), measure, work)?.map_or(0.0, |p| p.value))
+        Ok(self.finder.peak(&self.absorbers(design)?, measure, work)?.map_or(0.0, |p| p.value))
     }
 
     /// The same; nothing is zero, too, where it is below `least`.
@@ -64,7 +82,12 @@ impl LoadCase<'_> {
     /// # Errors
     /// As [`Self::peak`].
     pub(crate) fn peak_above(&self, design: &[Mounted], measure: &Measure, least: f64, work: &mut Work) -> Result<f64, ResponseError> {
-        self.finder.exact_value(&self.absorbers(design), (measure, least), &Shared::default(), work)
+        self.finder.exact_value(&self.absorbers(design)?, (measure, least), &Shared::default(), work)
+    }
+
+    /// Whether a measure is another one here: temperatures are those in operation in every load case, and a property is that of what was drawn.
+    fn asks(&self, measure: &Measure) -> bool {
+        self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_))
     }
 
     /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
@@ -221,30 +244,55 @@ impl Problem<'_> {
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn value(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        let found = self.by(w, |finder, design, of, shared| finder.value(design, of, shared, work));
+        self.value_below(w, f64::INFINITY, work)
+    }
+
+    /// The same; where the objective is above `most`, the excess counts as infinite: limits are not asked for then.
+    ///
+    /// # Errors
+    /// As [`Self::value`].
+    pub(super) fn value_below(&self, w: &[f64], most: f64, work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        let found = self.by((w, most), |finder, design, of, shared| finder.value(design, of, shared, work));
         work.noted(found)
+    }
+
+    /// The same of objectives that cost more than limits: where the excess is above `most`, the objective counts as infinite and is not asked for.
+    ///
+    /// # Errors
+    /// As [`Self::value`].
+    pub(super) fn value_near_limits(&self, w: &[f64], most: f64, work: &mut Work) -> Result<(f64, f64), ResponseError> {
+        let limits = Problem { objectives: &[], space: self.space.clone(), ..*self };
+        let (_, excess) = limits.value(w, work)?;
+        if excess > most {
+            return Ok((f64::INFINITY, excess));
+        }
+        let objectives = Problem { limits: &[], space: self.space.clone(), ..*self };
+        Ok((objectives.value(w, work)?.0, excess))
     }
 
     /// The same to rounding.
     pub(super) fn exactly(&self, w: &[f64], work: &mut Work) -> Result<(f64, f64), ResponseError> {
-        let found = self.by(w, |finder, design, of, shared| finder.exact_value(design, of, shared, work));
+        let found = self.by((w, f64::INFINITY), |finder, design, of, shared| finder.exact_value(design, of, shared, work));
         work.noted(found)
     }
 
-    /// With a value of a measure as asked, where it is no less than what comes with it.
+    /// With a value of a measure as asked, where it is no less than what comes with it; no further than to an objective above `most`.
     fn by(
         &self,
-        w: &[f64],
+        (w, most): (&[f64], f64),
         mut of: impl FnMut(&PeakFinder, &[Mounted], (&Measure, f64), &Shared) -> Result<f64, ResponseError>,
     ) -> Result<(f64, f64), ResponseError> {
         let own = self.space.design(w);
         let (mut values, mut excess) = (vec![0.0_f64; self.objectives.len()], 0.0_f64);
         for (_, load_case) in self.steering() {
-            let (design, shared) = (load_case.absorbers(&own), self.shared());
-            for (value, objective) in values.iter_mut().zip(self.objectives) {
+            let (design, shared) = (load_case.absorbers(&own)?, self.shared());
+            for (value, objective) in values.iter_mut().zip(self.objectives).filter(|o| load_case.asks(&o.1.measure)) {
                 *value = value.max(of(load_case.finder, &design, (&objective.measure, 0.0), &shared)? / objective.limit);
             }
-            for limit in self.limits {
+            if self.together(&values) > most {
+                return Ok((self.together(&values), f64::INFINITY));
+            }
+            for limit in self.limits.iter().filter(|l| load_case.asks(&l.measure)) {
                 // what does not reach its limit exceeds nothing
                 excess = excess.max((of(load_case.finder, &design, (&limit.measure, limit.limit), &shared)? / limit.limit).logarithm());
             }
@@ -260,15 +308,15 @@ impl Problem<'_> {
         }
     }
 
-    /// Whether the objective at a point is certainly above that of some rows: at the speeds of their largest peaks it is already.
-    pub(super) fn is_surely_above(&self, w: &[f64], rows: &Rows, work: &mut Work) -> bool {
+    /// Whether the objective at a point is certainly above a value: at the speeds of the largest peaks of some rows it is already.
+    pub(super) fn is_surely_above(&self, w: &[f64], (rows, value): (&Rows, f64), work: &mut Work) -> bool {
         let (own, mut values) = (self.space.design(w), vec![0.0_f64; self.objectives.len()]);
         rows.rows.iter().filter(|r| rows.is_largest(r, ACTIVE)).any(|row| {
             let Role::Objective(i) = row.role else { return false };
             let (load_case, Limit { measure, limit }) = (&self.load_cases[row.load_case], &self.objectives[i]);
-            let least = load_case.finder.at_least(&load_case.absorbers(&own), (measure, &row.peak), work);
+            let least = load_case.finder.at_least(&load_case.absorbers_at_few_speeds(&own), (measure, &row.peak), work);
             values[i] = values[i].max(least.unwrap_or(0.0) / limit);
-            self.together(&values) > rows.objective()
+            self.together(&values) > value
         })
     }
 
@@ -306,8 +354,8 @@ impl Problem<'_> {
         let mut by_measure: Vec<Vec<(usize, Peak)>> = vec![Vec::new(); asked.len()];
         let mut designs = Vec::new();
         for (load_case, s) in self.steering() {
-            let (design, shared) = (s.absorbers(&own), self.shared());
-            for ((role, Limit { measure, limit }, keep), found) in asked.iter().zip(&mut by_measure) {
+            let (design, shared) = (s.absorbers(&own)?, self.shared());
+            for ((role, Limit { measure, limit }, keep), found) in asked.iter().zip(&mut by_measure).filter(|a| s.asks(&a.0.1.measure)) {
                 let least = if role.is_limit() { FAR_BELOW * limit } else { 0.0 };
                 let peaks = s.finder.peaks_knowing(&design, measure, Asked { keep: *keep, least }, &shared, work)?;
                 found.extend(peaks.into_iter().map(|p| (designs.len(), p)));
@@ -323,11 +371,14 @@ impl Problem<'_> {
             found.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
             for (case, peak) in found {
                 let (load_case, finder, design) = &designs[case];
-                let gradient = finder.gradients(design, &varying, measure, &peak, work)?;
+                let gradient = match self.load_cases[*load_case].condition {
+                    Condition::InOperation => self.gradient_in_operation(&self.load_cases[*load_case], w, (measure, &peak), work)?,
+                    _ => self.space.chain_rule(w, &finder.gradients(design, &varying, measure, &peak, work)?),
+                };
                 // the logarithm keeps limits that are missed by far of a size with the objective
                 let (value, unit) =
                     if role.is_limit() { ((peak.value / unit).logarithm(), peak.value) } else { (peak.value / unit, *unit) };
-                let gradient = self.space.chain_rule(w, &gradient).iter().map(|g| g / unit).collect();
+                let gradient = gradient.iter().map(|g| g / unit).collect();
                 rows.push(Row { load_case: *load_case, role, value, gradient, peak });
             }
         }

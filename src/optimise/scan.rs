@@ -2,7 +2,7 @@
 
 use super::minimax::{self, Outcome};
 use super::problem::UNBOUNDED_COST;
-use super::search::cost;
+use super::search::{LOWER, is_lower};
 use super::{Optimum, Problem};
 use crate::numerics::elementary::Elementary;
 use crate::objective::HELD;
@@ -54,7 +54,7 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
         .par_iter()
         .map(|w| {
             let mut work = Work::default();
-            if problem.is_surely_above(w, &optimum.outcome.rows, &mut work) {
+            if problem.is_surely_above(w, (&optimum.outcome.rows, optimum.value()), &mut work) {
                 work.evaluations += 1;
                 return (f64::INFINITY, work);
             }
@@ -69,7 +69,7 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
     if held
         && merits[lowest].0 < optimum.value() * (1.0 - LOWER)
         && let Ok(outcome) = minimax::minimise(problem, &points[lowest], &mut optimum.stages.minimax)
-        && cost(&outcome) < cost(&optimum.outcome) * (1.0 - LOWER)
+        && is_lower(&outcome, &optimum.outcome)
     {
         optimum.replace(problem, outcome);
         found.better = true;
@@ -79,8 +79,6 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
 
 /// Most designs of a scan that are followed.
 const MOST_FOLLOWED: usize = 6;
-/// A scan's end is better where it is lower by this share.
-const LOWER: f64 = 1e-9;
 
 /// Looks along lines of designs that no start comes from, and follows the lowest: starts that agree may all have missed what lies elsewhere.
 pub(crate) fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f64>>]) -> Scan {
@@ -117,7 +115,7 @@ pub(crate) fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f6
     let mut scan = Scan { designs: lines.iter().map(Vec::len).sum(), followed: ends.len(), better: false };
     for (outcome, work) in ends {
         optimum.stages.minimax += work;
-        if let Some(outcome) = outcome.filter(|o| cost(o) < cost(&optimum.outcome) * (1.0 - LOWER)) {
+        if let Some(outcome) = outcome.filter(|o| is_lower(o, &optimum.outcome)) {
             optimum.replace(problem, outcome);
             scan.better = true;
         }

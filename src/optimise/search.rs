@@ -28,6 +28,8 @@ pub struct Start {
     pub searched: f64,
     /// Cost after the minimax method.
     pub finished: f64,
+    /// Whether its end holds all limits.
+    pub holds: bool,
 }
 
 /// Work by stage.
@@ -96,17 +98,24 @@ impl Optimum {
         self.outcome = outcome;
     }
 
+    /// Starts whose ends count: those that hold all limits, or all where none does.
+    pub(crate) fn ended(&self) -> impl Iterator<Item = &Start> {
+        let any = self.starts.iter().any(|s| s.holds);
+        self.starts.iter().filter(move |s| s.holds || !any)
+    }
+
     /// Starts that ended level with the best of them; all, where none of them led to the best design.
     pub(super) fn level_starts(&self) -> impl Iterator<Item = &str> {
-        let least = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+        let least = self.ended().map(|s| s.finished).fold(f64::INFINITY, f64::min);
         let level = if least > self.value() * (1.0 + ELSEWHERE) { f64::INFINITY } else { least * (1.0 + SAME) };
-        self.starts.iter().filter(move |s| s.finished <= level).map(|s| s.name.as_str())
+        let any = self.starts.iter().any(|s| s.holds);
+        self.starts.iter().filter(move |s| s.finished <= level && (s.holds || !any || level.is_infinite())).map(|s| s.name.as_str())
     }
 
     /// How many starts ended at the best value.
     pub fn agreeing(&self) -> usize {
-        let best = self.starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
-        self.starts.iter().filter(|s| s.finished <= best * (1.0 + SAME)).count()
+        let best = self.ended().map(|s| s.finished).fold(f64::INFINITY, f64::min);
+        self.ended().filter(|s| s.finished <= best * (1.0 + SAME)).count()
     }
 }
 
@@ -114,8 +123,23 @@ pub(super) fn cost(outcome: &Outcome) -> f64 {
     outcome.rows.objective() * (1.0 + PENALTY * outcome.rows.excess())
 }
 
-/// Whether an outcome is lower than another, or level and closer to first-order conditions.
+/// An end is lower than another by more than this share, or it is level with it.
+pub(super) const LOWER: f64 = 1e-9;
+
+/// Whether an outcome is lower than another by more than rounding; one that holds all limits is lower than any that does not.
+pub(super) fn is_lower(a: &Outcome, b: &Outcome) -> bool {
+    match (a.rows.hold(), b.rows.hold()) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => cost(a) < cost(b) * (1.0 - LOWER),
+    }
+}
+
+/// Whether an outcome holds all limits where another does not, is lower, or level and closer to first-order conditions.
 fn is_better(a: &Outcome, b: &Outcome) -> bool {
+    if a.rows.hold() != b.rows.hold() {
+        return a.rows.hold();
+    }
     let (own, other) = (cost(a), cost(b));
     own < other * (1.0 - LEVEL) || (own < other * (1.0 + LEVEL) && a.kkt_residual < b.kkt_residual)
 }
@@ -174,7 +198,8 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
         };
         recorder();
         let finished = outcome.as_ref().map_or(f64::INFINITY, cost);
-        (*i, (Start { name: starts[*i].0.clone(), seed, searched, finished }, outcome, stages))
+        let holds = outcome.as_ref().is_ok_and(|o| o.rows.hold());
+        (*i, (Start { name: starts[*i].0.clone(), seed, searched, finished, holds }, outcome, stages))
     };
     // the best, and what the search has not brought next to it; the others, which may lead to the same optimum, after that
     let best = kept.iter().copied().reduce(|m, i| if all[i].value < all[m].value { i } else { m });

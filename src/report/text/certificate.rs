@@ -3,6 +3,7 @@
 use super::table::significant;
 use crate::analysis::OptimumResult;
 use crate::input::MeasureSpec;
+use crate::optimise::Survey;
 
 /// Curvatures above this are no rounding of differences.
 const ROUNDING: f64 = 1e-6;
@@ -16,7 +17,8 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
     if !others.is_empty() {
         let named: Vec<String> = others.iter().take(MOST_NAMED).map(|l| value(objective, l.value)).collect();
         let more = if others.len() > MOST_NAMED { format!(" and {} higher ones", others.len() - MOST_NAMED) } else { String::new() };
-        lines.push(format!("  other local optima: {}{more}", named.join(", ")));
+        let held = if o.survey.is_some() { ", which hold the limits" } else { "" };
+        lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
     lines.push(match &o.scan {
         scan if scan.better => {
@@ -24,6 +26,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         }
         scan => format!("  none of {} designs elsewhere, nor what the best {} of them lead to, is lower", scan.designs, scan.followed),
     });
+    lines.extend(o.survey.as_ref().map(survey));
     match &o.nearby {
         near if near.better => lines.push(format!("  found from one of {} random designs near the end of the search", near.designs)),
         near if near.designs > 0 => lines.push(format!("  none of {} random designs near it is lower", near.designs)),
@@ -46,13 +49,37 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
     lines
 }
 
+/// What was looked at of the whole box, and what came of it: no more than that.
+fn survey(s: &Survey) -> String {
+    let of = match s.per_coordinate {
+        Some(n) => format!("of {} designs on a grid over all bounds, {n} along each free parameter,", s.designs),
+        None => format!("of {} designs at the ends of the bounds and at random between them,", s.designs),
+    };
+    let asked = s.designs - s.above;
+    let held = match s.within_limits {
+        0 => "none holds all limits".to_owned(),
+        1 => "one holds all limits".to_owned(),
+        n => format!("{n} hold all limits"),
+    };
+    let above = if s.above > 0 { format!("{} are surely higher by a quarter; of the other {asked} ", s.above) } else { String::new() };
+    let result = if s.better {
+        "it was found from one of these"
+    } else {
+        "none of these, nor what the best of them lead to, is lower within the limits"
+    };
+    format!("  {of} {above}{held}; {} were followed: {result}", s.followed)
+}
+
 fn starts(o: &OptimumResult) -> String {
     let starts = &o.optimum.starts;
     let agreeing = o.optimum.agreeing();
-    let lowest = starts.iter().map(|s| s.finished).fold(f64::INFINITY, f64::min);
-    let worst = starts.iter().map(|s| s.finished / lowest - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
+    let ended = || o.optimum.ended().map(|s| s.finished);
+    let lowest = ended().fold(f64::INFINITY, f64::min);
+    let worst = ended().map(|finished| finished / lowest - 1.0).filter(|above| above.is_finite()).fold(0.0, f64::max);
+    let outside = starts.len() - o.optimum.ended().count();
     let rest = match worst {
         _ if agreeing == starts.len() => String::new(),
+        _ if outside > 0 => format!("; {outside} ended outside the limits"),
         above if above < 10.0 => format!("; the worst of the others ended {:.2} % above", 100.0 * above),
         _ => "; others ended far above".into(),
     };

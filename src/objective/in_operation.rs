@@ -1,9 +1,10 @@
 //! The absorbers of a design as they are in operation: at every speed a law of its own.
 
+use super::condition::Condition;
+use super::peak_search::PeakFinder;
 use crate::absorber::{Absorber, Law, Material, Mounted, varying};
 use crate::drivetrain::System;
 use crate::numerics::synthesis::Synthesiser;
-use crate::objective::{Condition, PeakFinder};
 use crate::response::operation::{AtSpeed, Follower, Rule};
 use crate::response::{Direct, Grid, ResponseError};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -24,6 +25,28 @@ struct InOperation {
 }
 
 impl InOperation {
+    /// Of a design; `None` where none of its materials follows its motion.
+    fn of(finder: &PeakFinder, design: &[Mounted]) -> Option<Self> {
+        let Follower { index, law, .. } = Follower::of(design, Material::follows_motion)?;
+        Some(Self {
+            system: finder.system.clone(),
+            grid: finder.grid.clone(),
+            synthesiser: finder.synthesiser.clone(),
+            design: design.to_vec(),
+            index,
+            law,
+            known: Mutex::default(),
+        })
+    }
+
+    /// The design with the law that is another one at every speed.
+    fn mounted(self, design: &[Mounted]) -> Vec<Mounted> {
+        let mut design = design.to_vec();
+        let index = self.index;
+        design[index].absorber = Absorber::Ring(varying(self.law.clone(), move |shaft_speed| self.law_at(shaft_speed)));
+        design
+    }
+
     fn find(&self, speed_rpm: f64) -> Result<Arc<dyn Law>, ResponseError> {
         let direct = Direct::new(&self.system, &self.grid);
         let of = Follower { design: &self.design, index: self.index, law: self.law.clone() };
@@ -48,22 +71,19 @@ impl InOperation {
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub(crate) fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
-    let follower = Follower::of(design, Material::follows_motion);
-    let (Condition::InOperation, Some(Follower { index, law, .. })) = (condition, follower) else { return Ok(condition.absorbers(design)) };
-    let own = InOperation {
-        system: finder.system.clone(),
-        grid: finder.grid.clone(),
-        synthesiser: finder.synthesiser.clone(),
-        design: design.to_vec(),
-        index,
-        law: law.clone(),
-        known: Mutex::default(),
-    };
+    let (Condition::InOperation, Some(own)) = (condition, InOperation::of(finder, design)) else { return Ok(condition.absorbers(design)) };
+    // all speeds of the grid at once, by all threads
     let speeds = &finder.grid.speed_rpm;
     let laws = speeds.par_iter().map(|speed| own.find(*speed)).collect::<Result<Vec<_>, _>>()?;
     let keys = speeds.iter().map(|speed| (speed * RAD_PER_S_PER_RPM).to_bits());
     *own.known.lock().unwrap_or_else(PoisonError::into_inner) = keys.zip(laws).collect();
-    let mut design = design.to_vec();
-    design[index].absorber = Absorber::Ring(varying(law, move |shaft_speed| own.law_at(shaft_speed)));
-    Ok(design)
+    Ok(own.mounted(design))
+}
+
+/// The same where only a few speeds are asked for: the state at a speed is found when it is.
+pub(crate) fn absorbers_at_few_speeds(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Vec<Mounted> {
+    match (condition, InOperation::of(finder, design)) {
+        (Condition::InOperation, Some(own)) => own.mounted(design),
+        _ => condition.absorbers(design),
+    }
 }

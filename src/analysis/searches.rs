@@ -18,8 +18,8 @@ use crate::optimise::front::KnownOptimum;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Survey, Tolerances, front, largest, prices, robust, scan, search,
-    second_order, starts, survey,
+    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, front, largest, prices, robust,
+    scan, search, second_order, starts, survey,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -44,6 +44,14 @@ struct Sought {
     objective: usize,
     /// Tolerances within which the worst counts.
     within: Option<Tolerances>,
+}
+
+/// What designs that no start comes from say of an optimum.
+struct LookedOver {
+    scan: Scan,
+    survey: Option<Survey>,
+    nearby: Nearby,
+    conflict: Option<Conflict>,
 }
 
 /// What all searches of a study share.
@@ -181,26 +189,23 @@ impl<'a> Searches<'a> {
         };
         let (deviations, mut optimum) = found.map_err(failed)?;
         let mut scenarios = robust::scenarios(self.load_cases, &deviations);
-        let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-        let reference = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-        let scan = scan::scan(&reference, &mut optimum, &lines);
-        let mut survey = self.survey(&reference, &mut optimum, spec.seed);
-        let nearby = scan::nearby(&reference, &mut optimum, spec.seed);
-        let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
-        let mut conflict = conflict_of(&reference, &mut optimum, &all).map_err(failed)?;
         let at_reference = scenarios.clone();
+        let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
+        let reference = Problem { load_cases: &at_reference, space: problem.space.clone(), ..problem };
+        let mut looked = self.looked_over(&reference, &mut optimum, &all, spec.seed).map_err(failed)?;
         // limits are judged in operation, too: a design that is as good there is the best of both
-        if conflict.is_none() && within.is_none() && !self.limits.is_empty() {
+        if looked.conflict.is_none() && within.is_none() && (spec.in_operation || !self.limits.is_empty()) {
             scenarios.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None });
             let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
             if is_worse_in_operation(&both, &optimum).map_err(failed)? {
                 optimum = search_in_operation(&both, &optimum, spec.seed, step).map_err(failed)?;
-                survey = self.survey(&both, &mut optimum, spec.seed);
-                conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
+                looked.survey = self.survey(&both, &mut optimum, spec.seed);
+                looked.conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
             } else {
                 scenarios.pop();
             }
         }
+        let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
@@ -245,6 +250,15 @@ impl<'a> Searches<'a> {
             conflict,
             robust: within.is_some(),
         })
+    }
+
+    /// Holds an optimum against designs that no start comes from, and keeps what is better; where it breaks a limit, looks for what does not.
+    fn looked_over(&self, problem: &Problem, optimum: &mut Optimum, starts: &[NamedPoint], seed: u64) -> Result<LookedOver, ResponseError> {
+        let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
+        let scan = scan::scan(problem, optimum, &lines);
+        let survey = self.survey(problem, optimum, seed);
+        let nearby = scan::nearby(problem, optimum, seed);
+        Ok(LookedOver { scan, survey, nearby, conflict: conflict_of(problem, optimum, starts)? })
     }
 
     /// The whole box of an optimum under limits.

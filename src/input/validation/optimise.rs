@@ -26,6 +26,8 @@ pub struct OptimiseSpec {
     pub absorbers: Vec<AbsorberSpec>,
     /// Conditions it is to hold in; at least firing or a misfire.
     pub conditions: Vec<Condition>,
+    /// Whether it is searched in operation, too, where there are no limits.
+    pub in_operation: bool,
 }
 
 impl OptimiseSpec {
@@ -145,7 +147,8 @@ pub(crate) fn resolve(
     {
         check.wrong(list, "found no condition in which an absorber works, expected one of `firing`, `misfire`, `unequal_cylinders`, `cold`, `hot` and `aged` among them");
     }
-    Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions })
+    let in_operation = raw.in_operation.unwrap_or(false);
+    Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions, in_operation })
 }
 
 pub(super) fn front(

@@ -35,10 +35,12 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     for o in &results.optima {
         let objective = study.objective_of(o.objective);
         let (optimum, outcome) = (&o.optimum, &o.optimum.outcome);
-        let found_from = match (o.nearby.better, o.scan.better) {
-            (true, _) => "nearby",
-            (false, true) => "elsewhere",
-            (false, false) => "start",
+        let in_the_box = o.survey.is_some_and(|s| s.better);
+        let found_from = match (o.nearby.better, in_the_box, o.scan.better) {
+            (true, _, _) => "nearby",
+            (false, true, _) => "box",
+            (false, false, true) => "elsewhere",
+            (false, false, false) => "start",
         };
         table.row([
             o.design.name.clone(),

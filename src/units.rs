@@ -24,6 +24,10 @@ pub(crate) const N_PER_KN: f64 = 1e3;
 pub(crate) const PA_PER_GPA: f64 = 1e9;
 /// Pa in a kpsi.
 pub(crate) const PA_PER_KPSI: f64 = 6.894_757_293e6;
+/// Pa in a psi.
+pub(crate) const PA_PER_PSI: f64 = 6_894.757_293_168;
+/// N in a pound of force.
+pub(crate) const N_PER_LBF: f64 = 4.448_221_615_260_5;
 /// m in an inch.
 pub(crate) const M_PER_IN: f64 = 0.0254;
 /// W in a kW.
@@ -34,10 +38,12 @@ pub(crate) const DEG_PER_REV: f64 = 360.0;
 pub(crate) const KELVIN_AT_0_C: f64 = 273.15;
 
 /// Ends of keys with their units, the longest first.
-const SUFFIXES: [(&str, &str); 31] = [
+const SUFFIXES: [(&str, &str); 34] = [
     ("n_m_s_per_rad", "N m s/rad"),
     ("n_m_per_rad", "N m/rad"),
+    ("mpa_per_deg", "MPa/°"),
     ("rad_per_s2", "rad/s²"),
+    ("rad_per_s", "rad/s"),
     ("kj_per_mol", "kJ/mol"),
     ("per_rad2", "1/rad²"),
     ("w_per_m2", "W/m²"),
@@ -62,6 +68,7 @@ const SUFFIXES: [(&str, &str); 31] = [
     ("hz", "Hz"),
     ("m2", "m²"),
     ("c", "°C"),
+    ("h", "h"),
     ("k", "K"),
     ("s", "s"),
     ("w", "W"),

@@ -61,6 +61,29 @@ fn what_cannot_be_fitted_is_named() {
     assert_eq!(fit_law(&two, &FRACTIONAL_ZENER, None, &[]).err(), Some(FitError::TooFew { numbers: 4, parameters: 4 }));
 }
 
+/// Stiffnesses that no measurement has, or that lie further apart than those of any rubber, are refused where they stand: errors relative to one of them are not finite, and no decomposition of such derivatives ends.
+#[test]
+fn what_no_measurement_has_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("t.csv");
+    for stiffness in ["1e-300", "5e-324", "1e-308", "1e-21", "1e-19", "1e-5", "1e15"] {
+        let text = format!(
+            "frequency_hz,stiffness_n_m_per_rad,loss_factor\n5,1000,0.1\n10,1100,0.12\n20,1200,0.14\n40,1290,0.15\n80,{stiffness},0.16\n"
+        );
+        std::fs::write(&path, text).expect("written");
+        let told =
+            hartog().args(["fit", &path.to_string_lossy(), "--type", "fractional_zener", "--out"]).arg(folder.path().join("o")).assert();
+        let text = String::from_utf8_lossy(&told.code(2).get_output().stderr).into_owned();
+        let row = if stiffness == "1e15" { "row 2" } else { "row 6" };
+        assert!(text.contains(&format!("{row}, column `stiffness_n_m_per_rad`")), "{stiffness}: {text}");
+    }
+    assert!(!folder.path().join("o").exists());
+    // the library is not told by a door
+    let mut table = oil(0, 0.0);
+    table.stiffness[0][7] = (5e-324, 5e-324);
+    assert_eq!(fit_law(&table, &MAXWELL, None, &[]).err(), Some(FitError::NotFinite("maxwell")));
+}
+
 /// The shipped table was made from a fractional Zener law with the shift of EPDM, rounded to four digits: `hartog fit` finds both, to 1 %.
 #[test]
 fn the_shipped_rubber_is_found() {

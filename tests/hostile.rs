@@ -9,16 +9,13 @@ fn hartog(arguments: &[&str]) -> Assert {
     c.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments).assert()
 }
 
-/// One run at a time writes to a folder; `summary.json`, written last, has the checksum of every file but that of times; what a killed run left is cleared, and a folder whose run did not end has none.
+/// One run at a time writes to a folder; `summary.json`, written last, has the checksum of every file but that of times.
 #[cfg(unix)]
 #[test]
 fn a_folder_belongs_to_one_run() {
     let folder = tempfile::tempdir().expect("a folder");
     let run = || hartog(&["run", "studies/den_hartog.toml", "--out", &folder.path().to_string_lossy()]);
-    fs::write(folder.path().join(".hartogdead"), "half").expect("written");
-    fs::write(folder.path().join("heat.csv"), "of another run").expect("written");
     run().success();
-    assert!(!folder.path().join(".hartogdead").exists() && !folder.path().join("heat.csv").exists());
     let summary = fs::read_to_string(folder.path().join("summary.json")).expect("a summary");
     let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
     let files = summary["files"].as_array().expect("files");
@@ -61,6 +58,55 @@ fn nothing_from_a_file_moves_the_cursor() {
     assert!(text.len() < 3000 && text.contains("(100000 characters)") && text.contains('^'), "{} characters", text.len());
 }
 
+/// Names that hide something, turn the text about them, or that a spreadsheet would compute are refused where they stand, in whatever file; so no cell of a table that is written begins so.
+#[test]
+fn names_hide_and_compute_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let engine = fs::read_to_string(root.join("studies/engines/villalva_i6.toml")).expect("an engine");
+    let own = |name: &str| folder.path().join(name);
+    let study =
+        "engine = \"engine.toml\"\nspeed_rpm = { from = 1600, to = 2600, step = 500 }\norder_limit = 3\n[[design]]\nname = \"none\"\n";
+    let sold = "[[catalogue]]\nfile = \"sold.csv\"\non.station = \"pulley\"\nbest = 1\n";
+    let refused = |arguments: &[&str], place: &str| {
+        let arguments: Vec<String> = arguments.iter().map(|a| a.replace('@', &folder.path().to_string_lossy())).collect();
+        let output = hartog(&arguments.iter().map(String::as_str).collect::<Vec<_>>()).code(2);
+        let text = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+        assert!(
+            text.contains(place)
+                && (text.contains("in a name, expected") || text.contains("of a name, expected") || text.contains("found the name")),
+            "{text}"
+        );
+    };
+    let row = |name: &str, deg: i32| format!("{name},{deg},{},0,0,0,0,0\n", if deg < 360 { 50 } else { -50 });
+    for name in ["=1+1", "+1+1", "-1+1", "@SUM(A1)", "＝1", "safe\u{202e}txt", "a\u{200b}b", "\u{2066}b", "b\u{7f}"] {
+        let quoted =
+            name.chars().map(|c| if c.is_ascii_graphic() { c.to_string() } else { format!("\\u{:04x}", u32::from(c)) }).collect::<String>();
+        fs::write(own("engine.toml"), engine.replace("name = \"flywheel\"", &format!("name = \"{quoted}\""))).expect("written");
+        fs::write(own("study.toml"), study).expect("written");
+        refused(&["check", "@/study.toml"], "engine.toml:");
+        fs::write(own("engine.toml"), &engine).expect("written");
+        fs::write(own("study.toml"), study.replace("none", &quoted)).expect("written");
+        refused(&["check", "@/study.toml"], "study.toml:5:8");
+        fs::write(own("study.toml"), format!("{study}{sold}")).expect("written");
+        fs::write(own("sold.csv"), format!("name,type,ring_inertia_kg_m2,damping_n_m_s_per_rad\n{name},viscous,0.1,10\n"))
+            .expect("written");
+        refused(&["check", "@/study.toml"], "sold.csv, row 2, column `name`");
+        let history: String = (0..72).map(|i| row(name, 10 * i)).collect();
+        fs::write(own("history.csv"), format!("point,crank_deg,sxx_mpa,syy_mpa,szz_mpa,sxy_mpa,syz_mpa,szx_mpa\n{history}"))
+            .expect("written");
+        let material = root.join("tests/bad_input/material.toml").to_string_lossy().into_owned();
+        refused(&["fatigue", "@/history.csv", "--material", &material, "--out", "@/out"], "history.csv, row 2, column `point`");
+        let chain = format!("Station;Inertia [kg m2];Stiffness to next [MN m/rad];Throws\n{name};0.1;1;1\nb;1;;\n");
+        fs::write(own("chain.csv"), chain).expect("written");
+        refused(&["import", "@/chain.csv", "@/imported"], "chain.csv, row 2, column `Station`");
+    }
+    // a sign alone computes nothing
+    fs::write(own("engine.toml"), engine.replace("name = \"flywheel\"", "name = \"-\"")).expect("written");
+    fs::write(own("study.toml"), study).expect("written");
+    hartog(&["check", &own("study.toml").to_string_lossy()]).code(0);
+}
+
 /// Counts are bounded before anything is built from them: a huge `order_limit` is refused at once, a chain of more stations than any shaft has, and more samples than any cycle needs.
 #[test]
 fn counts_are_bounded() {
@@ -94,6 +140,26 @@ fn counts_are_bounded() {
     let output = hartog(&["fatigue", &csv.to_string_lossy(), "--material", &material.to_string_lossy()]).code(2);
     let text = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
     assert!(text.contains("found more than 100000 samples of point `a`"), "{text}");
+}
+
+/// A shaft of no stiffness to speak of leaves no frequency to lower: nothing is said of per cent where there is no number.
+#[test]
+fn no_per_cent_of_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let engine = fs::read_to_string(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml"));
+    let engine = engine.expect("an engine");
+    let stiffness = "stiffness_to_next_n_m_per_rad = ";
+    let throw = engine.find("name = \"throw_1\"").expect("a throw");
+    let at = throw + engine[throw..].find(stiffness).expect("a stiffness") + stiffness.len();
+    let end = at + engine[at..].find('\n').expect("a line");
+    fs::write(folder.path().join("engine.toml"), format!("{}1e-20{}", &engine[..at], &engine[end..])).expect("written");
+    let study =
+        "engine = \"engine.toml\"\nspeed_rpm = { from = 600, to = 3200, step = 650 }\norder_limit = 3\n[[design]]\nname = \"none\"\n";
+    let path = folder.path().join("study.toml");
+    fs::write(&path, study).expect("written");
+    let printed = hartog(&["check", &path.to_string_lossy()]).code(0);
+    let text = String::from_utf8_lossy(&printed.get_output().stdout).replace("\n    ", " ");
+    assert!(!text.contains("inf") && !text.contains("NaN") && text.contains("f1 is too near to zero"), "{text}");
 }
 
 /// A whole number that is too large is told of in words; a station that a mode does not move has no inertia there, not an infinite one; a link to nothing is no folder.

@@ -188,3 +188,44 @@ fn a_search_within_a_temperature() {
     assert!(reached <= 78.0 * (1.0 + 1e-6) && reached > 77.9, "{reached}");
     assert!(hottest(&free) > 78.5 && warm.optimum.value() < cool.optimum.value(), "{}", hottest(&free));
 }
+
+/// A study with a ring on measured values, from `low` to `high` Hz, under order 2 of a table alone.
+fn measured((low, high): (f64, f64), material: &str) -> Result<hartog::Study, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
+    put("u.csv", "order,amplitude_n_m,phase_deg\n2,100,0\n");
+    let station = |name: &str, more: &str| format!("[[station]]\nname = \"{name}\"\ninertia_kg_m2 = 0.05\n{more}\n");
+    put(
+        "engine.toml",
+        &format!(
+            "name = \"e\"\nstrokes = 4\n[layout.in_line]\nfiring_order = [1]\nfiring_deg = [0]\n[pressure.harmonics]\nfile = \"u.csv\"\n{}{}",
+            station("a", "throws = [1]\nstiffness_to_next_n_m_per_rad = 1e5\ndamping_to_next_n_m_s_per_rad = 5"),
+            station("b", "")
+        ),
+    );
+    let rows = [low, high].into_iter().flat_map(|f| [20, 60].map(|t| format!("{f},{t},{},0.2\n", 1000 - 5 * t)));
+    put("ring.csv", &format!("frequency_hz,temperature_c,stiffness_n_m_per_rad,loss_factor\n{}", rows.collect::<String>()));
+    let study = format!(
+        "engine = \"engine.toml\"\nspeed_rpm = {{ from = 600, to = 3000, step = 600 }}\n[[design]]\nname = \"measured\"\n[[design.absorber]]\n\
+        on.station = \"a\"\ntype.measured = {{ ring_inertia_kg_m2 = 0.005, file = \"ring.csv\", temperature_c = 40 }}\n{material}\n"
+    );
+    hartog::Study::from_toml(&study, folder.path().join("study.toml")).map_err(|e| e.to_string())
+}
+
+/// Measured values are asked for at the frequencies of the orders that the torque has, 20 to 100 Hz of order 2 here, and at no others. `cooling` is refused for what it lacks, a law of temperature, with the way to one; it was refused because
+/// nothing says how `measured` follows temperature, which its table does, or because it is ideal.
+#[test]
+fn measured_values_have_no_balance_of_heat() {
+    measured((20.0, 100.0), "").unwrap_or_else(|e| panic!("{e}"));
+    let short = measured((20.5, 100.0), "").expect_err("too few");
+    assert!(short.contains("expected those of the study's speeds and orders, 20.0000 to 100.0000 Hz"), "{short}");
+    let cooling = "cooling = { air_c = 40, hub_c = 45, to_air.w_per_k = 5, to_hub_w_per_k = 2, limit_c = 55 }";
+    for material in [
+        format!("material = {{ {cooling} }}"),
+        format!("material = {{ {cooling}, temperature.wlf = {{ c1 = 8.86, c2_k = 101.6, reference_c = 50 }} }}"),
+    ] {
+        let refused = measured((20.0, 100.0), &material).expect_err("no balance");
+        assert!(refused.contains("a balance of heat needs a law of temperature") && refused.contains("`hartog fit`"), "{refused}");
+        assert!(!refused.contains("ideal") && !refused.contains("expected `temperature` beside it"), "{refused}");
+    }
+}

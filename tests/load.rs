@@ -208,3 +208,101 @@ fn gas_harmonics_with_masses_are_the_cylinder() {
     let whole = with(&of("")).expect_err("a whole throw beside masses");
     assert!(whole.contains("`torque = \"gas\"` in [pressure.harmonics]"), "{whole}");
 }
+
+/// An engine whose torque is known over a part of the speeds of its study, and what `check` warns of.
+fn known_in_part(pressure: &str, tables: &[(&str, String)], more: &str, (from, to): (f64, f64)) -> (Study, String) {
+    let place = tempfile::tempdir().expect("a folder");
+    let engine = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_input/engine.toml")).expect("engine");
+    let (cycle, stations) = (engine.find("[pressure.wiebe]").expect("a cycle"), engine.find("[[station]]").expect("stations"));
+    let mut engine = format!("{}{pressure}\n{}", &engine[..cycle], &engine[stations..]);
+    if pressure.contains("harmonics") {
+        let geometry = engine.find("[geometry]").expect("a geometry")..engine.find("[layout").expect("a layout");
+        engine.replace_range(geometry, "");
+    }
+    let study =
+        format!("engine = \"engine.toml\"\nspeed_rpm = {{ from = {from}, to = {to}, step = 50 }}\n{more}\n[[design]]\nname = \"none\"\n");
+    for (name, text) in tables.iter().map(|t| (t.0, &t.1)).chain([("engine.toml", &engine), ("study.toml", &study)]) {
+        fs::write(place.path().join(name), text).expect("written");
+    }
+    let path = place.path().join("study.toml");
+    let check = crate::support::hartog().args(["check", &path.to_string_lossy()]).output().expect("run");
+    // lines are broken at a hundred columns
+    let told = String::from_utf8_lossy(&check.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    (hartog::input::read(&path).unwrap_or_else(|e| panic!("{e}")), told)
+}
+
+/// Torque beyond the speeds at which it is known is that at the nearest of them, as it is of one trace at every speed; inertia torque stays exact. Law, to the last digits: every order of an engine with two
+/// traces is, below and above both, that of the engine with one of them alone, and so are its loads on the throws; harmonics stay those of the nearest row; a curve of torque, power or mean pressure
+/// stays that of its end. `check` says which speeds. At 19b2337 these studies are refused. Speeds that meet none of those known are refused as before.
+#[test]
+fn torque_is_held_beyond_the_speeds_it_is_known_at() {
+    let (low, high) = (1500.0, 2500.0);
+    let trace = |columns: &[(f64, f64)]| {
+        let heads: String = columns.iter().map(|c| format!(",{}_rpm_bar", c.0)).collect();
+        let row = |i: u32| -> String { columns.iter().map(|c| format!(",{}", 1.0 + c.1 / f64::from(1 + i.min(48 - i)))).collect() };
+        ("p.csv", format!("crank_deg{heads}\n{}", (0..48).map(|i| format!("{}{}\n", 15 * i, row(i))).collect::<String>()))
+    };
+    let measured = "[pressure.measured]\nfile = \"p.csv\"";
+    let speeds = (1000.0, 4000.0);
+    let (both, told) = known_in_part(measured, &[trace(&[(low, 30.0), (high, 60.0)])], "", speeds);
+    let words = "warning: the pressure is known from 1500 to 2500 rpm only: from 1000 to 1500 rpm it is taken as at 1500 rpm, from 2500 to 4000 rpm as at 2500 rpm";
+    assert!(told.contains(&words.replace("as at 2500", "it is taken as at 2500")), "{told}");
+    for (own, beyond) in [((low, 30.0), 1000.0), ((high, 60.0), 4000.0)] {
+        let (one, told) = known_in_part(measured, &[trace(&[own])], "", speeds);
+        assert!(told.contains(&format!("the pressure is known at {} rpm only", own.0)), "{told}");
+        let [a, b] = [&both, &one].map(|s| Excitation::new(&s.engine, 12.0));
+        for o in 0..a.orders.len() {
+            let (a, b) = (a.unit_torque(o, beyond), b.unit_torque(o, beyond));
+            assert!((a - b).norm() <= 1e-12 * b.norm(), "order {o}: {a} {b}");
+        }
+        let [a, b] = [&both, &one].map(|s| hartog::engine::cycle::throw_loads(&s.engine, beyond).expect("a cylinder"));
+        for (a, b) in a.torque.iter().flatten().zip(b.torque.iter().flatten()) {
+            assert_close(*a, *b, 1e-10, 1e-8, "torque on a throw");
+        }
+    }
+    let rows = "order,amplitude_n_m,phase_deg,speed_rpm\n0.5,300,10,1500\n1,100,20,1500\n0.5,400,30,2500\n1,150,40,2500\n".to_owned();
+    let (harmonics, told) = known_in_part("[pressure.harmonics]\nfile = \"h.csv\"", &[("h.csv", rows)], "", (1000.0, 2500.0));
+    assert!(told.contains("the torque is known from 1500 to 2500 rpm only: from 1000 to 1500 rpm it is taken as at 1500 rpm"), "{told}");
+    let excitation = Excitation::new(&harmonics.engine, 12.0);
+    assert_eq!(excitation.unit_torque(0, 1000.0), excitation.unit_torque(0, 1500.0));
+    let rows = "order,amplitude_n_m,phase_deg,speed_rpm\n0.5,300,10,1500\n".to_owned();
+    let (_, told) = known_in_part("[pressure.harmonics]\nfile = \"h.csv\"", &[("h.csv", rows)], "", (1000.0, 2500.0));
+    assert!(told.contains("the torque is known at 1500 rpm only"), "{told}");
+    for curve in ["torque_n_m = [100, 200]", "power_kw = [15, 50]"] {
+        let pressure = format!("[pressure.otto]\nspeed_rpm = [1500, 2500]\ncurve.{curve}\ncompression_ratio = 10\npressure_scale = 1.2");
+        let (otto, told) = known_in_part(&pressure, &[], "", speeds);
+        assert!(told.contains("the curve of torque, power or mean pressure is known from 1500 to 2500 rpm only"), "{told}");
+        let mut still = otto.engine.clone();
+        if let hartog::engine::Source::Cylinder { geometry, .. } = &mut still.source {
+            (geometry.piston_mass, geometry.rod_mass) = (0.0, 0.0);
+        }
+        let excitation = Excitation::new(&still, 12.0);
+        for (beyond, end) in [(1000.0, 1500.0), (4000.0, 2500.0)] {
+            let (a, b) = (excitation.unit_torque(0, beyond), excitation.unit_torque(0, end));
+            assert!((a - b).norm() <= 1e-12 * b.norm(), "{curve} at {beyond} rpm: {a} {b}");
+        }
+    }
+}
+
+/// A load that varies over speed does so beyond the speeds of the curve, too: the mean pressure there is that of its end times the share there (linear between the corners of both; the cycle closes its
+/// area to 1e-6). At 19b2337 a curve of one speed took the share at that speed for all.
+#[test]
+fn load_varies_beyond_the_curve() {
+    let wiebe = |speeds: &str, bar: &str| {
+        format!(
+            "[pressure.wiebe]\nspeed_rpm = {speeds}\nindicated_mean_pressure_bar = {bar}\nboost_bar = 1\ncompression_ratio = 10\nburn_start_deg = -10\nburn_duration_deg = 60"
+        )
+    };
+    let load = "part_load = { speed_rpm = [1000, 2000], fraction = [0.5, 1] }";
+    for (speeds, bar, expected) in [
+        ("[2000, 3000]", "[10, 8]", vec![(1200.0, 6.0), (2000.0, 10.0), (3000.0, 8.0)]),
+        ("[1800]", "[10]", vec![(1200.0, 6.0), (1800.0, 9.0), (2000.0, 10.0), (3000.0, 10.0)]),
+    ] {
+        let (study, _) = known_in_part(&wiebe(speeds, bar), &[], load, (1200.0, 3000.0));
+        let found = Excitation::new(&study.engine, 12.0).audit;
+        assert_eq!(found.iter().map(|a| a.speed_rpm).collect::<Vec<_>>(), expected.iter().map(|e| e.0).collect::<Vec<_>>());
+        for (found, (_, bar)) in found.iter().zip(expected) {
+            assert_close(found.indicated_mean_pressure / 1e5, bar, 1e-5, 0.0, "mean pressure");
+        }
+    }
+}

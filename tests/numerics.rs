@@ -2,8 +2,10 @@
 
 use crate::support::assert_close;
 use hartog::numerics::elementary::{ComplexElementary, Elementary};
+use hartog::numerics::ellipsoid::ellipsoid;
 use hartog::numerics::interpolation::Interpolation;
 use hartog::numerics::matrix_exponential::matrix_exponential;
+use hartog::numerics::polyline::polyline;
 use hartog::numerics::rounding::seven_digits;
 use hartog::numerics::synthesis::Synthesiser;
 use hartog::numerics::tridiagonal::Tridiagonal;
@@ -231,4 +233,61 @@ fn seven_digits_of_any_number() {
         assert_eq!(seven_digits(x).to_bits(), by_digits.to_bits(), "{x:e}");
     }
     assert!(seven_digits(f64::NAN).is_nan());
+}
+
+/// Law: between two samples of a polyline, walked evenly, no sample is farther off than was asked, nor than is said; ends stay, a straight curve needs no more, and a coordinate that does not change does not count.
+#[test]
+fn a_polyline_stays_near() {
+    let n = 360;
+    let curve = |f: fn(f64) -> f64| (0..n).map(|j| f(TAU * j as f64 / n as f64)).collect::<Vec<f64>>();
+    let rows = [curve(|x| x.sin() + 0.3 * (5.0 * x).cos()), curve(|x| (-(x - 2.0).powi(2) / 0.02).exp()), vec![7.0; n]];
+    let near = [0.01, 0.002, 0.0];
+    let (chosen, off) = polyline(rows.each_ref().map(Vec::as_slice), near);
+    assert_eq!((chosen[0], chosen[chosen.len() - 1]), (0, n - 1));
+    assert!(chosen.windows(2).all(|p| p[0] < p[1]) && chosen.len() < n / 3, "{} of {n}", chosen.len());
+    for pair in chosen.windows(2) {
+        for j in pair[0]..=pair[1] {
+            let share = (j - pair[0]) as f64 / (pair[1] - pair[0]) as f64;
+            for d in 0..3 {
+                let apart = (rows[d][j] - (rows[d][pair[0]] + (rows[d][pair[1]] - rows[d][pair[0]]) * share)).abs();
+                assert!(apart <= off[d] + 1e-15 && off[d] <= near[d] + 1e-15, "sample {j}, coordinate {d}: {apart}, {}", off[d]);
+            }
+        }
+    }
+    let straight: Vec<f64> = (0..n).map(|j| 0.25 * j as f64).collect();
+    assert_eq!(polyline([&straight], [1e-9]).0, [0, n - 1]);
+    assert_eq!(polyline([&[3.0][..]], [0.1]).0, [0]);
+}
+
+/// Law: no point lies farther out along any direction than its ellipsoid says, whatever the points, on a line or all at the origin, too; round points of a circle it is the circle, to a thousandth.
+#[test]
+fn an_ellipsoid_holds_its_points() {
+    let mut state = 3_u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    };
+    for case in 0..40 {
+        let spread = [1.0, 1e3, if case % 3 == 0 { 0.0 } else { 1e-4 }, 1.0];
+        let mut rows: [Vec<f64>; 4] = Default::default();
+        for _ in 0..if case % 7 == 0 { 1 } else { 60 } {
+            let common = random();
+            for (d, row) in rows.iter_mut().enumerate() {
+                row.push(spread[d] * if case % 2 == 0 { common } else { random() });
+            }
+        }
+        let a = ellipsoid(rows.each_ref().map(Vec::as_slice));
+        for _ in 0..50 {
+            let direction: [f64; 4] = std::array::from_fn(|d| if spread[d] > 0.0 { random() / spread[d] } else { random() });
+            let square: f64 = (0..4).map(|i| (0..4).map(|j| direction[i] * a[i][j] * direction[j]).sum::<f64>()).sum();
+            let out = (0..rows[0].len()).map(|j| (0..4).map(|d| direction[d] * rows[d][j]).sum::<f64>().abs()).fold(0.0, f64::max);
+            assert!(out <= square.max(0.0).sqrt() * (1.0 + 1e-6) + 1e-12, "case {case}: {out} {square}");
+        }
+    }
+    assert_eq!(ellipsoid([&[0.0][..], &[0.0][..]]), [[0.0; 2]; 2]);
+    let circle = |f: fn(f64) -> f64| (0..48).map(|j| 3.0 * f(TAU * f64::from(j) / 48.0)).collect::<Vec<f64>>();
+    let a = ellipsoid([&circle(f64::cos), &circle(f64::sin)]);
+    assert_close(a[0][0], 9.0, 1e-3, 0.0, "the square of the radius");
+    assert_close(a[1][1], 9.0, 1e-3, 0.0, "the square of the radius");
+    assert!(a[0][1].abs() < 1e-6, "{a:?}");
 }

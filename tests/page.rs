@@ -177,6 +177,28 @@ fn pages_of_other_commands_work_in_a_browser() {
     }
 }
 
+/// Names that would begin a comment of a script, or end it, stand in the data of the page as they are: nothing within the script is `<`, and its JSON has them.
+#[test]
+fn no_name_ends_the_script_of_a_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let engine = std::fs::read_to_string(engine).expect("an engine");
+    let name = "<!--<script></script>";
+    std::fs::write(folder.path().join("engine.toml"), engine.replace("name = \"flywheel\"", &format!("name = \"{name}\"")))
+        .expect("written");
+    let study =
+        "engine = \"engine.toml\"\nspeed_rpm = { from = 1600, to = 2600, step = 500 }\norder_limit = 3\n[[design]]\nname = \"none\"\n";
+    let path = folder.path().join("study.toml");
+    std::fs::write(&path, study).expect("written");
+    let text = std::fs::read_to_string(page_of(&path.to_string_lossy(), &folder.path().join("out"))).expect("a page");
+    let data =
+        text.split("<script type=\"application/json\" id=\"data\">").nth(1).expect("data").split("</script>").next().expect("an end");
+    assert!(!data.contains('<'));
+    let data: serde_json::Value = serde_json::from_str(data).expect("JSON");
+    assert!(data.to_string().contains(name));
+    assert_eq!((text.matches("</script>").count(), text.matches("<script").count()), (2, 2));
+}
+
 /// A page needs nothing from elsewhere, and no text of an input can end its script.
 #[test]
 fn a_page_is_whole() {

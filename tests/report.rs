@@ -145,3 +145,111 @@ fn the_page_has_every_part() {
     let torques = rows(folder.path(), "shaft_torques.csv");
     assert!(torques.len() > 7 && torques.iter().all(|r| value(r, "torque_n_m") > 0.0));
 }
+
+/// A polyline or text of a plot: its attributes, its points or place, and its words.
+struct Drawn {
+    stroke: String,
+    points: Vec<(f64, f64)>,
+    words: String,
+    rotated: bool,
+}
+
+/// What a plot draws, in its own sequence.
+fn drawn(svg: &str) -> Vec<Drawn> {
+    let attribute =
+        |tag: &str, name: &str| tag.split(&format!(" {name}=\"")).nth(1).and_then(|t| t.split('"').next()).unwrap_or("").to_owned();
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let mut list = Vec::new();
+    for piece in svg.split('<').filter(|p| p.starts_with("polyline") || p.starts_with("text")) {
+        let (tag, words) = piece.split_once('>').expect("a tag");
+        let points = if tag.starts_with("text") {
+            vec![(number(&attribute(tag, "x")), number(&attribute(tag, "y")))]
+        } else {
+            let pairs = attribute(tag, "points");
+            pairs.split_whitespace().map(|p| p.split_once(',').expect("a point")).map(|(x, y)| (number(x), number(y))).collect()
+        };
+        let words = if tag.starts_with("text") { words.trim().to_owned() } else { String::new() };
+        list.push(Drawn { stroke: attribute(tag, "stroke"), points, words, rotated: tag.contains("rotate") });
+    }
+    list
+}
+
+/// Axes of one direction: two ticks with their numbers, as a line from place to value.
+fn scale(ticks: &[(f64, f64)]) -> impl Fn(f64) -> f64 {
+    let (first, last) = (ticks[0], ticks[ticks.len() - 1]);
+    move |place| first.1 + (place - first.0) / (last.0 - first.0) * (last.1 - first.1)
+}
+
+/// A panel of a plot: its unit, the points of its curves, and the value at the top of its frame.
+type Panel = (String, Vec<(f64, f64)>, f64);
+
+/// Every panel of a response plot: its unit, and the points of all its curves as speed and value, with the value at the top of its frame.
+fn panels(svg: &str) -> Vec<Panel> {
+    let all = drawn(svg);
+    let lines = || all.iter().filter(|d| d.words.is_empty() && d.points.len() == 2);
+    let upright = lines().filter(|d| d.points[0].0 == d.points[1].0 && (d.points[0].1 - d.points[1].1).abs() > 1000.0);
+    let mut found = Vec::new();
+    for axis in upright.filter(|d| d.stroke == "#6E6E6E") {
+        let (x, top, bottom) = (axis.points[0].0, axis.points[0].1.min(axis.points[1].1), axis.points[0].1.max(axis.points[1].1));
+        let inside = |y: f64| (top - 5.0..=bottom + 5.0).contains(&y);
+        let text = |near: &dyn Fn((f64, f64)) -> f64| {
+            let number = all.iter().filter(|d| !d.rotated && d.words.parse::<f64>().is_ok());
+            number.min_by(|a, b| near(a.points[0]).total_cmp(&near(b.points[0]))).expect("a number").words.parse::<f64>().expect("a number")
+        };
+        let short = |d: &&Drawn| (d.points[0].0 - d.points[1].0).abs() + (d.points[0].1 - d.points[1].1).abs() < 10.0;
+        let beside = lines().filter(short).filter(|d| d.points[0].1 == d.points[1].1 && d.points[1].0 == x && inside(d.points[0].1));
+        let up: Vec<(f64, f64)> =
+            beside.map(|d| d.points[0].1).map(|y| (y, text(&|p| (p.1 - y).abs() + if p.0 < x { 0.0 } else { 1e6 }))).collect();
+        let below = lines().filter(short).filter(|d| d.points[0].0 == d.points[1].0 && (d.points[0].1 - bottom).abs() < 3.0);
+        let along: Vec<(f64, f64)> = below
+            .map(|d| d.points[0].0)
+            .map(|x| (x, text(&|p| (p.0 - x).abs() + if (0.0..300.0).contains(&(p.1 - bottom)) { 0.0 } else { 1e6 })))
+            .collect();
+        assert!(up.len() > 2 && along.len() > 2, "ticks of a panel");
+        let unit =
+            all.iter().filter(|d| d.rotated && inside(d.points[0].1)).map(|d| d.words.rsplit(" / ").next().expect("a unit").to_owned());
+        let units: Vec<String> = unit.collect();
+        assert_eq!(units.len(), 1, "one unit a panel: {units:?}");
+        let (value, speed) = (scale(&up), scale(&along));
+        let curves = all.iter().filter(|d| d.words.is_empty() && !d.stroke.is_empty() && d.stroke != "#6E6E6E" && d.stroke != "#E1E1E1");
+        let points = curves.flat_map(|d| &d.points).filter(|p| p.0 > x + 2.0 && p.1 > top + 5.0 && p.1 < bottom);
+        found.push((units[0].clone(), points.map(|p| (speed(p.0), value(p.1))).collect(), value(top)));
+    }
+    found
+}
+
+/// No curve stands under an axis of another unit: in every panel of every response plot of a report, which sweeps the torque of every shaft in every condition, too, each point of each curve is one of a series
+/// of `response.csv` with the unit of the axis, of that design. To 4 % of the height: peaks are drawn between the speeds of the table.
+#[test]
+fn no_curve_has_another_unit_than_its_axis() {
+    let folder = tempfile::tempdir().expect("folder");
+    report("villalva_i6_catalogue", folder.path());
+    let mut series: BTreeMap<(String, String, String), Vec<(f64, f64)>> = BTreeMap::new();
+    for r in rows(folder.path(), "response.csv") {
+        let of = format!("{} {} {} {}", r["condition"], r["quantity"], r["where"], r["order"]);
+        series.entry((r["design"].clone(), r["unit"].clone(), of)).or_default().push((value(&r, "speed_rpm"), value(&r, "amplitude")));
+    }
+    let at = |list: &[(f64, f64)], speed: f64| {
+        let i = list.partition_point(|p| p.0 <= speed).clamp(1, list.len() - 1);
+        let ((s0, v0), (s1, v1)) = (list[i - 1], list[i]);
+        v0 + (v1 - v0) * (speed - s0) / (s1 - s0)
+    };
+    let designs: Vec<String> = rows(folder.path(), "designs.csv").iter().map(|r| r["design"].clone()).collect();
+    let (mut looked_at, mut three) = (0, 0);
+    for design in &designs {
+        let svg = std::fs::read_to_string(folder.path().join(format!("response_{design}.svg"))).expect("a plot");
+        let panels = panels(&svg);
+        three += usize::from(panels.len() == 3);
+        for (unit, points, height) in panels {
+            let unit = if unit == "°" { "deg" } else { &unit };
+            let own: Vec<&Vec<(f64, f64)>> = series.iter().filter(|(k, _)| k.0 == *design && k.1 == unit).map(|(_, v)| v).collect();
+            assert!(points.len() > 100 && !own.is_empty(), "{design}: {} points in {unit}", points.len());
+            for (speed, found) in points {
+                let near = own.iter().map(|list| (at(list, speed) - found).abs()).fold(f64::INFINITY, f64::min);
+                assert!(near < 0.04 * height, "{design}: {found} {unit} at {speed} rpm is none of its curves");
+                looked_at += 1;
+            }
+        }
+    }
+    assert!(looked_at > 2000 && three == designs.len(), "{looked_at} points, {three} of {} with conditions", designs.len());
+}

@@ -141,6 +141,18 @@ fn class_rule_worked_by_hand() {
     }
 }
 
+/// Source: [IACS UR M53] section 6: R_H, R_G and R_X, half the diameter of an oil bore, count as no less than 2 mm. By hand for 240 mm, 800 N/mm², free-form forged, at 2 mm: (0.42 800 + 39.3)(0.264 + 1.073/240^0.2 - 15/4900
+/// + 196/800/2^0.5) = 297.51 N/mm², K = 1; a bore of 3 mm had 307.57.
+#[test]
+fn least_radii_of_the_class_rule() {
+    let rule = ClassRule { manufacture: Manufacture::FreeForged, tensile: 800e6, additional_bending: 10e6 };
+    let by_hand = (0.42 * 800.0 + 39.3) * (0.264 + 1.073 * 240f64.powf(-0.2) - 15.0 / 4900.0 + 196.0 / 800.0 / 2f64.sqrt());
+    for (radius, is_bore) in [(0.0015, true), (0.0005, true), (0.002, true), (0.0015, false), (0.002, false)] {
+        assert_close(rule.fatigue_strength(0.240, radius, is_bore) / 1e6, by_hand, 1e-12, 0.0, &format!("{radius} m, bore {is_bore}"));
+    }
+    assert!(rule.fatigue_strength(0.240, 0.0021, true) < 0.999 * by_hand * 1e6, "larger bores count as they are");
+}
+
 /// Source: appendix A of \[Villalva 2014\] is the same polynomial in s, expanded: f(s, w) = 1.5158 - 4.1032 w + ... + s (-1.8642 + ...) + s² (-3.8399 + ...), with
 /// its misprints mended, and 0.923 in torsion where the rule has 0.8 w^-0.145 (equal at w = 0.3729).
 #[test]

@@ -250,6 +250,83 @@ fn an_interrupt_leaves_what_is_known() {
     assert!(fs::read_to_string(folder.path().join("summary.json")).expect("a summary").contains("\"finished\": true"));
 }
 
+/// An interrupt does not wait for threads that are at work: of a run whose one thread has some hundred optima before it, which take minutes, it ends at once what would otherwise end with them. The half minute after which the
+/// test gives up only tells the two apart.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_waits_for_no_thread() {
+    let (inputs, folder) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let study = short(inputs.path());
+    let sizes: Vec<String> = (0..450).map(|i| format!("{}", 0.02 + 0.0002 * f64::from(i))).collect();
+    let text = fs::read_to_string(&study).expect("a study").replace("[0.076, 0.03]", &format!("[{}]", sizes.join(", ")));
+    fs::write(&study, text).expect("written");
+    let mut child = run(&study, folder.path(), &["--threads", "1"]).spawn().expect("starts");
+    let journal = folder.path().join("journal.log");
+    while fs::read(&journal).map_or(0, |bytes| bytes.len()) < 10_000 {
+        assert!(child.try_wait().expect("a state").is_none(), "it ended before it could be interrupted");
+        sleep(Duration::from_millis(1));
+    }
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
+    assert!(sent.success());
+    let begun = Instant::now();
+    while child.try_wait().expect("a state").is_none() && begun.elapsed() < Duration::from_secs(30) {
+        sleep(Duration::from_millis(5));
+    }
+    let ended = child.try_wait().expect("a state");
+    let _gone = child.kill();
+    child.wait().expect("gone");
+    assert_eq!(ended.and_then(|s| s.code()), Some(130), "it was still at work");
+}
+
+/// A run that is killed while it writes its files, over those of an earlier one or not, blocks none: the next has the files of a run that was not killed, and no others.
+#[test]
+fn a_run_killed_among_its_files_blocks_none() {
+    let (study, expected) = whole();
+    for earlier in [false, true] {
+        let folder = tempfile::tempdir().expect("a folder");
+        if earlier {
+            ended(run(study, folder.path(), &["--format", "pdf"]));
+            fs::write(folder.path().join("notes.txt"), "mine").expect("written");
+        }
+        let summary = folder.path().join("summary.json");
+        let begun = || if earlier { !summary.exists() } else { folder.path().join("response.csv").exists() };
+        let mut child = run(study, folder.path(), &["--threads", "1"]).spawn().expect("starts");
+        while !begun() {
+            assert!(child.try_wait().expect("a state").is_none(), "it ended before it could be killed");
+            sleep(Duration::from_millis(1));
+        }
+        child.kill().expect("killed");
+        child.wait().expect("gone");
+        let next = ended(run(study, folder.path(), &[]));
+        assert!(next.status.success(), "{}", error(&next));
+        let mut own = files(folder.path());
+        assert_eq!(own.remove("notes.txt").is_some(), earlier);
+        assert!(differing(expected, &own).is_empty(), "{:?} differ", differing(expected, &own));
+    }
+}
+
+/// Where the folder is gone nothing is said to be kept, by a run that ends and by one that is interrupted.
+#[cfg(unix)]
+#[test]
+fn what_is_gone_is_not_kept() {
+    let (study, _) = whole();
+    for interrupted in [false, true] {
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = place.path().join("out");
+        let journal = folder.join("journal.log");
+        let child = run(study, &folder, &["--threads", "1"]).spawn().expect("starts");
+        while fs::read(&journal).map_or(0, |bytes| bytes.len()) < 5_000 {
+            sleep(Duration::from_millis(1));
+        }
+        fs::remove_dir_all(&folder).expect("removed");
+        if interrupted {
+            assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill").success());
+        }
+        let text = error(&child.wait_with_output().expect("ends"));
+        assert!(text.contains("its journal is gone") && !text.contains("kept") && !text.contains("--resume"), "{text}");
+    }
+}
+
 /// On a full disk, here one on which no file may grow beyond a size, the run says what it could not write, leaves no half of a file, and keeps what its searches have found, a torn last line apart:
 /// once there is space it goes on to the files of a run that never failed.
 #[cfg(unix)]

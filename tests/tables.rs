@@ -35,11 +35,15 @@ fn every_station_and_shaft_on_request() {
     let own = folder.path().join("own").to_string_lossy().into_owned();
     assert!(hartog(&["new", &own]).status.success());
     let text = std::fs::read_to_string(format!("{own}/study.toml")).expect("a study");
+    // what is left out has no values to confirm
+    let text = text.replace("  \"optimise.absorber.size\",\n", "");
     let text = text.split("[optimise]").next().expect("a study").replace("step = 20", "step = 400") + "[response]\nevery_station = true\n";
     std::fs::write(format!("{own}/study.toml"), text).expect("written");
-    assert!(hartog(&["run", &format!("{own}/study.toml"), "--quiet", "--out", &own]).status.success());
+    assert!(hartog(&["run", &format!("{own}/study.toml"), "--quiet", "--out", &format!("{own}/out")]).status.success());
     let mut phasors: BTreeMap<[String; 4], [f64; 2]> = BTreeMap::new();
-    for row in rows(folder.path().join("own").as_path(), "response.csv").iter().filter(|r| r["kind"] == "order" && r["design"] == "none") {
+    for row in
+        rows(folder.path().join("own/out").as_path(), "response.csv").iter().filter(|r| r["kind"] == "order" && r["design"] == "none")
+    {
         let phase = value(row, "phase_deg").to_radians();
         let of = value(row, "amplitude");
         let key = [&row["quantity"], &row["where"], &row["speed_rpm"], &row["order"]].map(Clone::clone);

@@ -299,3 +299,65 @@ fn holzer_closes_on_a_tree() {
         assert_eq!(label.split("nodes at ").nth(1).expect("nodes").split(", ").count(), number + 1, "{label}");
     }
 }
+
+/// Law: a gear of the ratio g = speed of a station over that of the next (negative of an outer pair, which turns the shafts in opposite directions) is the chain without gear whose inertias, stiffnesses and dampings beyond it are g² times
+/// as large: angles beyond it are g times those, torques 1/g, so that an outer pair turns their sign, and twists referred to the crankshaft are the same. Keys and page say the ratio that way round, and the schema takes negative ones.
+#[test]
+fn a_gear_is_the_chain_reduced_to_one_speed() {
+    let chain = |g: f64, geared: bool| {
+        let (reduced, gear) = if geared { (1.0, format!("gear_ratio_to_next = {g}\n")) } else { (g * g, String::new()) };
+        let text = station(
+            "fan",
+            0.004 * reduced,
+            &format!("damping_to_ground_n_m_s_per_rad = {}\nstiffness_to_next_n_m_per_rad = {}", 0.3 * reduced, 2e4 * reduced),
+        ) + &station(
+            "cam",
+            0.003 * reduced,
+            &format!(
+                "next = \"hub\"\n{gear}stiffness_to_next_n_m_per_rad = {}\ndamping_to_next_n_m_s_per_rad = {}",
+                4e4 * reduced,
+                2.0 * reduced
+            ),
+        ) + &station("hub", 0.01, "next = \"crank\"\nstiffness_to_next_n_m_per_rad = 1e5")
+            + &station("crank", 0.02, "throws = [1]\ndamping_to_ground_n_m_s_per_rad = 2\nstiffness_to_next_n_m_per_rad = 2e5")
+            + &station("flywheel", 0.3, "");
+        study(&text).unwrap_or_else(|e| panic!("{e}"))
+    };
+    for g in [-2.0, 0.4, -0.7] {
+        let (geared, plain) = (chain(g, true), chain(g, false));
+        let all = |s: &Study, quantity: Quantity| -> Vec<_> {
+            let system = crate::support::system(s);
+            let grid = Grid::new(&[900.0, 2400.0, 6100.0], &[]);
+            let mut found = Vec::new();
+            Direct::new(&system, &grid).sweep(&[], quantity, &mut found, &mut Work::default()).expect("damped");
+            found
+        };
+        let (fan, cam, hub, flywheel) = (0, 1, 2, 4);
+        let angle = |from| Quantity::Twist { from, to: None };
+        let twist = |from, to| Quantity::Twist { from, to: Some(to) };
+        let cases = [
+            (angle(hub), 1.0),
+            (angle(cam), g),
+            (angle(fan), g),
+            (Quantity::ShaftTorque(fan), 1.0 / g),
+            (Quantity::ShaftTorque(cam), 1.0 / g),
+        ];
+        for (quantity, factor) in
+            cases.into_iter().chain([(twist(hub, flywheel), 1.0), (twist(fan, flywheel), 1.0), (twist(fan, cam), 1.0)])
+        {
+            for (found, reduced) in all(&geared, quantity).iter().zip(all(&plain, quantity)) {
+                assert_close(
+                    (found - reduced * factor).norm(),
+                    0.0,
+                    0.0,
+                    1e-9 * reduced.norm() * factor.abs(),
+                    &format!("{quantity:?}, ratio {g}"),
+                );
+            }
+        }
+    }
+    let key =
+        hartog::input::keys::keys(hartog::input::FileKind::Engine).into_iter().find(|k| k.name() == "gear_ratio_to_next").expect("a key");
+    assert!(key.about.starts_with("Speed of this station over that of the next, negative where"), "{}", key.about);
+    assert_eq!(key.takes, "a number, from -1000 to -0.001 or from 0.001 to 1000");
+}

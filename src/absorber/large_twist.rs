@@ -50,4 +50,9 @@ pub trait LargeTwist: Debug + Send + Sync {
     fn largest_twist(&self) -> Option<f64> {
         None
     }
+
+    /// Twist after which all is as before, rad: a full turn of a mass on its circle. A motion about any of these places is the same motion; nothing where there is none.
+    fn full_turn(&self) -> Option<f64> {
+        None
+    }
 }

@@ -5,7 +5,7 @@ use super::closed_forms::EngineMode;
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::material::Material;
-use super::parameter::{Follows, Parameter};
+use super::parameter::{Follows, Parameter, STIFFNESS};
 use super::state::State;
 use crate::numerics::C64;
 use std::fmt::Debug;
@@ -139,6 +139,11 @@ impl Declaration {
             Follows::Inverse => 1.0 / factor,
         };
         self.parameters.iter().map(of).collect()
+    }
+
+    /// Whether its stiffness itself is multiplied by the factor: a law that is the same at every frequency, where a shift of frequency means nothing.
+    pub(crate) fn stiffness_follows(&self) -> bool {
+        self.parameters.iter().any(|p| p.key == STIFFNESS.key && p.follows == Follows::Factor)
     }
 
     /// Index of a parameter by its key.

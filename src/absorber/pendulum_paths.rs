@@ -18,7 +18,7 @@ use super::parameter::{DAMPING, RING_INERTIA};
 use super::pendulum::{CLOSED_FORMS, Pendulum, TUNING_ORDER};
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 /// Shape of a path.
@@ -170,6 +170,11 @@ impl LargeTwist for PathPendulum {
     }
     fn largest_twist(&self) -> Option<f64> {
         let (rho0, lambda) = self.shape();
+        // on a circle half a turn either way: beyond it the mass would pass over the top
         Some(if lambda == 0.0 { PI * rho0 } else { rho0 / lambda })
+    }
+    fn full_turn(&self) -> Option<f64> {
+        let (rho0, lambda) = self.shape();
+        (lambda == 0.0).then_some(TAU * rho0)
     }
 }

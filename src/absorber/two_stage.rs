@@ -1,7 +1,8 @@
 //! Ring on springs of two stages with dry friction: a pack of steel springs, or the secondary mass of a dual-mass flywheel, which carries the torque of what it drives.
 //!
 //! Torque of the springs k1 d up to a twist d1 either way, k1 d1 + k2 (d - d1) beyond; of friction M tanh(d'/v), which is Coulomb's at rates well above v and takes 4 M A a cycle at an amplitude A
-//! \[Den Hartog 1956, section 8.10\]; of a damper c d'. The torque T0 that is carried twists the springs at rest, and decides in which stage they work. At twists so small that its rates stay below v, friction
+//! \[Den Hartog 1956, section 8.10\]; of a damper c d'. What the ring drives resists it with the torque T0 against the direction of rotation, J (d'' + hub'') = -spring - friction - c d' - T0: the ring lags behind its
+//! hub, d < 0, at rest by what T0 twists the springs, and T0 decides in which stage they work. At twists so small that its rates stay below v, friction
 //! holds the ring like a damper M/v: what it does at its own amplitude is found by harmonic balance.
 
 use super::dynamic_stiffness::Operating;
@@ -30,7 +31,7 @@ pub struct TwoStage {
     pub friction: f64,
     /// v, rad/s, positive.
     pub friction_rate: f64,
-    /// T0, N m, not negative.
+    /// T0, N m, not negative: from the hub to the ring in the direction of rotation.
     pub carried: f64,
 }
 
@@ -54,9 +55,13 @@ const FRICTION_RATE: Parameter = of_material(
     |_| (1e-4, 100.0),
     |_| 0.1,
 );
-/// A ring that carries torque is tuned below all orders.
+/// Torque of what the ring drives. A ring that carries torque is tuned below all orders.
 pub(crate) const CARRIED: Parameter = of_material(
-    ("carried_torque_n_m", "carried/N m", "Mean torque that the springs carry to the ring."),
+    (
+        "carried_torque_n_m",
+        "carried/N m",
+        "Mean torque that the springs carry from the hub to the ring, which drives a load with it and lags behind the hub.",
+    ),
     Range::NotNegative,
     |_| (0.0, 1e5),
     |_| 1.0,
@@ -135,7 +140,7 @@ impl LargeTwist for TwoStage {
         let by_rate = self.damping + self.friction * (1.0 - share * share) / self.friction_rate;
         let inertia = self.ring_inertia * (at.acceleration + at.hub_acceleration);
         let own =
-            Reaction { value: inertia + spring + rubbing - self.carried, by: [slope, by_rate, self.ring_inertia, 0.0, self.ring_inertia] };
+            Reaction { value: inertia + spring + rubbing + self.carried, by: [slope, by_rate, self.ring_inertia, 0.0, self.ring_inertia] };
         (own, Reaction { value: inertia, by: [0.0, 0.0, self.ring_inertia, 0.0, self.ring_inertia] })
     }
     fn is_ring(&self) -> bool {

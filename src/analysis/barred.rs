@@ -4,8 +4,9 @@ use super::systems::engines_in;
 use super::wanted::Wanted;
 use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
+use crate::input::LimitSpec;
 use crate::objective::in_operation::absorbers;
-use crate::objective::{Condition, PeakFinder, Place, holds};
+use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds, is_same_speed};
 use crate::response::{ResponseError, Work};
 
 /// A barred range.
@@ -108,13 +109,9 @@ pub(crate) fn ranges(
         for condition in wanted.judged_in(design) {
             for finder in engines_in(condition, finders) {
                 let mounted = absorbers(condition, finder, design)?;
-                for peak in finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())? {
-                    let (own, critical_rpm) = (peak.value / limit.limit, peak.speed_rpm);
-                    // where the limit has a corner no order resonates
-                    let corner = limit.of.measure.within.kinks().any(|k| (k / critical_rpm - 1.0).abs() < 1e-9);
-                    if holds(own) || peak.place != Place::Interior || corner {
-                        continue;
-                    }
+                let peaks = finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())?;
+                for peak in &peaks {
+                    let Some((critical_rpm, own)) = critical(finder, &mounted, limit, (peak, &peaks))? else { continue };
                     let (from_rpm, to_rpm) = barred(critical_rpm, rated);
                     let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed: true };
                     // ranges that meet are one, round the critical speed that breaks the limit most
@@ -135,4 +132,32 @@ pub(crate) fn ranges(
     }
     list.sort_by(|a, b| a.limit.cmp(&b.limit).then(a.critical_rpm.total_cmp(&b.critical_rpm)));
     Ok(list)
+}
+
+/// The critical speed that a peak of stress over its limit belongs to, rpm, and that ratio there; nothing where no order resonates or the limit holds.
+///
+/// Where the limit has a corner, the peak may be the corner's alone, on the flank of a critical speed that has a peak of its own, or beside the top of the stress, which then has none.
+fn critical(
+    finder: &PeakFinder,
+    mounted: &[Mounted],
+    limit: &LimitSpec,
+    (peak, all): (&Peak, &[Peak]),
+) -> Result<Option<(f64, f64)>, ResponseError> {
+    let (of, at) = (&limit.of.measure, peak.speed_rpm);
+    if holds(peak.value / limit.limit) || peak.place != Place::Interior {
+        return Ok(None);
+    }
+    if !of.within.kinks().any(|kink| is_same_speed(kink, at)) {
+        return Ok(Some((at, peak.value / limit.limit)));
+    }
+    let stress = Measure { within: Within { factors: Vec::new(), ..of.within.clone() }, ..of.clone() };
+    let ratio = |top: &Peak| top.value * of.within.weight(top.speed_rpm) / limit.limit;
+    let between = |top: &Peak| {
+        let (low, high) = (at.min(top.speed_rpm), at.max(top.speed_rpm));
+        all.iter().any(|p| (low..=high).contains(&p.speed_rpm) && !is_same_speed(p.speed_rpm, at))
+    };
+    let tops = finder.peaks(mounted, &stress, 0.0, &mut Work::default())?;
+    let own = tops.iter().filter(|top| top.place == Place::Interior && !holds(ratio(top)) && !between(top));
+    let nearest = own.min_by(|a, b| (a.speed_rpm - at).abs().total_cmp(&(b.speed_rpm - at).abs()));
+    Ok(nearest.map(|top| (top.speed_rpm, ratio(top))))
 }

@@ -1,8 +1,8 @@
 //! Absorbers of catalogues in the order of the study's objective.
 
-use super::RunError;
 use super::systems::engines_in;
 use super::wanted::{Wanted, asked};
+use super::{Progress, RunError};
 use crate::input::{DesignSpec, Study};
 use crate::objective::in_operation::absorbers;
 use crate::objective::{DesignPeaks, PeakFinder, holds};
@@ -30,10 +30,19 @@ pub struct Ranked {
 pub(crate) type Best = Vec<(usize, DesignSpec)>;
 
 /// Every absorber of every catalogue, those within all limits before the others, then by the objective; and the best of each as designs, with the index of their catalogue.
-pub(crate) fn ranked(study: &Study, finders: &[PeakFinder], wanted: &Wanted) -> Result<(Vec<Ranked>, Best), RunError> {
+pub(crate) fn ranked(
+    study: &Study,
+    finders: &[PeakFinder],
+    wanted: &Wanted,
+    progress: &dyn Progress,
+) -> Result<(Vec<Ranked>, Best), RunError> {
     let (mut list, mut best) = (Vec::new(), Vec::new());
+    if !study.catalogues.is_empty() {
+        progress.stage("catalogue", study.catalogues.iter().map(|c| c.designs.len()).sum());
+    }
     for (index, catalogue) in study.catalogues.iter().enumerate() {
-        let judged: Vec<Result<(f64, f64), ResponseError>> = catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).collect();
+        let judged: Vec<Result<(f64, f64), ResponseError>> =
+            catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).inspect(|_| progress.step()).collect();
         let mut order: Vec<(usize, Option<(f64, f64)>)> = judged.into_iter().map(Result::ok).enumerate().collect();
         // stable: equals keep the order of the file
         let key = |judged: &Option<(f64, f64)>| judged.map_or((true, f64::INFINITY), |(value, over)| (!holds(over), value));

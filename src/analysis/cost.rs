@@ -46,7 +46,8 @@ pub(crate) fn per_design(
     let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
     let seconds = median_seconds(REPEATS, || {
         work = Work::default();
-        direct.sweep_each(design, &shafts, &mut work).map(|_| ())
+        let some = super::sweeps::together(finder.system.orders(), finder.grid.len());
+        shafts.chunks(some).try_for_each(|some| direct.sweep_each(design, some, &mut work).map(|_| ()))
     })?;
     put("one_design_torques", seconds, work);
     if !margins.is_empty() {

@@ -42,9 +42,9 @@ impl DutyOfDesign {
 }
 
 /// The engine at a share of its full load.
-fn at_load(engine: &Engine, load_fraction: f64) -> Option<Engine> {
+fn at_load(engine: &Engine, point: &DutyPoint) -> Option<Engine> {
     let Source::Cylinder { geometry, pressure } = &engine.source else { return None };
-    let pressure = pressure.at_load(&Load::constant(load_fraction))?;
+    let pressure = pressure.at_load(&Load::constant(point.load_fraction), (point.speed_rpm, point.speed_rpm))?;
     Some(Engine { source: Source::Cylinder { geometry: geometry.clone(), pressure }, ..engine.clone() })
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
 
 fn systems(study: &Study) -> impl Iterator<Item = (DutyPoint, DutyLoad)> + '_ {
     study.duty.iter().filter_map(|point| {
-        let excitation = Excitation::new(&at_load(&study.engine, point.load_fraction)?, study.order_limit);
+        let excitation = Excitation::new(&at_load(&study.engine, point)?, study.order_limit);
         let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
         Some((*point, DutyLoad { share: point.share, speed_rpm: point.speed_rpm, system }))
     })

@@ -157,8 +157,10 @@ pub struct DesignResult {
     pub ring_twist: Option<f64>,
     /// The same of each absorber by itself.
     pub loads: Vec<AbsorberLoad>,
-    /// The study's objective, the largest over the conditions that an optimum is to hold in.
+    /// The study's objective, the largest over the conditions that an optimum is to hold in; nothing where no steady motion at its own amplitude is known at some speed.
     pub objective: Option<f64>,
+    /// The same at the reference: all cylinders fire, materials are at their reference, twist is small.
+    pub reference: Option<f64>,
     /// Value of each limited measure over its limit, the largest over the same conditions.
     pub limits: Vec<f64>,
     /// Ranges of speed that rules bar, of limits that it breaks.
@@ -172,9 +174,9 @@ pub struct DesignResult {
 }
 
 impl DesignResult {
-    /// Whether every limit holds.
+    /// Whether every limit holds, of a design that has an objective: without a steady motion at some speed there is none.
     pub(crate) fn within_limits(&self) -> bool {
-        self.limits.iter().all(|l| holds(*l))
+        self.objective.is_some() && self.limits.iter().all(|l| holds(*l))
     }
 }
 
@@ -245,6 +247,7 @@ fn firing(
         ring_twist,
         loads,
         objective: Some(objective),
+        reference: Some(objective),
         limits: Vec::new(),
         barred: Vec::new(),
         still_broken: Vec::new(),

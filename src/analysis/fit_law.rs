@@ -56,6 +56,9 @@ pub enum FitError {
     /// No parameter of that key, or a value that it cannot have.
     #[error("found --hold {0}, expected a parameter of the type and a value that it may have: {1}")]
     Held(String, String),
+    /// No search has ended where errors are finite.
+    #[error("found no law of type `{0}` whose errors against this table are finite, expected another type or table")]
+    NotFinite(&'static str),
     /// Fewer numbers than parameters.
     #[error("found {numbers} numbers for {parameters} parameters, expected more")]
     TooFew {
@@ -132,6 +135,15 @@ impl LawFit {
         let off = points.iter().map(|(dt, log)| (log + c1 * dt / (c2 + dt)).abs()).fold(0.0, f64::max);
         let is_law = points.len() > 1 && c1.is_finite() && c1 > 0.0 && c2 + coldest > 0.0 && off.is_finite();
         is_law.then(|| (c1, c2, (off * LN_10).exponential()))
+    }
+
+    /// Share per kelvin of the exponential that is nearest to the factors, a straight line of ln a through the reference, and the largest ratio that is left; nothing where the factors do not fall.
+    pub(crate) fn exponential(&self) -> Option<(f64, f64)> {
+        let reference = self.factors.iter().find(|f| f.1.standard_error.is_none())?.0;
+        let points: Vec<(f64, f64)> = self.factors.iter().map(|(c, f)| (c - reference, f.value.logarithm())).collect();
+        let per_k = -points.iter().map(|(dt, log)| dt * log).sum::<f64>() / points.iter().map(|(dt, _)| dt * dt).sum::<f64>();
+        let off = points.iter().map(|(dt, log)| (log + per_k * dt).abs()).fold(0.0, f64::max);
+        (per_k.is_finite() && per_k > 0.0).then(|| (per_k, off.exponential()))
     }
 
     /// What was measured beside the law, over frequency.
@@ -273,7 +285,9 @@ pub fn fit_law(
         found
     };
     let fits: Vec<Fit> = (0..STARTS).into_par_iter().map(search).collect();
-    let Some(best) = fits.iter().min_by(|a, b| a.cost().total_cmp(&b.cost())) else { unreachable!("there are starts") };
+    let is_finite = |f: &&Fit| f.cost().is_finite() && f.jacobian.iter().all(|d| d.is_finite());
+    let best = fits.iter().filter(is_finite).min_by(|a, b| a.cost().total_cmp(&b.cost()));
+    let best = best.ok_or(FitError::NotFinite(declaration.name))?;
     // of an exact fit only rounding is left
     let exact = 1e-20 * numbers as f64;
     let agreeing = fits.iter().filter(|f| f.cost() <= best.cost() * (1.0 + SAME) + exact).count();

@@ -34,6 +34,13 @@ pub struct HeatOfDesign {
     pub points: Vec<HeatAt>,
 }
 
+impl HeatOfDesign {
+    /// Whether no temperature up to the limit is in balance at some speed.
+    pub(crate) fn overheats(&self) -> bool {
+        self.points.iter().any(|p| p.balances.is_empty())
+    }
+}
+
 impl HeatAt {
     /// The temperature that is reached from cold; nothing where it overheats.
     pub(crate) fn cold_start(&self) -> Option<&Balance> {

@@ -50,6 +50,8 @@ pub struct LargeTwistOfDesign {
     pub at_large_twist: AtLargeTwist,
     /// Where the absorber's travel ends, rad.
     pub travel: Option<f64>,
+    /// Speeds of the study at which no steady motion is known, rpm: the design does not hold what is asked of it there.
+    pub without_motion: Vec<f64>,
 }
 
 /// Harmonics that are balanced at least: those of a few orders make others.
@@ -83,10 +85,10 @@ pub(crate) fn large_twist<'d>(
 }
 
 /// Judges designs by the worse of small twist and of their own amplitude.
-pub(crate) fn judge(designs: &mut [DesignResult], found: &[LargeTwistOfDesign]) {
+pub(crate) fn judge<'d>(designs: impl Iterator<Item = &'d mut DesignResult>, found: &[LargeTwistOfDesign], limits: &[LimitSpec]) {
     for design in designs {
         if let Some(own) = found.iter().find(|own| own.design == design.name) {
-            own.at_large_twist.judge(design);
+            own.at_large_twist.judge(design, limits);
         }
     }
 }
@@ -146,11 +148,13 @@ pub(crate) fn of_design(
             let value = |steady: &Steady| told.value(&seen.0, steady);
             Ok(self::peak(&own, &curves, range, &value, &|c, i| value(&curves[c].points[i].steady))?.map(|peak| peak.value))
         };
+        let without_motion: Vec<f64> = study.speeds_rpm.iter().copied().filter(|s| !curves.iter().any(|c| reaches(c, *s))).collect();
         let over_limit = |(told, limit): (&Option<Told>, &LimitSpec)| -> Result<Option<f64>, ResponseError> {
             Ok(told.as_ref().map_or(Ok(None), &most)?.map(|value| value / limit.limit))
         };
         let at_large_twist = AtLargeTwist {
             alone: own.law.large_twist().is_some_and(|l| !l.counts_when_small()),
+            has_motion: without_motion.is_empty(),
             objective: objective.as_ref().map_or(Ok(None), &most)?,
             limits: limits.iter().zip(&study.limits).map(over_limit).collect::<Result<_, _>>()?,
         };
@@ -164,9 +168,20 @@ pub(crate) fn of_design(
             peak: peak.map(|peak| seen.motion(&peak.steady, peak.stability, false)),
             at_large_twist,
             travel: own.law.large_twist().and_then(|l| l.largest_twist()),
+            without_motion,
         }));
     }
     unreachable!("the last growth returns")
+}
+
+/// Whether a curve has a motion at a speed, at a point or between two that follow each other.
+fn reaches(curve: &Curve, speed_rpm: f64) -> bool {
+    let speed = |p: &CurvePoint| p.steady.speed_rpm;
+    let between = |p: &[CurvePoint]| {
+        let (a, b) = (speed(&p[0]), speed(&p[1]));
+        (a.min(b)..=a.max(b)).contains(&speed_rpm)
+    };
+    curve.points.first().is_some_and(|p| speed(p) == speed_rpm) || curve.points.windows(2).any(between)
 }
 
 /// What is seen of a motion with so many harmonics.

@@ -2,6 +2,7 @@
 
 use super::DesignResult;
 use crate::drivetrain::System;
+use crate::input::LimitSpec;
 use crate::numerics::C64;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Measure, Over};
@@ -17,11 +18,19 @@ pub struct AtLargeTwist {
     pub limits: Vec<Option<f64>>,
     /// Whether it is judged by this alone: where dry friction holds it fast at small twist.
     pub alone: bool,
+    /// Whether a steady motion is known at every speed.
+    pub has_motion: bool,
 }
 
 impl AtLargeTwist {
-    /// The worse of small twist, where that counts, and of a design's own amplitude.
-    pub(super) fn judge(&self, design: &mut DesignResult) {
+    /// The worse of small twist, where that counts, and of a design's own amplitude. Without a steady motion at some speed it has no objective, and holds no limit over speed: small twist tells nothing of it.
+    pub(super) fn judge(&self, design: &mut DesignResult, limits: &[LimitSpec]) {
+        if !self.has_motion {
+            design.objective = None;
+            let over_speed = |l: &LimitSpec| !matches!(l.of.measure.over, Over::Property(_));
+            design.limits.iter_mut().zip(limits).filter(|l| over_speed(l.1)).for_each(|l| *l.0 = f64::INFINITY);
+            return;
+        }
         if let (Some(known), Some(own)) = (&mut design.objective, self.objective) {
             *known = if self.alone { own } else { known.max(own) };
         }

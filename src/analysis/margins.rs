@@ -1,10 +1,11 @@
 //! Margins of the crank over the speeds of the study, for tables and plots, and the smallest of each design.
 
 use crate::absorber::Mounted;
-use crate::crankshaft::fillets::Fillet;
+use crate::crankshaft::fillets::{Fillet, Worst};
 use crate::crankshaft::{self, Margin, Torque, Used};
 use crate::input::Study;
 use crate::numerics::ZERO;
+use crate::numerics::synthesis::Extremes;
 use crate::objective::{DesignPeaks, Measure, Over, Peak, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use rayon::prelude::*;
@@ -31,7 +32,7 @@ pub struct FilletSweep {
     pub criterion: usize,
     /// Name of the fillet.
     pub name: String,
-    /// At each speed.
+    /// At each speed; the location tells the worst point of a fillet with many.
     pub used: Vec<Used>,
 }
 
@@ -42,6 +43,8 @@ pub struct MarginSweep {
     pub design: String,
     /// By criterion, then as the locations are listed.
     pub fillets: Vec<FilletSweep>,
+    /// Paths over the cycle that multiaxial criteria judged in full, all speeds together.
+    pub judged: u64,
 }
 
 impl MarginSweep {
@@ -94,28 +97,44 @@ pub(crate) fn smallest_of(peaks: &mut DesignPeaks, measures: &[Measure], work: &
     Ok(list)
 }
 
-/// Every fillet of a design over the speeds of `grid`.
+/// Every fillet of a design over the speeds of `grid`. `step`: told of each speed.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
-pub fn sweep(finder: &PeakFinder, grid: &Grid, name: &str, design: &[Mounted]) -> Result<Option<MarginSweep>, ResponseError> {
+pub fn sweep(
+    finder: &PeakFinder,
+    grid: &Grid,
+    name: &str,
+    design: &[Mounted],
+    step: &(dyn Fn() + Sync),
+) -> Result<Option<MarginSweep>, ResponseError> {
     let Some(model) = finder.margin else { return Ok(None) };
     let direct = Direct::new(finder.system, grid);
-    let shafts: Vec<Quantity> = (0..finder.system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
-    let sweeps = direct.sweep_each(design, &shafts, &mut Work::default())?;
+    let mut shafts: Vec<usize> = model.locations.iter().map(|l| l.shaft).collect();
+    shafts.sort_unstable();
+    shafts.dedup();
+    let quantities: Vec<Quantity> = shafts.iter().copied().map(Quantity::ShaftTorque).collect();
+    let sweeps = direct.sweep_each(design, &quantities, &mut Work::default())?;
     let orders = finder.system.orders();
     let fillets = model.fillets();
+    let none = Torque { extremes: Extremes::default(), phasors: &[] };
     let at = |(i, speed): (usize, &f64)| {
-        let phasors = sweeps.iter().map(|sweep| &sweep[i * orders..(i + 1) * orders]);
-        let torques: Vec<Torque> = phasors.map(|y| Torque { extremes: finder.synthesiser.extremes(y), phasors: y }).collect();
-        model.worst_of_each(&fillets, *speed, &torques)
+        // of all shafts, those beside no throw left out
+        let mut torques = vec![none; finder.system.chain.len() - 1];
+        for (shaft, sweep) in shafts.iter().zip(&sweeps) {
+            let phasors = &sweep[i * orders..(i + 1) * orders];
+            torques[*shaft] = Torque { extremes: finder.synthesiser.extremes(phasors), phasors };
+        }
+        let worst = model.worst_of_each(&fillets, *speed, &torques);
+        step();
+        worst
     };
-    let rows: Vec<Vec<Used>> = grid.speed_rpm.par_iter().enumerate().map(at).collect();
+    let rows: Vec<Worst> = grid.speed_rpm.par_iter().enumerate().map(at).collect();
     let of = |(k, fillet): (usize, Fillet)| FilletSweep {
         criterion: fillet.criterion,
         name: fillet.name,
-        used: rows.iter().map(|row| row[k]).collect(),
+        used: rows.iter().map(|row| row.used[k]).collect(),
     };
-    let fillets = fillets.into_iter().enumerate().map(of).collect();
-    Ok(Some(MarginSweep { design: name.to_owned(), fillets }))
+    let judged = rows.iter().map(|row| row.judged).sum();
+    Ok(Some(MarginSweep { design: name.to_owned(), fillets: fillets.into_iter().enumerate().map(of).collect(), judged }))
 }

@@ -2,8 +2,8 @@
 
 use crate::absorber::two_stage::CARRIED;
 use crate::engine::excitation::Audit;
-use crate::engine::{Geometry, Source};
-use crate::input::{Size, Study};
+use crate::engine::{Geometry, Pressure, Source};
+use crate::input::{LimitSpec, Size, Study};
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR};
 
 /// Something unlikely.
@@ -41,8 +41,22 @@ pub(crate) enum Implausible {
     },
     /// Crank radius over rod length.
     RodRatio(f64),
-    /// A pressure known at one speed, rpm, that is taken for a range.
-    OneSpeed(f64),
+    /// A torque or pressure known at one speed, rpm, that is taken for a range.
+    OneSpeed {
+        /// What is known.
+        of: Known,
+        /// rpm.
+        speed_rpm: f64,
+    },
+    /// A torque or pressure known over a part of the speeds, that is held at its ends.
+    Held {
+        /// What is known.
+        of: Known,
+        /// From and to, rpm.
+        known_rpm: (f64, f64),
+        /// Of the study, rpm.
+        study_rpm: (f64, f64),
+    },
     /// Piston, kg, over the cube of the bore, kg/m³.
     PistonMass {
         /// kg.
@@ -84,6 +98,15 @@ pub(crate) enum Implausible {
         /// Share of critical.
         ratio: f64,
     },
+    /// A limit by a society's rule, which ends below the highest speed of the study.
+    RuleEnds {
+        /// In words.
+        limit: String,
+        /// Where it ends, rpm.
+        end_rpm: f64,
+        /// Highest speed of the study, rpm.
+        highest_rpm: f64,
+    },
     /// Frequency of a given ring on its held hub over the lowest of the chain.
     Tuning {
         /// Name of the design.
@@ -95,6 +118,17 @@ pub(crate) enum Implausible {
     },
 }
 
+/// What an engine file tells over speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Known {
+    /// Pressure traces.
+    Pressure,
+    /// A curve of torque, power or mean pressure.
+    Curve,
+    /// Harmonics of the torque.
+    Harmonics,
+}
+
 /// bar.
 const PEAK: std::ops::RangeInclusive<f64> = 5.0..=400.0;
 /// bar; from part load to the highest of large two-strokes and racing engines.
@@ -103,6 +137,8 @@ const MEAN: std::ops::RangeInclusive<f64> = 0.0..=40.0;
 const PISTON_SPEED: f64 = 30.0;
 /// Share of a speed by which another may differ and be called the same.
 const NEAR: f64 = 0.05;
+/// Speeds this near are the same, rpm.
+const SAME_SPEED: f64 = 1e-9;
 /// kg/m³: cars have 1000 to 1500, crossheads with their rods up to 10000.
 const PISTON: std::ops::RangeInclusive<f64> = 100.0..=30_000.0;
 /// Of the peak: 0.1 to 0.25 where burning begins near dead centre.
@@ -144,9 +180,11 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         found.extend(
             pause(study).filter(|(longest, even)| *longest > PAUSE * even).map(|(longest, even)| Implausible::Firing { longest, even }),
         );
-        let far = |known: f64| study.speeds_rpm.iter().any(|s| (s / known - 1.0).abs() > NEAR);
-        found.extend(if let [only] = audit { Some(only.speed_rpm).filter(|s| far(*s)).map(Implausible::OneSpeed) } else { None });
+        found.extend(beyond_what_is_known(study));
         found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
+    }
+    if let Source::Harmonics(_) = &study.engine.source {
+        found.extend(beyond_what_is_known(study));
     }
     let modes: Vec<usize> = study.modes.elastic().collect();
     let lowest = modes.first().map(|m| study.modes.omega[*m] * HZ_PER_RAD_PER_S);
@@ -154,6 +192,7 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     let damped = modes.iter().enumerate().map(|(mode, m)| (mode, study.modes.damping_ratio(*m))).find(|(_, ratio)| *ratio > DAMPING);
     found.extend(damped.map(|(mode, ratio)| Implausible::DampingRatio { mode, ratio }));
     found.extend(rings(study));
+    found.extend(study.limits.iter().filter_map(|limit| rule_ends(limit, study.speeds_rpm[study.speeds_rpm.len() - 1])));
     let stations = &study.chain.stations;
     let damps = stations.iter().any(|s| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0 || s.loss_factor_to_next > 0.0);
     if !damps && study.designs.iter().any(|d| d.absorbers.is_empty()) {
@@ -172,6 +211,30 @@ pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         }
     }
     found
+}
+
+/// A limit by a rule, where the speeds of the study go on beyond that: the last corner of its curve is where it ends.
+fn rule_ends(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
+    limit.rated_rpm?;
+    let end_rpm = limit.of.measure.within.factors.last()?.0;
+    (end_rpm < highest_rpm).then(|| Implausible::RuleEnds { limit: limit.words.clone(), end_rpm, highest_rpm })
+}
+
+/// A study whose speeds the engine file does not cover.
+fn beyond_what_is_known(study: &Study) -> Option<Implausible> {
+    let (low, high) = study.known_rpm?;
+    let study_rpm = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    let of = match &study.engine.source {
+        Source::Harmonics(_) => Known::Harmonics,
+        Source::Cylinder { pressure: Pressure::Measured(_), .. } => Known::Pressure,
+        Source::Cylinder { .. } => Known::Curve,
+    };
+    if low == high {
+        let is_far = study.speeds_rpm.iter().any(|s| (s / low - 1.0).abs() > NEAR);
+        return is_far.then_some(Implausible::OneSpeed { of, speed_rpm: low });
+    }
+    let is_beyond = study_rpm.0 < low - SAME_SPEED || study_rpm.1 > high + SAME_SPEED;
+    is_beyond.then_some(Implausible::Held { of, known_rpm: (low, high), study_rpm })
 }
 
 /// The longest pause between firings and that of even firing, degrees; nothing of one cylinder.

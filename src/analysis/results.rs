@@ -59,6 +59,8 @@ pub struct OptimumResult {
     pub conflict: Option<Conflict>,
     /// Whether its worst within the tolerances of the study is least.
     pub robust: bool,
+    /// What it minimises at the reference: all cylinders fire, materials are at their reference; `None` where that has no finite response.
+    pub reference: Option<f64>,
 }
 
 /// Load case of a row of an optimum.
@@ -137,6 +139,9 @@ pub struct Results {
     pub tradeoffs: Vec<TradeoffResult>,
     /// Largest value of the objective without absorber if nothing resonated; `None` where it is not a twist.
     pub forced_floor: Option<f64>,
+    /// Each objective of the engine without absorber, as optima are judged by it; `None` where it is none of the engine's or has no finite response.
+    #[serde(skip)]
+    pub(crate) bare: Vec<Option<f64>>,
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
     /// The crank, where the study judges it.
@@ -179,7 +184,7 @@ impl Results {
 
     /// Whether every limit holds for every optimum, and none of those that are shown overheats.
     pub fn limits_hold(&self) -> bool {
-        let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.points.iter().any(|p| p.balances.is_empty());
+        let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.overheats();
         self.optima.iter().all(|o| o.design.within_limits()) && !self.heat.iter().any(overheats)
     }
 }

@@ -23,9 +23,10 @@ use super::{Progress, RunError, Silent, calibrate, cost, families};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
+use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::{DesignSpec, ResponseMethod, Study};
+use crate::input::{DesignSpec, MeasureSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, Measure, Over, PeakFinder};
 use crate::optimise::LoadCase;
@@ -89,10 +90,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let grid = Grid::new(&study.speeds_rpm, kinks);
     clock.lap("excitation", Work::default());
     let methods = methods(study, &systems, &grid, progress, &mut clock);
-    let margin = margins::model(study, &systems[0].excitation.harmonics, &grid);
-    if margin.is_some() {
-        clock.lap("crank", Work::default());
-    }
+    let margin = crank(study, &systems[0], &grid, progress, &mut clock);
     let duty_points = duty::points(study);
     let finder = |(i, (system, method))| {
         let finder = PeakFinder::new(system, &grid, method, study.refine_peaks).with_margin(margin.as_ref());
@@ -101,7 +99,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     };
     let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
     let modes = modes(study, &systems[0]);
-    let choices = choices(study, &modes, &finders[0]);
+    let choices = choices(study, &modes, &finders[0], progress);
     let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogates(study, &choices, finder)).collect();
     if !choices.is_empty() {
         clock.lap("choice", Work::default());
@@ -109,11 +107,12 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let measures = margins::measures(study);
     let wanted = Wanted::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
-    let (catalogue, best) = catalogue::ranked(study, &finders, &wanted)?;
+    let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
     let best = with_retuned(study, best, &load_cases, progress)?;
     let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
-    let optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
+    let mut optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
+    let bare = searches.bare();
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &optima, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
@@ -122,7 +121,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
-    large_twist::judge(&mut designs, &large_twist);
+    large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
     let method = methods[0].name();
@@ -143,6 +142,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         fronts,
         tradeoffs,
         forced_floor,
+        bare,
         sweeps,
         margin,
         margins,
@@ -157,6 +157,17 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         timing,
         system,
     })
+}
+
+/// The crank's margin, where the study judges it.
+fn crank(study: &Study, system: &System, grid: &Grid, progress: &dyn Progress, clock: &mut Clock) -> Option<Margin> {
+    if study.fatigue.is_some() {
+        progress.stage("loads of the crank", 1);
+    }
+    let margin = margins::model(study, &system.excitation.harmonics, grid)?;
+    progress.step();
+    clock.lap("crank", Work::default());
+    Some(margin)
 }
 
 /// What one evaluation costs, of the first design with an absorber.
@@ -260,8 +271,13 @@ fn over_speed(
         let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, Asked::by(study), &mut Work::default());
         swept.map_err(|error| of_design(d, error))
     };
-    let sweeps = || shown.par_iter().map(swept).collect::<Result<Vec<_>, _>>();
-    let margin = |d: &&DesignResult| margins::sweep(firing, &own, &d.name, &d.absorbers).map_err(|e| of_design(d, e)).transpose();
+    let sweeps = || shown.par_iter().map(swept).inspect(|_| progress.step()).collect::<Result<Vec<_>, _>>();
+    let step = || progress.step();
+    let margin = |d: &&DesignResult| margins::sweep(firing, &own, &d.name, &d.absorbers, &step).map_err(|e| of_design(d, e)).transpose();
+    match firing.margin {
+        Some(_) => progress.stage("response and margins", shown.len() * (1 + own.len())),
+        None => progress.stage("response over speed", shown.len()),
+    }
     let margins = || shown.par_iter().filter_map(margin).collect::<Result<Vec<_>, _>>();
     let best = shown.iter().filter_map(|d| Some((d, d.margins.first()?))).reduce(|a, b| if b.1.margin > a.1.margin { b } else { a });
     let diagram = || {
@@ -272,7 +288,9 @@ fn over_speed(
     let duty = || duty::duty(study, shown).map_err(|(d, error)| of_design(d, error));
     let ((sweeps, margins), (diagram, duty)) = rayon::join(|| rayon::join(sweeps, margins), || rayon::join(diagram, duty));
     let (sweeps, margins, diagram, duty) = (sweeps?, margins?, diagram?, duty?);
+    progress.stage("temperatures", 1);
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    progress.step();
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
@@ -312,11 +330,13 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
 }
 
 /// What searches by each objective of the study are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
-fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder) -> Vec<Choice> {
+fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, progress: &dyn Progress) -> Vec<Choice> {
     match finder.method {
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
             let objectives: Vec<_> = study.objectives().collect();
-            objectives.par_iter().map(|o| choice::choose(study, &o.measure, modes, finder, r)).collect()
+            progress.stage("choice of the method", objectives.len());
+            let choose = |o: &&MeasureSpec| choice::choose(study, &o.measure, modes, finder, r);
+            objectives.par_iter().map(choose).inspect(|_| progress.step()).collect()
         }
         _ => Vec::new(),
     }

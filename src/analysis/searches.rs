@@ -3,6 +3,7 @@
 use super::evaluate::{self, Classifier};
 use super::families::{self, Family};
 use super::results::{FrontResult, OptimumResult, RowCase};
+use super::search_in_operation::{is_worse_in_operation, search_in_operation};
 use super::sensitivities::sensitivities;
 use super::timing::{Clock, timed};
 use super::wanted::Wanted;
@@ -30,12 +31,6 @@ const SCANNED: usize = 24;
 const FIRST_ORDER: f64 = 1e-4;
 /// Random points that tables screen for a start.
 const SCREENED: usize = 4096;
-
-/// An optimum in operation that is above that of the reference by less than this share is level with it.
-const LEVEL: f64 = 1e-9;
-/// Starts of a search in operation: other local optima of the reference at most, and random points.
-const MOST_OTHERS: usize = 2;
-const RANDOM_IN_OPERATION: usize = 2;
 
 /// An optimum that is sought.
 struct Sought {
@@ -160,7 +155,9 @@ impl<'a> Searches<'a> {
     /// [`RunError`] where none of the starts of one has a finite response.
     pub fn optima(&self, spec: &OptimiseSpec, clock: &mut Clock) -> Result<Vec<OptimumResult>, RunError> {
         let with_starts = |sought: Sought| (self.starts(spec, &sought.family.space), sought);
-        let families: Vec<_> = self.sought(spec).into_par_iter().map(with_starts).collect();
+        let sought = self.sought(spec);
+        self.progress.stage("screens of random designs", sought.len());
+        let families: Vec<_> = sought.into_par_iter().map(with_starts).inspect(|_| self.progress.step()).collect();
         self.progress.stage("optima", families.iter().map(|f| f.0.len()).sum());
         let step = || self.progress.step();
         let one = |(starts, sought)| self.optimum(spec, sought, starts, &step);
@@ -230,6 +227,8 @@ impl<'a> Searches<'a> {
             RowCase { condition: load_case.condition, cylinder: load_case.cylinder, deviation: load_case.deviation.cloned() }
         };
         let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
+        let firing = LoadCase { condition: Condition::Firing, cylinder: None, finder: &self.finders[0], deviation: None };
+        let reference = self.comes_to(objective, &[firing], mounted).ok();
         let (prices, on_bounds) =
             (prices::prices(&optimum.outcome, self.limits.len()), prices::on_bounds(&problem.space, &optimum.outcome));
         Ok(OptimumResult {
@@ -249,6 +248,7 @@ impl<'a> Searches<'a> {
             on_bounds,
             conflict,
             robust: within.is_some(),
+            reference,
         })
     }
 
@@ -284,6 +284,26 @@ impl<'a> Searches<'a> {
             families.extend(within.map(|(t, family)| Sought { family, objective: 0, within: Some(t) }));
         }
         families
+    }
+
+    /// An objective of a design at its worst in some load cases, as searches minimise it.
+    fn comes_to(&self, objective: usize, load_cases: &[LoadCase], design: &[Mounted]) -> Result<f64, ResponseError> {
+        let worst = |l: &Limit| Ok(largest(load_cases.iter(), design, &l.measure, &mut Work::default())? / l.limit);
+        let Some(own) = self.objectives.get(objective) else {
+            let parts = self.combined.iter().map(worst).collect::<Result<Vec<f64>, ResponseError>>()?;
+            let weights = self.study.combined.as_ref().map_or(&[][..], |c| &c.weights);
+            let sum = || parts.iter().zip(weights).map(|(p, w)| p * w).sum();
+            return Ok(if weights.is_empty() { parts.iter().copied().fold(0.0, f64::max) } else { sum() });
+        };
+        worst(own)
+    }
+
+    /// Each objective of the engine without absorber; `None` where it is one of absorbers, or has no finite response.
+    pub(crate) fn bare(&self) -> Vec<Option<f64>> {
+        let combined = self.study.combined.iter().map(|_| self.combined.as_slice());
+        let each = self.objectives.iter().map(std::slice::from_ref).chain(combined).enumerate();
+        let of_engine = |parts: &[Limit]| parts.iter().all(|l| l.measure.absorbers().next().is_none());
+        each.map(|(i, parts)| if of_engine(parts) { self.comes_to(i, self.load_cases, &[]).ok() } else { None }).collect()
     }
 
     /// The study's other objectives for a design, at their worst in the load cases.
@@ -333,28 +353,6 @@ impl<'a> Searches<'a> {
         }
         Ok(results)
     }
-}
-
-/// Whether an optimum of the materials' reference is worse in operation: beyond a limit, or above its value.
-fn is_worse_in_operation(both: &Problem, optimum: &Optimum) -> Result<bool, ResponseError> {
-    if Condition::InOperation.changes_nothing(&optimum.design) {
-        return Ok(false);
-    }
-    let rows = both.rows(&optimum.outcome.point, &mut Work::default())?;
-    Ok(!rows.hold() || rows.objective() > optimum.value() * (1.0 + LEVEL))
-}
-
-/// The search of a problem that has the absorbers in operation, too: from the optimum of the reference and its other local optima.
-fn search_in_operation(both: &Problem, reference: &Optimum, seed: u64, step: Recorder) -> Result<Optimum, ResponseError> {
-    let values = |design: &[Mounted]| design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>();
-    let mut starts = vec![("optimum of the reference".to_owned(), reference.outcome.point.clone())];
-    let others = reference.others.iter().take(MOST_OTHERS).enumerate();
-    starts.extend(others.map(|(i, other)| (format!("other optimum {}", i + 1), both.space.point(&values(&other.design)))));
-    let middle = &reference.outcome.point;
-    starts.extend(
-        starts::random_points(&both.space, middle, RANDOM_IN_OPERATION, seed).into_iter().map(|point| ("random".to_owned(), point)),
-    );
-    search::optimise(both, &starts, search::Finish::Distinct, step)
 }
 
 /// Where limits are broken: an optimum from a design that holds them, or the conflict.

@@ -3,6 +3,7 @@
 use super::ConditionResult;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
+use crate::drivetrain::System;
 use crate::engine::Units;
 use crate::input::Study;
 use crate::numerics::C64;
@@ -11,6 +12,7 @@ use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, PeakFinder};
 use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use crate::units::DEG_PER_RAD;
+use rayon::prelude::*;
 
 /// What is swept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -76,23 +78,55 @@ pub struct QuantitySweep {
     pub condition: Condition,
     /// Orders of the engine; empty where only the total is kept.
     pub orders: Vec<OrderSweep>,
+    /// What [`orders`] finds the orders of again where tables list them but they are too many to be kept.
+    #[serde(skip)]
+    pub(crate) listed: Option<Quantity>,
     /// Half peak-to-peak of all orders together (power: the sum).
     pub total: Vec<f64>,
 }
 
 impl QuantitySweep {
     fn new((of, place): (Swept, String), (finder, phasors): (&PeakFinder, &[C64]), keeps_orders: bool) -> Self {
-        let factor = of.per_si();
         let count = finder.system.orders();
-        let each = |n: usize| phasors.iter().skip(n).step_by(count);
-        let order = |n: usize| OrderSweep {
-            amplitude: each(n).map(|y| y.norm() * factor).collect(),
-            phase_deg: each(n).map(|y| y.im.arctangent(y.re) * DEG_PER_RAD).collect(),
-        };
-        let orders = if keeps_orders { (0..count).map(order).collect() } else { Vec::new() };
-        let total = finder.synthesis(phasors).iter().map(|v| v * factor).collect();
-        Self { of, place, condition: Condition::Firing, orders, total }
+        let orders = if keeps_orders { (0..count).map(|n| OrderSweep::of(of, (n, count), phasors)).collect() } else { Vec::new() };
+        let total = finder.synthesis(phasors).iter().map(|v| v * of.per_si()).collect();
+        Self { of, place, condition: Condition::Firing, orders, listed: None, total }
     }
+}
+
+impl OrderSweep {
+    /// Order `n` of `count` in the phasors of a quantity, those of a speed together.
+    fn of(of: Swept, (n, count): (usize, usize), phasors: &[C64]) -> Self {
+        let (factor, each) = (of.per_si(), || phasors.iter().skip(n).step_by(count));
+        Self {
+            amplitude: each().map(|y| y.norm() * factor).collect(),
+            phase_deg: each().map(|y| y.im.arctangent(y.re) * DEG_PER_RAD).collect(),
+        }
+    }
+}
+
+/// Bytes of phasors that are held at a time.
+const AT_A_TIME: usize = 32 << 20;
+
+/// How many quantities are swept together.
+pub(crate) fn together(orders: usize, speeds: usize) -> usize {
+    (AT_A_TIME / (size_of::<C64>() * orders * speeds).max(1)).max(1)
+}
+
+/// The orders of quantities of a design at speeds, rpm, of each quantity a list.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
+pub(crate) fn orders(
+    (system, speeds_rpm): (&System, &[f64]),
+    design: &[Mounted],
+    quantities: &[(Swept, Quantity)],
+) -> Result<Vec<Vec<OrderSweep>>, ResponseError> {
+    let (grid, count) = (Grid::new(speeds_rpm, &[]), system.orders());
+    let list: Vec<Quantity> = quantities.iter().map(|q| q.1).collect();
+    let found = Direct::new(system, &grid).sweep_each(design, &list, &mut Work::default())?;
+    let of = |((of, _), phasors): (&(Swept, Quantity), Vec<C64>)| (0..count).map(|n| OrderSweep::of(*of, (n, count), &phasors)).collect();
+    Ok(quantities.iter().zip(found).map(of).collect())
 }
 
 /// Response of one design over the speeds of the study.
@@ -148,30 +182,36 @@ pub(crate) fn sweeps(
     let direct = Direct::new(finder.system, grid);
     let orders = finder.system.orders();
     let chain = &finder.system.chain;
-    let mut wanted = vec![(Swept::Twist, twist), (Swept::Amplitude, Quantity::Twist { from: hub, to: None })];
+    let hub_amplitude = Quantity::Twist { from: hub, to: None };
+    let mut wanted = vec![(Swept::Twist, twist), (Swept::Amplitude, hub_amplitude)];
     wanted.extend((0..chain.len() - 1).map(|s| (Swept::Torque, Quantity::ShaftTorque(s))));
     wanted.extend((0..design.len()).map(|i| (Swept::RingTwist, Quantity::RingTwist(i))));
     if every_station {
         let others = (0..chain.len()).filter(|s| *s != hub).map(|from| (Swept::Amplitude, Quantity::Twist { from, to: None }));
         wanted.extend(others);
     }
-    let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
+    // twist and hub, whose single orders are kept; of the rest they would make the table many times as long, and are listed where that is asked for
+    let kept = |of: Swept, quantity: Quantity| of == Swept::Twist || quantity == hub_amplitude;
+    let one = |(of, quantity): (Swept, Quantity), phasors: &[C64]| {
+        let keeps_orders = kept(of, quantity);
+        let swept = QuantitySweep::new((of, quantity.place(chain)), (finder, phasors), keeps_orders);
+        let swept = QuantitySweep { listed: (every_station && !keeps_orders).then_some(quantity), ..swept };
+        let Quantity::RingTwist(ring) = quantity else { return vec![swept] };
+        let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
+        let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
+        let power = QuantitySweep { of: Swept::DissipatedPower, orders: Vec::new(), listed: None, total, ..swept.clone() };
+        vec![swept, power]
+    };
+    let some = |wanted: &[(Swept, Quantity)]| -> Result<(Vec<QuantitySweep>, Work), ResponseError> {
+        let (list, mut work): (Vec<Quantity>, _) = (wanted.iter().map(|w| w.1).collect(), Work::default());
+        let phasors = direct.sweep_each(design, &list, &mut work)?;
+        Ok((wanted.iter().zip(&phasors).flat_map(|(w, phasors)| one(*w, phasors)).collect(), work))
+    };
+    let parts: Vec<&[(Swept, Quantity)]> = wanted.chunks(together(orders, grid.len())).collect();
     let mut quantities = Vec::new();
-    for ((of, quantity), phasors) in wanted.into_iter().zip(direct.sweep_each(design, &list, work)?) {
-        // single orders of twist and hub are kept; the rest would make the table many times as long, and is asked for
-        let keeps_orders = every_station || matches!(of, Swept::Twist | Swept::Amplitude);
-        quantities.push(QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), keeps_orders));
-        if let Quantity::RingTwist(ring) = quantity {
-            let power = |(y, speed): (&[C64], &f64)| direct.power_of_twist(design, ring, *speed, y);
-            let total = phasors.chunks(orders).zip(&grid.speed_rpm).map(power).collect();
-            quantities.push(QuantitySweep {
-                of: Swept::DissipatedPower,
-                place: quantity.place(chain),
-                condition: Condition::Firing,
-                orders: Vec::new(),
-                total,
-            });
-        }
+    for part in parts.into_par_iter().map(some).collect::<Result<Vec<_>, _>>()? {
+        quantities.extend(part.0);
+        *work += part.1;
     }
     for c in conditions {
         let finder = finder_of(finders, c);

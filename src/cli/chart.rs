@@ -1,10 +1,12 @@
 //! `hartog chart`: speed against accuracy of every response method, and where each fails.
 
-use super::exit::{DONE, FAILED, fail, files, say};
+use super::exit::{DONE, FAILED, fail, files, paths, say};
+use super::place::named_after;
 use super::progress::Bar;
 use crate::benchmark::{Chart, Common};
-use crate::input::{self, Study};
-use crate::report::{Folder, text, write_chart, write_folder};
+use crate::input::{self, InputFile, Study};
+use crate::report::{Folder, Job, Names, about_inputs, text, write_chart, write_folder};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -34,7 +36,7 @@ pub fn chart(arguments: &Arguments) -> u8 {
     let common = Common::measure(&bar);
     drop(bar);
     let mut holds = common.holds();
-    for (study, folder) in jobs {
+    for (study, inputs, folder) in jobs {
         let bar = Bar::default();
         let chart = Chart::measure(&study, &common, &bar);
         drop(bar);
@@ -45,7 +47,7 @@ pub fn chart(arguments: &Arguments) -> u8 {
         let title = format!("{}: speed against accuracy", chart.study.engine.name);
         let printed = || format!("{}\n{}", text::chart::of_study(&chart), text::chart::common(&common));
         let written = write_chart(&chart, &folder).and_then(|()| write_folder(&title, printed, &folder));
-        if let Err(error) = written.and_then(|()| folder.complete()) {
+        if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
             return fail(&error);
         }
         say(&text::chart::of_study(&chart));
@@ -57,24 +59,29 @@ pub fn chart(arguments: &Arguments) -> u8 {
     if holds { DONE } else { FAILED }
 }
 
-/// The studies with the folders of their charts.
-fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Folder)>, u8> {
-    let mut studies: Vec<Study> = Vec::new();
+/// The studies with what was read and the folders of their charts.
+fn jobs(arguments: &Arguments) -> Result<Vec<(Study, Vec<InputFile>, Folder)>, u8> {
+    let mut studies: Vec<(Study, Vec<InputFile>, OsString)> = Vec::new();
     for path in &arguments.studies {
-        let study = input::read(path).map_err(|error| fail(&error))?;
-        if studies.iter().any(|s| s.name == study.name) {
-            return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
+        let (study, inputs) = input::noted(|| input::read(path));
+        let study = study.map_err(|error| fail(&error))?;
+        let name = named_after(path).map_err(|error| fail(&error))?;
+        if studies.iter().any(|s| s.2 == name) {
+            return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", name.display())));
         }
-        studies.push(study);
+        studies.push((study, inputs, name));
     }
+    let reads: Vec<PathBuf> = studies.iter().flat_map(|s| paths(&s.1)).collect();
     let mut jobs = Vec::new();
-    for study in studies {
+    for (study, inputs, name) in studies {
         let folder = match &arguments.out {
             Some(out) if arguments.studies.len() == 1 => out.clone(),
-            Some(out) => out.join(&study.name),
-            None => Path::new("out").join("chart").join(&study.name),
+            Some(out) => out.join(name),
+            None => Path::new("out").join("chart").join(name),
         };
-        jobs.push((study, Folder::create(&folder).map_err(|error| fail(&error))?));
+        let job = Job { names: &Names::of_chart(), inputs: &inputs, reads: &reads };
+        let folder = Folder::create(&folder, job).map_err(|error| fail(&error))?;
+        jobs.push((study, inputs, folder));
     }
     Ok(jobs)
 }

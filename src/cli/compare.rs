@@ -1,16 +1,18 @@
 //! `hartog compare`: published tables beside our own numbers.
 
-use super::exit::{BAD_INPUT, DONE, FAILED, fail, files, say};
+use super::exit::{BAD_INPUT, DONE, FAILED, fail, files, paths, say};
+use super::place::named_after;
 use super::progress::Bar;
 use crate::analysis::{self, Calibration, Results, RunError};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
-use crate::input::{self, Published, Size, SizingStudy, Study};
+use crate::input::{self, InputFile, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{Folder, text, write_comparison, write_folder, write_rounds};
+use crate::report::{self, Folder, Names, about_inputs, text, write_comparison, write_folder, write_rounds};
 use crate::sizing::size;
 use crate::validation::Comparison;
 use crate::validation::rounds::rounds;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -31,10 +33,31 @@ pub struct Arguments {
     pub threads: Option<u16>,
 }
 
+/// What is read for a page, and where that goes.
+struct Origin {
+    /// Name of its folder.
+    name: OsString,
+    inputs: Vec<InputFile>,
+}
+
 /// A study with what it is compared with.
 struct Job {
     study: Study,
     published: Published,
+    of: Origin,
+}
+
+/// What is to be done.
+#[derive(Default)]
+struct Jobs {
+    studies: Vec<Job>,
+    sizings: Vec<(SizingStudy, Origin)>,
+}
+
+impl Jobs {
+    fn origins(&self) -> impl Iterator<Item = &Origin> {
+        self.studies.iter().map(|j| &j.of).chain(self.sizings.iter().map(|s| &s.1))
+    }
 }
 
 /// What a job gives.
@@ -49,17 +72,26 @@ struct Page {
 pub fn compare(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
     let start = Instant::now();
-    let (jobs, sizings) = match jobs(&arguments.studies) {
+    let jobs = match jobs(&arguments.studies) {
         Ok(jobs) => jobs,
         Err(code) => return code,
     };
     let root = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("compare"));
+    let reads: Vec<PathBuf> = jobs.origins().flat_map(|o| paths(&o.inputs)).collect();
+    let folder = |of: &Origin, names: &Names| {
+        let job = report::Job { names, inputs: &of.inputs, reads: &reads };
+        Folder::create(&root.join(&of.name), job).map_err(|error| fail(&error))
+    };
+    // all folders before anything is computed
+    let of_studies = jobs.studies.iter().map(|job| folder(&job.of, &Names::of_comparison())).collect::<Result<Vec<_>, u8>>();
+    let of_sizings = jobs.sizings.iter().map(|(_, of)| folder(of, &Names::of_rounds())).collect::<Result<Vec<_>, u8>>();
+    let (of_studies, of_sizings) = match (of_studies, of_sizings) {
+        (Ok(studies), Ok(sizings)) => (studies, sizings),
+        (Err(code), _) | (_, Err(code)) => return code,
+    };
     let mut pages = Vec::new();
-    for job in jobs {
-        let folder = match Folder::create(&root.join(&job.study.name)) {
-            Ok(folder) => folder,
-            Err(error) => return fail(&error),
-        };
+    for (job, folder) in jobs.studies.into_iter().zip(of_studies) {
+        let about = about_inputs(&job.of.inputs);
         let bar = Bar::default();
         let page = page(job, &bar);
         drop(bar);
@@ -70,14 +102,14 @@ pub fn compare(arguments: &Arguments) -> u8 {
         let written = write_comparison(&page.study, page.calibration.as_ref(), &page.comparison, &page.results, &folder);
         let title = format!("{}: published and computed", page.study.engine.name);
         let written = written.and_then(|()| write_folder(&title, || printed(&page), &folder));
-        if let Err(error) = written.and_then(|()| folder.complete()) {
+        if let Err(error) = written.and_then(|()| folder.complete(&about)) {
             return fail(&error);
         }
         say(&format!("{}\n\n{}  {}\n", page.study.engine.name, printed(&page), files(&folder)));
         pages.push(page);
     }
-    for study in sizings {
-        if let Err(code) = sizing(&study, &root) {
+    for ((study, of), folder) in jobs.sizings.iter().zip(&of_sizings) {
+        if let Err(code) = sizing(study, of, folder) {
             return code;
         }
     }
@@ -90,45 +122,49 @@ pub fn compare(arguments: &Arguments) -> u8 {
 }
 
 /// Prints and writes the rounds of sizing beside the printed ones.
-fn sizing(study: &SizingStudy, root: &Path) -> Result<(), u8> {
-    let folder = Folder::create(&root.join(&study.name)).map_err(|e| fail(&e))?;
+fn sizing(study: &SizingStudy, of: &Origin, folder: &Folder) -> Result<(), u8> {
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
     let title = format!("{}: published and computed", study.title);
-    let written = write_rounds(&rows, &folder).and_then(|()| write_folder(&title, || text::rounds(&rows), &folder));
-    written.and_then(|()| folder.complete()).map_err(|e| fail(&e))?;
-    say(&format!("{}\n\n{}  {}\n", study.title, text::rounds(&rows), files(&folder)));
+    let written = write_rounds(&rows, folder).and_then(|()| write_folder(&title, || text::rounds(&rows), folder));
+    written.and_then(|()| folder.complete(&about_inputs(&of.inputs))).map_err(|e| fail(&e))?;
+    say(&format!("{}\n\n{}  {}\n", study.title, text::rounds(&rows), files(folder)));
     Ok(())
 }
 
 /// The studies and sizing files named, or all in the folder of shipped ones that have tables.
-fn jobs(named: &[PathBuf]) -> Result<(Vec<Job>, Vec<SizingStudy>), u8> {
-    let (mut jobs, mut sizings): (Vec<Job>, Vec<SizingStudy>) = (Vec::new(), Vec::new());
+fn jobs(named: &[PathBuf]) -> Result<Jobs, u8> {
+    let mut jobs = Jobs::default();
     let paths = if named.is_empty() { shipped()? } else { named.to_vec() };
     for path in paths {
+        let missing = |what: &str| Err(fail(&format!("error: {} has no {what} table, expected one to compare with", path.display())));
+        let name = named_after(&path).map_err(|error| fail(&error))?;
         if input::is_sizing(&path) {
-            let study = input::read_sizing(&path).map_err(|error| fail(&error))?;
+            let (study, inputs) = input::noted(|| input::read_sizing(&path));
+            let study = study.map_err(|error| fail(&error))?;
             match &study.published {
-                Some(_) => sizings.push(study),
+                Some(_) => jobs.sizings.push((study, Origin { name, inputs })),
                 None if named.is_empty() => {}
-                None => return Err(fail(&format!("error: {} has no `published` table, expected one to compare with", path.display()))),
+                None => return missing("`published`"),
             }
-            continue;
-        }
-        let study = input::read(&path).map_err(|error| fail(&error))?;
-        match study.published.clone() {
-            Some(_) if jobs.iter().any(|j| j.study.name == study.name) => {
-                return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", study.name)));
+        } else {
+            let (study, inputs) = input::noted(|| input::read(&path));
+            let study = study.map_err(|error| fail(&error))?;
+            match study.published.clone() {
+                Some(published) => jobs.studies.push(Job { study, published, of: Origin { name, inputs } }),
+                None if named.is_empty() => {}
+                None => return missing("[published]"),
             }
-            Some(published) => jobs.push(Job { study, published }),
-            None if named.is_empty() => {}
-            None => return Err(fail(&format!("error: {} has no [published] table, expected one to compare with", path.display()))),
         }
     }
-    if jobs.is_empty() && sizings.is_empty() {
+    let names: Vec<&OsString> = jobs.origins().map(|o| &o.name).collect();
+    if let Some(name) = (1..names.len()).find(|i| names[..*i].contains(&names[*i])).map(|i| names[i]) {
+        return Err(fail(&format!("error: two studies are named `{}`: their output would be mixed", name.display())));
+    }
+    if names.is_empty() {
         return Err(fail(&"error: no study in ./studies has a [published] table; name one: hartog compare STUDY.toml"));
     }
-    Ok((jobs, sizings))
+    Ok(jobs)
 }
 
 fn shipped() -> Result<Vec<PathBuf>, u8> {

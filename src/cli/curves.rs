@@ -1,12 +1,13 @@
 //! `hartog curves`: what lies behind a design, as tables and plots.
 
-use super::exit::{DONE, fail, files, say};
+use super::exit::{DONE, fail, files, paths, say};
+use super::place::chosen;
 use super::progress::Bar;
 use crate::analysis::curves::{Curves, curves as compute};
 use crate::engine::Source;
 use crate::input;
-use crate::report::{Folder, text, write_curves, write_folder};
-use std::path::{Path, PathBuf};
+use crate::report::{Folder, Job, Names, about_inputs, text, write_curves, write_folder};
+use std::path::PathBuf;
 
 /// Arguments of `curves`.
 #[derive(Debug, clap::Args)]
@@ -18,7 +19,7 @@ crank, balance, mode shapes, phase vectors, spectrum, torque of the shafts by or
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
-    /// Output folder [default: out/STUDY_curves].
+    /// Output folder [default: out/STUDY_curves; of a file called study.toml, after the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Speed of forces and loads; may be given several times [default: that of the largest mean torque and the highest].
@@ -32,7 +33,8 @@ pub struct Arguments {
 /// Computes the curves of a study and writes them.
 pub fn curves(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
-    let study = match input::read(&arguments.study) {
+    let (study, inputs) = input::noted(|| input::read(&arguments.study));
+    let study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
@@ -48,8 +50,12 @@ pub fn curves(arguments: &Arguments) -> u8 {
     let mut speeds = arguments.speed.clone();
     speeds.sort_by(f64::total_cmp);
     speeds.dedup();
-    let path = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_curves", study.name)));
-    let folder = match Folder::create(&path) {
+    let path = match chosen(arguments.out.as_ref(), &arguments.study, "_curves") {
+        Ok(path) => path,
+        Err(error) => return fail(&error),
+    };
+    let job = Job { names: &Names::of_curves(&study), inputs: &inputs, reads: &paths(&inputs) };
+    let folder = match Folder::create(&path, job) {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
@@ -63,7 +69,7 @@ pub fn curves(arguments: &Arguments) -> u8 {
     let printed = || text::curves(&figures, &holzer);
     let title = format!("{}: what lies behind its designs", study.engine.name);
     let written = write_curves(&figures, &holzer, &folder).and_then(|()| write_folder(&title, printed, &folder));
-    if let Err(error) = written.and_then(|()| folder.complete()) {
+    if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }
     say(&printed());

@@ -1,9 +1,11 @@
 //! What every command shares: exit codes, output, threads.
 
+use crate::input::{InputFile, is_hidden};
 use crate::report::text::width::{USUAL, set, wrapped};
 use crate::report::{Folder, PAGE};
 use std::fmt::Display;
 use std::io::Write;
+use std::path::PathBuf;
 
 /// Exit code: done.
 pub(crate) const DONE: u8 = 0;
@@ -17,10 +19,7 @@ pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Text for a terminal: what would move its cursor, turn its direction or hide stands in it as `\u{…}`, whatever file it came from.
 fn printable(text: &str) -> String {
-    let hidden = |c: char| {
-        c.is_control() && c != '\n' && c != '\t'
-            || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
-    };
+    let hidden = |c: char| is_hidden(c) && c != '\n' && c != '\t';
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         if hidden(c) { out.extend(c.escape_unicode()) } else { out.push(c) }
@@ -49,6 +48,11 @@ pub(crate) fn say_raw(text: &str) {
 /// Where the files of a command are, and which to open.
 pub(crate) fn files(folder: &Folder) -> String {
     format!("{} files in {}: open {PAGE} there first\n", folder.written(), folder.path().display())
+}
+
+/// Paths of what was read.
+pub(crate) fn paths(inputs: &[InputFile]) -> Vec<PathBuf> {
+    inputs.iter().map(|f| f.path.clone()).collect()
 }
 
 /// Prints an error and gives the exit code of bad input.

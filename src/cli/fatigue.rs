@@ -1,6 +1,7 @@
 //! `hartog fatigue`: multiaxial criteria on stress histories.
 
-use super::exit::{DONE, fail, files, say, threads};
+use super::exit::{DONE, fail, files, paths, say, say_to_error, threads};
+use super::place::chosen;
 use super::progress::Bar;
 use crate::analysis::Progress;
 use crate::analysis::stress_histories::{self, CHUNK, Summary};
@@ -8,11 +9,10 @@ use crate::fatigue::multiaxial::Grid;
 use crate::fatigue::multiaxial::invariants::Amplitude as DeviatorAmplitude;
 use crate::fatigue::multiaxial::plane::Amplitude;
 use crate::input::tables::{HistoryReader, PointHistory, Superposed};
-use crate::input::{InputError, read_material};
+use crate::input::{InputError, noted, read_material, remarked};
 use crate::report::csv::fatigue::FatigueTable;
-use crate::report::{Folder, plot, text, write_folder};
+use crate::report::{Folder, Job, Names, about_inputs, plot, text, write_folder};
 use crate::units::RAD_PER_DEG;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -85,14 +85,13 @@ fn grid(text: &str) -> Result<f64, String> {
 
 type Points = Box<dyn Iterator<Item = Result<PointHistory, InputError>>>;
 
-/// The histories, and the name of the table they come from.
-fn open(arguments: &Arguments) -> Result<(Points, OsString), InputError> {
-    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_owned();
+/// The histories, and the table they come from.
+fn open(arguments: &Arguments) -> Result<(Points, PathBuf), InputError> {
     match (&arguments.history, &arguments.unit_loads, &arguments.loads) {
-        (None, Some(units), Some(loads)) => Ok((Box::new(Superposed::open(units, loads)?), stem(units))),
+        (None, Some(units), Some(loads)) => Ok((Box::new(Superposed::open(units, loads)?), units.clone())),
         (history, ..) => {
             let path = history.as_deref().unwrap_or(Path::new(""));
-            Ok((Box::new(HistoryReader::open(path)?), stem(path)))
+            Ok((Box::new(HistoryReader::open(path)?), path.to_path_buf()))
         }
     }
 }
@@ -101,16 +100,25 @@ fn open(arguments: &Arguments) -> Result<(Points, OsString), InputError> {
 pub fn fatigue(arguments: &Arguments) -> u8 {
     threads(arguments.threads.map(usize::from));
     let start = Instant::now();
-    let limits = match read_material(&arguments.material) {
+    let (limits, material) = noted(|| read_material(&arguments.material));
+    let limits = match limits {
         Ok(limits) => limits,
         Err(error) => return fail(&error),
     };
-    let (points, stem) = match open(arguments) {
+    let ((opened, remarks), mut inputs) = noted(|| remarked(|| open(arguments)));
+    remarks.iter().for_each(|words| say_to_error(&format!("note: {words}")));
+    let (points, table) = match opened {
         Ok(opened) => opened,
         Err(error) => return fail(&error),
     };
-    let default = Path::new("out").join(stem);
-    let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
+    // what the folder is of comes first
+    inputs.sort_by_key(|f| f.path != table);
+    inputs.extend(material);
+    let path = match chosen(arguments.out.as_ref(), &table, "") {
+        Ok(path) => path,
+        Err(error) => return fail(&error),
+    };
+    let folder = match Folder::create(&path, Job { names: &Names::of_fatigue(), inputs: &inputs, reads: &paths(&inputs) }) {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
@@ -158,7 +166,8 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
     let printed = || text::fatigue::summary(&summary, &limits);
     let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder));
     let title = format!("Multiaxial fatigue of {} points", summary.points);
-    if let Err(error) = written.and_then(|()| write_folder(&title, printed, &folder)).and_then(|()| folder.complete()) {
+    if let Err(error) = written.and_then(|()| write_folder(&title, printed, &folder)).and_then(|()| folder.complete(&about_inputs(&inputs)))
+    {
         return fail(&error);
     }
     say(&printed());

@@ -1,11 +1,13 @@
 //! `hartog fit`: a law of an absorber from measured stiffness.
 
-use super::exit::{DONE, fail, files, say, threads};
+use super::exit::{DONE, fail, files, paths, say, say_to_error, threads};
+use super::place::chosen;
 use crate::absorber::{Declaration, types};
 use crate::analysis::fit_law::fit_law;
+use crate::input;
 use crate::input::tables::measured_law;
-use crate::report::{Folder, text, write_fit, write_folder};
-use std::path::{Path, PathBuf};
+use crate::report::{Folder, Job, Names, about_inputs, text, write_fit, write_folder};
+use std::path::PathBuf;
 
 /// Arguments of `fit`.
 #[derive(Debug, clap::Args)]
@@ -48,8 +50,18 @@ fn held(text: &str) -> Result<(String, f64), String> {
 /// Fits a type to a table, writes what was measured beside the law, and prints its values.
 pub fn fit(arguments: &Arguments) -> u8 {
     threads(arguments.threads.map(usize::from));
-    let table = match measured_law(&arguments.table) {
+    let ((table, remarks), inputs) = input::noted(|| input::remarked(|| measured_law(&arguments.table)));
+    remarks.iter().for_each(|words| say_to_error(&format!("note: {words}")));
+    let table = match table {
         Ok(table) => table,
+        Err(error) => return fail(&error),
+    };
+    let path = match chosen(arguments.out.as_ref(), &arguments.table, &format!("_{}", arguments.kind.name)) {
+        Ok(path) => path,
+        Err(error) => return fail(&error),
+    };
+    let folder = match Folder::create(&path, Job { names: &Names::of_fit(), inputs: &inputs, reads: &paths(&inputs) }) {
+        Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
     let found = match fit_law(&table, arguments.kind, arguments.reference_c, &arguments.hold) {
@@ -57,15 +69,10 @@ pub fn fit(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&format!("error: {}: {error}", arguments.table.display())),
     };
     let stem = arguments.table.file_stem().unwrap_or_default().to_string_lossy();
-    let default = Path::new("out").join(format!("{stem}_{}", arguments.kind.name));
-    let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
-        Ok(folder) => folder,
-        Err(error) => return fail(&error),
-    };
     let printed = || text::fit_law(&found);
     let title = format!("{stem}: a law of type {}", arguments.kind.name);
     let written = write_fit(&found, &folder).and_then(|()| write_folder(&title, printed, &folder));
-    if let Err(error) = written.and_then(|()| folder.complete()) {
+    if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }
     say(&printed());

@@ -1,9 +1,9 @@
 //! `hartog import`: a study and an engine round a chain that another program wrote.
 
-use super::exit::{DONE, fail, say};
+use super::exit::{DONE, fail, say, say_to_error};
 use super::new::{Engine, Pressure, write};
 use crate::input::import::{chain, traces};
-use crate::input::{FoundChain, FoundStation};
+use crate::input::{FoundChain, FoundStation, remarked};
 use crate::report::example::{Arrangement, Example, Gas};
 use std::path::PathBuf;
 
@@ -13,7 +13,8 @@ use std::path::PathBuf;
     after_help = "Examples:\n  hartog import mass_elastic.csv own --throws \"throw 1,throw 2,throw 3\" --trace 2000=pressure.csv\n  hartog import assembly.json own --throws Crank1,Crank2\n\n\
 A table has a row a station from the free end to the flywheel, with units in its header: `Mass;Inertia [kg m2];Stiffness to next [MN m/rad]`, and if known\n\
 `Damping to next [N m s/rad]`, `Damping to ground [N m s/rad]` and `Throws`; commas, semicolons or tabs between columns. A trace has\n\
-columns like `Angle [deg];Pressure [bar]`. An assembly of openTorsion is a line of disks and shafts as JSON.\n\
+columns like `Angle [deg];Pressure [bar]`. Heads may be German, French or Portuguese, and numbers have decimal commas where these do not separate\n\
+columns. An assembly of openTorsion is a line of disks and shafts as JSON.\n\
 All that is not of the chain is an example, to be replaced."
 )]
 pub struct Arguments {
@@ -42,7 +43,8 @@ fn speed_and_file(text: &str) -> Result<(f64, PathBuf), String> {
 
 /// Reads the chain and writes a commented study and engine round it.
 pub fn import(arguments: &Arguments) -> u8 {
-    let mut found = match chain(&arguments.chain) {
+    let (found, mut remarks) = remarked(|| chain(&arguments.chain));
+    let mut found = match found {
         Ok(found) => found,
         Err(error) => return fail(&error),
     };
@@ -51,14 +53,19 @@ pub fn import(arguments: &Arguments) -> u8 {
     }
     let (gas, traces) = match arguments.trace.as_slice() {
         [] => (arguments.pressure.gas(), None),
-        files => match traces(files) {
-            Ok(found) => (Gas::Measured, Some(found)),
-            Err(error) => return fail(&error),
-        },
+        files => {
+            let (found, more) = remarked(|| traces(files));
+            remarks.extend(more);
+            match found {
+                Ok(found) => (Gas::Measured, Some(found)),
+                Err(error) => return fail(&error),
+            }
+        }
     };
     let throws = found.stations.iter().map(|s| s.throws.len()).sum::<usize>();
     let arrangement = arguments.engine.arrangement();
     let cylinders = if arrangement == Arrangement::V { 2 * throws } else { throws };
+    remarks.iter().for_each(|words| say_to_error(&format!("note: {words}")));
     let left_out: String = found.left_out.iter().map(|words| format!("Left out: {words}.\n")).collect();
     let stations = found.stations.len();
     let example = Example { arrangement, cylinders, gas, chain: Some(found), traces };

@@ -2,7 +2,7 @@
 
 use super::exit::{DONE, fail, say, say_raw};
 use crate::input::FileKind;
-use crate::input::error::closest;
+use crate::input::closest;
 use crate::input::keys::{Key, keys};
 use crate::report::record;
 use crate::report::text::keys::{explained, list};

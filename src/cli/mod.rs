@@ -9,6 +9,7 @@ pub mod fit;
 pub mod import;
 pub mod keys;
 pub mod new;
+mod place;
 pub mod progress;
 pub mod report;
 pub mod run;

@@ -1,8 +1,9 @@
 //! `hartog new`: a study and an engine to begin with.
 
 use super::exit::{DONE, fail, say};
-use crate::report::Folder;
-use crate::report::example::{Arrangement, Example, Gas};
+use crate::input;
+use crate::report::example::{Arrangement, Example, Files, Gas};
+use crate::report::{Folder, Job, Names};
 use std::path::{Path, PathBuf};
 
 /// How cylinders stand.
@@ -84,14 +85,28 @@ pub fn new(arguments: &Arguments) -> u8 {
     }
 }
 
+/// Reads what is to be written as `check` will, so that nothing is left that is refused afterwards.
+fn checked(files: &Files, folder: &Path) -> Result<(), u8> {
+    let place = tempfile::tempdir().map_err(|e| fail(&format!("error: no temporary folder could be made: {e}")))?;
+    for (name, text) in files {
+        std::fs::write(place.path().join(name), text).map_err(|e| fail(&format!("error: no temporary file could be written: {e}")))?;
+    }
+    let read = input::read(&place.path().join("study.toml"));
+    read.map(|_| ()).map_err(|error| fail(&format!("{}\nNothing is written.", error.moved(place.path(), folder))))
+}
+
 /// Writes an example where none of its files is there already, and tells their names.
 pub(super) fn write(example: &Example, folder: &Path) -> Result<String, u8> {
     let files = example.files();
-    if let Some(there) = files.iter().map(|f| folder.join(f.0)).find(|path| path.exists()) {
+    // a link that leads nowhere is there, too
+    if let Some(there) = files.iter().map(|f| folder.join(f.0)).find(|path| path.symlink_metadata().is_ok()) {
         return Err(fail(&format!("error: {} is there already, and would be lost; name another folder", there.display())));
     }
-    let written = Folder::create(folder).and_then(|folder| files.iter().try_for_each(|(name, text)| folder.write(name, text.as_bytes())));
-    written.map_err(|error| fail(&error))?;
+    checked(&files, folder)?;
+    let own = Names::given("new", files.iter().map(|f| f.0.to_owned()));
+    let folder = Folder::create(folder, Job { names: &own, inputs: &[], reads: &[] }).map_err(|error| fail(&error))?;
+    files.iter().try_for_each(|(name, text)| folder.write(name, text.as_bytes())).map_err(|error| fail(&error))?;
+    folder.close();
     let names: Vec<&str> = files.iter().map(|f| f.0).collect();
     Ok(names.join(", "))
 }

@@ -1,13 +1,14 @@
 //! `hartog report`: the calculation that a classification society asks for.
 
-use super::exit::{DONE, FAILED, fail, say};
+use super::exit::{DONE, FAILED, fail, paths, say};
+use super::place::chosen;
 use super::progress::Bar;
 use crate::analysis::classification::classification;
 use crate::engine::Source;
 use crate::input;
 use crate::objective::Condition;
-use crate::report::{Folder, text, write_classification};
-use std::path::{Path, PathBuf};
+use crate::report::{Folder, Job, Names, about_inputs, text, write_classification};
+use std::path::PathBuf;
 
 /// Arguments of `report`.
 #[derive(Debug, clap::Args)]
@@ -19,7 +20,7 @@ Exit code: 0 done, 1 a design breaks a limit of the study, 2 bad input or no fin
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
-    /// Output folder [default: out/STUDY_report].
+    /// Output folder [default: out/STUDY_report; of a file called study.toml, after the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Search for the optima of the study and report them beside its designs; the same as those of `run`.
@@ -48,8 +49,12 @@ pub fn report(arguments: &Arguments) -> u8 {
     if matches!(study.engine.source, Source::Cylinder { .. }) && !study.conditions.contains(&Condition::Misfire) {
         study.conditions.push(Condition::Misfire);
     }
-    let path = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_report", study.name)));
-    let folder = match Folder::create(&path) {
+    let path = match chosen(arguments.out.as_ref(), &arguments.study, "_report") {
+        Ok(path) => path,
+        Err(error) => return fail(&error),
+    };
+    let job = Job { names: &Names::of_report(&study), inputs: &inputs, reads: &paths(&inputs) };
+    let folder = match Folder::create(&path, job) {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
@@ -61,7 +66,7 @@ pub fn report(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&format!("error: {error}")),
     };
     let found = classification(&results.study, &results);
-    if let Err(error) = write_classification((&results, &inputs), &found, &folder).and_then(|()| folder.complete()) {
+    if let Err(error) = write_classification((&results, &inputs), &found, &folder).and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }
     say(&text::criticals(&found));

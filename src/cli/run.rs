@@ -1,13 +1,14 @@
 //! `hartog run`: the main job.
 
-use super::exit::{DONE, FAILED, fail, say, say_raw, say_to_error};
+use super::exit::{DONE, FAILED, fail, paths, say, say_raw, say_to_error};
+use super::place::chosen;
 use super::watched::{Watched, end_at_interrupt};
 use crate::analysis::plausibility;
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
-use crate::report::{Folder, Journal, about, csv, plot, record, text};
+use crate::report::{Job, Journal, Names, about, csv, record, text};
 use crate::response::Work;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -18,11 +19,11 @@ The objective of a study is, by default, half the peak-to-peak twist of all orde
 absorber's hub to the last station, at its worst speed. Neither the hub's amplitude nor a single order will do: at low speed the hub\n\
 rolls with the whole engine, which no absorber changes; and the largest single order saturates on forced twist, so that a ring that\n\
 wins by order can lose by the sum. Both can be chosen: hub_amplitude, and over = \"orders\".\n\n\
-Exit code: 0 done, 1 a limit of the study fails for an optimum or its absorber overheats, 2 bad input or no finite response.")]
+Exit code: 0 done, 1 a limit of the study fails for an optimum, its absorber overheats or has no steady motion, 2 bad input or no finite response.")]
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
-    /// Output folder [default: out/STUDY].
+    /// Output folder [default: out/STUDY; of a file called study.toml, out/ and the name of the folder where it is].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Number of threads [default: all]; results are the same for any number.
@@ -58,15 +59,16 @@ pub fn run(arguments: &Arguments) -> u8 {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
-    let default = Path::new("out").join(&study.name);
-    let folder = match Folder::create(arguments.out.as_ref().unwrap_or(&default)) {
-        Ok(folder) => Arc::new(folder),
+    let path = match chosen(arguments.out.as_ref(), &arguments.study, "") {
+        Ok(path) => path,
         Err(error) => return fail(&error),
     };
-    let journal = match Journal::open(&folder, &inputs, arguments.resume) {
+    let job = Job { names: &Names::of_run(&study), inputs: &inputs, reads: &paths(&inputs) };
+    let journal = match Journal::open(&path, job, arguments.resume) {
         Ok(journal) => Arc::new(journal),
         Err(error) => return fail(&error),
     };
+    let folder = journal.folder().clone();
     if arguments.resume && arguments.tells() {
         say(&match journal.known() {
             0 => format!("no interrupted run in {}: from the beginning\n", folder.path().display()),
@@ -79,34 +81,34 @@ pub fn run(arguments: &Arguments) -> u8 {
         Ok(results) => results,
         Err(error) => {
             drop(watched);
-            journal.remove();
+            folder.abandon();
             return fail(&format!("error: {error}"));
         }
     };
     let (study, calibration) = (&results.study, results.calibration.as_ref());
     let before_files = start.elapsed().as_secs_f64();
-    watched.stage("tables and plots", 1 + plot::count(&results));
+    watched.stage("tables and plots", crate::report::steps(&results));
     let written = crate::report::write_run(study, calibration, (&results, &inputs), &folder, &|| watched.step());
     drop(watched);
     if let Err(error) = written {
-        return fail(&format!("{error}; what the searches have found is kept: once it can be written, add --resume"));
+        let (kept, goes_on) = journal.kept();
+        return fail(&format!("{error}; {kept}{}", if goes_on { ": once it can be written, add --resume" } else { "" }));
     }
     let total = start.elapsed().as_secs_f64();
     let mut timing = results.timing.clone();
     timing.push(Timing { stage: "files".into(), seconds: total - before_files, work: Work::default() });
     timing.push(Timing { stage: "all".into(), seconds: total, work: Work::default() });
-    if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.summarise(true, &about(study, &inputs, &results))) {
+    if let Err(error) = csv::timing(&timing, &folder).and_then(|()| folder.complete(&about(study, &inputs, &results))) {
         return fail(&error);
     }
     if !arguments.quiet {
-        for sentence in text::implausible(&plausibility::implausible(study, &results.system.excitation.audit)) {
-            say_to_error(&format!("warning: {sentence}"));
-        }
+        notes(study, &results);
     }
     if let Some(reason) = journal.failure() {
-        say_to_error(&format!("warning: the journal could not be written ({reason}): this run could not have been resumed"));
+        say_to_error(&format!(
+            "warning: not all that searches found could be kept ({reason}): after a kill they would have been made again"
+        ));
     }
-    journal.remove();
     if arguments.json {
         say_raw(&record::text(study, &inputs, &results));
     }
@@ -123,6 +125,18 @@ pub fn run(arguments: &Arguments) -> u8 {
         ));
     }
     if results.limits_hold() { DONE } else { FAILED }
+}
+
+/// What a user is to know of the inputs: placeholders, how files were read, what is unlikely.
+fn notes(study: &Study, results: &Results) {
+    let placeholders = text::placeholders(study);
+    if !placeholders.is_empty() {
+        say_to_error(&placeholders);
+    }
+    study.remarks.iter().for_each(|sentence| say_to_error(&format!("note: {sentence}")));
+    for sentence in text::implausible(&plausibility::implausible(study, &results.system.excitation.audit)) {
+        say_to_error(&format!("warning: {sentence}"));
+    }
 }
 
 fn print(study: &Study, calibration: Option<&Calibration>, results: &Results) {

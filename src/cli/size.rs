@@ -1,18 +1,19 @@
 //! `hartog size`: piston pin, connecting rod and crank from operating data, and a study of the chain that follows.
 
-use super::exit::{DONE, FAILED, fail, files, say};
+use super::exit::{DONE, FAILED, fail, files, paths, say};
+use super::place::chosen;
 use super::progress::Bar;
 use crate::analysis::sizing::run;
-use crate::input::read_sizing;
-use crate::report::{Folder, text, write_folder, write_sizing};
+use crate::input::{noted, read_sizing};
+use crate::report::{Folder, Job, Names, about_inputs, text, write_folder, write_sizing};
 use crate::validation::rounds::rounds;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Arguments of `size`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  hartog size studies/fialho_four.toml --out sized\n  hartog run sized/study.toml\n\n\
 Sizes every section for static strength and for infinite life until dimensions, masses and forces agree. Writes sizing.csv, forces and moments over the cycle,\n\
-a drawing, and engine.toml and study.toml for `hartog run`.\n\nExit code: 0 done, 1 a dimension that was given falls short of the design factor, 2 bad input or no dimensions that hold.")]
+a drawing, and engine.toml and study.toml for `hartog run`; where these are there and were changed since, it refuses to replace them.\n\nExit code: 0 done, 1 a dimension that was given falls short of the design factor, 2 bad input or no dimensions that hold.")]
 pub struct Arguments {
     /// Sizing file (TOML).
     pub sizing: PathBuf,
@@ -27,12 +28,16 @@ pub struct Arguments {
 /// Sizes and writes.
 pub fn size(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
-    let study = match read_sizing(&arguments.sizing) {
+    let (study, inputs) = noted(|| read_sizing(&arguments.sizing));
+    let study = match study {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
-    let path = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(&study.name));
-    let folder = match Folder::create(&path) {
+    let path = match chosen(arguments.out.as_ref(), &arguments.sizing, "") {
+        Ok(path) => path,
+        Err(error) => return fail(&error),
+    };
+    let folder = match Folder::create(&path, Job { names: &Names::of_size(), inputs: &inputs, reads: &paths(&inputs) }) {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
@@ -47,7 +52,7 @@ pub fn size(arguments: &Arguments) -> u8 {
     let printed = || text::sizing(&study, &results, &published);
     let written = write_sizing(&study, &results, &published, &folder)
         .and_then(|()| write_folder(&format!("{}: sections sized", study.title), printed, &folder));
-    if let Err(error) = written.and_then(|()| folder.complete()) {
+    if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }
     say(&printed());

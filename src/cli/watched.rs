@@ -69,13 +69,11 @@ pub(crate) fn end_at_interrupt(study: &Study, folder: &Arc<Folder>, journal: &Ar
             (unit.shown(value), unit.suffix().trim())
         };
         let written = folder.write(UNFINISHED, &journal.best(shown)).and_then(|()| folder.summarise(false, &serde_json::Map::new()));
-        let path = folder.path().display();
+        let (kept, goes_on) = journal.kept();
+        let on = if goes_on { "; run again with --resume to go on" } else { "" };
         match written {
-            Ok(()) => say_to_error(&format!(
-                "interrupted: {} searches are kept in {path}, the best designs so far in {UNFINISHED}; run again with --resume to go on",
-                journal.searches()
-            )),
-            Err(error) => say_to_error(&error.to_string()),
+            Ok(()) => say_to_error(&format!("interrupted: {kept}, the best designs so far in {UNFINISHED} beside it{on}")),
+            Err(error) => say_to_error(&format!("interrupted: {kept}{on}\n{error}")),
         }
         std::process::exit(i32::from(INTERRUPTED));
     };

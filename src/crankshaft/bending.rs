@@ -11,8 +11,10 @@ use rayon::prelude::*;
 /// What no absorber changes, in rows by speed.
 #[derive(Debug, Default)]
 pub struct Table {
-    /// Local bending stress of every location, Pa.
+    /// Local bending stress of the locations that have one, Pa.
     pub bending: Vec<Vec<Cycle>>,
+    /// Column of each location; none of those with stresses per unit load.
+    pub columns: Vec<Option<usize>>,
     /// Mean torque of every shaft, N m.
     pub mean_torque: Vec<Vec<f64>>,
     /// Loads of the front and rear web of every throw over the cycle, where histories are asked for.
@@ -32,6 +34,10 @@ pub fn table(
     with_histories: bool,
 ) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
+    let mut numbers = 0..;
+    let column = |l: &CriticalLocation| if l.unit_loads.is_none() { numbers.next() } else { None };
+    let columns: Vec<Option<usize>> = locations.iter().map(column).collect();
+    let count = columns.iter().flatten().count();
     // locations of one section share its loads
     let mut sections: Vec<(Section, Vec<usize>)> = Vec::new();
     for (i, location) in locations.iter().enumerate() {
@@ -43,12 +49,12 @@ pub fn table(
     }
     let row = |place: &mut ThrowLoads, speed: &f64| {
         let loads = model.in_place_of(std::mem::take(place), *speed);
-        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; locations.len()];
+        let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; count];
         let mut webs = vec![None; if with_histories { 2 * crank.throws() } else { 0 }];
         for (section, own) in &sections {
             let in_plane = section.loads(crank, &loads);
-            for i in own {
-                local[*i] = stress(&locations[*i], &in_plane);
+            for (i, column) in own.iter().filter_map(|i| Some((*i, columns[*i]?))) {
+                local[column] = stress(&locations[i], &in_plane);
             }
             if let (true, Section::Web(throw, rear)) = (with_histories, section) {
                 webs[2 * throw + usize::from(*rear)] = Some(history(&in_plane));
@@ -62,7 +68,7 @@ pub fn table(
     };
     // loads of one speed take the place of the last: they are large
     let rows: Vec<_> = speeds_rpm.par_iter().map_init(ThrowLoads::default, row).collect();
-    let mut table = Table::default();
+    let mut table = Table { columns, ..Table::default() };
     for (bending, mean_torque, histories) in rows {
         table.bending.push(bending);
         table.mean_torque.push(mean_torque);

@@ -11,8 +11,12 @@ use crate::numerics::elementary::Elementary;
 /// A fillet (or oil bore) of one web.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CriticalLocation {
-    /// Name with the number of the throw.
+    /// Name with the number of the throw, and of the point where its fillet has several.
     pub name: String,
+    /// The same without the point.
+    pub(super) fillet: String,
+    /// How many points its fillet has.
+    pub(super) points: usize,
     /// From 0.
     pub throw: usize,
     /// Whether it is on the web behind the crankpin.
@@ -96,6 +100,14 @@ fn away(rear: bool) -> f64 {
     if rear { -1.0 } else { 1.0 }
 }
 
+/// Shear stress per torque where a place is, 1/m³.
+fn per_torque(crank: &Crank, place: Place) -> f64 {
+    match place {
+        Place::Journal => section::torsion(crank.journal_diameter, crank.journal_bore),
+        _ => section::torsion(crank.pin_diameter, crank.pin_bore),
+    }
+}
+
 /// All locations of a study; nothing where a throw has no shaft beside it.
 pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<CriticalLocation>> {
     let mut list = Vec::new();
@@ -104,10 +116,6 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
     let sensitive = |factor: f64, radius: f64, torsion: bool| {
         let q = if spec.notch_sensitivity { endurance::notch_sensitivity(radius, spec.strength.tensile, torsion) } else { 1.0 };
         endurance::fatigue_factor(factor, q)
-    };
-    let torsion = |place: Place| match place {
-        Place::Journal => section::torsion(crank.journal_diameter, crank.journal_bore),
-        _ => section::torsion(crank.pin_diameter, crank.pin_bore),
     };
     let web = section::web_bending(crank.web_breadth, crank.bearing_web());
     let compression = section::web_compression(crank.web_breadth, crank.bearing_web());
@@ -131,13 +139,15 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
             for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
                 list.push(CriticalLocation {
                     name: fillet.name_of(throw),
+                    fillet: fillet.name_of(throw),
+                    points: 1,
                     throw,
                     rear,
                     place: fillet.place,
                     shaft,
                     bending: [tension(fillet.place) * nominal * sensitive(factors.bending, radius, false), 0.0],
                     radial: tension(fillet.place) * away(rear) * compression * factors.radial,
-                    torsion: torsion(fillet.place) * sensitive(factors.torsion, radius, true),
+                    torsion: per_torque(crank, fillet.place) * sensitive(factors.torsion, radius, true),
                     unit_loads: None,
                     family: Family::Nominal,
                     allowable: None,
@@ -160,13 +170,15 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
                 for (rear, shaft) in sides(chain, crank.throws(), throw, *place)? {
                     list.push(CriticalLocation {
                         name: format!("{}_{}", place.name(), throw + 1),
+                        fillet: format!("{}_{}", place.name(), throw + 1),
+                        points: 1,
                         throw,
                         rear,
                         place: *place,
                         shaft,
                         bending: nominal.map(|n| tension(*place) * n * factors.bending),
                         radial: tension(*place) * away(rear) * compression * factors.radial,
-                        torsion: torsion(*place) * factors.torsion,
+                        torsion: per_torque(crank, *place) * factors.torsion,
                         unit_loads: None,
                         family,
                         allowable: Some(spec.rule.fatigue_strength(*diameter, *radius, *place == Place::OilBore)),
@@ -189,7 +201,9 @@ fn points_of(chain: &Chain, crank: &Crank, fillet: &FilletSpec, points: &[(Strin
                 let unit_loads = UnitLoads { shear: mirrored(unit_loads.shear), torque: mirrored(unit_loads.torque), ..*unit_loads };
                 let name = fillet.name_of(throw);
                 list.push(CriticalLocation {
-                    name: if points.len() == 1 { name } else { format!("{name}:{point}") },
+                    name: if points.len() == 1 { name.clone() } else { format!("{name}:{point}") },
+                    fillet: name,
+                    points: points.len(),
                     throw,
                     rear,
                     place: fillet.place,

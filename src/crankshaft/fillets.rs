@@ -2,10 +2,17 @@
 
 use super::margin::{ROUNDING, multiaxially};
 use super::stress_histories::{Path, SampledTorque};
-use super::worst_first::{Able, worst};
+use super::web_paths::WebPath;
+use super::worst_first::{Able, Next, worst};
 use super::{Known, Margin, MarginCriterion, Torque, Used};
 use crate::fatigue::multiaxial::bound::Within;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::rc::Rc;
+
+/// Of a fillet with more points of stresses per unit load than this, the worst one counts at each speed; of others every point is a fillet of its own.
+pub(crate) const LISTED_POINTS: usize = 100;
 
 /// A fillet by one criterion.
 #[derive(Debug, Clone)]
@@ -18,15 +25,29 @@ pub(crate) struct Fillet {
     locations: Vec<usize>,
 }
 
+/// The worst of each fillet at a speed.
+#[derive(Debug, Clone)]
+pub(crate) struct Worst {
+    /// In the order of the fillets.
+    pub used: Vec<Used>,
+    /// Paths over the cycle that multiaxial criteria judged in full: bounds spared the others.
+    pub judged: u64,
+}
+
 impl Margin {
     /// All fillets: by criterion, then as the locations are listed.
     pub(crate) fn fillets(&self) -> Vec<Fillet> {
         let mut list: Vec<Fillet> = Vec::new();
         for criterion in 0..self.criteria.len() {
+            let mut known: HashMap<&str, usize> = HashMap::new();
             for (i, location) in self.locations.iter().enumerate().filter(|(i, _)| self.judges(criterion, *i)) {
-                match list.iter_mut().find(|f| f.criterion == criterion && f.name == location.name) {
-                    Some(fillet) => fillet.locations.push(i),
-                    None => list.push(Fillet { criterion, name: location.name.clone(), locations: vec![i] }),
+                let name = if location.points > LISTED_POINTS { &location.fillet } else { &location.name };
+                match known.entry(name) {
+                    Entry::Occupied(fillet) => list[*fillet.get()].locations.push(i),
+                    Entry::Vacant(new) => {
+                        new.insert(list.len());
+                        list.push(Fillet { criterion, name: name.clone(), locations: vec![i] });
+                    }
                 }
             }
         }
@@ -35,12 +56,13 @@ impl Margin {
 
     /// The location of each fillet that is used most, under the torques of all shafts at a speed. Of a multiaxial criterion only those are searched whose bound is above what another one
     /// uses.
-    pub(crate) fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Vec<Used> {
+    pub(crate) fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Worst {
         let at = self.place(speed_rpm);
         let samples: Vec<OnceCell<SampledTorque>> = (0..torques.len()).map(|_| OnceCell::new()).collect();
-        let outlines: Vec<OnceCell<Option<Within>>> = vec![OnceCell::new(); self.locations.len()];
-        let paths: Vec<OnceCell<Path>> = (0..self.locations.len()).map(|_| OnceCell::new()).collect();
-        let known = Known::default();
+        let outlines: RefCell<HashMap<usize, Within>> = RefCell::default();
+        let paths: RefCell<HashMap<usize, Rc<Path>>> = RefCell::default();
+        let webs: RefCell<HashMap<(usize, usize), Rc<WebPath>>> = RefCell::default();
+        let (known, judged) = (Known::default(), Cell::new(0));
         let corners = self.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(c) if c.asks_for_corners()));
         let larger = |most: Option<Used>, used: Used| match most {
             Some(most) if (most.value, used.location) >= (used.value, most.location) => Some(most),
@@ -58,22 +80,35 @@ impl Margin {
                 let shaft = self.locations[i].shaft;
                 samples[shaft].get_or_init(|| histories.torque(torques[shaft].phasors, self.mean_at(at, shaft)))
             };
-            let outline = |i: usize| histories.outline(&self.locations[i], at, sampled(i), 1.0).map(|[own, _]| own);
-            let closer = |i: usize| Some(outlines[i].get_or_init(|| outline(i)).as_ref().map_or(f64::INFINITY, bound));
+            let outline = |i: usize| histories.outline(&self.locations[i], at, sampled(i), 1.0)[0];
+            let next = |i: usize, level: u8| match (&self.locations[i].unit_loads, level) {
+                (Some(units), _) => {
+                    let (web, shaft) = (self.locations[i].web(), self.locations[i].shaft);
+                    let of_web = || Rc::new(histories.web_path(web, at, sampled(i), 1.0));
+                    let web = webs.borrow_mut().entry((web, shaft)).or_insert_with(of_web).clone();
+                    histories.next_of_point(word, (i, units), (&web, level), (0.0, &bound))
+                }
+                (None, 0) => Next::Bound(bound(outlines.borrow_mut().entry(i).or_insert_with(|| outline(i)))),
+                (None, _) => Next::Evaluate,
+            };
             let path = |i: usize| {
-                paths[i].get_or_init(|| {
+                let found = || {
                     let path = histories.path(&self.locations[i], at, sampled(i));
                     if let Path::Plane(state) = &path {
                         // another criterion asks for the corners, and then they serve this one, too
                         corners.then(|| state.corners());
                     }
-                    path
-                })
+                    Rc::new(path)
+                };
+                paths.borrow_mut().entry(i).or_insert_with(found).clone()
             };
-            let shares = |i: usize| self.shares(*criterion, histories, path(i));
+            let shares = |i: usize| {
+                judged.set(judged.get() + 1);
+                self.shares(*criterion, histories, &path(i))
+            };
             let used = |i: usize| multiaxially(histories, i, known.share((*criterion, i, speed_rpm), || shares(i)));
-            worst(locations.iter().map(able).collect(), closer, used)
+            worst(locations.iter().map(able).collect(), next, used)
         };
-        fillets.iter().filter_map(of).collect()
+        Worst { used: fillets.iter().filter_map(of).collect(), judged: judged.get() }
     }
 }

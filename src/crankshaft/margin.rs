@@ -45,15 +45,17 @@ pub struct Margin {
     rule: ClassRule,
     /// rpm.
     speeds: Vec<f64>,
-    /// Local bending stress at each speed (rows) and location, Pa.
+    /// Local bending stress at each speed (rows) and column, Pa.
     bending: Vec<Vec<Cycle>>,
+    /// Column of each location; none of those with stresses per unit load, which no criterion of nominal stress judges.
+    columns: Vec<Option<usize>>,
     /// Mean torque of each shaft at each speed (rows), N m.
     mean_torque: Vec<Vec<f64>>,
     /// Critical locations of each shaft, by family.
     of_shaft: Vec<[Vec<usize>; 4]>,
     /// Those of them that another one does not surpass, whatever the torque: by the row below a speed and the shaft.
     leading: Vec<Vec<[Vec<usize>; 4]>>,
-    /// The same for multiaxial criteria, of all families they judge.
+    /// The same of nominal states for multiaxial criteria.
     leading_paths: Vec<Vec<Vec<usize>>>,
     /// For multiaxial criteria.
     pub(super) histories: Option<Histories>,
@@ -71,7 +73,7 @@ impl Margin {
             (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect()
         };
         let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
-        let leading = leading(&locations, &of_shaft, &table.bending);
+        let leading = leading(&locations, &of_shaft, (&table.bending, &table.columns));
         let leading_paths = histories.as_ref().map_or_else(Vec::new, |h| h.bounds.leading(&of_shaft));
         Some(Self {
             criteria: spec.criteria.clone(),
@@ -81,6 +83,7 @@ impl Margin {
             rule: spec.rule,
             speeds: speeds_rpm.to_vec(),
             bending: table.bending,
+            columns: table.columns,
             mean_torque: table.mean_torque,
             of_shaft,
             leading,
@@ -209,7 +212,8 @@ impl Margin {
         if let Some((word, histories)) = self.multiaxial(criterion) {
             let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
             let bound = |i: usize| histories.at_most(word, &histories.bounds.by_ranges(i, at, half_peak_to_peak, largest));
-            return self.leading_paths[at.low][shaft].iter().map(|i| bound(*i)).fold(0.0, f64::max) * (1.0 + ROUNDING);
+            let points = &self.of_shaft[shaft][Family::UnitLoads as usize];
+            return self.leading_paths[at.low][shaft].iter().chain(points).map(|i| bound(*i)).fold(0.0, f64::max) * (1.0 + ROUNDING);
         }
         // the size of the mean counts: with the sign of the mean torque it is the largest
         let torque = (half_peak_to_peak, middle.abs() + self.mean_at(at, shaft).abs());
@@ -231,7 +235,8 @@ impl Margin {
     }
 
     fn bending_at(&self, location: usize, at: At) -> Cycle {
-        let (low, high) = (&self.bending[at.low][location], &self.bending[at.high][location]);
+        let Some(column) = self.columns[location] else { return Cycle { amplitude: 0.0, mean: 0.0 } };
+        let (low, high) = (&self.bending[at.low][column], &self.bending[at.high][column]);
         Cycle { amplitude: at.between(low.amplitude, high.amplitude), mean: at.between(low.mean, high.mean) }
     }
 
@@ -253,19 +258,28 @@ impl Margin {
     }
 }
 
-/// Of each shaft, by the row below a speed: locations that no other one of their kind surpasses in torsion, and in bending at both rows round the speed.
-fn leading(locations: &[CriticalLocation], of_shaft: &[[Vec<usize>; 4]], bending: &[Vec<Cycle>]) -> Vec<Vec<[Vec<usize>; 4]>> {
+/// Of each shaft, by the row below a speed: locations of nominal stress that no other one of their kind surpasses in torsion, and in bending at both rows round the speed.
+fn leading(
+    locations: &[CriticalLocation],
+    of_shaft: &[[Vec<usize>; 4]],
+    (bending, columns): (&[Vec<Cycle>], &[Option<usize>]),
+) -> Vec<Vec<[Vec<usize>; 4]>> {
     let surpasses = |rows: &[&Vec<Cycle>], a: usize, b: usize| {
+        let (Some(i), Some(j)) = (columns[a], columns[b]) else { return false };
         let (own, other) = (&locations[a], &locations[b]);
-        let more = rows.iter().all(|row| row[a].amplitude >= row[b].amplitude && row[a].mean >= row[b].mean && row[b].mean >= 0.0);
-        let alike = own.place == other.place && own.allowable == other.allowable && own.unit_loads.is_none() && other.unit_loads.is_none();
-        let same = rows.iter().all(|row| row[a] == row[b]) && own.torsion == other.torsion;
+        let more = rows.iter().all(|row| row[i].amplitude >= row[j].amplitude && row[i].mean >= row[j].mean && row[j].mean >= 0.0);
+        let alike = own.place == other.place && own.allowable == other.allowable;
+        let same = rows.iter().all(|row| row[i] == row[j]) && own.torsion == other.torsion;
         alike && more && own.torsion.abs() >= other.torsion.abs() && (!same || a < b)
     };
     let at = |low: usize| {
         let rows = [&bending[low], &bending[(low + 1).min(bending.len() - 1)]];
-        let of = |list: &Vec<usize>| unsurpassed(list, |a, b| surpasses(&rows, a, b));
-        of_shaft.iter().map(|families| families.each_ref().map(of)).collect()
+        // stresses per unit load are no business of the criteria that ask this
+        let of = |family: Family, list: &Vec<usize>| match family {
+            Family::UnitLoads => Vec::new(),
+            _ => unsurpassed(list, |a, b| surpasses(&rows, a, b)),
+        };
+        of_shaft.iter().map(|families| Family::ALL.map(|f| of(f, &families[f as usize]))).collect()
     };
     (0..bending.len()).map(at).collect()
 }

@@ -8,6 +8,7 @@ pub mod critical_locations;
 pub mod elements;
 pub(crate) mod fillets;
 mod known;
+mod load_paths;
 pub mod loads;
 pub mod margin;
 mod path_bounds;
@@ -17,8 +18,10 @@ pub mod singularity;
 pub mod speed_table;
 pub mod stress_concentration;
 pub mod stress_histories;
+mod unit_load_bounds;
 pub mod unit_loads;
 mod unsurpassed;
+mod web_paths;
 mod worst_first;
 
 pub use beam::{Beam, Reactions, Support};

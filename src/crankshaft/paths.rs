@@ -4,13 +4,38 @@ use super::known::Outline;
 use super::margin::{ROUNDING, multiaxially};
 use super::speed_table::At;
 use super::stress_histories::{Histories, Path};
-use super::worst_first::{Able, worst};
+use super::unit_loads::UnitLoads;
+use super::web_paths::WebPath;
+use super::worst_first::{Able, Next, worst};
 use super::{Known, Margin, MarginCriterion, Torque, Used};
-use crate::fatigue::multiaxial::{self, bound::Within};
+use crate::fatigue::multiaxial::{self, Criterion, bound::Within};
 use crate::numerics::synthesis::Extremes;
 use crate::numerics::{C64, magnitudes};
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::HashMap;
 use std::rc::Rc;
+
+impl Histories {
+    /// What is known next of a location with stresses per unit load, of which so many closer bounds are known; `wanted`: that it does not count below, however far its torque rises.
+    pub(super) fn next_of_point(
+        &self,
+        word: Criterion,
+        (location, units): (usize, &UnitLoads),
+        (web, level): (&WebPath, u8),
+        (wanted, bound): (f64, &impl Fn(&Within) -> f64),
+    ) -> Next {
+        let Some(point) = self.bounds.point(location) else { return Next::Evaluate };
+        match level {
+            0 => {
+                let own = bound(&web.within(word, point));
+                let counts = own >= wanted || bound(&web.risen().within(word, point)) >= wanted;
+                if counts { Next::Bound(own) } else { Next::Out }
+            }
+            1 => web.closely(word, point, units).map_or(Next::Evaluate, |within| Next::Bound(bound(&within))),
+            _ => Next::Evaluate,
+        }
+    }
+}
 
 impl Margin {
     /// The location of a shaft that is used most by a multiaxial criterion, among those that may be used as much as `wanted` where the torque is up to `rise` times as large.
@@ -31,32 +56,43 @@ impl Margin {
         let samples = || samples.get_or_init(|| histories.torque(torque.phasors, self.mean_at(at, shaft)));
         let mut able = Vec::new();
         for i in self.spots_of(criterion, shaft) {
-            if bound(&self.by_ranges(histories, i, at, torque, rise)) >= wanted {
-                able.push(Able::new(i, bound(&self.by_ranges(histories, i, at, torque, 1.0))));
+            let risen = bound(&self.by_ranges(histories, i, at, torque, rise));
+            if risen >= wanted {
+                let own = if rise == 1.0 { risen } else { bound(&self.by_ranges(histories, i, at, torque, 1.0)) };
+                able.push(Able::new(i, own));
             }
         }
         let phasors: OnceCell<Rc<[C64]>> = OnceCell::new();
-        let closer = |i: usize| {
+        let outlined = |i: usize| {
             let outline = match known.outline(i, speed_rpm, rise) {
                 Ok(outline) => outline,
                 Err(beside) => {
                     if beside.iter().flatten().any(|other| bound(&self.by_neighbour(histories, (i, at), (torque, rise), other)) < wanted) {
-                        return None;
+                        return Next::Out;
                     }
-                    let Some([within, risen]) = histories.outline(&self.locations[i], at, samples(), rise) else {
-                        return Some(f64::INFINITY);
-                    };
+                    let [within, risen] = histories.outline(&self.locations[i], at, samples(), rise);
                     let torque = phasors.get_or_init(|| torque.phasors.into()).clone();
                     let outline = Rc::new(Outline { within, risen: (rise, risen), at, torque });
                     known.keep(i, speed_rpm, outline.clone());
                     outline
                 }
             };
-            (bound(&outline.within).max(bound(&outline.risen.1)) >= wanted).then(|| bound(&outline.within))
+            let own = bound(&outline.within);
+            if own.max(bound(&outline.risen.1)) >= wanted { Next::Bound(own) } else { Next::Out }
+        };
+        let webs = RefCell::new(HashMap::new());
+        let next = |i: usize, level: u8| match (&self.locations[i].unit_loads, level) {
+            (Some(units), _) => {
+                let of_web = || Rc::new(histories.web_path(self.locations[i].web(), at, samples(), rise));
+                let web: Rc<WebPath> = webs.borrow_mut().entry(self.locations[i].web()).or_insert_with(of_web).clone();
+                histories.next_of_point(word, (i, units), (&web, level), (wanted, &bound))
+            }
+            (None, 0) => outlined(i),
+            (None, _) => Next::Evaluate,
         };
         let shares = |i: usize| self.shares(criterion, histories, &histories.path(&self.locations[i], at, samples()));
         let used = |i: usize| multiaxially(histories, i, known.share((criterion, i, speed_rpm), || shares(i)));
-        worst(able, closer, used)
+        worst(able, next, used)
     }
 
     /// What a location does not exceed where its torque is up to so many times as large.

@@ -8,6 +8,7 @@ use super::CriticalLocation;
 use super::loads::Section;
 use super::path_bounds::PathBounds;
 use super::speed_table::At;
+use super::web_paths::WebPath;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::outline::{self, Row};
 use crate::fatigue::multiaxial::plane_state::Points;
@@ -80,24 +81,31 @@ impl Histories {
 
     /// What a location bears over the cycle under a torque.
     pub fn path(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> Path {
-        let section = location.web();
-        let (low, high) = (&self.sections[at.low][section], &self.sections[at.high][section]);
         if let Some(units) = &location.unit_loads {
-            let values = torque.values();
-            let load = |which: usize, j: usize| at.between(low[which][j], high[which][j]);
-            return Path::General(History::new((0..self.samples).map(|j| {
-                let (m, t, v) = (load(0, j), load(1, j), load(2, j));
-                std::array::from_fn(|c| units.moment[c] * m + units.tangential[c] * t + units.shear[c] * v + units.torque[c] * values[j])
-            })));
+            let [m, t, v] = self.loads(location.web(), at);
+            let rows = [&m, &t, &v, torque.values()];
+            let component = |c: usize| sum(rows, [units.moment[c], units.tangential[c], units.shear[c], units.torque[c]]);
+            return Path::General(History { components: std::array::from_fn(component) });
         }
         let (bending, shear) = self.plane(location, at, torque);
         Path::Plane(PlaneState::of(bending, shear))
     }
 
-    /// What the path of a nominal state does not exceed, and where its torque is `rise` times as large; nothing of a general one.
-    pub fn outline(&self, location: &CriticalLocation, at: At, torque: &SampledTorque, rise: f64) -> Option<[Within; 2]> {
-        let normal = || Row::of(&self.bending(location, at));
-        location.unit_loads.is_none().then(|| outline::within(&normal(), (location.torsion, torque.row()), rise))
+    /// Moment, moment across the throw and shear force of a web at every sample.
+    fn loads(&self, web: usize, at: At) -> Section {
+        let (low, high) = (&self.sections[at.low][web], &self.sections[at.high][web]);
+        std::array::from_fn(|l| low[l].iter().zip(&high[l]).map(|(low, high)| at.between(*low, *high)).collect())
+    }
+
+    /// The path of all loads of a web, and where its torque is up to `rise` times as large.
+    pub(super) fn web_path(&self, web: usize, at: At, torque: &SampledTorque, rise: f64) -> WebPath {
+        let [m, t, v] = self.loads(web, at);
+        WebPath::of([&m, &t, &v, torque.values()], rise, torque.mean)
+    }
+
+    /// What the path of a nominal state does not exceed, and where its torque is `rise` times as large.
+    pub fn outline(&self, location: &CriticalLocation, at: At, torque: &SampledTorque, rise: f64) -> [Within; 2] {
+        outline::within(&Row::of(&self.bending(location, at)), (location.torsion, torque.row()), rise)
     }
 
     /// The same with all its samples, whatever its state: what needs no corners.
@@ -145,7 +153,7 @@ impl Histories {
 
     /// Whether a criterion asks for a search of the planes of a path, which serves others, too.
     pub(super) fn is_searched(criterion: Criterion, path: &Path) -> bool {
-        matches!(path, Path::General(_)) || criterion.searches_planes()
+        criterion.searches_planes() || (matches!(path, Path::General(_)) && criterion.is_of_planes())
     }
 
     /// The equivalent shear stresses of a plane state, Pa.
@@ -180,6 +188,13 @@ impl Histories {
     pub fn equivalent(&self, used: f64) -> f64 {
         used * self.limits.torsion
     }
+}
+
+/// A sum of four rows, each with its weight.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+fn sum([a, b, c, d]: [&[f64]; 4], w: [f64; 4]) -> Vec<f64> {
+    let rows = a.iter().zip(b).zip(c).zip(d);
+    rows.map(|(((a, b), c), d)| w[0] * a + w[1] * b + w[2] * c + w[3] * d).collect()
 }
 
 /// Adds the stress of moments and of shear forces, each times its own per unit.

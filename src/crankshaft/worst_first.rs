@@ -1,42 +1,73 @@
-//! The location that is used most among some, each known at first by a bound that costs little, then by one that costs more, and evaluated only where it may be the worst.
+//! The location that is used most among some, each known at first by a bound that costs little, then by others that cost more, and evaluated only where it may be the worst.
 
 use super::Used;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
-/// A location that may be used most.
+/// A location that may be used most, the one with the larger bound before another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Able {
     pub location: usize,
     /// At least what it uses.
     pub bound: f64,
-    /// Whether the bound is the closer one.
-    close: bool,
+    /// How many closer bounds are known.
+    pub level: u8,
+}
+
+/// What is known next of a location.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Next {
+    /// A closer bound.
+    Bound(f64),
+    /// No closer bound: it has to be evaluated.
+    Evaluate,
+    /// That it does not count after all.
+    Out,
 }
 
 impl Able {
     /// With a bound that costs little.
     pub fn new(location: usize, bound: f64) -> Self {
-        Self { location, bound, close: false }
+        Self { location, bound, level: 0 }
     }
 }
 
-/// The worst, of level ones the first as they are listed. `closer`: a closer bound, or nothing where the location does not count after all.
-pub(super) fn worst(
-    mut able: Vec<Able>,
-    mut closer: impl FnMut(usize) -> Option<f64>,
-    mut used: impl FnMut(usize) -> Used,
-) -> Option<Used> {
+impl PartialEq for Able {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Able {}
+
+impl PartialOrd for Able {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Able {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.bound.total_cmp(&other.bound).then(other.location.cmp(&self.location))
+    }
+}
+
+/// The worst, of level ones the first as they are listed. `next`: of a location of which so many closer bounds are known.
+pub(super) fn worst(able: Vec<Able>, mut next: impl FnMut(usize, u8) -> Next, mut used: impl FnMut(usize) -> Used) -> Option<Used> {
     let mut most: Option<Used> = None;
-    while let Some(k) = (0..able.len()).reduce(|m, k| if able[k].bound > able[m].bound { k } else { m }) {
-        let next = able.swap_remove(k);
-        if most.is_some_and(|m| next.bound < m.value) {
+    let mut able = BinaryHeap::from(able);
+    while let Some(top) = able.pop() {
+        if most.is_some_and(|m| top.bound < m.value) {
             break;
         }
-        if next.close {
-            let own = used(next.location);
-            let holds = |m: &Used| m.value > own.value || (m.value == own.value && m.location < own.location);
-            most = most.filter(holds).or(Some(own));
-        } else if let Some(bound) = closer(next.location) {
-            able.push(Able { bound: bound.min(next.bound), close: true, ..next });
+        match next(top.location, top.level) {
+            Next::Bound(bound) => able.push(Able { bound: bound.min(top.bound), level: top.level + 1, ..top }),
+            Next::Out => {}
+            Next::Evaluate => {
+                let own = used(top.location);
+                let holds = |m: &Used| m.value > own.value || (m.value == own.value && m.location < own.location);
+                most = most.filter(holds).or(Some(own));
+            }
         }
     }
     most

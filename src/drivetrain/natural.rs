@@ -19,6 +19,11 @@ const MOST_ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-12;
 /// Relative change of an own frequency that is good enough where the iteration is slow.
 const NEARLY: f64 = 1e-3;
+/// Modes that are faster than the lowest elastic one by more than this factor are slowed down to it, their compliance kept: an eigenvalue solver would lose the others in the rounding of theirs. The motions
+/// that matter change by less than the compliance of a stiff shaft times the square of their frequency over this.
+const TOO_FAST: f64 = 3e4;
+/// Share of that frequency above which a motion is one of those modes.
+const SLOWED: f64 = 0.99;
 /// Frequencies closer than this are one.
 const SAME: f64 = 1e-9;
 /// Rounds after which an iteration is given up that changes no less than this share of its last change.
@@ -54,14 +59,23 @@ pub(super) fn at_frequency(law: &dyn Law, omega: f64, order: f64) -> SpringAndDa
     })
 }
 
+/// Frequency above which modes count as too fast, rad/s.
+fn fastest(modes: &Modes) -> f64 {
+    modes.elastic().next().map_or(f64::INFINITY, |lowest| TOO_FAST * modes.omega[lowest])
+}
+
 impl Basis {
     /// The lowest `count` modes; `damped`: whether the engine's own damping counts.
     pub fn new(chain: &Chain, modes: &Modes, count: usize, damped: bool) -> Self {
         let kept = count.min(modes.omega.len());
-        let c = |i: usize, j: usize| modes.damping_between(chain, i, j, 0.5 * (modes.omega[i] + modes.omega[j]));
+        let slowed: Vec<f64> = modes.omega[..kept].iter().map(|w| (fastest(modes) / w).min(1.0)).collect();
+        let between = |i: usize, j: usize| modes.damping_between(chain, i, j, 0.5 * (modes.omega[i] + modes.omega[j]));
+        let c = |i: usize, j: usize| between(i, j) * slowed[i] * slowed[j];
+        let mut shapes = modes.shapes.columns(0, kept).into_owned();
+        shapes.column_iter_mut().zip(&slowed).for_each(|(mut shape, slowed)| shape *= *slowed);
         Self {
-            shapes: modes.shapes.columns(0, kept).into_owned(),
-            stiffness: modes.omega[..kept].iter().map(|w| w * w).collect(),
+            shapes,
+            stiffness: modes.omega[..kept].iter().zip(&slowed).map(|(w, slowed)| (w * slowed).powi(2)).collect(),
             damping: if damped { DMatrix::from_fn(kept, kept, c) } else { DMatrix::zeros(kept, kept) },
             scans: vec![OnceLock::new(); modes.shapes.nrows()],
         }
@@ -278,6 +292,12 @@ pub fn frequencies_hz(chain: &Chain, modes: &Modes, design: &[Mounted]) -> Vec<f
     }
     let eigenvalues = Basis::new(chain, modes, LARGEST_DENSE, false).eigenvalues(design, 1.0).unwrap_or_default();
     let mut frequencies: Vec<f64> = eigenvalues.iter().map(|s| s.im * HZ_PER_RAD_PER_S).collect();
+    // of modes that were slowed down the absorbers move none
+    let fastest = fastest(modes);
+    if modes.omega.iter().take(LARGEST_DENSE).any(|w| *w > fastest) {
+        frequencies.retain(|f| *f < SLOWED * fastest * HZ_PER_RAD_PER_S);
+        frequencies.extend(modes.omega.iter().take(LARGEST_DENSE).filter(|w| **w > fastest).map(|w| w * HZ_PER_RAD_PER_S));
+    }
     frequencies.sort_by(f64::total_cmp);
     // two motions of the constant springs may lead to one of the laws
     if !is_constant(design) {

@@ -65,7 +65,7 @@ impl<'a> Cycle<'a> {
     }
 
     /// The loads at a speed, at every `stride`-th sample of the pressure (a divisor of their number). Gas pressure is linear between the tabulated
-    /// speeds.
+    /// speeds and held at their ends.
     pub fn loads(&self, speed_rpm: f64, stride: usize) -> ThrowLoads {
         let mut loads = ThrowLoads::default();
         self.loads_into(speed_rpm, stride, &mut loads);
@@ -120,7 +120,7 @@ impl<'a> Cycle<'a> {
     /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.
     pub(crate) fn moments(&self, speed_rpm: f64, stride: usize) -> Vec<Moment> {
         let n = samples(self.engine.strokes) / stride;
-        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::interval(self.speeds_rpm, speed_rpm) };
+        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::held(self.speeds_rpm, speed_rpm) };
         let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
         let gas = |j: usize| low[j] + (high[j] - low[j]) * fraction;
         let omega = speed_rpm * RAD_PER_S_PER_RPM;

@@ -227,8 +227,8 @@ impl Excitation {
         self.phases.len()
     }
 
-    /// Complex torque amplitude of one firing unit, N m, before its firing phase. Gas torque is linear between the tabulated speeds, inertia
-    /// torque exact in the square of the speed.
+    /// Complex torque amplitude of one firing unit, N m, before its firing phase. Gas torque is linear between the tabulated speeds and held at their
+    /// ends, inertia torque exact in the square of the speed.
     pub fn unit_torque(&self, order: usize, speed_rpm: f64) -> C64 {
         let gas = self.between(&self.gas, order, speed_rpm);
         let omega = speed_rpm * RAD_PER_S_PER_RPM;
@@ -242,17 +242,17 @@ impl Excitation {
         if self.gas.len() == 1 {
             return self.gas[0].iter().zip(&self.inertia).map(|(g, i)| with_inertia(*g, i)).collect();
         }
-        let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
+        let (i, fraction) = nearest::held(&self.tabulated_rpm, speed_rpm);
         let between = self.gas[i].iter().zip(&self.gas[i + 1]).map(|(a, b)| a + (b - a) * fraction);
         between.zip(&self.inertia).map(|(g, i)| with_inertia(g, i)).collect()
     }
 
-    /// Linear between the tabulated speeds.
+    /// Linear between the tabulated speeds, held at their ends.
     fn between(&self, table: &[Vec<C64>], order: usize, speed_rpm: f64) -> C64 {
         if table.len() == 1 {
             return table[0][order];
         }
-        let (i, fraction) = nearest::interval(&self.tabulated_rpm, speed_rpm);
+        let (i, fraction) = nearest::held(&self.tabulated_rpm, speed_rpm);
         table[i][order] + (table[i + 1][order] - table[i][order]) * fraction
     }
 

@@ -28,21 +28,26 @@ impl Load {
         }
     }
 
-    /// Speeds at which a curve tabulated at `speeds` has corners once it runs at this load: both tables within the range of `speeds`.
-    pub(crate) fn corners(&self, speeds: &[f64]) -> Vec<f64> {
-        let within = |s: &&f64| **s > speeds[0] && **s < speeds[speeds.len() - 1];
-        let mut all: Vec<f64> = speeds.iter().chain(self.speeds_rpm.iter().filter(within)).copied().collect();
+    /// Speeds at which a curve tabulated at `speeds` has corners once it runs at this load from the lowest to the highest speed of `range`: both tables, and where the
+    /// load varies beyond the curve, whose ends are held there, those of the range.
+    pub(crate) fn corners(&self, speeds: &[f64], range: (f64, f64)) -> Vec<f64> {
+        let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+        let (low, high) = (first.min(range.0), last.max(range.1));
+        let within = |s: &&f64| **s > low && **s < high;
+        let varies = self.speeds_rpm.len() > 1;
+        let beyond = [low, high].into_iter().filter(|s| varies && !(first..=last).contains(s));
+        let mut all: Vec<f64> = speeds.iter().chain(self.speeds_rpm.iter().filter(within)).copied().chain(beyond).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
     }
 }
 
-/// Linear between tabulated values.
+/// Linear between tabulated values, held at their ends.
 pub(crate) fn between(speeds: &[f64], values: &[f64], speed: f64) -> f64 {
     if speeds.len() == 1 {
         return values[0];
     }
-    let (i, fraction) = nearest::interval(speeds, speed);
+    let (i, fraction) = nearest::held(speeds, speed);
     values[i] + (values[i + 1] - values[i]) * fraction
 }

@@ -34,12 +34,12 @@ pub(crate) const ADDITIONAL_BENDING: f64 = 10.0 * PA_PER_MPA;
 pub(crate) const STRENGTHS: (f64, f64) = (400.0 * PA_PER_MPA, 1700.0 * PA_PER_MPA);
 /// Least acceptability factor, section 7.
 pub(crate) const ACCEPTABLE: f64 = 1.15;
-/// A fillet radius below this counts as it, m.
+/// A fillet radius, or half the diameter of an oil bore, below this counts as it, m \[IACS UR M53\] section 6.
 const LEAST_RADIUS: f64 = 2.0 * M_PER_MM;
 
 impl ClassRule {
     /// Allowable alternating stress sigma_DW, Pa, section 6: K (0.42 s + 39.3)(0.264 + 1.073 D^-0.2 + (785 - s)/4900 + 196/s sqrt(1/R)) in N and mm.
-    /// `diameter` of pin or journal; `radius` of the fillet, or half the diameter of an oil bore, m.
+    /// `diameter` of pin or journal; `radius` of the fillet, or half the diameter of an oil bore, m, both taken as no less than 2 mm.
     pub fn fatigue_strength(&self, diameter: f64, radius: f64, is_bore: bool) -> f64 {
         let k = match self.manufacture {
             // more than one is for fillets only
@@ -48,8 +48,7 @@ impl ClassRule {
             Manufacture::FreeForged => 1.0,
             Manufacture::CastColdRolled => 0.93,
         };
-        let radius = if is_bore { radius } else { radius.max(LEAST_RADIUS) };
-        let (s, d, r) = (self.tensile / PA_PER_MPA, diameter / M_PER_MM, radius / M_PER_MM);
+        let (s, d, r) = (self.tensile / PA_PER_MPA, diameter / M_PER_MM, radius.max(LEAST_RADIUS) / M_PER_MM);
         let shape = 0.264 + 1.073 * d.power(-0.2) + (785.0 - s) / 4900.0 + 196.0 / s * (1.0 / r).sqrt();
         k * (0.42 * s + 39.3) * shape * PA_PER_MPA
     }

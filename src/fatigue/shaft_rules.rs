@@ -59,11 +59,11 @@ impl ShaftRule {
         }
     }
 
-    /// Ratios of speeds between which its limit is nearly linear.
+    /// Ratios of speeds between which its limit is nearly linear, the last one that up to which there is a limit.
     pub fn ratios(self) -> Vec<f64> {
         let below = |last: f64| (1..=(last / STEP).round() as usize).map(|i| i as f64 * STEP);
         match self {
-            Self::Propulsion { .. } => below(0.9).collect(),
+            Self::Propulsion { .. } => below(0.9).chain([self.top()]).collect(),
             Self::Crank { .. } => {
                 let above = (1..=ABOVE).map(|i| 1.0 + (self.top() - 1.0) * (i as f64 / ABOVE as f64).powi(2));
                 below(1.0).chain(above).collect()

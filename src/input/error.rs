@@ -2,6 +2,8 @@
 
 pub use super::at::At;
 use super::excerpt::{shortened, window};
+use super::letters::fault;
+use super::wording::{BACKSLASH, has_escapes, is_table, of_grammar};
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -84,18 +86,21 @@ impl fmt::Display for Mistake {
     }
 }
 
-impl fmt::Display for InputError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, mistake) in self.mistakes.iter().enumerate() {
-            write!(f, "{}{mistake}", if i > 0 { "\n" } else { "" })?;
-        }
-        Ok(())
-    }
-}
-
 impl std::error::Error for InputError {}
 
 impl InputError {
+    /// The same mistakes with files of one folder called as in another.
+    #[must_use]
+    pub(crate) fn moved(mut self, from: &Path, to: &Path) -> Self {
+        for mistake in &mut self.mistakes {
+            let (Place::File(path) | Place::Text { path, .. } | Place::Cell { path, .. }) = &mut mistake.place;
+            if let Ok(name) = path.strip_prefix(from) {
+                *path = to.join(name);
+            }
+        }
+        self
+    }
+
     /// Mistakes in the order of the lines they stand in.
     pub(crate) fn sorted(mut mistakes: Vec<Mistake>) -> Self {
         mistakes.sort_by_key(|m| match &m.place {
@@ -110,6 +115,24 @@ impl InputError {
 impl From<Mistake> for InputError {
     fn from(mistake: Mistake) -> Self {
         Self { mistakes: vec![mistake] }
+    }
+}
+
+/// Where a file was looked for, and why it may not be there.
+pub(crate) fn looked_for(path: &Path) -> String {
+    let name = path.to_string_lossy();
+    if has_escapes(&name) {
+        return format!("looked for {}: {BACKSLASH}", name.escape_debug());
+    }
+    format!("looked for {name}; paths are relative to the file they stand in")
+}
+
+/// What a file that is no UTF-8 may be, and how to mend it.
+fn encoded(bytes: &[u8]) -> &'static str {
+    match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "this is UTF-16: save the file as UTF-8",
+        [b'P', b'K', ..] | [0xd0, 0xcf, ..] => "this is a workbook or an archive: studies and engines are texts (TOML), tables are CSV",
+        _ => "this may be latin-1 (Windows-1252): save the file as UTF-8",
     }
 }
 
@@ -164,10 +187,7 @@ impl Source {
     /// # Errors
     /// Where it cannot be read; the place is where it is named.
     pub(crate) fn read_named(path: &Path, named_in: &Self, span: Range<usize>) -> Result<Self, InputError> {
-        let bytes = read_bytes(path).map_err(|reason| {
-            let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
-            named_in.mistake(span, reason, Some(help))
-        })?;
+        let bytes = read_bytes(path).map_err(|reason| named_in.mistake(span, reason, Some(looked_for(path))))?;
         Self::decode(path, bytes)
     }
 
@@ -175,9 +195,11 @@ impl Source {
         String::from_utf8(bytes).map(|text| Self { path: path.to_path_buf(), text }).map_err(|e| {
             let good = e.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(e.as_bytes()).into_owned();
+            let help =
+                if is_table(&text) { "this is a table: `hartog import` takes one of masses and shafts" } else { encoded(e.as_bytes()) };
             // what is good stands at the same place in the lossy text
             let source = Self { path: path.to_path_buf(), text };
-            source.mistake(good..good + 1, "found bytes that are not text, expected UTF-8".into(), None).into()
+            source.mistake(good..good + 1, "found bytes that are not text, expected UTF-8".into(), Some(help.into())).into()
         })
     }
 
@@ -220,97 +242,16 @@ impl Source {
     /// The first mistake of grammar, key or type.
     pub fn parse<T: serde::de::DeserializeOwned>(&self) -> Result<T, InputError> {
         toml::from_str(&self.text).map_err(|e| {
+            if self.text.lines().all(|line| line.trim().is_empty() || line.trim_start().starts_with('#')) {
+                let help = "`hartog new` writes files to begin with".to_owned();
+                let message = "found an empty file, expected one with keys".to_owned();
+                return Mistake { message, place: Place::File(self.path.clone()), help: Some(help) }.into();
+            }
             let span = e.span().unwrap_or(0..0);
-            let (message, help) = self.decimal_comma(&span).map_or_else(|| reword(e.message()), |found| (found, None));
+            let (message, help) = of_grammar(&self.text, &span, e.message());
             self.mistake(span, message, help).into()
         })
     }
-}
-
-impl Source {
-    /// A comma between digits where one value was expected.
-    fn decimal_comma(&self, span: &Range<usize>) -> Option<String> {
-        let (before, rest) = self.text.split_at_checked(span.start)?;
-        let digits = |c: char| c.is_ascii_digit();
-        let whole = &before[before.trim_end_matches(digits).len()..];
-        let decimals = rest.strip_prefix(',')?;
-        let decimals = &decimals[..decimals.len() - decimals.trim_start_matches(digits).len()];
-        let stands_alone = before[..before.len() - whole.len()].trim_end_matches([' ', '-', '+']).ends_with('=');
-        (stands_alone && !whole.is_empty() && !decimals.is_empty())
-            .then(|| format!("found the decimal comma of `{whole},{decimals}`, expected a point: `{whole}.{decimals}`"))
-    }
-}
-
-/// Serde's messages in the words of an input file.
-fn reword(message: &str) -> (String, Option<String>) {
-    let message = message.trim_end();
-    if let Some((key, rest)) = message.strip_prefix("unknown field `").and_then(|m| m.split_once('`')) {
-        let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
-        let help = closest(key, &known).map(|k| {
-            let same_quantity = key.rsplit_once('_').is_some_and(|(quantity, _)| k.starts_with(quantity));
-            format!("did you mean `{k}`?{}", if same_quantity { " The unit is part of the key" } else { "" })
-        });
-        let half = key.starts_with("stroke") && known.contains(&"crank_radius_mm");
-        let help = if half { Some("`crank_radius_mm` is half the stroke".to_owned()) } else { help };
-        return (format!("found unknown key `{key}`, expected {}", list(&known)), help);
-    }
-    if let Some((variant, rest)) = message.strip_prefix("unknown variant `").and_then(|m| m.split_once('`')) {
-        let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
-        let help = closest(variant, &known).map(|k| format!("did you mean `{k}`?"));
-        return (format!("found `{variant}`, expected {}", list(&known)), help);
-    }
-    if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.split('`').next()) {
-        return (format!("key `{key}` is missing in this table"), None);
-    }
-    if let Some((found, expected)) = message.strip_prefix("invalid type: ").and_then(|m| m.split_once(", expected ")) {
-        let found = found.replace("map", "a table").replace("sequence", "a list").replace(" as i128", "");
-        return (format!("found {found}, expected {}", plain_type(expected)), None);
-    }
-    if let Some((found, expected)) = message.strip_prefix("invalid value: ").and_then(|m| m.split_once(", expected ")) {
-        let most = if found.starts_with("integer ") { format!(" from {} to {}", i64::MIN, i64::MAX) } else { String::new() };
-        return (format!("found {found}, expected {}{most}", plain_type(expected)), None);
-    }
-    if let Some((found, expected)) = message.strip_prefix("invalid length ").and_then(|m| m.split_once(", expected ")) {
-        return (format!("found {found} values, expected {}", plain_type(expected)), None);
-    }
-    if message.starts_with("wanted exactly 1 element") {
-        return ("found several or no keys, expected exactly one choice in this table".to_owned(), None);
-    }
-    if message.starts_with("wanted string or table") {
-        return ("found another type, expected one choice: a table with one key".to_owned(), None);
-    }
-    (message.replace('\n', ", "), None)
-}
-
-fn plain_type(expected: &str) -> &str {
-    match expected {
-        "f64" => "a number",
-        "i64" | "u64" | "u32" | "usize" => "a whole number",
-        "a string" => "a text in quotes",
-        "a sequence" => "a list",
-        "an array of length 2" => "two values",
-        other if other.starts_with("struct ") => "a table",
-        other => other,
-    }
-}
-
-fn list(known: &[&str]) -> String {
-    let quoted: Vec<String> = known.iter().map(|k| format!("`{k}`")).collect();
-    match quoted.as_slice() {
-        [] => "no key here".to_owned(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} or {last}", first.join(", ")),
-    }
-}
-
-/// The known word most like `word`: with the longest common start, at least half of it.
-pub(crate) fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
-    let common = |k: &str| {
-        let start = word.chars().zip(k.chars()).take_while(|(a, b)| a == b).count();
-        let end = word.chars().rev().zip(k.chars().rev()).take_while(|(a, b)| a == b).count();
-        (start + end).min(word.len())
-    };
-    known.iter().copied().max_by_key(|k| (common(k), usize::MAX - k.len())).filter(|k| 2 * common(k) > word.len())
 }
 
 /// Collects mistakes while a file is checked, so that all are reported at once.
@@ -322,6 +263,8 @@ pub struct Check<'a> {
     pub mistakes: Vec<Mistake>,
 }
 
+/// Mistakes of a file that have a place: more than are ever told.
+const MOST_PLACED: usize = 1000;
 /// Smallest and largest size of a number that is not zero.
 const SMALLEST: f64 = 1e-20;
 const LARGEST: f64 = 1e20;
@@ -334,12 +277,23 @@ impl<'a> Check<'a> {
 
     /// Records a mistake.
     pub fn wrong<T>(&mut self, at: &At<T>, message: impl Into<String>) {
-        self.mistakes.push(self.source.mistake(at.span(), message.into(), None));
+        self.put(at.span(), message.into(), None);
     }
 
     /// Records a mistake with help.
     pub(crate) fn wrong_with_help<T>(&mut self, at: &At<T>, message: impl Into<String>, help: impl Into<String>) {
-        self.mistakes.push(self.source.mistake(at.span(), message.into(), Some(help.into())));
+        self.put(at.span(), message.into(), Some(help.into()));
+    }
+
+    fn put(&mut self, span: Range<usize>, message: String, help: Option<String>) {
+        // finding a line takes a walk through the file: those after very many are counted only
+        let counted = || Mistake {
+            message: String::new(),
+            place: Place::Cell { path: PathBuf::new(), row: u64::MAX, column: String::new() },
+            help: None,
+        };
+        let placed = self.mistakes.len() < MOST_PLACED;
+        self.mistakes.push(if placed { self.source.mistake(span, message, help) } else { counted() });
     }
 
     /// A number within a range, whose words are `expected`; written so that nan is outside every range.
@@ -364,8 +318,10 @@ impl<'a> Check<'a> {
 
     /// A name for tables and plots.
     pub fn name(&mut self, name: &At<String>) {
-        if name.get_ref().chars().any(char::is_control) || name.get_ref().chars().count() > 100 {
-            self.wrong(name, "found a name with control characters or more than 100 letters, expected one that can be printed");
+        if let Some(fault) = fault(name.get_ref()) {
+            self.wrong(name, format!("found {fault}"));
+        } else if name.get_ref().chars().count() > 100 {
+            self.wrong(name, "found a name of more than 100 letters, expected one that can be printed");
         }
     }
 

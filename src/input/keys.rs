@@ -101,7 +101,14 @@ fn bounds(schema: &Value) -> String {
     let low = number("minimum").map(|x| format!("at least {x}")).or_else(|| number("exclusiveMinimum").map(|x| format!("above {x}")));
     let high = number("maximum").map(|x| format!("at most {x}")).or_else(|| number("exclusiveMaximum").map(|x| format!("below {x}")));
     let numbers = schema.get("enum").and_then(Value::as_array).map(|list| list.iter().map(short).collect::<Vec<_>>().join(" or "));
-    [low, high, numbers].into_iter().flatten().map(|b| format!(", {b}")).collect()
+    let either = schema.get("anyOf").and_then(Value::as_array).and_then(|list| list.iter().map(span).collect::<Option<Vec<_>>>());
+    let either = either.map(|spans| spans.join(" or "));
+    [low, high, numbers, either].into_iter().flatten().map(|b| format!(", {b}")).collect()
+}
+
+/// One of several ranges of a number.
+fn span(schema: &Value) -> Option<String> {
+    Some(format!("from {} to {}", short(schema.get("minimum")?), short(schema.get("maximum")?)))
 }
 
 /// A number as short as it can be said.

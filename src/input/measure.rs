@@ -73,6 +73,11 @@ impl UnitOf {
         }
     }
 
+    /// A ratio of two values inside as the ratio of the values that are reported: its inverse for a margin and a life.
+    pub(crate) fn ratio(self, inside: f64) -> f64 {
+        if self.is_inverse() { 1.0 / inside } else { inside }
+    }
+
     /// Whether more of it is better: inside it is the inverse.
     pub(crate) fn is_inverse(self) -> bool {
         matches!(self, Self::Margin | Self::Life)

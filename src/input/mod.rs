@@ -6,23 +6,28 @@ mod excerpt;
 mod files;
 pub(crate) mod import;
 pub mod keys;
+mod letters;
 pub mod measure;
 pub mod published;
 mod schema;
 pub mod tables;
+mod told;
 mod validation;
+mod wording;
 
 pub use error::InputError;
-pub(crate) use files::{InputFile, noted};
+pub(crate) use files::{InputFile, checksum, noted, remarked};
 pub(crate) use import::{FoundChain, FoundStation, FoundTraces};
+pub(crate) use letters::is_hidden;
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;
 pub(crate) use validation::RETUNED;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Reciprocating,
-    ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
+    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Placeholder,
+    Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
 };
+pub(crate) use wording::closest;
 
 use error::Source;
 use std::path::Path;
@@ -33,6 +38,7 @@ use std::path::Path;
 /// [`InputError`] with every mistake found.
 pub(crate) fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
     let source = Source::read(path)?;
+    no_table(&source, "a material file in TOML", "it has keys such as `tensile_strength_mpa = 900`")?;
     let raw: schema::material::RawMaterialFile = source.parse()?;
     validation::material::resolve(&source, &raw)
 }
@@ -51,12 +57,25 @@ fn another_kind(path: &Path, message: &str) -> InputError {
     error::Mistake { message: message.to_owned(), place: error::Place::File(path.to_path_buf()), help: None }.into()
 }
 
+/// A file in TOML, not a table.
+///
+/// # Errors
+/// [`InputError`] that tells what takes the table.
+fn no_table(source: &Source, expected: &str, help: &str) -> Result<(), InputError> {
+    if !wording::is_table(source.text()) {
+        return Ok(());
+    }
+    let message = format!("found a table, expected {expected}");
+    Err(error::Mistake { message, place: error::Place::File(source.path().to_path_buf()), help: Some(help.to_owned()) }.into())
+}
+
 /// Reads and checks a sizing file and the tables it names.
 ///
 /// # Errors
 /// [`InputError`] with every mistake found.
 pub fn read_sizing(path: &Path) -> Result<SizingStudy, InputError> {
     let source = Source::read(path)?;
+    no_table(&source, "a sizing file in TOML", "`hartog size` takes the operating data of an engine; `hartog import` takes tables")?;
     if has(&source, "engine") {
         return Err(another_kind(path, "found a study of an engine, expected a sizing file: `hartog run` takes it"));
     }
@@ -117,6 +136,13 @@ fn mass_elastic(
 }
 
 fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
+    let (study, remarks) = files::remarked(|| resolved(path, source));
+    study.map(|study| Study { remarks, ..study })
+}
+
+fn resolved(path: &Path, source: &Source) -> Result<Study, InputError> {
+    let make = format!("`hartog import {} own` makes a study of a table of masses and shafts", path.display());
+    no_table(source, "a study in TOML", &make)?;
     if has(source, "mechanism") {
         return Err(another_kind(path, "found a sizing file, expected a study: `hartog size` takes it, and writes a study"));
     }
@@ -130,6 +156,11 @@ fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let engine_path = folder.join(study.engine.get_ref());
     let engine_source = Source::read_named(&engine_path, source, study.engine.span())?;
+    no_table(
+        &engine_source,
+        "an engine file in TOML",
+        "its `[chain]` names a table of masses and shafts as `file`, its `[pressure.measured]` one of pressures",
+    )?;
     parsed(path, source, &study, &engine_path, &engine_source)
 }
 

@@ -135,6 +135,10 @@ impl<F: FnMut(&[f64]) -> Result<Vec<f64>, E>, E> State<F, E> {
         if self.best.as_ref().is_none_or(|b| fit.cost() < b.0) {
             self.best = Some((fit.cost(), fit.clone()));
         }
+        // no decomposition of a matrix that is not finite ends
+        if !fit.cost().is_finite() || fit.jacobian.iter().any(|d| !d.is_finite()) {
+            return Err(Error::msg("the residuals or their derivatives are not finite"));
+        }
         if let Some((from, before)) = self.known.take() {
             self.learn((&from, &before), (u, &fit));
         }

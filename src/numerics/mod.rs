@@ -3,6 +3,7 @@
 pub(crate) mod branchless;
 pub mod eigen;
 pub mod elementary;
+pub mod ellipsoid;
 pub mod enclosing;
 pub(crate) mod extents;
 pub(crate) mod extremes;
@@ -17,6 +18,7 @@ pub mod maximise;
 pub mod nearest;
 pub(crate) mod periodic_sums;
 pub(crate) mod piecewise;
+pub mod polyline;
 pub(crate) mod product;
 pub mod quadrature;
 pub mod rainflow;

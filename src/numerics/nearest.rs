@@ -7,6 +7,11 @@ pub fn interval(table: &[f64], x: f64) -> (usize, f64) {
     (i, (x - table[i]) / (table[i + 1] - table[i]))
 }
 
+/// The same with the ends held: outside the table the value at its end counts.
+pub(crate) fn held(table: &[f64], x: f64) -> (usize, f64) {
+    interval(table, x.clamp(table[0], table[table.len() - 1]))
+}
+
 /// The left index of the interval of a table (as above) whose steps are nearly even.
 pub(crate) fn in_nearly_even(table: &[f64], x: f64) -> usize {
     let last = table.len() - 2;

@@ -55,6 +55,19 @@ pub enum Property {
     },
 }
 
+/// Share by which speeds may differ and be the same: rounding of corners that are products, and of speeds that are sums of steps.
+const SAME_SPEED: f64 = 1e-9;
+
+/// Whether two speeds differ by rounding only.
+pub(crate) fn is_same_speed(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_SPEED * a.abs().max(b.abs())
+}
+
+/// A range with speeds at its ends that differ from them by rounding.
+pub(super) fn with_its_ends((low, high): (f64, f64)) -> (f64, f64) {
+    (low * (1.0 - SAME_SPEED), high * (1.0 + SAME_SPEED))
+}
+
 /// Where a measure counts, and how much.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Within {
@@ -86,7 +99,7 @@ impl Within {
 
     /// Whether it counts at a speed.
     pub(crate) fn holds(&self, speed_rpm: f64) -> bool {
-        self.ranges.is_empty() || self.ranges.iter().any(|r| (r.0..=r.1).contains(&speed_rpm))
+        self.ranges.is_empty() || self.ranges.iter().map(|r| with_its_ends(*r)).any(|r| (r.0..=r.1).contains(&speed_rpm))
     }
 
     /// Speeds at which it is not smooth, rpm.

@@ -4,6 +4,7 @@ use super::local_maxima;
 use super::measure::Measure;
 use super::peak::Peak;
 use super::peak_search::{Found, PeakFinder};
+use super::sharp_resonances::{RISE, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::response::{Quantity, Response, ResponseError, Work};
@@ -37,12 +38,17 @@ impl PeakFinder<'_> {
         let orders = self.system.orders();
         let weights: Vec<f64> = speeds.rpm.iter().map(|s| measure.within.weight(*s)).collect();
         let of = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
-        let top = only.clone().flat_map(of).fold(found.best, f64::max);
+        let mut top = only.clone().flat_map(of).fold(found.best, f64::max);
         for order in only {
             let values: Vec<f64> = of(order).collect();
             let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
-            for candidate in local_maxima::maxima(&speeds.rpm, &values) {
-                let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
+            let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
+            let wanted = found.keep * found.best.max(top);
+            let rise = |i: usize, n: usize| if n == order { RISE * values[i] } else { 0.0 };
+            let finer = resolved_values((speeds, &values), wanted, rise, |speed| value_at(speed, work))?;
+            let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
+            top = values.iter().copied().fold(top, f64::max);
+            for candidate in local_maxima::maxima(&speeds.rpm, values) {
                 let wanted = found.keep * found.best.max(top);
                 let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
                     continue;

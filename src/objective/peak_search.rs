@@ -184,20 +184,7 @@ impl<'a> PeakFinder<'a> {
         let (orders, mut hint) = (self.system.orders(), 0.0);
         match measure.over {
             Over::Synthesis | Over::Margin(_) => {
-                let swept = self.swept(design, measure, &speeds, shared, work)?;
-                let mut sweeps: Vec<(&Quantity, &Sweep)> = measure.quantities.iter().zip(swept.iter()).collect();
-                if let Over::Margin(_) = measure.over {
-                    self.worst_first(measure, &speeds, &mut sweeps, shared);
-                    hint = self.used_at_known_peaks(measure, (&speeds, &sweeps), shared, work);
-                    found.best = found.best.max(hint);
-                }
-                for (quantity, sweep) in sweeps {
-                    let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
-                    for (part, speeds) in &parts {
-                        let sweep = &sweep[part.start * orders..part.end * orders];
-                        self.synthesised(design, (*quantity, measure.over, metric), (speeds, sweep), &mut found, work)?;
-                    }
-                }
+                hint = self.sums(design, measure, (&speeds, &parts), shared, &mut found, work)?;
             }
             Over::Orders | Over::Order(_) => {
                 let only = self.orders_of(measure.over);
@@ -228,6 +215,39 @@ impl<'a> PeakFinder<'a> {
             shared.worst.borrow_mut().push((peak.quantity, peak.speed_rpm));
         }
         Ok(peaks)
+    }
+
+    /// Local maxima of sums of orders, some quantities after the others; returns the share of its strength that the crank uses beside known peaks, zero of other measures.
+    fn sums(
+        &self,
+        design: &[Mounted],
+        measure: &Measure,
+        (speeds, parts): (&Speeds, &[(Range<usize>, Speeds)]),
+        shared: &Shared,
+        found: &mut Found,
+        work: &mut Work,
+    ) -> Result<f64, ResponseError> {
+        let (orders, mut hint) = (self.system.orders(), 0.0);
+        let turns = self.turns(measure, speeds);
+        for measure in &turns {
+            // what is swept in turns is not held for other measures
+            let held = if turns.len() == 1 { shared } else { &Shared::default() };
+            let swept = self.swept(design, measure, speeds, held, work)?;
+            let mut sweeps: Vec<(&Quantity, &Sweep)> = measure.quantities.iter().zip(swept.iter()).collect();
+            if let Over::Margin(_) = measure.over {
+                self.worst_first(measure, speeds, &mut sweeps, shared);
+                hint = self.used_at_known_peaks(measure, (speeds, &sweeps), shared, work);
+                found.best = found.best.max(hint);
+            }
+            for (quantity, sweep) in sweeps {
+                let metric = PointMetric::of(measure.over, *quantity, &measure.within, self.margin, Some(&shared.known));
+                for (part, speeds) in parts {
+                    let sweep = &sweep[part.start * orders..part.end * orders];
+                    self.synthesised(design, (*quantity, measure.over, metric), (speeds, sweep), found, work)?;
+                }
+            }
+        }
+        Ok(hint)
     }
 
     /// Indices of the orders that a measure of single orders asks for.

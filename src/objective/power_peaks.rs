@@ -5,6 +5,7 @@ use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
 use super::peak_search::{Found, PeakFinder};
 use super::shared::Sweep;
+use super::sharp_resonances::{RISE, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
 use crate::numerics::ZERO;
@@ -55,18 +56,28 @@ impl PeakFinder<'_> {
             measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
         let values: Vec<f64> = (0..speeds.rpm.len()).map(at).collect();
+        let value_at = |speed: f64, work: &mut Work| -> Result<f64, ResponseError> {
+            Ok(self.powers_at(design, measure, speed, work)?.iter().sum::<f64>() * measure.within.weight(speed))
+        };
+        let rise = |i: usize, n: usize| {
+            let at = self.operating(n, speeds.rpm[i]);
+            let own = |(r, y): (usize, &Sweep)| {
+                design[r].absorber.law().map_or(0.0, |law| law.dissipated_power(at, y[(start + i) * orders + n].norm_sqr()))
+            };
+            RISE * (2.0 + RISE) * measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
+        };
+        let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);
+        let finer = resolved_values((speeds, &values), wanted, rise, |speed| value_at(speed, work))?;
+        let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
         let known = found.peaks.iter().map(|peak| peak.value).chain(values.iter().copied()).fold(0.0, f64::max);
         let top = known.max(found.best);
-        for candidate in local_maxima::maxima(&speeds.rpm, &values) {
+        for candidate in local_maxima::maxima(&speeds.rpm, values) {
             if candidate.value < LEAST_SHARE * found.keep * known {
                 break;
             }
-            let value_at = |speed: f64, work: &mut Work| -> Result<f64, ResponseError> {
-                Ok(self.powers_at(design, measure, speed, work)?.iter().sum::<f64>() * measure.within.weight(speed))
-            };
             let wanted = found.keep * found.best.max(top);
             let smooth = if self.refine && candidate.may_reach(wanted, speeds.is_narrow(candidate.index)) {
-                local_maxima::smooth_top(candidate.index, speeds, &values, |speed| value_at(speed, work))?
+                local_maxima::smooth_top(candidate.index, speeds, values, |speed| value_at(speed, work))?
             } else {
                 None
             };
@@ -85,7 +96,7 @@ impl PeakFinder<'_> {
     }
 
     /// Frequency of an order at a speed.
-    fn operating(&self, order: usize, speed_rpm: f64) -> Operating {
+    pub(super) fn operating(&self, order: usize, speed_rpm: f64) -> Operating {
         Operating { omega: self.system.excitation.orders[order].omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }
     }
 

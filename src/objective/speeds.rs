@@ -1,10 +1,12 @@
 //! Speeds at which a design is evaluated: those of the study, and more where a resonance is too narrow for them.
 
+use super::measure::{is_same_speed, with_its_ends};
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::drivetrain::natural::{Basis, depends_on_speed, is_constant};
 use crate::engine::Order;
 use crate::numerics::C64;
+use crate::numerics::elementary::Elementary;
 use crate::response::Grid;
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
 
@@ -23,6 +25,10 @@ const MOST_MODES: usize = 24;
 const FULL_MODES: usize = 64;
 /// Damping ratios below this are rounding of zero.
 const UNDAMPED: f64 = 1e-10;
+/// What is this many times as far from its nearest resonance as speeds are from each other (its half-width counts) is smooth between them.
+const SMOOTH: f64 = 8.0;
+/// Parts that one distance between speeds is cut into, at most.
+const MOST_PARTS: usize = 16;
 
 /// The chain as far as narrow resonances need it.
 #[derive(Debug)]
@@ -41,6 +47,23 @@ pub struct Pole {
     pub speed_rpm: f64,
 }
 
+/// A resonance that is not wide for the distance of the speeds beside it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sharp {
+    /// Index of the order that meets it.
+    pub order: usize,
+    speed_rpm: f64,
+    /// rpm.
+    half_width: f64,
+}
+
+impl Sharp {
+    /// How far it is from an interval of speeds: the distance of its pole in the plane of complex speeds, rpm.
+    fn distance(&self, (low, high): (f64, f64)) -> f64 {
+        (self.speed_rpm - self.speed_rpm.clamp(low, high)).hypotenuse(self.half_width)
+    }
+}
+
 /// Speeds of one design.
 #[derive(Debug, Clone)]
 pub struct Speeds {
@@ -52,6 +75,8 @@ pub struct Speeds {
     pub added: Vec<usize>,
     /// Resonances in the range that nothing damps, as far as eigenvalues tell.
     pub poles: Vec<Pole>,
+    /// Resonances in the range or beside it that values at these speeds may not show.
+    pub(super) sharp: Vec<Sharp>,
 }
 
 impl Resonances {
@@ -68,13 +93,17 @@ impl Resonances {
     pub fn speeds(&self, system: &System, grid: &Grid, design: &[Mounted]) -> Speeds {
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let mut more: Vec<f64> = Vec::new();
-        let mut poles = Vec::new();
+        let (mut poles, mut sharp) = (Vec::new(), Vec::new());
         let mut consider = |s: C64, n: usize, order: Order| {
             let own_damping = damping_ratio(s);
             let damping = own_damping.max(LEAST_DAMPING);
             let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
             let step = step_at(&grid.speed_rpm, speed);
             let half_width = damping * speed;
+            let near = SMOOTH * step;
+            if std::env::var("OLD").is_err() && half_width < near && (low - near..=high + near).contains(&speed) {
+                sharp.push(Sharp { order: n, speed_rpm: speed, half_width });
+            }
             if half_width > STEPS * step || speed < low - step || speed > high + step {
                 return;
             }
@@ -105,14 +134,13 @@ impl Resonances {
         }
         more.retain(|s| (low..=high).contains(s));
         if more.is_empty() {
-            return Speeds { poles, ..Speeds::of(grid) };
+            return Speeds { poles, sharp, ..Speeds::of(grid) };
         }
         let own = grid.speed_rpm.iter().zip(&grid.kink).map(|(s, k)| (*s, *k, false));
         let mut all: Vec<(f64, bool, bool)> = own.chain(more.into_iter().map(|s| (s, false, true))).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
-        all.dedup_by(|b, a| b.0 == a.0);
+        each_once(&mut all);
         let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
-        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles }
+        Speeds { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles, sharp }
     }
 }
 
@@ -144,6 +172,22 @@ impl Resonances {
     }
 }
 
+/// Puts speeds (each with whether there is a kink, and whether it was added) into ascending order, each once. Two that differ by rounding are one: which of them has the larger value says nothing, and would make a
+/// local maximum of a flank. That of the grid stays, where values are known.
+fn each_once(all: &mut Vec<(f64, bool, bool)>) {
+    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+    all.dedup_by(|b, a| {
+        let is_same = (a.2 || b.2) && is_same_speed(a.0, b.0);
+        if is_same {
+            a.1 |= b.1;
+            if !b.2 {
+                (a.0, a.2) = (b.0, false);
+            }
+        }
+        is_same
+    });
+}
+
 /// Fraction of critical damping of an eigenvalue.
 fn damping_ratio(s: C64) -> f64 {
     -s.re / s.norm()
@@ -152,7 +196,7 @@ fn damping_ratio(s: C64) -> f64 {
 impl Speeds {
     /// Those of a grid.
     pub fn of(grid: &Grid) -> Self {
-        Self { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new(), poles: Vec::new() }
+        Self { rpm: grid.speed_rpm.clone(), kink: grid.kink.clone(), added: Vec::new(), poles: Vec::new(), sharp: Vec::new() }
     }
 
     /// Whether a speed or one of its neighbours was added for a resonance: there, peaks are narrow.
@@ -171,13 +215,15 @@ impl Speeds {
         }
         let known = (0..self.rpm.len()).map(|i| (self.rpm[i], self.kink[i], self.added.binary_search(&i).is_ok()));
         let mut all: Vec<(f64, bool, bool)> = known.chain(more.into_iter().map(|s| (s, true, true))).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
-        all.dedup_by(|b, a| {
-            a.1 |= a.0 == b.0 && b.1;
-            b.0 == a.0
-        });
+        each_once(&mut all);
         let added = all.iter().enumerate().filter(|(_, s)| s.2).map(|(i, _)| i).collect();
-        Self { rpm: all.iter().map(|s| s.0).collect(), kink: all.iter().map(|s| s.1).collect(), added, poles: self.poles }
+        Self {
+            rpm: all.iter().map(|s| s.0).collect(),
+            kink: all.iter().map(|s| s.1).collect(),
+            added,
+            poles: self.poles,
+            sharp: self.sharp,
+        }
     }
 
     /// Those of a part of the range.
@@ -187,14 +233,49 @@ impl Speeds {
             kink: self.kink[part.clone()].to_vec(),
             added: self.added.iter().filter(|i| part.contains(i)).map(|i| i - part.start).collect(),
             poles: Vec::new(),
+            sharp: self.sharp.clone(),
         }
+    }
+
+    /// Sharp resonances that are near the speeds from index `i` to the next.
+    pub(super) fn sharp_near(&self, i: usize) -> impl Iterator<Item = &Sharp> {
+        let interval = (self.rpm[i], self.rpm[i + 1]);
+        self.sharp.iter().filter(move |s| s.distance(interval) < SMOOTH * (interval.1 - interval.0))
+    }
+
+    /// Into how many parts the speeds from index `i` to the next must be cut for these resonances to be smooth in each.
+    pub(super) fn parts_for<'s>(&self, i: usize, resonances: impl Iterator<Item = &'s Sharp>) -> usize {
+        let interval = (self.rpm[i], self.rpm[i + 1]);
+        let nearest = resonances.map(|s| s.distance(interval)).fold(f64::INFINITY, f64::min);
+        (SMOOTH * (interval.1 - interval.0) / nearest).ceil().min(MOST_PARTS as f64) as usize
+    }
+
+    /// Speeds with those after each index cut into so many equal parts (zero or one: as they are), and the speeds that come in, rpm; no resonance counts as sharp any more.
+    pub(super) fn cut(&self, parts: &[usize]) -> (Self, Vec<f64>) {
+        let (mut finer, mut more) =
+            (Self { rpm: Vec::new(), kink: Vec::new(), added: Vec::new(), poles: Vec::new(), sharp: Vec::new() }, Vec::new());
+        for (i, (&rpm, &kink)) in self.rpm.iter().zip(&self.kink).enumerate() {
+            if self.added.binary_search(&i).is_ok() {
+                finer.added.push(finer.rpm.len());
+            }
+            finer.rpm.push(rpm);
+            finer.kink.push(kink);
+            let parts = parts.get(i).copied().unwrap_or_default();
+            for part in 1..parts {
+                let between = rpm + (self.rpm[i + 1] - rpm) * part as f64 / parts as f64;
+                finer.rpm.push(between);
+                finer.kink.push(false);
+                more.push(between);
+            }
+        }
+        (finer, more)
     }
 
     /// The parts that lie in some ranges of speed; the whole where there are none.
     pub(crate) fn parts(&self, ranges: &[(f64, f64)]) -> Vec<std::ops::Range<usize>> {
         let whole = [(f64::NEG_INFINITY, f64::INFINITY)];
-        let of = |r: &(f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
-        if ranges.is_empty() { &whole } else { ranges }.iter().map(of).filter(|p| !p.is_empty()).collect()
+        let of = |r: (f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
+        if ranges.is_empty() { &whole } else { ranges }.iter().map(|r| of(with_its_ends(*r))).filter(|p| !p.is_empty()).collect()
     }
 
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.

@@ -18,18 +18,26 @@ use crate::response::{Quantity, ResponseError, Work};
 const NEAR: usize = 2;
 /// Share of a peak within which other pairs of extremes in the cycle are followed.
 const BRANCHES: f64 = 0.03;
+/// Half the range of a sum of lines grows no faster than its lines are bent; the share of a crank's strength that is used grows with the mean, too.
+const USED_PER_RANGE: f64 = 2.0;
 /// The same round a narrow resonance: phases turn by half a cycle within its width, and other extremes take over.
 const NARROW_BRANCHES: f64 = 0.1;
 
+/// What is known at the speeds.
+struct Screened {
+    /// Local maxima among the speeds that matter.
+    candidates: Vec<Candidate>,
+    /// Minus infinity at the other speeds, but for neighbours of candidates.
+    values: Vec<f64>,
+    /// No sum has wider extremes.
+    most: Vec<Most>,
+    /// The largest value, or what was known before.
+    top: f64,
+}
+
 impl PeakFinder<'_> {
-    /// Local maxima among the speeds that matter, the values (minus infinity at the others, but for neighbours of those), and the largest of them and of `best`.
-    fn candidates(
-        &self,
-        metric: PointMetric,
-        (speeds, sweep): (&Speeds, &[C64]),
-        (keep, best): (f64, f64),
-        work: &mut Work,
-    ) -> (Vec<Candidate>, Vec<f64>, f64) {
+    /// Local maxima among the speeds that matter; `best`: the largest value known before.
+    fn candidates(&self, metric: PointMetric, (speeds, sweep): (&Speeds, &[C64]), (keep, best): (f64, f64), work: &mut Work) -> Screened {
         let orders = self.system.orders();
         let phasors = |i: usize| &sweep[i * orders..(i + 1) * orders];
         let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
@@ -90,7 +98,21 @@ impl PeakFinder<'_> {
             candidates = local_maxima::maxima(&speeds.rpm, &values);
             candidates.retain(|c| mattered.contains(&c.index));
         }
-        (candidates, values, top)
+        let most = most.into_iter().zip(&sums).map(|(m, sum)| m.unwrap_or(Most { half_peak_to_peak: *sum, middle: *sum })).collect();
+        Screened { candidates, values, most, top }
+    }
+
+    /// Whether the value may reach `wanted` between a known speed and the next where the phasors of the sum are off straight lines by no more than `bend`, together.
+    fn may_reach(metric: PointMetric, speeds: &Speeds, known: &Screened, (i, bend): (usize, f64), wanted: f64) -> bool {
+        let able = |j: usize| {
+            let Most { half_peak_to_peak, middle } = known.most[j];
+            if known.values[j] > f64::NEG_INFINITY {
+                known.values[j] * (1.0 + USED_PER_RANGE * bend / half_peak_to_peak.max(f64::MIN_POSITIVE))
+            } else {
+                metric.at_most(speeds.rpm[j], half_peak_to_peak + bend, middle + bend)
+            }
+        };
+        able(i).max(able(i + 1)) >= wanted
     }
 
     pub(super) fn synthesised(
@@ -101,7 +123,15 @@ impl PeakFinder<'_> {
         found: &mut Found,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
-        let (candidates, values, top) = self.candidates(metric, (speeds, sweep), (found.keep, found.best), work);
+        let known = self.candidates(metric, (speeds, sweep), (found.keep, found.best), work);
+        let wanted = found.keep * found.best.max(known.top);
+        let can_matter = |i: usize, bend: f64| Self::may_reach(metric, speeds, &known, (i, bend), wanted);
+        if known.top > 0.0
+            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), can_matter, work)?
+        {
+            return self.synthesised(design, (quantity, over, metric), (&speeds, &sweep), found, work);
+        }
+        let Screened { candidates, values, top, .. } = known;
         let branches = Branches { finder: self, design, quantity, metric, speeds, sweep };
         let followed = self.refine && !metric.asks_for_all();
         let mut y = vec![ZERO; self.system.orders()];

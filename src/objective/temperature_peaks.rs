@@ -4,9 +4,11 @@ use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::{Found, PeakFinder};
+use super::sharp_resonances::{RISE, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::absorber::mounted::with_law;
+use crate::numerics::C64;
 use crate::response::operation::{AtSpeed, Follower, Rule};
 use crate::response::{Quantity, ResponseError, Work};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -16,6 +18,8 @@ const LEAST: f64 = 1e-3;
 /// Steps of differences: of a temperature, K, and of a parameter, relative.
 const STEP_K: f64 = 1e-3;
 const STEP: f64 = 1e-5;
+/// No surroundings are colder than this below zero, °C: a temperature has risen by no more than it lies above.
+const COLDEST: f64 = 100.0;
 /// Nearer to a fold, where R dP/dT reaches one, a balance has no slope to speak of.
 const FOLD: f64 = 0.05;
 
@@ -27,6 +31,29 @@ impl PeakFinder<'_> {
     /// What an absorber reaches at a speed, °C.
     fn reached(&self, of: &Follower, speed_rpm: f64) -> Result<f64, ResponseError> {
         Ok(self.at_speed(of, speed_rpm).reached()?.unwrap_or(0.0).max(LEAST))
+    }
+
+    /// By how much an order may raise the temperature of absorber `index` between known speeds beside a sharp resonance: by its share of the power at the reference.
+    fn rises<'s>(
+        &self,
+        design: &[Mounted],
+        index: usize,
+        (speeds, values): (&'s Speeds, &'s [f64]),
+        work: &mut Work,
+    ) -> Result<impl Fn(usize, usize) -> f64 + 's, ResponseError> {
+        let orders = self.system.orders();
+        let law = design[index].absorber.law();
+        let known: &[f64] = if speeds.sharp.is_empty() { &[] } else { &speeds.rpm };
+        let twists = self.direct.at_each(design, &[Quantity::RingTwist(index)], known, work)?.swap_remove(0);
+        let power = |(at, y): (usize, &C64)| {
+            law.map_or(0.0, |law| law.dissipated_power(self.operating(at % orders, speeds.rpm[at / orders]), y.norm_sqr()))
+        };
+        let powers: Vec<f64> = twists.iter().enumerate().map(power).collect();
+        Ok(move |i: usize, n: usize| {
+            let all = &powers[i * orders..(i + 1) * orders];
+            let share = all[n] / all.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+            RISE * (2.0 + RISE) * share * (values[i] + COLDEST)
+        })
     }
 
     /// Local maxima on a part of the range, of every absorber of the measure whose material says what cools it.
@@ -43,8 +70,13 @@ impl PeakFinder<'_> {
             let quantity = Quantity::RingTwist(i);
             let weight = |speed: f64| measure.within.weight(speed);
             let values = speeds.rpm.iter().map(|s| Ok(self.reached(&of, *s)? * weight(*s))).collect::<Result<Vec<f64>, ResponseError>>()?;
+            let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);
+            let finer = resolved_values((speeds, &values), wanted, self.rises(design, i, (speeds, &values), work)?, |speed| {
+                Ok(self.reached(&of, speed)? * weight(speed))
+            })?;
+            let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
             let top = values.iter().copied().fold(found.best, f64::max);
-            for candidate in local_maxima::maxima(&speeds.rpm, &values) {
+            for candidate in local_maxima::maxima(&speeds.rpm, values) {
                 let value_at = |speed: f64, _: &mut Work| Ok(self.reached(&of, speed)? * weight(speed));
                 let wanted = found.keep * found.best.max(top);
                 let Some((speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {

@@ -1,7 +1,7 @@
 //! Derivatives of what a design does in operation, where its temperature and strain follow its parameters.
 
 use super::Problem;
-use super::problem::LoadCase;
+use super::load_case::LoadCase;
 use crate::objective::{Measure, Peak};
 use crate::response::{ResponseError, Work};
 

@@ -1,11 +1,11 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
+use super::load_case::LoadCase;
 use super::memory::{self, Remembers};
 use super::variables::Space;
-use crate::absorber::{Deviation, Mounted};
+use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
 use crate::objective::condition::Condition;
-use crate::objective::in_operation;
 use crate::objective::measure::{HELD, Limit, Measure, Over};
 use crate::objective::peak::Peak;
 use crate::objective::peak_search::PeakFinder;
@@ -28,90 +28,6 @@ const ACTIVE: f64 = 1e-3;
 pub(crate) const PENALTY: f64 = 20.0;
 /// Cost of a design without a finite response.
 pub(crate) const UNBOUNDED_COST: f64 = 1e30;
-
-/// One condition of the engine: what is asked of a design is asked in each.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadCase<'a> {
-    /// State of the absorbers.
-    pub condition: Condition,
-    /// The cylinder (from 0) that misfires.
-    pub cylinder: Option<usize>,
-    /// Finds the peaks of the engine in this condition.
-    pub finder: &'a PeakFinder<'a>,
-    /// How absorbers deviate from what was drawn.
-    pub deviation: Option<&'a Deviation>,
-}
-
-impl LoadCase<'_> {
-    /// The absorbers of a design as they are here.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] where nothing damps a resonance, of absorbers in operation.
-    pub fn absorbers(&self, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
-        match self.deviation {
-            // what deviates is what was drawn; its state in operation follows from that
-            Some(deviation) if self.condition == Condition::InOperation => {
-                in_operation::absorbers(self.condition, self.finder, &deviation.of(design))
-            }
-            Some(deviation) => Ok(deviation.of(&self.condition.absorbers(design))),
-            None => in_operation::absorbers(self.condition, self.finder, design),
-        }
-    }
-
-    /// The same where only a few speeds are asked for: in operation, no state is found but at those.
-    pub(super) fn absorbers_at_few_speeds(&self, design: &[Mounted]) -> Vec<Mounted> {
-        match self.deviation {
-            Some(deviation) if self.condition == Condition::InOperation => {
-                in_operation::absorbers_at_few_speeds(self.condition, self.finder, &deviation.of(design))
-            }
-            Some(deviation) => deviation.of(&self.condition.absorbers(design)),
-            None => in_operation::absorbers_at_few_speeds(self.condition, self.finder, design),
-        }
-    }
-
-    /// The largest value of a measure of a design here; nothing of it is zero.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub(crate) fn peak(&self, design: &[Mounted], measure: &Measure, work: &mut Work) -> Result<f64, ResponseError> {
-        Ok(self.finder.peak(&self.absorbers(design)?, measure, work)?.map_or(0.0, |p| p.value))
-    }
-
-    /// The same; nothing is zero, too, where it is below `least`.
-    ///
-    /// # Errors
-    /// As [`Self::peak`].
-    pub(crate) fn peak_above(&self, design: &[Mounted], measure: &Measure, least: f64, work: &mut Work) -> Result<f64, ResponseError> {
-        self.finder.exact_value(&self.absorbers(design)?, (measure, least), &Shared::default(), work)
-    }
-
-    /// Whether a measure is another one here: temperatures are those in operation in every load case, and a property is that of what was drawn.
-    fn asks(&self, measure: &Measure) -> bool {
-        self.condition != Condition::InOperation || !matches!(measure.over, Over::Temperature | Over::Property(_))
-    }
-
-    /// Whether a family can change anything here: a lost ring cannot, a locked one only by its inertia.
-    fn steers(&self, space: &Space) -> bool {
-        match self.condition {
-            Condition::AbsorberLocked => space.variables.iter().any(|v| v.parameter == 0),
-            Condition::AbsorberLost => false,
-            _ => true,
-        }
-    }
-}
-
-/// The largest value of a measure of a design over some load cases; nothing of it is zero.
-///
-/// # Errors
-/// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub(crate) fn largest<'a>(
-    mut load_cases: impl Iterator<Item = &'a LoadCase<'a>>,
-    design: &[Mounted],
-    measure: &Measure,
-    work: &mut Work,
-) -> Result<f64, ResponseError> {
-    load_cases.try_fold(0.0, |worst, case| Ok(f64::max(worst, case.peak(design, measure, work)?)))
-}
 
 /// What a row is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]

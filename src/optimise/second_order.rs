@@ -2,6 +2,7 @@
 
 use super::curvature::lagrangian;
 use super::minimax::Outcome;
+use super::stop::Stop;
 use super::{Problem, Row};
 use crate::response::Work;
 use nalgebra::{DMatrix, DVector};
@@ -25,9 +26,13 @@ const DEPENDENT: f64 = 1e-11;
 /// Step of the differences, in coordinates.
 const STEP: f64 = 1e-3;
 
-/// Second order at an outcome \[Nocedal & Wright 2006\] theorem 12.6, by central differences of the Lagrangian's gradient; nothing where peaks appear or vanish that near, or
+/// Second order at an outcome \[Nocedal & Wright 2006\] theorem 12.6, by central differences of the Lagrangian's gradient; nothing where the search has not converged, where peaks appear or vanish that near, or where
 /// a free parameter lies on a bound that costs nothing.
 pub(crate) fn second_order(problem: &Problem, outcome: &Outcome, work: &mut Work) -> Option<SecondOrder> {
+    // curvature makes a minimum of a point where first order holds, and of no other
+    if !matches!(outcome.stop, Stop::Converged | Stop::NothingFree) {
+        return None;
+    }
     let n = outcome.point.len();
     let unit = outcome.rows.objective();
     let active = outcome.rows.rows.iter().zip(&outcome.multipliers).filter(|r| *r.1 > ACTIVE).map(|r| r.0);

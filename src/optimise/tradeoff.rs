@@ -5,9 +5,9 @@
 
 use super::Problem;
 use super::levels::{Level, SAME, distinct, gaps, middle};
+use super::load_case::largest;
 use super::memory::Remembers;
 use super::minimax::{self, Outcome};
-use super::problem::largest;
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;
 use crate::absorber::Mounted;

@@ -5,20 +5,24 @@ pub(crate) mod example;
 pub mod files;
 pub mod formats;
 pub(crate) mod journal;
+mod lines;
+mod manifest;
+mod names;
 mod page;
 mod parquet;
 pub mod plot;
+mod reason;
 pub(crate) mod record;
 mod summary;
+mod taken;
 pub mod text;
 
+pub(crate) use files::Job;
 pub use files::{Folder, WriteError};
 pub(crate) use journal::Journal;
-pub(crate) use page::{CLASSIFICATION, PAGE, write_folder};
-pub(crate) use summary::about;
-
-/// What an interrupted run leaves of its searches.
-pub(crate) const UNFINISHED: &str = "unfinished.csv";
+pub(crate) use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
+pub(crate) use page::write_folder;
+pub(crate) use summary::{about, about_inputs};
 
 use crate::analysis::classification::Classification;
 use crate::analysis::curves::{Figure, HolzerRow};
@@ -30,7 +34,12 @@ use crate::input::{InputFile, SizingStudy, Study};
 use crate::validation::Comparison;
 use crate::validation::rounds::RoundRow;
 
-/// Writes everything a run gives.
+/// Steps that [`write_run`] tells of.
+pub(crate) fn steps(results: &Results) -> usize {
+    1 + plot::count(results) + results.sweeps.iter().map(|s| s.quantities.len()).sum::<usize>()
+}
+
+/// Writes everything a run gives, and tells of each step.
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
@@ -41,25 +50,22 @@ pub(crate) fn write_run(
     folder: &Folder,
     written: &(dyn Fn() + Sync),
 ) -> Result<(), WriteError> {
-    folder.remove(&[UNFINISHED])?;
     write_calibration(study, calibration, folder)?;
     // the large tables beside the others, the plots and what the page asks of the results; the first failure in this order is told
     let large = || {
-        let (response, margin) = rayon::join(|| csv::response(study, results, folder), || csv::margin::margin(study, results, folder));
+        let (response, margin) =
+            rayon::join(|| csv::response(study, results, folder, written), || csv::margin::margin(study, results, folder));
         written();
         response.and(margin)
     };
     let plots = || plot::run(study, results, folder, written);
     let rest = || (write_tables(study, results, folder), record::write(study, inputs, results, folder), page::prepared(study, results));
     let (large, (plots, (tables, record, prepared))) = rayon::join(large, || rayon::join(plots, rest));
-    tables.and(large).and(plots)?;
-    folder.remove_other_plots("response_")?;
-    folder.remove_other_plots("front_")?;
-    record?;
+    tables.and(large).and(plots).and(record)?;
     page::write((study, inputs), results, &prepared, folder)
 }
 
-/// Writes the tables of a run but the large ones, and removes those that it does not have.
+/// Writes the tables of a run but the large ones.
 fn write_tables(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     csv::designs(study, results, folder)?;
     csv::values(study, results, folder)?;
@@ -71,33 +77,25 @@ fn write_tables(study: &Study, results: &Results, folder: &Folder) -> Result<(),
     csv::strain(results, folder)?;
     csv::large_twist(results, folder)?;
     csv::robust(study, results, folder)?;
-    if study.limits.is_empty() {
-        folder.remove(&["limits.csv", "barred.csv"])?
-    } else {
+    if !study.limits.is_empty() {
         csv::limits(study, results, folder)?;
-        if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
-            csv::barred(study, results, folder)?
-        } else {
-            folder.remove(&["barred.csv"])?
-        }
     }
-    if results.optima.is_empty() {
-        folder.remove(&["optima.csv", "sensitivities.csv"])?;
-    } else {
+    if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
+        csv::barred(study, results, folder)?;
+    }
+    if !results.optima.is_empty() {
         csv::optima(study, results, folder)?;
         csv::sensitivities(results, folder)?;
     }
-    if results.fronts.is_empty() {
-        folder.remove(&["pareto.csv", "pareto.svg", "pareto.png"])?;
-    } else {
+    if !results.fronts.is_empty() {
         csv::pareto(study, results, folder)?;
     }
-    if results.tradeoffs.is_empty() { folder.remove(&["front.csv"]) } else { csv::front(study, results, folder) }
+    if results.tradeoffs.is_empty() { Ok(()) } else { csv::front(study, results, folder) }
 }
 
-/// Writes a calibration, or removes that of an earlier run.
+/// Writes a calibration, where there is one.
 fn write_calibration(study: &Study, calibration: Option<&Calibration>, folder: &Folder) -> Result<(), WriteError> {
-    let Some(calibration) = calibration else { return folder.remove(&["calibration.csv", "calibration.svg", "calibration.png"]) };
+    let Some(calibration) = calibration else { return Ok(()) };
     csv::calibration(calibration, folder)?;
     plot::comparison::calibration(study, calibration, folder)
 }
@@ -118,10 +116,9 @@ pub(crate) fn write_comparison(
     write_calibration(study, calibration, folder)?;
     if comparison.amplitudes.iter().any(|a| a.published.is_some() && a.computed.is_some()) {
         plot::comparison::amplitudes(study, comparison, folder)?;
-        plot::comparison::orders(study, comparison, results, folder)
-    } else {
-        folder.remove(&["comparison.svg", "comparison.png", "orders.svg", "orders.png"])
+        plot::comparison::orders(study, comparison, results, folder)?;
     }
+    Ok(())
 }
 
 /// Writes a table and a plot a figure, and Holzer's tables.
@@ -146,12 +143,12 @@ pub(crate) fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError>
     plot::curves::figure(&figure, folder)
 }
 
-/// Writes printed rounds of sizing beside ours, or removes those of an earlier run where there are none.
+/// Writes printed rounds of sizing beside ours, where there are some.
 ///
 /// # Errors
 /// [`WriteError`] where the file cannot be written.
 pub(crate) fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
-    if published.is_empty() { folder.remove(&["sizing_comparison.csv"]) } else { csv::sizing::comparison(published, folder) }
+    if published.is_empty() { Ok(()) } else { csv::sizing::comparison(published, folder) }
 }
 
 /// Writes tables and plots of sizing, and the engine file and study that follow.
@@ -166,9 +163,7 @@ pub(crate) fn write_sizing(
 ) -> Result<(), WriteError> {
     csv::sizing::rounds(results, folder)?;
     write_rounds(published, folder)?;
-    if results.front.is_empty() {
-        folder.remove(&["sizing_front.csv", "sizing_front.svg", "sizing_front.png"])?;
-    } else {
+    if !results.front.is_empty() {
         csv::sizing::front(&results.front, folder)?;
         plot::curves::figure(&front_figure(study, &results.front), folder)?;
     }
@@ -177,9 +172,8 @@ pub(crate) fn write_sizing(
         plot::curves::figure(figure, folder)?;
     }
     plot::drawing::drawing(study, &results.sized, folder)?;
-    match &results.files.pressure {
-        Some(table) => folder.write("pressure.csv", table.as_bytes())?,
-        None => folder.remove(&["pressure.csv"])?,
+    if let Some(table) = &results.files.pressure {
+        folder.write("pressure.csv", table.as_bytes())?;
     }
     folder.write("engine.toml", results.files.engine.as_bytes())?;
     folder.write("study.toml", results.files.study.as_bytes())
@@ -199,10 +193,8 @@ pub(crate) fn write_classification(
     csv::designs(study, results, folder)?;
     csv::values(study, results, folder)?;
     csv::absorbers(results, folder)?;
-    csv::response(study, results, folder)?;
-    if study.limits.is_empty() {
-        folder.remove(&["limits.csv", "barred.csv"])?;
-    } else {
+    csv::response(study, results, folder, &|| {})?;
+    if !study.limits.is_empty() {
         csv::limits(study, results, folder)?;
         csv::barred(study, results, folder)?;
     }

@@ -224,14 +224,12 @@ impl<'a> Direct<'a> {
         at: Operating,
         put: &mut dyn FnMut(usize, Vec<C64>),
     ) {
-        let mut unit = vec![ZERO; self.system.chain.len()];
+        let mut unit = Vec::new();
         let mut solved = None;
         for (i, &index) in absorbers.iter().enumerate() {
             let station = station_of(design, index);
             if solved != Some(station) {
-                unit.fill(ZERO);
-                unit[station] = C64::from(1.0);
-                solver.matrix.solve(&mut unit);
+                unit = solver.under_unit(station);
                 solved = Some(station);
             }
             let condensed = &solver.condensed;
@@ -255,25 +253,16 @@ impl<'a> Direct<'a> {
         speed_rpm: f64,
         work: &mut Work,
     ) -> Result<BasePoint, ResponseError> {
-        let n = self.system.chain.len();
         solver.solve(&[], (order, speed_rpm), work)?;
-        let units: Vec<Vec<C64>> = stations
-            .iter()
-            .map(|station| {
-                let mut unit = vec![ZERO; n];
-                unit[*station] = C64::from(1.0);
-                solver.matrix.solve(&mut unit);
-                unit
-            })
-            .collect();
+        let units: Vec<Vec<C64>> = stations.iter().map(|station| solver.under_unit(*station)).collect();
         let output = |q: &Quantity| match q {
             // a ring follows its hub: that of the first station
-            Quantity::RingTwist(_) => (solver.x[stations[0]], units.iter().map(|u| u[stations[0]]).collect()),
+            Quantity::RingTwist(_) => (solver.angle(stations[0], &solver.x), units.iter().map(|u| solver.angle(stations[0], u)).collect()),
             q => (solver.output(*q, &solver.x), units.iter().map(|u| solver.output(*q, u)).collect()),
         };
         Ok(BasePoint {
-            stations: stations.iter().map(|s| solver.x[*s]).collect(),
-            receptance: DMatrix::from_fn(stations.len(), stations.len(), |i, j| units[j][stations[i]]),
+            stations: stations.iter().map(|s| solver.angle(*s, &solver.x)).collect(),
+            receptance: DMatrix::from_fn(stations.len(), stations.len(), |i, j| solver.angle(stations[i], &units[j])),
             outputs: quantities.iter().map(output).collect(),
         })
     }

@@ -1,13 +1,19 @@
 //! The system at one frequency, absorbers condensed onto their stations: a row of stations factored with exchange of rows, a tree from its leaves to
 //! its root.
+//!
+//! Beside a shaft that is far stiffer than inertia at that frequency, what ties stations to inertial space is lost in the rounding of its stiffness: torques of shafts are then unknowns, too.
 
+use super::shaft_torques::ShaftTorques;
 use super::{Quantity, ResponseError, Work};
 use crate::absorber::{Condensed, Mounted, Operating};
-use crate::drivetrain::System;
+use crate::drivetrain::{Station, System};
 use crate::numerics::sparse::Sparse;
 use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+
+/// Stiffness of the stiffest shaft over omega² times the inertia of the chain above which torques of shafts are unknowns: below, rounding of the stiffness leaves an error of some 1e-9.
+const STIFF: f64 = 1e5;
 
 /// The factored system at one frequency.
 ///
@@ -17,8 +23,18 @@ pub(crate) struct Factored<'a> {
     system: &'a System,
     /// Circular frequency, rad/s.
     pub omega: f64,
-    pub matrix: Sparse,
-    /// Right-hand side, then unknowns.
+    matrix: Sparse,
+    /// In place of the matrix beside a stiff shaft.
+    shaft_torques: Option<ShaftTorques>,
+    /// Whether there is one at this frequency.
+    stiff: bool,
+    /// Of the chain, kg m².
+    inertia: f64,
+    /// Of its shafts: no stiffness (N m/rad) and no damping (N m s/rad) is larger, on either side of a gear.
+    stiffest: (f64, f64),
+    /// Torque on each station, N m.
+    pub torque: Vec<C64>,
+    /// Unknowns under it.
     pub x: Vec<C64>,
     scale: Vec<C64>,
     /// The absorbers.
@@ -29,11 +45,18 @@ pub(crate) struct Factored<'a> {
 
 impl<'a> Factored<'a> {
     pub fn new(system: &'a System) -> Self {
-        let n = system.chain.len();
+        let (chain, n) = (&system.chain, system.chain.len());
+        let most =
+            |of: &dyn Fn(&Station) -> f64| (0..n - 1).map(|i| of(&chain.stations[i]) * chain.gear(i).powi(2).max(1.0)).fold(0.0, f64::max);
         Self {
             system,
             omega: 0.0,
             matrix: if system.chain.is_row() { Sparse::row(n) } else { Sparse::tree((0..n - 1).map(|i| system.chain.next(i)).collect()) },
+            shaft_torques: None,
+            stiff: false,
+            inertia: chain.total_inertia(),
+            stiffest: (most(&|s| s.stiffness_to_next * (1.0 + s.loss_factor_to_next)), most(&|s| s.damping_to_next)),
+            torque: vec![ZERO; n],
             x: vec![ZERO; n],
             scale: vec![C64::from(1.0); n],
             condensed: Condensed::default(),
@@ -52,40 +75,89 @@ impl<'a> Factored<'a> {
     pub(crate) fn factor_at(&mut self, design: &[Mounted], at: Operating) -> Result<(), Singular> {
         let (omega, chain, n) = (at.omega, &self.system.chain, self.system.chain.len());
         self.omega = omega;
-        for (i, diagonal) in self.matrix.diagonal().iter_mut().enumerate() {
-            *diagonal = chain.ground_stiffness(i, omega);
-        }
-        for i in 0..n - 1 {
-            let s = chain.shaft_stiffness(i, omega);
-            let gear = chain.gear(i);
-            self.matrix.diagonal()[i] += s;
-            self.matrix.diagonal()[chain.next(i)] += s * (gear * gear);
-            self.matrix.set_link(i, -s * gear);
-        }
+        let size = omega * omega * self.inertia;
+        self.stiff = self.stiffest.0 + omega * self.stiffest.1 > STIFF * size && size > 0.0;
+        let matrix = if self.stiff {
+            let all = self.shaft_torques.get_or_insert_with(|| ShaftTorques::new(chain));
+            all.set(chain, omega, size);
+            (0..n).for_each(|i| all.matrix.diagonal()[ShaftTorques::place(i)] = chain.ground_stiffness(i, omega));
+            &mut all.matrix
+        } else {
+            for (i, diagonal) in self.matrix.diagonal().iter_mut().enumerate() {
+                *diagonal = chain.ground_stiffness(i, omega);
+            }
+            for i in 0..n - 1 {
+                let s = chain.shaft_stiffness(i, omega);
+                let gear = chain.gear(i);
+                self.matrix.diagonal()[i] += s;
+                self.matrix.diagonal()[chain.next(i)] += s * (gear * gear);
+                self.matrix.set_link(i, -s * gear);
+            }
+            &mut self.matrix
+        };
         self.others.clear();
         self.scale.fill(C64::from(1.0));
         self.condensed.set(design, at);
         for (hub, z) in self.condensed.hubs.iter().enumerate() {
             let h = z.station;
+            let place = if self.stiff { ShaftTorques::place(h) } else { h };
             // the diagonal and everything scaled so far, times the new denominator, plus the new numerator times the old scale
-            let diagonal = self.matrix.diagonal()[h];
-            self.matrix.scale_column(h, z.denominator);
-            self.matrix.diagonal()[h] = diagonal * z.denominator + z.numerator * self.scale[h];
+            let diagonal = matrix.diagonal()[place];
+            matrix.scale_column(place, z.denominator);
+            matrix.diagonal()[place] = diagonal * z.denominator + z.numerator * self.scale[h];
             for (others, _) in self.others.iter_mut().zip(&self.condensed.hubs[..hub]).filter(|o| o.1.station == h) {
                 *others *= z.denominator;
             }
             self.others.push(self.scale[h]);
             self.scale[h] *= z.denominator;
         }
-        self.matrix.factor()
+        matrix.factor()
+    }
+
+    /// Unknowns under torques on the stations.
+    pub fn under(&self, torques: &[C64]) -> Vec<C64> {
+        let mut x = Vec::new();
+        self.put_under(torques, &mut x);
+        x
+    }
+
+    /// Unknowns under a unit torque on a station.
+    pub(crate) fn under_unit(&self, station: usize) -> Vec<C64> {
+        let n = self.torque.len();
+        let mut x = vec![ZERO; if self.stiff { 2 * n - 1 } else { n }];
+        x[self.place(station)] = C64::from(1.0);
+        self.solve_in_place(&mut x);
+        x
+    }
+
+    fn put_under(&self, torques: &[C64], x: &mut Vec<C64>) {
+        x.clear();
+        if self.stiff {
+            x.resize(2 * torques.len() - 1, ZERO);
+            torques.iter().enumerate().for_each(|(i, torque)| x[ShaftTorques::place(i)] = *torque);
+        } else {
+            x.extend_from_slice(torques);
+        }
+        self.solve_in_place(x);
+    }
+
+    fn solve_in_place(&self, x: &mut [C64]) {
+        self.with_torques().map_or(&self.matrix, |all| &all.matrix).solve(x);
+    }
+
+    /// Solves for the torque on the stations.
+    pub(crate) fn solve_torque(&mut self) {
+        let mut x = std::mem::take(&mut self.x);
+        self.put_under(&self.torque, &mut x);
+        self.x = x;
     }
 
     /// Solves for the torque of an order (an index) at a speed.
     pub fn solve(&mut self, design: &[Mounted], (order, speed_rpm): (usize, f64), work: &mut Work) -> Result<(), ResponseError> {
         work.direct_solves += 1;
         self.factor(design, order, speed_rpm)?;
-        self.system.torque(order, speed_rpm, &mut self.x);
-        self.matrix.solve(&mut self.x);
+        self.system.torque(order, speed_rpm, &mut self.torque);
+        self.solve_torque();
         Ok(())
     }
 
@@ -99,8 +171,8 @@ impl<'a> Factored<'a> {
         work: &mut Work,
         mut put: impl FnMut(usize, C64),
     ) -> Result<(), ResponseError> {
-        self.system.torque(at.0, at.1, &mut self.x);
-        let still = self.x.iter().all(|t| *t == ZERO);
+        self.system.torque(at.0, at.1, &mut self.torque);
+        let still = self.torque.iter().all(|t| *t == ZERO);
         if !still {
             self.solve(design, at, work)?;
         }
@@ -122,16 +194,36 @@ impl<'a> Factored<'a> {
 
     /// Angle of a station from a solution.
     pub fn angle(&self, station: usize, x: &[C64]) -> C64 {
-        self.scale[station] * x[station]
+        self.scale[station] * x[self.place(station)]
+    }
+
+    /// Place of a station among the unknowns.
+    fn place(&self, station: usize) -> usize {
+        if self.stiff { ShaftTorques::place(station) } else { station }
+    }
+
+    /// Shafts with their torques among the unknowns.
+    fn with_torques(&self) -> Option<&ShaftTorques> {
+        self.shaft_torques.as_ref().filter(|_| self.stiff)
+    }
+
+    /// Twist of the shaft after a station from a solution.
+    fn shaft_twist(&self, shaft: usize, x: &[C64]) -> C64 {
+        let by_torque = self.with_torques().and_then(|all| all.twist(shaft, x));
+        by_torque.unwrap_or_else(|| self.system.chain.link(shaft).of(|i| self.angle(i, x)))
     }
 
     /// The quantity from a solution.
     pub fn output(&self, quantity: Quantity, x: &[C64]) -> C64 {
         let theta = |i: usize| self.angle(i, x);
         match quantity {
+            Quantity::Twist { from, to: Some(to) } if self.stiff => {
+                self.system.chain.path(from, to).into_iter().map(|(shaft, weight)| self.shaft_twist(shaft, x) * weight).sum()
+            }
             Quantity::Twist { .. } | Quantity::Acceleration(_) => {
                 quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)) * quantity.per_angle(self.omega)
             }
+            Quantity::ShaftTorque(s) if self.stiff => self.with_torques().map_or(ZERO, |all| all.torque(s, x)),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),
             Quantity::RingTwist(a) => {
                 let ring = &self.condensed.rings[a];
@@ -142,6 +234,6 @@ impl<'a> Factored<'a> {
 
     /// A factor times the angle of a station over the denominator of a hub on it.
     pub fn hub(&self, hub: usize, factor: C64, x: &[C64]) -> C64 {
-        self.others[hub] * factor * x[self.condensed.hubs[hub].station]
+        self.others[hub] * factor * x[self.place(self.condensed.hubs[hub].station)]
     }
 }

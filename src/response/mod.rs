@@ -31,6 +31,7 @@ pub mod receptance;
 pub mod reduced;
 mod ring_sensitivity;
 pub mod selected;
+mod shaft_torques;
 pub mod work;
 
 pub use closed_form::ClosedForm;

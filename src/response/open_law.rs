@@ -264,12 +264,9 @@ fn power(known: &[Known], stiffness: [&[f64]; 3]) -> f64 {
 /// What a station does for each order, with the rest of a design.
 fn host(direct: &Direct, rest: &[Mounted], (station, quantity): (usize, Option<Quantity>), speed_rpm: f64) -> Option<Vec<Rest>> {
     let mut solver = Factored::new(direct.system);
-    let mut unit = vec![ZERO; direct.system.chain.len()];
     let one = |order: usize| {
         solver.solve(rest, (order, speed_rpm), &mut Work::default()).ok()?;
-        unit.fill(ZERO);
-        unit[station] = C64::from(1.0);
-        solver.matrix.solve(&mut unit);
+        let unit = solver.under_unit(station);
         let output = |x: &[C64]| quantity.map_or(ZERO, |q| solver.output(q, x));
         let (angle, receptance) = (solver.angle(station, &solver.x), solver.angle(station, &unit));
         let found = Rest { angle, receptance, output: (output(&solver.x), output(&unit)) };

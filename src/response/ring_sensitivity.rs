@@ -92,7 +92,7 @@ impl Direct<'_> {
         on_station += other.by_station.iter().zip(held.iter()).map(|(s, a)| s * a).sum::<C64>();
         let mut unit = vec![ZERO; self.system.chain.len()];
         unit[there] = on_station;
-        solver.matrix.solve(&mut unit);
+        let unit = solver.under(&unit);
         let mut moved: Option<Moved> = None;
         for (i, &index) in absorbers.iter().enumerate() {
             let here = station_of(design, index);

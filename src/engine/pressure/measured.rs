@@ -28,13 +28,13 @@ pub struct PartLoad {
 }
 
 impl Measured {
-    /// Traces at a load, linear between the loads and speeds measured; nothing outside them.
-    pub(super) fn at_load(&self, load: &Load) -> Option<Self> {
+    /// Traces at a load, linear between the loads and speeds measured; held at the ends of the speeds, nothing outside the loads.
+    pub(super) fn at_load(&self, load: &Load, range: (f64, f64)) -> Option<Self> {
         let mut loads: Vec<(f64, &Vec<Vec<f64>>)> = self.part_load.iter().map(|p| (p.load, &p.pressure)).collect();
         loads.push((1.0, &self.pressure));
         loads.sort_by(|a, b| a.0.total_cmp(&b.0));
         let shares: Vec<f64> = loads.iter().map(|l| l.0).collect();
-        let speeds_rpm = load.corners(&self.speeds_rpm);
+        let speeds_rpm = load.corners(&self.speeds_rpm, range);
         let at_speed = |traces: &[Vec<f64>], speed: f64| -> Vec<f64> {
             let column = |a: usize| traces.iter().map(|t| t[a]).collect::<Vec<f64>>();
             (0..self.crank_deg.len()).map(|a| between(&self.speeds_rpm, &column(a), speed)).collect()

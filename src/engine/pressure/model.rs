@@ -62,11 +62,11 @@ impl Pressure {
         }
     }
 
-    /// The same at part load: brake torque or mean pressure times the share of full load, measured traces between those of the loads measured.
+    /// The same at part load, at speeds from the lowest to the highest of `range`: brake torque or mean pressure times the share of full load, measured traces between those of the loads measured.
     /// Nothing where the traces were not measured at such a load.
-    pub(crate) fn at_load(&self, load: &Load) -> Option<Self> {
+    pub(crate) fn at_load(&self, load: &Load, range: (f64, f64)) -> Option<Self> {
         let scaled = |speeds: &[f64], full: &[f64]| -> (Vec<f64>, Vec<f64>) {
-            let corners = load.corners(speeds);
+            let corners = load.corners(speeds, range);
             let values = corners.iter().map(|s| between(speeds, full, *s) * load.at(*s)).collect();
             (corners, values)
         };
@@ -80,7 +80,7 @@ impl Pressure {
                 let (speeds_rpm, indicated_mean_pressure) = scaled(&m.speeds_rpm, &m.indicated_mean_pressure);
                 Self::Wiebe(Wiebe { speeds_rpm, indicated_mean_pressure, ..m.clone() })
             }
-            Self::Measured(m) => Self::Measured(m.at_load(load)?),
+            Self::Measured(m) => Self::Measured(m.at_load(load, range)?),
         })
     }
 

@@ -5,8 +5,10 @@ use super::{Criterion, Limits, Undefined};
 /// Ranges of a history, Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Within {
-    /// At least the amplitude of sqrt(J2). Shear amplitudes of planes are no larger: their circles are shadows of the ball.
+    /// At least the amplitude of sqrt(J2).
     pub sqrt_j2_amplitude: f64,
+    /// At least the shear amplitude of any plane: no more than that of sqrt(J2), as circles of planes are shadows of the ball.
+    pub shear: f64,
     /// At least the mean resolved shear of Papadopoulos.
     pub mean_shear: f64,
     /// No hydrostatic stress is below or above these.
@@ -28,9 +30,10 @@ impl Criterion {
         let mean_or_max = |k: f64| (k * low).max(k * high);
         let amplitude = |k: f64| (0.5 * k * (high - low)).max(0.0);
         let stress = match self {
-            Self::Matake | Self::McDiarmid => w.sqrt_j2_amplitude + k.abs() * w.normal,
-            Self::Findley => (w.sqrt_j2_amplitude + k * w.normal) / (1.0 + k * k).sqrt(),
-            Self::DangVanThesis | Self::DangVanPlane | Self::Sines | Self::Crossland => w.sqrt_j2_amplitude + mean_or_max(k),
+            Self::Matake | Self::McDiarmid => w.shear + k.abs() * w.normal,
+            Self::Findley => (w.shear + k * w.normal) / (1.0 + k * k).sqrt(),
+            Self::DangVanThesis | Self::DangVanPlane => w.shear + mean_or_max(k),
+            Self::Sines | Self::Crossland => w.sqrt_j2_amplitude + mean_or_max(k),
             Self::DangVanMesoscopic => {
                 let sum = w.sqrt_j2_amplitude + mean_or_max(k);
                 w.middle.map_or(sum, |(low, high)| sum.min(w.sqrt_j2_amplitude * round(k) + (k * low).max(k * high) / 3.0))

@@ -126,6 +126,16 @@ impl Criterion {
         matches!(self, Self::DangVanPlane | Self::Findley)
     }
 
+    /// Whether it asks for the shear amplitude of planes.
+    pub(crate) fn is_of_planes(self) -> bool {
+        matches!(self, Self::Matake | Self::McDiarmid | Self::Findley | Self::DangVanThesis | Self::DangVanPlane)
+    }
+
+    /// Whether it asks for the normal stress on a plane.
+    pub(crate) fn asks_for_normal_stress(self) -> bool {
+        matches!(self, Self::Matake | Self::McDiarmid | Self::Findley)
+    }
+
     /// Weight of the normal or hydrostatic stress (of its amplitude, for Kakuno and Kawada).
     ///
     /// # Errors

@@ -72,7 +72,7 @@ fn pairs(path: &[Vec<f64>; 5]) -> f64 {
 
 /// Largest shear stress of a deviator given as a vector of five dimensions: half the difference of its largest and smallest principal stress, by the angle of
 /// Lode.
-fn tresca([s1, s2, s3, s4, s5]: [f64; 5]) -> f64 {
+pub(crate) fn tresca([s1, s2, s3, s4, s5]: [f64; 5]) -> f64 {
     let root = 3f64.sqrt();
     let xx = 2.0 * s1 / root;
     let (yy, zz) = (s2 - 0.5 * xx, -s2 - 0.5 * xx);

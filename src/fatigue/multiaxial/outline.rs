@@ -68,6 +68,7 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
     let spread = across.max(along.abs());
     let whole = |rise: f64| Within {
         sqrt_j2_amplitude: 0.0,
+        shear: 0.0,
         mean_shear: 0.0,
         hydrostatic: (normal.least / 3.0, normal.most / 3.0),
         middle: Some((normal.least, normal.most)),
@@ -105,6 +106,7 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
         let middle = |sign: f64| normal.least + root * spread * (ball.centre[0] + sign * off);
         let within = Within {
             sqrt_j2_amplitude: spread * ball.radius,
+            shear: spread * ball.radius,
             // the root of the mean square of half ranges is a norm
             mean_shear: spread * mean_shear + papadopoulos::at_most(0.0, 0.5 * (rise - 1.0) * along.abs()),
             middle: Some((middle(-1.0).max(normal.least), middle(1.0).min(normal.most))),

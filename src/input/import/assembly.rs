@@ -4,6 +4,7 @@
 
 use super::{FoundChain, FoundStation};
 use crate::input::error::{InputError, Mistake, Place, read_bytes};
+use crate::input::letters::fault;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -101,6 +102,9 @@ pub(super) fn read(path: &Path) -> Result<FoundChain, InputError> {
         }
     }
     let found = line.end().map_err(wrong)?;
+    if let Some(fault) = found.stations.iter().find_map(|s| fault(&s.name)) {
+        return Err(wrong(format!("found {fault}")));
+    }
     if let Some(s) = found.stations.iter().find(|s| s.inertia <= 0.0) {
         return Err(wrong(format!("found no inertia at `{}`, expected one above zero", s.name)));
     }

@@ -5,6 +5,7 @@ mod sheet;
 mod table;
 mod trace;
 mod unit;
+mod words;
 
 pub(crate) use trace::{FoundTraces, traces};
 

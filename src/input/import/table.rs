@@ -1,46 +1,81 @@
 //! A mass-elastic table: a row a station, from the free end, with units in its header.
 
 use super::sheet::Sheet;
-use super::unit::{Role, factor, parts};
+use super::unit::{factor, parts, units};
+use super::words::{Role, is_damping};
 use super::{FoundChain, FoundStation};
 use crate::input::error::InputError;
+use crate::input::letters::fault;
 use std::path::Path;
 
 /// A column with its meaning and the factor to SI.
 type Column = (Role, usize, f64);
+
+/// Largest and smallest value that is taken, in SI; a longer name is none.
+const RANGE: std::ops::RangeInclusive<f64> = 1e-20..=1e20;
+const LONGEST_NAME: usize = 100;
+
+/// How many roles the heads of a row have.
+fn knows(cells: &[&str]) -> usize {
+    let mut found: Vec<Role> = Vec::new();
+    for (words, unit) in cells.iter().map(|cell| parts(cell)) {
+        found.extend(Role::of(&words, unit.as_deref()).filter(|role| !found.contains(role)));
+    }
+    found.len()
+}
 
 /// Reads it.
 ///
 /// # Errors
 /// [`InputError`] at the cell that is not understood.
 pub(super) fn read(path: &Path) -> Result<FoundChain, InputError> {
-    let sheet = Sheet::read(path)?;
+    let sheet = Sheet::read(path, &knows)?;
     let (columns, left_out) = columns(&sheet)?;
-    let stations = sheet.rows.iter().map(|(row, cells)| station(&sheet, &columns, *row, cells)).collect::<Result<_, _>>()?;
+    let stations = sheet.rows().iter().map(|(row, cells)| station(&sheet, &columns, *row, cells)).collect::<Result<Vec<_>, _>>()?;
+    check_line(&sheet, &columns, &stations)?;
     Ok(FoundChain { stations, left_out })
+}
+
+/// Names differ, and every station but the last has a stiffness to the next.
+fn check_line(sheet: &Sheet, columns: &[Column], stations: &[FoundStation]) -> Result<(), InputError> {
+    let column = |role: Role| columns.iter().find(|c| c.0 == role).map_or(0, |c| c.1);
+    for (i, s) in stations.iter().enumerate() {
+        let at = |role: Role, message: String| Err(sheet.at(sheet.rows()[i].0, column(role), message));
+        let is_last = i + 1 == stations.len();
+        if stations[..i].iter().any(|other| other.name == s.name) {
+            return at(Role::Name, format!("found station `{}` a second time, expected different names", s.name));
+        }
+        if !is_last && s.stiffness_to_next <= 0.0 {
+            let message = format!("found no stiffness from `{}` to the next station, expected one for all but the last", s.name);
+            return at(Role::Stiffness, message);
+        }
+        if is_last && s.stiffness_to_next > 0.0 {
+            return at(Role::Stiffness, format!("found a stiffness behind the last station `{}`, expected none", s.name));
+        }
+    }
+    Ok(())
 }
 
 /// What the columns hold, and those that are left out.
 fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
     let (mut columns, mut left_out): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
-    for (i, head) in sheet.heads.iter().enumerate().filter(|h| !h.1.is_empty()) {
+    for (i, head) in sheet.heads().iter().enumerate().filter(|h| !h.1.is_empty()) {
         let (words, unit) = parts(head);
-        let Some(role) = Role::of(&words) else {
-            let hint = if words.contains("damp") { ", which does not say whether it is to the next station or to ground" } else { "" };
+        let Some(role) = Role::of(&words, unit.as_deref()) else {
+            let hint = if is_damping(&words) { ", which does not say whether it is to the next station or to ground" } else { "" };
             left_out.push(format!("column `{head}`{hint}"));
             continue;
         };
         match columns.iter().any(|c| c.0 == role) {
             // a number of the row beside its name
             true if role == Role::Name => left_out.push(format!("column `{head}`")),
-            true => return Err(sheet.at(1, i, format!("found a second column like `{}`, expected one", role.example()))),
-            false => columns.push((role, i, factor(sheet, i, (role.units(), role.example()), unit)?)),
+            true => return Err(sheet.at_head(i, format!("found a second column like `{}`, expected one", role.example()))),
+            false => columns.push((role, i, factor(sheet, i, (units(role), role.example()), unit.as_deref())?)),
         }
     }
     for role in [Role::Name, Role::Inertia, Role::Stiffness] {
         if columns.iter().all(|c| c.0 != role) {
-            let message = format!("found columns {}, expected one like `{}` among them", sheet.all_heads(), role.example());
-            return Err(sheet.at(1, 0, message));
+            return Err(sheet.lacks(role.example()));
         }
     }
     Ok((columns, left_out))
@@ -52,10 +87,16 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
         let cell = &cells[*column];
         let value = || match sheet.number(row, *column, cell)? {
             Some(x) if x < 0.0 => Err(sheet.at(row, *column, format!("found {x}, expected at least zero"))),
+            Some(x) if x > 0.0 && !RANGE.contains(&(x * factor)) => {
+                Err(sheet.at(row, *column, format!("found `{cell}`, expected a value from 1e-20 to 1e20 in SI")))
+            }
             found => Ok(found.unwrap_or(0.0) * factor),
         };
         match role {
-            Role::Name => station.name.clone_from(cell),
+            Role::Name => match fault(cell) {
+                Some(fault) => return Err(sheet.at(row, *column, format!("found {fault}"))),
+                None => station.name.clone_from(cell),
+            },
             Role::Inertia => station.inertia = value()?,
             Role::Stiffness => station.stiffness_to_next = value()?,
             Role::DampingToNext => station.damping_to_next = value()?,
@@ -68,6 +109,10 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
         }
         if *role == Role::Name && cell.is_empty() {
             return Err(sheet.at(row, *column, "found no name, expected that of the station".into()));
+        }
+        if *role == Role::Name && (cell.chars().any(char::is_control) || cell.chars().count() > LONGEST_NAME) {
+            let words = "found a name with control characters or more than 100 letters, expected one that can be printed";
+            return Err(sheet.at(row, *column, words.into()));
         }
         if *role == Role::Inertia && station.inertia <= 0.0 {
             return Err(sheet.at(row, *column, format!("found `{cell}`, expected an inertia above zero")));

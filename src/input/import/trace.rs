@@ -1,14 +1,14 @@
 //! Pressure over the angle of the crank, a file a speed: a column of angles and one of pressures, with units in the header.
 
 use super::sheet::Sheet;
-use super::unit::{Units, factor, parts};
+use super::unit::{ANGLE, PRESSURE, Units, factor, known, parts};
+use super::words::{is_angle, is_pressure};
 use crate::input::error::InputError;
-use crate::input::tables::hole;
+use crate::input::tables::fault;
 use std::path::PathBuf;
 
-const ANGLE: (Units, &str) =
-    (&[("deg", 1.0), ("degca", 1.0), ("°", 1.0), ("°ca", 1.0), ("rad", 180.0 / std::f64::consts::PI)], "Angle [deg]");
-const PRESSURE: (Units, &str) = (&[("bar", 1.0), ("mpa", 10.0), ("kpa", 0.01), ("pa", 1e-5)], "Pressure [bar]");
+/// Of the cycle of the engine that is written, degrees.
+const CYCLE: f64 = 720.0;
 
 /// Traces over the same angles.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -19,25 +19,39 @@ pub(crate) struct FoundTraces {
     pub traces: Vec<(f64, Vec<f64>)>,
 }
 
+/// How many of an angle and a pressure are among the heads of a row.
+fn knows(cells: &[&str]) -> usize {
+    let any = |is: fn(&str) -> bool| usize::from(cells.iter().any(|cell| is(&parts(cell).0)));
+    any(is_angle) + any(is_pressure)
+}
+
 /// Reads a file a speed.
 ///
 /// # Errors
-/// [`InputError`] at the cell that is not understood, or where angles differ from those of the first file.
+/// [`InputError`] at the cell that is not understood or that makes them no traces, or where angles differ from those of the first file.
 pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
     let mut found = FoundTraces::default();
     for (speed, path) in files {
-        let sheet = Sheet::read(path)?;
-        let (angle, pressure) =
-            (column(&sheet, &["angle", "crank", "ca", "deg", "theta"], ANGLE)?, column(&sheet, &["press", "p", "bar"], PRESSURE)?);
-        let cell = |(row, cells): &(u64, Vec<String>), (column, factor): (usize, f64)| {
-            let value = sheet.number(*row, column, &cells[column])?;
-            value.map(|x| x * factor).ok_or_else(|| sheet.at(*row, column, "found an empty cell, expected a number".into()))
-        };
-        let angles: Vec<f64> = sheet.rows.iter().map(|r| cell(r, angle)).collect::<Result<_, _>>()?;
-        if let Some((i, message)) = hole(&angles) {
-            return Err(sheet.at(sheet.rows[i].0, angle.0, message));
+        let sheet = Sheet::read(path, &knows)?;
+        let (angle, pressure) = (column(&sheet, is_angle, ANGLE)?, column(&sheet, is_pressure, PRESSURE)?);
+        if angle.0 == pressure.0 {
+            return Err(sheet.lacks(PRESSURE.1));
         }
-        let pressures = sheet.rows.iter().map(|r| cell(r, pressure)).collect::<Result<_, _>>()?;
+        let cell = |(row, cells): &(u64, Vec<String>), column: usize| {
+            let value = sheet.number(*row, column, &cells[column])?;
+            value.ok_or_else(|| sheet.at(*row, column, "found an empty cell, expected a number".into()))
+        };
+        let rows = sheet.rows();
+        let angles: Vec<f64> = rows.iter().map(|r| Ok(cell(r, angle.0)? * angle.1)).collect::<Result<_, InputError>>()?;
+        let as_written: Vec<f64> = rows.iter().map(|r| cell(r, pressure.0)).collect::<Result<_, InputError>>()?;
+        let pressures = as_written.iter().map(|p| p * pressure.1).collect();
+        if let Some(fault) = fault(&angles, &[as_written], CYCLE) {
+            let column = if fault.trace.is_some() { pressure.0 } else { angle.0 };
+            return Err(match fault.row {
+                Some(row) => sheet.at(rows[row].0, column, fault.message),
+                None => sheet.whole(fault.message),
+            });
+        }
         if found.traces.is_empty() {
             found.angles = angles;
         } else if angles != found.angles {
@@ -51,12 +65,20 @@ pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError
     Ok(found)
 }
 
-/// The column whose head begins with one of these words, with the factor of its unit.
-fn column(sheet: &Sheet, words: &[&str], of: (Units, &str)) -> Result<(usize, f64), InputError> {
-    let begins =
-        |head: &String| parts(head).0.split([' ', '_']).any(|part| words.iter().any(|w| part == *w || w.len() > 2 && part.starts_with(w)));
-    let Some(i) = sheet.heads.iter().position(begins) else {
-        return Err(sheet.at(1, 0, format!("found columns {}, expected one like `{}` among them", sheet.all_heads(), of.1)));
+/// The column whose head has such words, with the factor of its unit: of several the only one with a unit of the kind.
+fn column(sheet: &Sheet, is: fn(&str) -> bool, of: (Units, &str)) -> Result<(usize, f64), InputError> {
+    let named: Vec<usize> = (0..sheet.heads().len()).filter(|i| is(&parts(&sheet.heads()[*i]).0)).collect();
+    let Some(first) = named.first() else { return Err(sheet.lacks(of.1)) };
+    let unit = |i: usize| {
+        let head = &sheet.heads()[i];
+        // "°KW" and "bar" name nothing but their unit
+        parts(head).1.or_else(|| known(of.0, head).map(|_| head.clone()))
     };
-    Ok((i, factor(sheet, i, of, parts(&sheet.heads[i]).1)?))
+    let fitting: Vec<usize> = named.iter().copied().filter(|i| unit(*i).is_some_and(|u| known(of.0, &u).is_some())).collect();
+    if let [one, another, ..] = fitting.as_slice() {
+        let names = (&sheet.heads()[*one], &sheet.heads()[*another]);
+        return Err(sheet.at_head(*another, format!("found `{}` and `{}`, expected one column like `{}`", names.0, names.1, of.1)));
+    }
+    let own = fitting.first().unwrap_or(first);
+    Ok((*own, factor(sheet, *own, of, unit(*own).as_deref())?))
 }

@@ -1,103 +1,201 @@
 //! Units as heads of tables write them.
 
 use super::sheet::Sheet;
+use super::words::{Role, folded};
 use crate::input::error::InputError;
+use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_PSI};
 
-/// Units as they are written without spaces and signs, and how many of SI each is.
+/// Units as they are written, and how many of what is wanted each is.
 pub(super) type Units = &'static [(&'static str, f64)];
 
-/// What a column holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    Name,
-    Inertia,
-    Stiffness,
-    DampingToNext,
-    DampingToGround,
-    Throws,
+const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
+/// N m in a lbf in, and in a lbf ft.
+const LBF_IN: f64 = N_PER_LBF * M_PER_IN;
+const LBF_FT: f64 = 12.0 * LBF_IN;
+/// kg in a lb, exact by definition.
+const LB: f64 = 0.453_592_37;
+/// m/s², by which a kgf is a force.
+const STANDARD_GRAVITY: f64 = 9.806_65;
+
+const INERTIA: Units = &[
+    ("kg m2", 1.0),
+    ("g m2", 1e-3),
+    ("kg cm2", 1e-4),
+    ("kg mm2", 1e-6),
+    ("g cm2", 1e-7),
+    ("t m2", 1e3),
+    ("N m s2", 1.0),
+    ("kgf m s2", STANDARD_GRAVITY),
+    ("lb in s2", LBF_IN),
+    ("lb ft s2", LBF_FT),
+    ("slug ft2", LBF_FT),
+    ("lb in2", LB * M_PER_IN * M_PER_IN),
+    ("lb ft2", LB * 144.0 * M_PER_IN * M_PER_IN),
+];
+const STIFFNESS: Units = &[
+    ("N m/rad", 1.0),
+    ("kN m/rad", 1e3),
+    ("MN m/rad", 1e6),
+    ("N mm/rad", 1e-3),
+    ("N m/deg", DEG_PER_RAD),
+    ("kN m/deg", 1e3 * DEG_PER_RAD),
+    ("MN m/deg", 1e6 * DEG_PER_RAD),
+    ("kgf m/rad", STANDARD_GRAVITY),
+    ("lb in/rad", LBF_IN),
+    ("lb ft/rad", LBF_FT),
+    ("lb in/deg", LBF_IN * DEG_PER_RAD),
+    ("lb ft/deg", LBF_FT * DEG_PER_RAD),
+];
+const DAMPING: Units = &[
+    ("N m s/rad", 1.0),
+    ("kN m s/rad", 1e3),
+    ("N m/rad/s", 1.0),
+    ("N m s", 1.0),
+    ("N m s/deg", DEG_PER_RAD),
+    ("lb in s/rad", LBF_IN),
+    ("lb ft s/rad", LBF_FT),
+];
+/// Angles of the crank, degrees, with an example.
+pub(super) const ANGLE: (Units, &str) = (
+    &[("deg", 1.0), ("°CA", 1.0), ("CA", 1.0), ("°KW", 1.0), ("KW", 1.0), ("°V", 1.0), ("°vil", 1.0), ("rad", DEG_PER_RAD)],
+    "Angle [deg]",
+);
+/// Absolute pressures, bar, with an example.
+pub(super) const PRESSURE: (Units, &str) = (
+    &[
+        ("bar", 1.0),
+        ("bara", 1.0),
+        ("bar abs", 1.0),
+        ("mbar", 1e-3),
+        ("MPa", 1e6 / PA_PER_BAR),
+        ("kPa", 1e3 / PA_PER_BAR),
+        ("hPa", 1e2 / PA_PER_BAR),
+        ("Pa", 1.0 / PA_PER_BAR),
+        ("psi", PA_PER_PSI / PA_PER_BAR),
+        ("psia", PA_PER_PSI / PA_PER_BAR),
+    ],
+    "Pressure [bar]",
+);
+
+/// Units of what a column holds, in SI.
+pub(super) fn units(role: Role) -> Units {
+    match role {
+        Role::Inertia => INERTIA,
+        Role::Stiffness => STIFFNESS,
+        Role::DampingToNext | Role::DampingToGround => DAMPING,
+        Role::Name | Role::Throws => &[],
+    }
 }
 
-impl Role {
-    /// By the words of a head, without its unit.
-    pub(super) fn of(words: &str) -> Option<Self> {
-        let has = |list: &[&str]| list.iter().any(|w| words.contains(w));
-        if has(&["throw"]) && !has(&["inertia", "stiff", "damp"]) {
-            return Some(Self::Throws);
-        }
-        if has(&["damp"]) {
-            return if has(&["ground", "absolute", "external"]) {
-                Some(Self::DampingToGround)
-            } else if has(&["next", "relative", "shaft", "internal"]) {
-                Some(Self::DampingToNext)
-            } else {
-                None
-            };
-        }
-        if has(&["stiff"]) || words == "k" {
-            return Some(Self::Stiffness);
-        }
-        if has(&["inertia"]) || words == "j" {
-            return Some(Self::Inertia);
-        }
-        has(&["station", "mass", "name", "element", "node", "designation"]).then_some(Self::Name)
-    }
+/// The same parts of units in other words: degrees, pounds of force, and factors in another sequence.
+const SAME: [(&str, &str); 17] = [
+    ("°", "deg"),
+    ("degrees", "deg"),
+    ("degree", "deg"),
+    ("degres", "deg"),
+    ("degre", "deg"),
+    ("graus", "deg"),
+    ("grad", "deg"),
+    ("rad-1", "/rad"),
+    ("deg-1", "/deg"),
+    ("-", ""),
+    ("lbs", "lb"),
+    ("lbfin", "lbin"),
+    ("lbfft", "lbft"),
+    ("inlbf", "lbin"),
+    ("ftlbf", "lbft"),
+    ("inlb", "lbin"),
+    ("ftlb", "lbft"),
+];
 
-    /// Units by how many of them are one in SI, each as it is written without spaces and signs.
-    pub(super) fn units(self) -> Units {
-        match self {
-            Self::Inertia => &[("kgm2", 1.0), ("gm2", 1e-3), ("kgcm2", 1e-4), ("kgmm2", 1e-6), ("tm2", 1e3)],
-            Self::Stiffness => &[("nm/rad", 1.0), ("knm/rad", 1e3), ("mnm/rad", 1e6)],
-            Self::DampingToNext | Self::DampingToGround => &[("nms/rad", 1.0), ("knms/rad", 1e3)],
-            Self::Name | Self::Throws => &[],
-        }
-    }
-
-    /// One to show in a message.
-    pub(super) fn example(self) -> &'static str {
-        match self {
-            Self::Inertia => "Inertia [kg m2]",
-            Self::Stiffness => "Stiffness to next [N m/rad]",
-            Self::DampingToNext => "Damping to next [N m s/rad]",
-            Self::DampingToGround => "Damping to ground [N m s/rad]",
-            Self::Name => "Station",
-            Self::Throws => "Throws",
-        }
-    }
+/// A unit without spaces, powers and signs between its parts, in small letters.
+fn plain(unit: &str) -> String {
+    let text = folded(&unit.replace("⁻¹", "-1").replace('²', "2"));
+    let text: String = text.chars().filter(|c| c.is_alphanumeric() || ['/', '°', '-'].contains(c)).collect();
+    // the s of "lb s²" is a second, that of "lbs in²" a plural
+    let text = text.replace("lbs2", "lb|s2").replace("lb-s2", "lb|s2");
+    SAME.iter().fold(text, |text, (from, to)| text.replace(from, to)).replace('|', "")
 }
 
-/// The factor to SI of a column, from the unit in its head.
+/// The factor of a unit; None where it is none of these.
+pub(super) fn known(units: Units, unit: &str) -> Option<f64> {
+    let is_wrong_prefix = prefix_of_another(unit).is_some();
+    let own = plain(unit);
+    units.iter().find(|(name, _)| plain(name) == own && !is_wrong_prefix).map(|u| u.1)
+}
+
+/// A unit whose first letter means another power of ten than what was meant, with the other: a milli and a mega differ in nothing else.
+fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static str)> {
+    const PAIRS: [(&str, &str); 4] = [("mN", "MN"), ("mn", "MN"), ("mPa", "MPa"), ("Mbar", "mbar")];
+    PAIRS.into_iter().find(|p| unit.trim_start().starts_with(p.0))
+}
+
+/// The factor of a column, from the unit in its head.
 ///
 /// # Errors
 /// [`InputError`] at the head where it names no unit or another one.
-pub(super) fn factor(sheet: &Sheet, column: usize, (units, example): (Units, &str), unit: Option<String>) -> Result<f64, InputError> {
+pub(super) fn factor(sheet: &Sheet, column: usize, (units, example): (Units, &str), unit: Option<&str>) -> Result<f64, InputError> {
     if units.is_empty() {
         return Ok(1.0);
     }
     let Some(unit) = unit else {
-        return Err(sheet.at(1, column, format!("found no unit, expected one in the header, such as `{example}`")));
+        return Err(sheet.at_head(column, format!("found no unit, expected one in the header, such as `{example}`")));
     };
-    let plain: String = unit.to_lowercase().replace('²', "2").chars().filter(|c| c.is_alphanumeric() || ['/', '°'].contains(c)).collect();
-    // a milli and a mega differ by their first letter only
-    let is_milli = unit.trim_start().starts_with("mN");
-    let known = units.iter().find(|(name, _)| *name == plain && !is_milli);
-    known.map(|u| u.1).ok_or_else(|| {
-        let all = units.iter().map(|u| u.0).collect::<Vec<_>>().join(", ");
-        sheet.at(1, column, format!("found the unit `{unit}`, expected one of {all}"))
+    if let Some(factor) = known(units, unit) {
+        return Ok(factor);
+    }
+    let all = units.iter().map(|u| u.0).collect::<Vec<_>>().join(", ");
+    let message = format!("found the unit `{unit}`, expected one of {all}");
+    let gauge = ["barg", "psig", "baru", "barue"].contains(&plain(unit).as_str());
+    Err(match prefix_of_another(unit) {
+        Some((found, other)) => {
+            let help =
+                format!("did you mean `{}`? `{found}` is another power of ten than `{other}`", unit.trim().replacen(found, other, 1));
+            sheet.at_head_with_help(column, message, help)
+        }
+        None if gauge => {
+            sheet.at_head_with_help(column, message, "pressures are absolute: add that of the surroundings, 1.013 bar or 14.7 psi".into())
+        }
+        None => sheet.at_head(column, message),
     })
 }
 
-/// Words of a head in small letters, and its unit: in brackets, or behind the words as in our own columns.
+/// Words of a head, folded, and its unit: in brackets, or behind the words as in our own columns.
 pub(super) fn parts(head: &str) -> (String, Option<String>) {
-    if let Some((words, rest)) = head.split_once(['[', '(']) {
-        return (words.trim().to_lowercase(), Some(rest.trim_end_matches([']', ')', ' ']).to_owned()));
+    if let Some((words, unit)) = in_brackets(head) {
+        return (folded(words), Some(unit.trim().to_owned()));
     }
-    for (end, unit) in [("_kg_m2", "kg m2"), ("_n_m_s_per_rad", "N m s/rad"), ("_n_m_per_rad", "N m/rad")] {
+    for (end, unit) in [("_kg_m2", "kg m2"), ("_n_m_s_per_rad", "N m s/rad"), ("_n_m_per_rad", "N m/rad"), ("_bar", "bar"), ("_deg", "deg")]
+    {
         if let Some(words) = head.strip_suffix(end) {
-            return (words.to_lowercase(), Some(unit.to_owned()));
+            return (folded(words), Some(unit.to_owned()));
         }
     }
-    match head.split_once(',').or_else(|| head.split_once('/').filter(|(_, unit)| unit.starts_with("kg") || unit.starts_with('N'))) {
-        Some((words, unit)) => (words.trim().to_lowercase(), Some(unit.trim().to_owned())),
-        None => (head.trim().to_lowercase(), None),
+    let is_unit = |unit: &str| unit.starts_with("kg") || unit.starts_with(['N', '°']) || ["bar", "MPa", "deg"].contains(&unit.trim());
+    // "Winkel in °KW", "pression en bar"
+    let behind_a_word = || [" in ", " en ", " em "].iter().find_map(|word| head.rsplit_once(word));
+    match head.split_once(',').or_else(|| head.split_once('/').filter(|(_, unit)| is_unit(unit))).or_else(behind_a_word) {
+        Some((words, unit)) => (folded(words), Some(unit.trim().to_owned())),
+        None => (folded(head), None),
     }
+}
+
+/// What stands before the last brackets of a head, and in them: square ones, else round ones that end it.
+fn in_brackets(head: &str) -> Option<(&str, &str)> {
+    if let Some((words, rest)) = head.split_once('[') {
+        return Some((words, rest.split(']').next().unwrap_or(rest)));
+    }
+    let first = head.find('(')?;
+    // "(to next) (N m/rad)", but also "(N m/(rad/s))"
+    let ends_there = |start: &usize| {
+        let mut depth = 0;
+        let close = head[*start..].char_indices().find(|(_, c)| {
+            depth += i32::from(*c == '(') - i32::from(*c == ')');
+            depth == 0
+        });
+        close.is_some_and(|(end, _)| head[*start + end + 1..].trim().is_empty())
+    };
+    let start = head.match_indices('(').map(|m| m.0).find(ends_there).unwrap_or(first);
+    let inner = head[start + 1..].trim_end();
+    Some((&head[..start], inner.strip_suffix(')').unwrap_or(inner)))
 }

@@ -54,7 +54,7 @@ pub(crate) struct RawCrank {
     pub oil_bore: Option<RawOilBore>,
     /// Numbers of the main bearings that are not there, from 1.
     #[serde(default)]
-    #[schemars(extend("default" = [], "examples" = [[2]]))]
+    #[schemars(extend("items" = { "type": "integer", "minimum": 1 }, "default" = [], "examples" = [[2]]))]
     pub missing_bearings: Vec<At<i64>>,
     /// Distance between the two rods of a throw of a V engine.
     #[schemars(extend("minimum" = 0, "examples" = [22]))]
@@ -114,7 +114,7 @@ pub(crate) struct RawMasses {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
     pub web_height_mm: At<f64>,
     /// Centre of a web from the axis, towards the pin.
-    #[schemars(extend("examples" = [20]))]
+    #[schemars(extend("minimum" = 0, "examples" = [20]))]
     pub web_centre_mm: At<f64>,
     /// Sector of a counterweight on each web.
     pub counterweight: Option<RawSector>,
@@ -177,10 +177,10 @@ pub(crate) struct RawStep {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawEach {
     /// The same everywhere.
-    #[schemars(extend("examples" = [130]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [130]))]
     All(At<f64>),
     /// A value each.
-    #[schemars(extend("examples" = [[130, 130, 140]]))]
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "examples" = [[130, 130, 140]]))]
     Each(At<Vec<At<f64>>>),
 }
 

@@ -15,6 +15,10 @@ pub(crate) struct RawEngine {
     /// Strokes of the cycle.
     #[schemars(extend("enum" = [2, 4], "examples" = [4]))]
     pub strokes: At<i64>,
+    /// Keys of this file, with points between those of tables, whose values are those of an example: `check` and `run` name them until they are deleted here.
+    #[serde(default)]
+    #[schemars(extend("uniqueItems" = true, "examples" = [["geometry.bore_mm", "geometry.piston_mass_kg"]]))]
+    pub placeholder: Vec<At<String>>,
     /// What of the moving masses the inertias of the stations leave out: `mean` adds the mean of piston and rod, `none` adds nothing. Without it `none` where all inertias of stations are given, and `mean` for those of throws that follow from dimensions.
     #[schemars(extend("examples" = ["mean"]))]
     pub reciprocating_inertia: Option<At<RawReciprocating>>,
@@ -204,11 +208,11 @@ pub(crate) struct RawOtto {
 pub(crate) enum RawCurve {
     /// Brake power at each speed.
     #[serde(rename = "power_kw")]
-    #[schemars(extend("examples" = [[80, 200]]))]
+    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[80, 200]]))]
     Power(At<Vec<At<f64>>>),
     /// Brake torque at each speed.
     #[serde(rename = "torque_n_m")]
-    #[schemars(extend("examples" = [[800, 900]]))]
+    #[schemars(extend("items" = { "type": "number", "minimum": 0 }, "examples" = [[800, 900]]))]
     Torque(At<Vec<At<f64>>>),
 }
 
@@ -266,7 +270,7 @@ pub(crate) enum RawTorqueOf {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFile {
     /// The table, relative to this file: `crank_deg` over a whole cycle, zero at firing dead centre (negative angles are of the stroke before it), and a column a speed, named like `1600_rpm_bar`, absolute. Torque is
-    /// linear between speeds; one speed is taken for all.
+    /// linear between speeds, and that of the nearest speed beyond them; one speed is taken for all.
     #[schemars(extend("examples" = ["pressure.csv"]))]
     pub file: At<String>,
 }
@@ -287,7 +291,7 @@ pub(crate) struct RawStation {
     pub name: At<String>,
     /// Throws that it carries, by number.
     #[serde(default)]
-    #[schemars(extend("default" = [], "examples" = [[1]]))]
+    #[schemars(extend("items" = { "type": "integer", "minimum": 1 }, "default" = [], "examples" = [[1]]))]
     pub throws: Vec<At<i64>>,
     /// Its inertia; without it, what follows from the dimensions of the crank.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
@@ -310,8 +314,8 @@ pub(crate) struct RawStation {
     /// The station it leads to, in place of the one below it.
     #[schemars(extend("examples" = ["flywheel"]))]
     pub next: Option<At<String>>,
-    /// Speed of the next station over its own.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [2.5]))]
+    /// Speed of this station over that of the next, negative where they turn in opposite directions, as an outer pair of gears makes them; the stiffness to the next is on this station's shaft, and without one the mesh is rigid.
+    #[schemars(extend("anyOf" = [{ "minimum": -1000, "maximum": -0.001 }, { "minimum": 0.001, "maximum": 1000 }], "examples" = [-2.5]))]
     pub gear_ratio_to_next: Option<At<f64>>,
     /// Steps of a plain shaft to the next station, in place of its stiffness.
     #[schemars(extend("examples" = [[{"diameter_mm": 60, "length_mm": 120}]]))]

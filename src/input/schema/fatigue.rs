@@ -163,7 +163,7 @@ pub(crate) struct RawFillet {
     #[schemars(extend("examples" = ["crankpin"]))]
     pub name: At<String>,
     /// The throw; without it all of them.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub throw: Option<At<i64>>,
     /// Whether it is at a crankpin or a journal.
     #[serde(default)]

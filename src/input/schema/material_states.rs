@@ -138,7 +138,7 @@ pub(crate) struct RawCooling {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawToAir {
     /// Conductance to the air.
-    #[schemars(extend("examples" = [2]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     WPerK(At<f64>),
     /// A rotating disc of this size.
     Disc(RawDisc),

@@ -42,7 +42,7 @@ macro_rules! over_speed {
         pub(crate) struct $name {
             $($(#[$about])* pub $field: $kind,)*
             /// Part of the speeds that counts: the lowest and the highest.
-            #[schemars(extend("examples" = [[1000, 2500]]))]
+            #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[1000, 2500]]))]
             pub speed_rpm: Option<At<Vec<At<f64>>>>,
             /// Ranges of speed that do not count.
             #[schemars(extend("examples" = [[[1400, 1500]]]))]
@@ -75,7 +75,7 @@ over_speed!(RawTwist {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
@@ -89,7 +89,7 @@ over_speed!(RawAmplitude {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
@@ -103,7 +103,7 @@ over_speed!(RawAcceleration {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2000]))]
@@ -117,7 +117,7 @@ over_speed!(#[derive(Default)] RawTorque {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [900]))]
@@ -137,7 +137,7 @@ over_speed!(RawStress {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
@@ -151,13 +151,13 @@ over_speed!(RawStress {
 });
 over_speed!(#[derive(Default)] RawRingTwist {
     /// The absorber by its number; without it the largest of all.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: Option<At<i64>>,
     /// Over the sum of orders, the largest order, or the mean over the duty.
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
@@ -165,7 +165,7 @@ over_speed!(#[derive(Default)] RawRingTwist {
 });
 over_speed!(RawStrain {
     /// The absorber by its number.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Mean radius of the element.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [95]))]
@@ -177,7 +177,7 @@ over_speed!(RawStrain {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
@@ -185,7 +185,7 @@ over_speed!(RawStrain {
 });
 over_speed!(#[derive(Default)] RawPower {
     /// The absorber by its number; without it the sum of all.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: Option<At<i64>>,
     /// The worst speed, or the mean over the duty.
     #[schemars(extend("default" = "speed", "examples" = ["duty"]))]
@@ -196,7 +196,7 @@ over_speed!(#[derive(Default)] RawPower {
 });
 over_speed!(RawPowerPerArea {
     /// The absorber by its number.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Area that heat leaves by.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.05]))]
@@ -210,7 +210,7 @@ over_speed!(RawPowerPerArea {
 });
 over_speed!(RawSpringStress {
     /// The absorber by its number.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Stress of the springs per twist of the ring, from their drawing.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
@@ -219,7 +219,7 @@ over_speed!(RawSpringStress {
     #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
     over: Option<RawOver>,
     /// One order only.
-    #[schemars(extend("examples" = [6]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
     order: Option<At<f64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [400]))]
@@ -229,7 +229,7 @@ over_speed!(RawSpringStress {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLifeOf {
     /// The absorber by its number; its material says how many cycles of strain it bears.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: At<i64>,
     /// Least life over the duty.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8000]))]
@@ -237,7 +237,7 @@ pub(crate) struct RawLifeOf {
 }
 over_speed!(RawTemperature {
     /// The absorber by its number; its material says what cools it.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [110]))]
@@ -255,7 +255,7 @@ over_speed!(#[derive(Default)] RawMargin {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawKrCrank {
-    /// Rated speed.
+    /// Rated speed of the crankshaft.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
     pub rated_speed_rpm: At<f64>,
     /// Tensile strength.
@@ -277,10 +277,14 @@ pub(crate) enum RawKrEngine {
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["rated_speed_rpm"] }, { "required": ["rated_shaft_speed_rpm"] }]))]
 pub(crate) struct RawM68 {
-    /// Rated speed.
+    /// Rated speed of the crankshaft, of a shaft behind a gear, too; or `rated_shaft_speed_rpm`.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2500]))]
-    pub rated_speed_rpm: At<f64>,
+    pub rated_speed_rpm: Option<At<f64>>,
+    /// Rated speed of the shaft itself, which behind a gear is another one than that of the crankshaft; in place of `rated_speed_rpm`.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [500]))]
+    pub rated_shaft_speed_rpm: Option<At<f64>>,
     /// Tensile strength.
     #[schemars(extend("minimum" = 400, "maximum" = 800, "examples" = [600]))]
     pub tensile_strength_mpa: At<f64>,
@@ -293,7 +297,7 @@ pub(crate) struct RawM68 {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawLossFactor {
     /// The absorber by its number; without it the largest of all.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.25]))]
@@ -304,7 +308,7 @@ pub(crate) struct RawLossFactor {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawInertia {
     /// The absorber by its number; without it all together.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
     pub absorber: Option<At<i64>>,
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.1]))]
@@ -319,6 +323,7 @@ pub(crate) struct RawBand {
     pub outside_hz: At<Vec<At<f64>>>,
 }
 
+#[expect(clippy::large_enum_variant, reason = "a study has few of them")]
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawMeasure {

@@ -3,6 +3,7 @@
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::{Value, json};
 
 /// Value or bounds.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -27,4 +28,10 @@ pub(crate) struct RawBounds {
     #[schemars(extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     #[expect(dead_code, reason = "a shape, never a value")]
     pub between: Vec<f64>,
+}
+
+/// Two bounds within a range, for the schema.
+pub(super) fn between(low: f64, high: f64, example: [f64; 2]) -> Value {
+    let item = json!({ "type": "number", "minimum": low, "maximum": high });
+    json!({ "between": { "type": "array", "description": "Two bounds.", "items": item, "minItems": 2, "maxItems": 2, "examples": [example] } })
 }

@@ -31,7 +31,7 @@ pub(crate) struct RawSampling {
     #[schemars(extend("minimum" = 1, "maximum" = 99.9, "examples" = [95]))]
     pub percentile: At<f64>,
     /// Number of random designs.
-    #[schemars(extend("examples" = [1000]))]
+    #[schemars(extend("minimum" = 100, "maximum" = 1000000, "examples" = [1000]))]
     pub samples: At<i64>,
     /// How deviations are distributed; of normal ones the tolerance is three standard deviations.
     #[schemars(extend("examples" = ["uniform"]))]

@@ -83,11 +83,11 @@ pub(crate) enum RawBending {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum RawBasis {
     /// The stroke.
-    #[schemars(extend("examples" = [90]))]
+    #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [90]))]
     StrokeMm(At<f64>),
     /// Displacement of the engine.
     #[serde(rename = "displacement_cm3")]
-    #[schemars(extend("examples" = [1600]))]
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [1600]))]
     DisplacementCm3(At<f64>),
     /// Brake power with its mean effective pressure.
     Power(RawPower),
@@ -129,7 +129,7 @@ pub(crate) struct RawMechanism {
     #[schemars(extend("minimum" = 0.01, "maximum" = 100000, "examples" = [3]))]
     pub fillet_radius_mm: At<f64>,
     /// Clearance between pin and eye.
-    #[schemars(extend("examples" = [1]))]
+    #[schemars(extend("minimum" = 0, "examples" = [1]))]
     pub eye_clearance_mm: At<f64>,
     /// Least ratio of outer to inner diameter of an eye.
     #[schemars(extend("minimum" = 1.02, "maximum" = 4, "examples" = [1.2]))]
@@ -267,6 +267,6 @@ pub(crate) struct RawSizingFront {
     #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.005, 0.05]]))]
     pub ring_inertia_kg_m2: At<Vec<At<f64>>>,
     /// Points of the front.
-    #[schemars(extend("examples" = [10]))]
+    #[schemars(extend("minimum" = 2, "maximum" = 100, "examples" = [10]))]
     pub points: At<i64>,
 }

@@ -5,7 +5,7 @@ use super::catalogue::RawCatalogue;
 use super::fatigue::RawFatigue;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
-use super::range::{RawBounds, RawRange};
+use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -22,6 +22,10 @@ pub(crate) struct RawStudy {
     /// The engine file, relative to the study.
     #[schemars(extend("examples" = ["engine.toml"]))]
     pub engine: At<String>,
+    /// Keys of this file, with points between those of tables, whose values are those of an example: `check` and `run` name them until they are deleted here.
+    #[serde(default)]
+    #[schemars(extend("uniqueItems" = true, "examples" = [["speed_rpm"]]))]
+    pub placeholder: Vec<At<String>>,
     /// The speeds of the sweep.
     #[schemars(extend("examples" = [{"from": 600, "to": 3200, "step": 10}]))]
     pub speed_rpm: At<RawSpeeds>,
@@ -171,7 +175,7 @@ pub(crate) enum RawMethod {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawDesign {
     /// Its name in tables and plots.
-    #[schemars(extend("pattern" = "^(?!optimum_)[A-Za-z0-9_-][A-Za-z0-9_.-]*$", "examples" = ["tuned"]))]
+    #[schemars(extend("pattern" = "^(?!optimum_)[A-Za-z0-9_][A-Za-z0-9_.-]*$", "examples" = ["tuned"]))]
     pub name: At<String>,
     /// An absorber of the design; without any the bare engine.
     #[serde(default)]
@@ -234,10 +238,10 @@ pub(crate) struct RawPareto {
 pub(crate) enum RawAgainst {
     /// Smallest and largest inertia of the ring.
     #[serde(rename = "ring_inertia_kg_m2")]
-    #[schemars(extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     RingInertia(At<Vec<At<f64>>>),
     /// Smallest and largest inertia of the ring over that of the engine.
-    #[schemars(extend("minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
+    #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     InertiaRatio(At<Vec<At<f64>>>),
 }
 
@@ -328,34 +332,34 @@ pub(crate) struct RawCalibrate {
     #[schemars(extend("examples" = [["throw_damping"]]))]
     pub tuned_by_hand: Option<At<Vec<At<String>>>>,
     /// Bounds of the factor on the pressure.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.5, 2]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1e-6, 5.0, [0.5, 2.0]), "examples" = [{"between": [0.5, 2]}]))]
     pub pressure_scale: Option<At<RawRange>>,
     /// Bounds of the compression ratio.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [8, 20]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.5, 50.0, [8.0, 20.0]), "examples" = [{"between": [8, 20]}]))]
     pub compression_ratio: Option<At<RawRange>>,
     /// Bounds of the ratio of heat capacities.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [1.25, 1.4]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.05, 1.67, [1.25, 1.4]), "examples" = [{"between": [1.25, 1.4]}]))]
     pub heat_capacity_ratio: Option<At<RawRange>>,
     /// Bounds of the inlet pressure.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [1, 3]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1e-6, 100.0, [1.0, 3.0]), "examples" = [{"between": [1, 3]}]))]
     pub boost_bar: Option<At<RawRange>>,
     /// Bounds of the start of burning.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [-15, 5]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(-90.0, 90.0, [-15.0, 5.0]), "examples" = [{"between": [-15, 5]}]))]
     pub burn_start_deg: Option<At<RawRange>>,
     /// Bounds of the duration of burning.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [40, 90]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(1.0, 170.0, [40.0, 90.0]), "examples" = [{"between": [40, 90]}]))]
     pub burn_duration_deg: Option<At<RawRange>>,
     /// Bounds of Wiebe's exponent.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.5, 3]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.1, 10.0, [0.5, 3.0]), "examples" = [{"between": [0.5, 3]}]))]
     pub wiebe_exponent: Option<At<RawRange>>,
     /// Bounds of the damping to ground at the throws.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.1, 20]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1e9, [0.1, 20.0]), "examples" = [{"between": [0.1, 20]}]))]
     pub throw_damping_n_m_s_per_rad: Option<At<RawRange>>,
     /// Bounds of the damping of the shafts.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.1, 100]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1e9, [0.1, 100.0]), "examples" = [{"between": [0.1, 100]}]))]
     pub shaft_damping_n_m_s_per_rad: Option<At<RawRange>>,
     /// Bounds of the loss factor of the shafts.
-    #[schemars(with = "Option<RawBounds>", extend("examples" = [{"between": [0.001, 0.05]}]))]
+    #[schemars(with = "Option<RawBounds>", extend("properties" = between(0.0, 1.0, [0.001, 0.05]), "examples" = [{"between": [0.001, 0.05]}]))]
     pub shaft_loss_factor: Option<At<RawRange>>,
 }
 

@@ -1,6 +1,7 @@
 //! Absorbers that can be bought.
 
-use super::table::{Table, shown};
+use super::shown::shown;
+use super::table::Table;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Declaration, Parameter, Range, TYPES, types};
 use crate::input::error::InputError;
@@ -69,25 +70,27 @@ const M2_PER_MM2: f64 = 1e-6;
 /// # Errors
 /// [`InputError`] with file, row and column.
 pub(crate) fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["name", "type"])?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
     if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {
         let found = format!("found column `{}`, expected `geometry` in its [[catalogue]], the shape that is sheared", table.header[column]);
-        return Err(table.at(1, column, found));
+        return Err(table.at_head(column, found));
     }
     let of_material = |key: &String| OF_MATERIALS.iter().any(|m| m.0 == key);
     let known = |key: &String| ["name", "type"].contains(&key.as_str()) || of_material(key) || TYPES.iter().any(|t| t.index(key).is_some());
     if let Some(column) = table.header.iter().position(|key| !known(key)) {
         let found = format!("found column `{}`, expected `name`, `type` and parameters of types", shown(&table.header[column]));
-        return Err(table.at(1, column, found));
+        return Err(table.at_head(column, found));
     }
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {
         let (own, word) = (&cells[name], &cells[kind]);
         let plain = !own.is_empty() && own.len() <= 100 && own.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
-        if !plain || own.starts_with('.') || own.starts_with("optimum_") {
-            let found =
-                format!("found the name `{}`, expected letters, digits, `_`, `-` and `.`, not starting with `optimum_`", shown(own));
+        if !plain || own.starts_with(['.', '-']) || own.starts_with("optimum_") {
+            let found = format!(
+                "found the name `{}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`",
+                shown(own)
+            );
             return Err(table.at(*line, name, found));
         }
         if rows.iter().any(|r| r.name == *own) {

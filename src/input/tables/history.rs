@@ -1,8 +1,8 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
+use super::shown::shown;
 use super::stream::Stream;
-use super::table::shown;
 use crate::fatigue::multiaxial::History;
 use crate::input::error::InputError;
 use crate::units::PA_PER_MPA;
@@ -68,7 +68,7 @@ impl HistoryReader {
     fn point(&mut self) -> Result<Option<PointHistory>, InputError> {
         let Some(first) = self.row()? else {
             return if self.seen.is_empty() {
-                Err(self.at(1, 0, "found no row, expected the history of a point".into()))
+                Err(self.stream.at_head(0, "found no row, expected the history of a point".into()))
             } else {
                 Ok(None)
             };

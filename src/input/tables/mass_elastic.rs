@@ -26,10 +26,10 @@ const COLUMNS: [&str; 10] = [
 /// # Errors
 /// [`InputError`] with row and column.
 pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawStation>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &COLUMNS)?;
     if let Some(i) = table.header.iter().position(|h| !COLUMNS.contains(&h.as_str())) {
         let expected = format!("{}, and of others only {}", COLUMNS[..3].join(", "), COLUMNS[3..].join(", "));
-        return Err(table.at(1, i, format!("found column `{}`, expected {expected}", table.header[i])));
+        return Err(table.at_head(i, format!("found column `{}`, expected {expected}", table.header[i])));
     }
     let (station, inertia) = (table.column(COLUMNS[0])?, table.column(COLUMNS[1])?);
     table.column(COLUMNS[2])?;
@@ -65,7 +65,7 @@ pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawSt
         }
         let next = table.optional("next").map(|c| cells[c].clone()).filter(|n| !n.is_empty());
         stations.push(RawStation {
-            name: At::new(named.clone(), cells[station].clone()),
+            name: At::new(named.clone(), table.words(*row, station, &cells[station])?),
             throws,
             inertia_kg_m2: Some(at(mass)),
             stiffness_to_next_n_m_per_rad: optional(COLUMNS[2])?,

@@ -3,15 +3,21 @@
 use super::table::Table;
 use crate::absorber::measured::MeasuredTable;
 use crate::input::error::InputError;
+use crate::numerics::elementary::Elementary;
 use crate::units::HZ_PER_RAD_PER_S;
 use std::path::Path;
+
+/// Smaller numbers are none of a measurement.
+const LEAST: f64 = 1e-20;
+/// Stiffnesses of one table lie within this factor: from its rubbery to its glassy state a polymer has 1e3 to 1e4.
+const MOST_APART: f64 = 1e6;
 
 /// `frequency_hz, stiffness_n_m_per_rad` and either `loss_factor` or `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
 pub(crate) fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["frequency_hz", "stiffness_n_m_per_rad"])?;
     let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
     let (loss, damping, temperature) =
         (table.optional("loss_factor"), table.optional("damping_n_m_s_per_rad"), table.optional("temperature_c"));
@@ -21,13 +27,18 @@ pub(crate) fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
     };
     let known = [Some(frequency), Some(stiffness), Some(loss_column), temperature];
     if let Some(c) = (0..table.header.len()).find(|c| !known.contains(&Some(*c))) {
-        return Err(table.at(1, c, format!("found column `{}`, which means nothing here", super::table::shown(&table.header[c]))));
+        return Err(table.at_head(c, format!("found column `{}`, which means nothing here", super::shown::shown(&table.header[c]))));
     }
     let mut points: Vec<(f64, f64, f64, f64)> = Vec::new();
+    // lines with the size of the complex stiffness
+    let mut lines: Vec<(u64, f64)> = Vec::new();
     for (line, row) in table.numbers()? {
         for c in [frequency, stiffness, loss_column] {
             if row[c] <= 0.0 {
                 return Err(table.at(line, c, format!("found {}, expected a number above zero", row[c])));
+            }
+            if row[c] < LEAST {
+                return Err(table.at(line, c, format!("found {:e}, expected a number from {LEAST:e} to 1e20", row[c])));
             }
         }
         let hz = row[frequency];
@@ -37,6 +48,12 @@ pub(crate) fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
             return Err(table.at(line, frequency, format!("found {hz} Hz a second time, expected each frequency once at a temperature")));
         }
         points.push((celsius, hz, row[stiffness], lost));
+        lines.push((line, row[stiffness].hypotenuse(lost)));
+    }
+    let largest = lines.iter().map(|l| l.1).fold(0.0, f64::max);
+    if let Some((line, size)) = lines.iter().find(|l| l.1 * MOST_APART < largest) {
+        let found = format!("found a complex stiffness of {size:e} N m/rad beside one of {largest:e}");
+        return Err(table.at(*line, stiffness, format!("{found}, expected all of a table within a factor of 1e6: errors are relative")));
     }
     let temperatures_c = ascending(points.iter().map(|p| p.0).collect());
     let frequencies_hz = ascending(points.iter().map(|p| p.1).collect());

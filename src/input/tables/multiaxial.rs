@@ -39,7 +39,7 @@ impl Row<'_> {
 }
 
 fn rows<T>(path: &Path, columns: &[&str], read: impl Fn(Row) -> Result<T, InputError>) -> Result<Vec<T>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &[&POINT, columns].concat())?;
     let named: Vec<usize> = POINT.iter().map(|c| table.column(c)).collect::<Result<_, _>>()?;
     let places: Vec<usize> = columns.iter().map(|c| table.column(c)).collect::<Result<_, _>>()?;
     if table.rows.is_empty() {
@@ -47,8 +47,8 @@ fn rows<T>(path: &Path, columns: &[&str], read: impl Fn(Row) -> Result<T, InputE
     }
     let (mut list, mut points): (Vec<T>, Vec<PublishedPoint>) = (Vec::new(), Vec::new());
     for (line, cells) in &table.rows {
-        let [number, crank, speed, point] = [0, 1, 2, 3].map(|i| cells[named[i]].clone());
-        let at = PublishedPoint { table: number, crank, speed, point };
+        let words = |i: usize| table.words(*line, named[i], &cells[named[i]]);
+        let at = PublishedPoint { table: words(0)?, crank: words(1)?, speed: words(2)?, point: words(3)? };
         if points.iter().any(|known| known.is_same(&at)) {
             return Err(table.at(*line, named[3], "found this crank, speed and point a second time".into()));
         }

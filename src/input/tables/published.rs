@@ -1,6 +1,7 @@
 //! Published tables. Columns `table` and `engine` may be left out; with `engine`, only the rows of one engine count.
 
-use super::table::{Table, shown};
+use super::shown::shown;
+use super::table::Table;
 use crate::engine::Order;
 use crate::fatigue::Cycle;
 use crate::input::error::InputError;
@@ -28,14 +29,14 @@ impl<'a> Rows<'a> {
     }
 
     /// Number of the table a row was copied from.
-    fn source(&self, cells: &[String]) -> String {
-        self.number.map_or_else(String::new, |c| cells[c].clone())
+    fn source(&self, line: u64, cells: &[String]) -> Result<String, InputError> {
+        self.number.map_or_else(|| Ok(String::new()), |c| self.table.words(line, c, &cells[c]))
     }
 
     fn only(&self, known: &[&str]) -> Result<(), InputError> {
         let found = self.table.header.iter().position(|h| !known.contains(&h.as_str()));
         found.map_or(Ok(()), |i| {
-            Err(self.table.at(1, i, format!("found column `{}`, expected only {}", self.table.header[i], known.join(", "))))
+            Err(self.table.at_head(i, format!("found column `{}`, expected only {}", self.table.header[i], known.join(", "))))
         })
     }
 
@@ -63,7 +64,7 @@ impl<'a> Rows<'a> {
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["torsional_mode", "frequency_hz"])?;
     let rows = Rows::new(&table, engine)?;
     let (mode, hz, source) = (table.column("torsional_mode")?, table.column("frequency_hz")?, table.optional("source"));
     rows.only(&["table", "engine", "source", "torsional_mode", "frequency_hz"])?;
@@ -74,8 +75,8 @@ pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>,
             return Err(table.at(*line, mode, format!("found {number}, expected a number of a mode from 1")));
         }
         let row = PublishedFrequency {
-            table: rows.source(cells),
-            source: source.map_or_else(String::new, |s| cells[s].clone()),
+            table: rows.source(*line, cells)?,
+            source: source.map_or_else(|| Ok(String::new()), |s| table.words(*line, s, &cells[s]))?,
             mode: number as usize,
             frequency_hz: rows.positive(*line, hz, &cells[hz])?,
         };
@@ -92,7 +93,7 @@ pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>,
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn absorbers(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedAbsorber>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["design", "ring_inertia_kg_m2"])?;
     let rows = Rows::new(&table, engine)?;
     let design = table.column("design")?;
     let values = ["ring_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s_per_rad", "f1_hz", "f2_hz", "f3_hz"];
@@ -112,12 +113,13 @@ pub fn absorbers(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
             numbers.push(number);
         }
         let name = designs[known_design(&table, *line, design, &cells[design], designs)?].clone();
-        if list.iter().any(|r| r.design == name && r.table == rows.source(cells)) {
+        let source = rows.source(*line, cells)?;
+        if list.iter().any(|r| r.design == name && r.table == source) {
             return Err(table.at(*line, design, format!("found design `{name}` of this table a second time")));
         }
         let frequencies_hz = numbers.split_off(3);
         let (ring_inertia, stiffness, damping) = (numbers[0], numbers[1], numbers[2]);
-        list.push(PublishedAbsorber { table: rows.source(cells), design: name, ring_inertia, stiffness, damping, frequencies_hz });
+        list.push(PublishedAbsorber { table: source, design: name, ring_inertia, stiffness, damping, frequencies_hz });
     }
     Ok(list)
 }
@@ -145,7 +147,7 @@ pub struct Reach<'a> {
 /// [`InputError`] with row and column.
 pub fn amplitudes(path: &Path, engine: &str, reach: &Reach) -> Result<Vec<PublishedAmplitude>, InputError> {
     let designs = reach.designs;
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["design", "order", "speed_rpm"])?;
     let rows = Rows::new(&table, engine)?;
     let (design, order) = (table.column("design")?, table.column("order")?);
     let (speed, amplitude) = (table.column("speed_rpm")?, table.column("hub_amplitude_deg")?);
@@ -157,7 +159,7 @@ pub fn amplitudes(path: &Path, engine: &str, reach: &Reach) -> Result<Vec<Publis
             return Err(table.at(*line, order, format!("found {}, expected a half or whole order", cells[order])));
         }
         let row = PublishedAmplitude {
-            table: rows.source(cells),
+            table: rows.source(*line, cells)?,
             design: known_design(&table, *line, design, &cells[design], designs)?,
             order: Order::from_twice(twice as u32),
             speed_rpm: rows.positive(*line, speed, &cells[speed])?,
@@ -186,7 +188,7 @@ pub fn amplitudes(path: &Path, engine: &str, reach: &Reach) -> Result<Vec<Publis
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn fatigue(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<PublishedFatigue>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["design", "torsion_case", "condition", "fillet"])?;
     let rows = Rows::new(&table, engine)?;
     let (design, case, condition, fillet) =
         (table.column("design")?, table.column("torsion_case")?, table.column("condition")?, table.column("fillet")?);
@@ -198,11 +200,11 @@ pub fn fatigue(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Publ
     let mut list: Vec<PublishedFatigue> = Vec::new();
     for (line, cells) in &rows.of_engine {
         let row = PublishedFatigue {
-            table: rows.source(cells),
+            table: rows.source(*line, cells)?,
             design: known_design(&table, *line, design, &cells[design], designs)?,
-            torsion_case: cells[case].clone(),
-            condition: cells[condition].clone(),
-            fillet: cells[fillet].clone(),
+            torsion_case: table.words(*line, case, &cells[case])?,
+            condition: table.words(*line, condition, &cells[condition])?,
+            fillet: table.words(*line, fillet, &cells[fillet])?,
             cycle: Cycle {
                 amplitude: rows.positive(*line, amplitude, &cells[amplitude])? * PA_PER_MPA,
                 mean: table.filled(*line, mean, &cells[mean])? * PA_PER_MPA,
@@ -225,16 +227,16 @@ pub fn fatigue(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Publ
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn stresses(path: &Path, engine: &str) -> Result<Vec<PublishedStress>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["model", "condition", "von_mises_mpa"])?;
     let rows = Rows::new(&table, engine)?;
     let (model, condition, stress) = (table.column("model")?, table.column("condition")?, table.column("von_mises_mpa")?);
     rows.only(&["table", "engine", "model", "condition", "von_mises_mpa", "note"])?;
     let mut list: Vec<PublishedStress> = Vec::new();
     for (line, cells) in &rows.of_engine {
         let row = PublishedStress {
-            table: rows.source(cells),
-            model: cells[model].clone(),
-            condition: cells[condition].clone(),
+            table: rows.source(*line, cells)?,
+            model: table.words(*line, model, &cells[model])?,
+            condition: table.words(*line, condition, &cells[condition])?,
             von_mises: rows.positive(*line, stress, &cells[stress])? * PA_PER_MPA,
         };
         if list.iter().any(|r| (&r.model, &r.condition) == (&row.model, &row.condition)) {
@@ -250,15 +252,15 @@ pub fn stresses(path: &Path, engine: &str) -> Result<Vec<PublishedStress>, Input
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn factors(path: &Path, engine: &str) -> Result<Vec<PublishedFactor>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["fillet", "bending", "torsion"])?;
     let rows = Rows::new(&table, engine)?;
     let (fillet, bending, torsion) = (table.column("fillet")?, table.column("bending")?, table.column("torsion")?);
     rows.only(&["table", "engine", "fillet", "bending", "torsion"])?;
     let mut list: Vec<PublishedFactor> = Vec::new();
     for (line, cells) in &rows.of_engine {
         let row = PublishedFactor {
-            table: rows.source(cells),
-            fillet: cells[fillet].clone(),
+            table: rows.source(*line, cells)?,
+            fillet: table.words(*line, fillet, &cells[fillet])?,
             bending: rows.factor(*line, bending, &cells[bending])?,
             torsion: rows.factor(*line, torsion, &cells[torsion])?,
         };
@@ -278,13 +280,24 @@ pub fn factors(path: &Path, engine: &str) -> Result<Vec<PublishedFactor>, InputE
 /// # Errors
 /// [`InputError`] with row and column.
 pub fn engines(path: &Path, engine: &str) -> Result<Vec<PublishedQuantity>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["quantity", "unit"])?;
     let (name, unit, value) = (table.column("quantity")?, table.column("unit")?, table.column(engine)?);
     let filled = table.rows.iter().filter(|(_, cells)| !cells[value].is_empty());
-    let row = |(_, cells): &(u64, Vec<String>)| PublishedQuantity {
-        name: cells[name].clone(),
-        unit: cells[unit].clone(),
-        value: cells[value].parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| cells[value].clone()),
+    let number = |line: u64, cell: &str| -> Result<Option<f64>, InputError> {
+        match table.number(line, value, cell) {
+            // digits that can be read in two ways are no words
+            Err(error) if cell.trim_start_matches(['+', '-']).chars().all(|c| c.is_ascii_digit() || ".,".contains(c)) => Err(error),
+            Err(_) => Ok(cell.parse::<f64>().ok().filter(|x| x.is_finite())),
+            read => read,
+        }
     };
-    Ok(filled.map(row).collect())
+    let row = |(line, cells): &(u64, Vec<String>)| -> Result<PublishedQuantity, InputError> {
+        let words = |column: usize| table.words(*line, column, &cells[column]);
+        let value = match number(*line, &cells[value])? {
+            Some(x) => Ok(x),
+            None => Err(words(value)?),
+        };
+        Ok(PublishedQuantity { name: words(name)?, unit: words(unit)?, value })
+    };
+    filled.map(row).collect()
 }

@@ -10,13 +10,13 @@ use std::path::Path;
 /// # Errors
 /// [`InputError`] with row and column.
 pub(crate) fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["symbol"])?;
     let symbol = table.column("symbol")?;
     let rounds: Vec<usize> = (0..table.header.len()).filter(|c| *c != symbol).collect();
     for (i, column) in rounds.iter().enumerate() {
         let (found, expected) = (&table.header[*column], format!("iteration_{}", i + 1));
         if *found != expected {
-            return Err(table.at(1, *column, format!("found column `{found}`, expected `{expected}`")));
+            return Err(table.at_head(*column, format!("found column `{found}`, expected `{expected}`")));
         }
     }
     let mut list = Vec::new();

@@ -18,11 +18,11 @@ struct Loads {
 impl Loads {
     /// `crank_deg`, then a column a load.
     fn read(path: &Path) -> Result<Self, InputError> {
-        let table = Table::read(path)?;
+        let table = Table::read(path, &["crank_deg"])?;
         let angle = table.column("crank_deg")?;
         let columns: Vec<usize> = (0..table.header.len()).filter(|c| *c != angle).collect();
         if let Some(c) = columns.iter().find(|c| table.header[**c].is_empty()) {
-            return Err(table.at(1, *c, "found a column without a name, expected that of a load".into()));
+            return Err(table.at_head(*c, "found a column without a name, expected that of a load".into()));
         }
         if columns.is_empty() {
             return Err(table.whole("found no column beside `crank_deg`, expected one a load".into()));
@@ -82,7 +82,7 @@ impl Iterator for Superposed {
             };
             let history = History::new((0..samples).map(at));
             if history.components.iter().flatten().all(|s| *s == 0.0) {
-                let message = format!("found no stress at all at point `{}` under these loads, expected some", super::table::shown(&name));
+                let message = format!("found no stress at all at point `{}` under these loads, expected some", super::shown::shown(&name));
                 return Err(whole(&self.path, message));
             }
             Ok(PointHistory { name, history })

@@ -1,18 +1,38 @@
 //! A table in a file, row by row, with the place of each mistake.
 
+use super::encoding::{other_kind, utf8};
+use super::form::{Form, Score};
+use super::numbers::Convention;
+use super::records::{Record, Records};
+use super::shown::shown;
 use crate::input::error::{InputError, Mistake, Place, read_bytes};
+use crate::input::files::remark;
+use crate::input::letters::fault;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
-
-/// A cell for a message: a quotation mark left open makes one of the rest of the file.
-pub(crate) fn shown(cell: &str) -> String {
-    const MOST: usize = 40;
-    let line = cell.lines().next().unwrap_or("");
-    if line.chars().count() > MOST || line.len() < cell.len() { line.chars().take(MOST).chain(['…']).collect() } else { line.to_owned() }
-}
 
 /// A mistake of a whole file.
 pub fn whole(path: &Path, message: String) -> InputError {
     Mistake { message, place: Place::File(path.to_path_buf()), help: None }.into()
+}
+
+/// A mistake of a file that is no text.
+///
+/// # Errors
+/// Always where it begins as one of another kind.
+pub(super) fn only_text(path: &Path, start: &[u8]) -> Result<(), InputError> {
+    let Some(kind) = other_kind(start) else { return Ok(()) };
+    let help = "a spreadsheet saves one of its sheets as `CSV UTF-8`".to_owned();
+    let message = format!("found {kind}, expected a table as text");
+    Err(Mistake { message, place: Place::File(path.to_path_buf()), help: Some(help) }.into())
+}
+
+/// What is to be said of a table in which a line is no UTF-8.
+pub(super) fn remark_on_encoding(path: &Path, foreign: Option<&(u64, String)>) {
+    if let Some((line, text)) = foreign {
+        let words = "the file is no UTF-8, and read as Windows-1252 (latin-1): if this is not what stands there, save it as UTF-8:";
+        remark(path, &format!("{words} `{}` in line {line}", shown(text)));
+    }
 }
 
 pub struct Table {
@@ -20,70 +40,99 @@ pub struct Table {
     pub header: Vec<String>,
     /// Line in the file and cells, as many as the header has (missing ones at the end are empty).
     pub rows: Vec<(u64, Vec<String>)>,
+    /// Line of the header.
+    head: u64,
+    convention: Convention,
 }
 
 impl Table {
+    /// A mistake in a cell.
     pub fn at(&self, row: u64, column: usize, message: String) -> InputError {
+        self.at_with_help(row, column, message, None)
+    }
+
+    fn at_with_help(&self, row: u64, column: usize, message: String, help: Option<String>) -> InputError {
         let column = self.header.get(column).cloned().unwrap_or_else(|| format!("{}", column + 1));
-        Mistake { message, place: Place::Cell { path: self.path.clone(), row, column }, help: None }.into()
+        Mistake { message, place: Place::Cell { path: self.path.clone(), row, column }, help }.into()
+    }
+
+    /// A mistake in the header.
+    pub(crate) fn at_head(&self, column: usize, message: String) -> InputError {
+        self.at(self.head, column, message)
+    }
+
+    /// The same with help.
+    pub(crate) fn at_head_with_help(&self, column: usize, message: String, help: String) -> InputError {
+        self.at_with_help(self.head, column, message, Some(help))
     }
 
     pub fn whole(&self, message: String) -> InputError {
         whole(&self.path, message)
     }
 
-    /// Cells under a header row.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
-        let mut table = Self { path: path.to_path_buf(), header: Vec::new(), rows: Vec::new() };
-        let text = String::from_utf8(read_bytes(path).map_err(|e| table.whole(e))?).map_err(|e| {
-            let row = 1 + e.as_bytes()[..e.utf8_error().valid_up_to()].iter().filter(|b| **b == b'\n').count() as u64;
-            table.at(row, 0, "found bytes that are not text, expected UTF-8".into())
-        })?;
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-        table.header =
-            reader.headers().map_err(|e| table.whole(format!("the header could not be read: {e}")))?.iter().map(str::to_owned).collect();
-        if let [only] = table.header.as_slice()
-            && let Some(found) = [(';', "semicolons"), ('\t', "tabs")].iter().find(|(c, _)| only.contains(*c)).map(|f| f.1)
-        {
-            return Err(table.at(1, 0, format!("found {found} between columns, expected commas between columns and points in numbers")));
+    /// Cells under a header that has some of these columns, each once.
+    pub fn read(path: &Path, columns: &[&str]) -> Result<Self, InputError> {
+        let table = Self::of(path, &|cells| columns.iter().filter(|c| cells.contains(c)).count())?;
+        if table.header.is_empty() {
+            return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
         }
         for (i, name) in table.header.iter().enumerate() {
             if table.header[..i].contains(name) {
-                return Err(table.at(1, i, format!("found column `{name}` a second time")));
+                return Err(table.at_head(i, format!("found column `{name}` a second time")));
             }
-        }
-        for record in reader.records() {
-            let record = record.map_err(|e| table.whole(format!("the table could not be read: {e}")))?;
-            let row = record.position().map_or(0, csv::Position::line);
-            if record.len() > table.header.len() {
-                // "0,0,1,25" for 0.0 and 1.25
-                let hint = if record.len() == 2 * table.header.len() { ": decimal commas separate columns, expected points" } else { "" };
-                return Err(table.at(
-                    row,
-                    table.header.len(),
-                    format!("found {} cells, expected {}{hint}", record.len(), table.header.len()),
-                ));
-            }
-            let cells = (0..table.header.len()).map(|c| record.get(c).unwrap_or("").to_owned()).collect();
-            table.rows.push((row, cells));
         }
         Ok(table)
     }
 
+    /// Cells under the header that `score` tells from other rows.
+    pub(crate) fn of(path: &Path, score: Score) -> Result<Self, InputError> {
+        let mut table = Self { path: path.to_path_buf(), header: Vec::new(), rows: Vec::new(), head: 1, convention: Convention::default() };
+        let bytes = read_bytes(path).map_err(|e| table.whole(e))?;
+        only_text(path, &bytes)?;
+        let mut text = Vec::new();
+        let read = utf8(Cursor::new(bytes)).and_then(|mut reader| reader.read_to_end(&mut text));
+        read.map_err(|e| table.whole(format!("the table could not be read: {e}")))?;
+        let form = Form::of(&text, score).map_err(|fault| table.at(fault.line, 0, fault.message))?;
+        (table.header, table.head) = (form.header.clone(), form.line);
+        table.convention = form.convention(&text);
+        let mut records = Records::new(Cursor::new(text.as_slice()), form.delimiter);
+        let (mut record, mut count) = (Record::default(), 0);
+        while let Some(row) = records.next(&mut record).map_err(|fault| table.at(fault.line, 0, fault.message))? {
+            count += 1;
+            if count > form.skip {
+                table.push(row, &record, form.is_known)?;
+            }
+        }
+        remark_on_encoding(path, records.foreign.as_ref());
+        form.remark().into_iter().chain(table.convention.remark()).for_each(|words| remark(path, &words));
+        Ok(table)
+    }
+
+    /// Adds a row; it has no more cells than a header that is known.
+    fn push(&mut self, row: u64, record: &Record, is_known: bool) -> Result<(), InputError> {
+        let columns = self.header.len();
+        let last = (columns..record.len()).rev().find(|c| is_known && record.get(*c).is_some_and(|cell| !cell.is_empty()));
+        if let Some(cells) = last.map(|last| last + 1) {
+            // "0,0,1,25" for 0.0 and 1.25
+            let hint = if cells == 2 * columns { ": decimal commas separate columns, expected points" } else { "" };
+            return Err(self.at(row, columns, format!("found {cells} cells, expected {columns}{hint}")));
+        }
+        self.rows.push((row, (0..columns).map(|c| record.get(c).unwrap_or("").to_owned()).collect()));
+        Ok(())
+    }
+
     /// A cell as a number; nothing where it is empty.
     pub fn number(&self, row: u64, column: usize, cell: &str) -> Result<Option<f64>, InputError> {
-        match cell.parse::<f64>() {
-            Ok(x) if x.abs() <= 1e20 => Ok(Some(x)),
-            _ if cell.is_empty() => Ok(None),
-            _ if cell.matches(',').count() == 1 && cell.replace(',', ".").parse::<f64>().is_ok() => {
-                Err(self.at(row, column, format!("found `{}`, expected a number with a decimal point", shown(cell))))
-            }
-            _ => Err(self.at(row, column, format!("found `{}`, expected a number up to 1e20", shown(cell)))),
+        if cell.is_empty() {
+            return Ok(None);
         }
+        let read = self.convention.read(cell);
+        read.map(Some).map_err(|e| self.at_with_help(row, column, format!("found `{}`, {}", shown(cell), e.expected), e.help))
+    }
+
+    /// A cell with words that are written to other tables.
+    pub(crate) fn words(&self, row: u64, column: usize, cell: &str) -> Result<String, InputError> {
+        fault(cell).map_or_else(|| Ok(cell.to_owned()), |fault| Err(self.at(row, column, format!("found {fault}"))))
     }
 
     /// A cell that must hold a number.
@@ -100,16 +149,16 @@ impl Table {
         self.rows.iter().map(row).collect()
     }
 
+    /// The names of its columns, for a message.
+    pub(crate) fn all_columns(&self) -> String {
+        self.header.iter().map(|h| format!("`{}`", shown(h))).collect::<Vec<_>>().join(", ")
+    }
+
     /// Index of a column that must be there.
     pub fn column(&self, name: &str) -> Result<usize, InputError> {
         self.header.iter().position(|h| h == name).ok_or_else(|| {
-            let found: Vec<String> = self.header.iter().map(|h| format!("`{h}`")).collect();
-            let message = if self.header.is_empty() {
-                format!("found an empty table, expected a header with a column `{name}`")
-            } else {
-                format!("found columns {}, expected `{name}` among them", found.join(", "))
-            };
-            Mistake { message, place: Place::Cell { path: self.path.clone(), row: 1, column: name.to_owned() }, help: None }.into()
+            let message = format!("found columns {}, expected `{name}` among them", self.all_columns());
+            Mistake { message, place: Place::Cell { path: self.path.clone(), row: self.head, column: name.to_owned() }, help: None }.into()
         })
     }
 

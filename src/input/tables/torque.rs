@@ -1,6 +1,7 @@
 //! Tables of the engine file: measured pressure traces and torque harmonics.
 
 use super::table::Table;
+use super::trace::fault;
 use crate::engine::load::LARGEST_LOAD;
 use crate::engine::pressure::{Measured, PartLoad};
 use crate::engine::{HarmonicTable, Order};
@@ -9,10 +10,6 @@ use crate::numerics::C64;
 use crate::units::{PA_PER_BAR, RAD_PER_DEG};
 use std::path::Path;
 
-/// Steps within this share of each other are alike; wide ones are this many times as long, and no more than this share of all.
-const SAME_STEP: f64 = 0.05;
-const WIDE: f64 = 1.5;
-const FEW: f64 = 0.05;
 /// Full load, per cent.
 const FULL: f64 = 100.0;
 
@@ -24,46 +21,28 @@ fn speed_and_load(name: &str) -> Option<(f64, f64)> {
     (speed.is_finite() && speed > 0.0 && (0.0..=100.0 * LARGEST_LOAD).contains(&load)).then_some((speed, load))
 }
 
-/// The row after the first that are missing, and what is found there: one of a few wide steps among steps that are alike.
-pub(crate) fn hole(crank_deg: &[f64]) -> Option<(usize, String)> {
-    let steps: Vec<f64> = crank_deg.windows(2).map(|w| w[1] - w[0]).collect();
-    let mut sorted = steps.clone();
-    sorted.sort_by(f64::total_cmp);
-    let usual = *sorted.get(sorted.len() / 2)?;
-    let alike = steps.iter().filter(|s| (**s / usual - 1.0).abs() < SAME_STEP).count();
-    // a table that is finer in a part of the cycle has many steps of either kind
-    let few = steps.len() - alike <= (FEW * steps.len() as f64) as usize;
-    let found = |i: usize| {
-        // units in radian leave rounding
-        let [from, to, usual] = [crank_deg[i], crank_deg[i + 1], usual].map(|deg| (1e6 * deg).round() / 1e6);
-        (i + 1, format!("found a step from {from} to {to} degrees among steps of {usual}, expected no row to be missing"))
-    };
-    steps.iter().position(|s| few && *s > WIDE * usual).map(found)
-}
-
 /// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute, at full load; at part load
 /// `<speed>_rpm_<load>_percent_bar`, every load at the same speeds.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
 pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["crank_deg"])?;
     let Some(angle) = table.optional("crank_deg") else {
-        let found: Vec<String> = table.header.iter().map(|h| format!("`{h}`")).collect();
         let expected = "`crank_deg` and a column a speed, named like `1600_rpm_bar`, among them";
-        return Err(table.at(1, 0, format!("found columns {}, expected {expected}", found.join(", "))));
+        return Err(table.at_head(0, format!("found columns {}, expected {expected}", table.all_columns())));
     };
     let rows = table.numbers()?;
     let mut traces: Vec<((f64, f64), usize)> = Vec::new();
     for (i, name) in table.header.iter().enumerate().filter(|(i, _)| *i != angle) {
         match speed_and_load(name) {
             Some(point) if traces.iter().any(|t| t.0 == point) => {
-                return Err(table.at(1, i, format!("found a second trace for {} rpm", point.0)));
+                return Err(table.at_head(i, format!("found a second trace for {} rpm", point.0)));
             }
             Some(point) => traces.push((point, i)),
             None => {
                 let expected = "expected a name like `1600_rpm_bar` or, at part load, `1600_rpm_50_percent_bar` (0 to 120)";
-                return Err(table.at(1, i, format!("found column `{name}`, {expected}")));
+                return Err(table.at_head(i, format!("found column `{name}`, {expected}")));
             }
         }
     }
@@ -71,32 +50,11 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
         return Err(table.whole("found no pressure column, expected one a speed, named like `1600_rpm_bar`".into()));
     }
     traces.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
-    if rows.len() < 24 {
-        return Err(table.whole(format!("found {} rows, expected at least 24 over a cycle", rows.len())));
-    }
     let crank_deg: Vec<f64> = rows.iter().map(|r| r.1[angle]).collect();
-    for (pair, row) in crank_deg.windows(2).zip(&rows[1..]) {
-        if pair[1] <= pair[0] {
-            return Err(table.at(row.0, angle, format!("found {} after {}, expected ascending angles", pair[1], pair[0])));
-        }
-    }
-    if let Some((i, found)) = hole(&crank_deg) {
-        return Err(table.at(rows[i].0, angle, found));
-    }
-    let widest = crank_deg.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
-    let span = crank_deg[crank_deg.len() - 1] - crank_deg[0];
-    let last = rows[rows.len() - 1].0;
-    if span > cycle_deg + 1e-6 || span + 1.5 * widest < cycle_deg {
-        return Err(table.at(
-            last,
-            angle,
-            format!("found a cycle of {span} degrees, expected {cycle_deg} (with or without its last angle)"),
-        ));
-    }
-    for &(_, column) in &traces {
-        if let Some(row) = rows.iter().find(|r| r.1[column] <= 0.0) {
-            return Err(table.at(row.0, column, format!("found {}, expected an absolute pressure above zero", row.1[column])));
-        }
+    let columns: Vec<Vec<f64>> = traces.iter().map(|t| rows.iter().map(|r| r.1[t.1]).collect()).collect();
+    if let Some(fault) = fault(&crank_deg, &columns, cycle_deg) {
+        let column = fault.trace.map_or(angle, |t| traces[t].1);
+        return Err(fault.row.map_or_else(|| table.whole(fault.message.clone()), |r| table.at(rows[r].0, column, fault.message.clone())));
     }
     let of_load = |percent: f64| traces.iter().filter(move |t| t.0.1 == percent);
     let pressure = |percent: f64| of_load(percent).map(|t| rows.iter().map(|r| r.1[t.1] * PA_PER_BAR).collect()).collect();
@@ -122,13 +80,15 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
 /// # Errors
 /// [`InputError`] with row and column.
 pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<HarmonicTable, InputError> {
-    let table = Table::read(path)?;
+    let table = Table::read(path, &["order", "amplitude_n_m", "phase_deg"])?;
     let rows = table.numbers()?;
     let (order, amplitude, phase) = (table.column("order")?, table.column("amplitude_n_m")?, table.column("phase_deg")?);
     let speed = table.optional("speed_rpm");
     if let Some(i) = (0..table.header.len()).find(|i| ![order, amplitude, phase].contains(i) && speed != Some(*i)) {
         let found = &table.header[i];
-        return Err(table.at(1, i, format!("found column `{found}`, expected `order`, `amplitude_n_m`, `phase_deg` and `speed_rpm` only")));
+        return Err(
+            table.at_head(i, format!("found column `{found}`, expected `order`, `amplitude_n_m`, `phase_deg` and `speed_rpm` only"))
+        );
     }
     let step = 4 / strokes;
     let mut speeds: Vec<(f64, Vec<(Order, C64)>)> = Vec::new();
@@ -164,7 +124,7 @@ pub(crate) fn torque_harmonics(path: &Path, strokes: u32) -> Result<HarmonicTabl
     if let Some((other, _)) = speeds.iter().find(|s| !s.1.iter().map(|h| h.0).eq(harmonics.iter().map(|h| h.0))) {
         return Err(table.whole(format!("found other orders at {other} rpm than at {} rpm, expected the same at every speed", speeds[0].0)));
     }
-    let varies = speed.is_some() && speeds.len() > 1;
-    let over_speed = speeds.into_iter().filter(|_| varies).map(|(s, list)| (s, list.into_iter().map(|h| h.1).collect())).collect();
+    // one speed is known to be one
+    let over_speed = speeds.into_iter().filter(|_| speed.is_some()).map(|(s, list)| (s, list.into_iter().map(|h| h.1).collect())).collect();
     Ok(HarmonicTable { harmonics, over_speed, masses: None })
 }

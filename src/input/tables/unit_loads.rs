@@ -1,7 +1,7 @@
 //! Stress tensors per unit load, point by point: what one finite-element run gives for every speed and absorber.
 
+use super::shown::shown;
 use super::stream::Stream;
-use super::table::shown;
 use crate::input::error::InputError;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -54,7 +54,7 @@ impl UnitLoadReader {
 
     fn point(&mut self) -> Result<Option<UnitPoint>, InputError> {
         let Some(first) = self.row()? else {
-            let none = || self.stream.at(1, 0, "found no row, expected stresses per unit load".into());
+            let none = || self.stream.at_head(0, "found no row, expected stresses per unit load".into());
             return if self.seen.is_empty() { Err(none()) } else { Ok(None) };
         };
         let mut hasher = DefaultHasher::new();

@@ -1,12 +1,13 @@
 //! Given designs, and what absorbers of designs and families share.
 
-use super::material_states::{Temperatures, material};
+use super::material_states::{Temperatures, material, of_measured};
 use super::named::{station, table};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::measured::Measured;
 use crate::absorber::{Absorber, Branch, Host, Mounted, Parameter, Prony, Range, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
+use crate::input::letters::fault;
 use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured, RawOn, RawProny, RawSeeded, RawType};
 use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::study::{RawDesign, RawStudy};
@@ -47,10 +48,10 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
         }
         check.name(&raw.name);
         let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c)) && !name.starts_with('.');
-        if !plain || name.starts_with("optimum_") {
+        if (!plain || name.starts_with("optimum_")) && fault(name).is_none() {
             check.wrong_with_help(
                 &raw.name,
-                format!("found the name `{name}`, expected letters, digits, `_`, `-` and `.`, not starting with `optimum_`"),
+                format!("found the name `{name}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`"),
                 "designs name files and rows; `optimum_…` are hartog's own",
             );
         }
@@ -66,13 +67,17 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
     designs
 }
 
+/// What can be asked of absorbers whose heat is not balanced.
+pub(crate) const HEAT_OF_OTHERS: &str =
+    "the others stay at the reference of their material; `dissipated_power = { absorber = …, max_w = … }` limits their heat";
+
 /// Temperature and strain that agree with themselves are sought of one absorber of a design; given are the materials of each.
 pub(super) fn only_one_follows<'r>(check: &mut Check, absorbers: impl Iterator<Item = Vec<&'r RawMaterialStates>>) {
     for material in absorbers.filter_map(|a| a.into_iter().find(|m| m.cooling.is_some() || m.amplitude.is_some())).skip(1) {
         let what = "of a second absorber of a design, expected one absorber with `cooling` or `amplitude`: temperature and strain are balanced for one at a time";
         match (&material.cooling, &material.amplitude) {
-            (Some(cooling), _) => check.wrong(cooling, format!("found `cooling` {what}")),
-            (None, Some(amplitude)) => check.wrong(amplitude, format!("found `amplitude` {what}")),
+            (Some(cooling), _) => check.wrong_with_help(cooling, format!("found `cooling` {what}"), HEAT_OF_OTHERS),
+            (None, Some(amplitude)) => check.wrong_with_help(amplitude, format!("found `amplitude` {what}"), HEAT_OF_OTHERS),
             (None, None) => {}
         }
     }
@@ -178,10 +183,14 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             seeded(check, s, place?.1, chain, modes)?
         }
     };
+    let law_of = &raw.kind;
     let absorber = match (absorber, &raw.material) {
         (Absorber::Ring(law), Some(raw)) => {
             if !raw.get_ref().properties.is_empty() {
                 check.wrong(raw, "found properties of the material of a given ring, expected them among the values of its type");
+            }
+            if matches!(law_of, RawType::Measured(_)) && !of_measured(check, raw.get_ref()) {
+                return None;
             }
             let spec = material(check, raw.get_ref(), law.declaration(), temperatures);
             let known = Arc::new(spec.of_type(law.declaration(), temperatures));

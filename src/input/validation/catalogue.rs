@@ -6,6 +6,7 @@ use super::named::{station, table};
 use crate::absorber::{Absorber, Material, Mounted, TYPES, WithMaterial};
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
+use crate::input::letters::fault;
 use crate::input::schema::study::RawStudy;
 use crate::input::tables::{MadeWith, catalogue};
 use std::collections::{BTreeMap, HashSet};
@@ -38,6 +39,10 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
             check.wrong(&raw.best, format!("found {}, expected how many of the best are wanted, from 1 to 100", raw.best.get_ref()));
             1
         });
+        // the table of the run names it
+        if let Some(fault) = fault(raw.file.get_ref()) {
+            check.wrong(&raw.file, format!("found {fault}"));
+        }
         let shares = shares(check, &raw.free);
         let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
         let ring_inertia = raw.ring_inertia_kg_m2.as_ref().map(|j| check.positive(j));

@@ -7,6 +7,7 @@ use super::inputs::Input;
 use super::load::DutyPoint;
 use super::material_states::Temperatures;
 use super::optimise::{FrontSpec, OptimiseSpec};
+use super::placeholders::Placeholder;
 use super::robust::RobustSpec;
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
@@ -62,6 +63,8 @@ pub struct Study {
     pub modes: Modes,
     /// Ascending, rpm.
     pub speeds_rpm: Vec<f64>,
+    /// Lowest and highest speed at which the engine file tells the torque or pressure, which are held beyond them, rpm; None where they do not depend on speed.
+    pub known_rpm: Option<(f64, f64)>,
     /// Highest order.
     pub order_limit: f64,
     /// How responses are computed.
@@ -114,6 +117,10 @@ pub struct Study {
     pub duty: Vec<DutyPoint>,
     /// How the crank's margin is judged.
     pub fatigue: Option<FatigueSpec>,
+    /// Values of an example that nobody has confirmed, those of the engine file first.
+    pub placeholders: Vec<Placeholder>,
+    /// How its tables were read, where that is not plain: sentences.
+    pub remarks: Vec<String>,
 }
 
 impl Study {

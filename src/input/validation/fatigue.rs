@@ -16,6 +16,8 @@ use crate::units::PA_PER_MPA;
 use std::collections::HashSet;
 use std::path::Path;
 
+/// Points on the webs of a crank, each with either shaft's torque, of all throws of a fillet: more take gigabytes.
+const MOST_LOCATIONS: usize = 1_000_000;
 /// Largest factor that is not a slip of the pen.
 const LARGEST_FACTOR: f64 = 20.0;
 
@@ -259,7 +261,15 @@ fn fillets(check: &mut Check, raw: &[RawFillet], crank: &Crank, folder: &Path) -
                 let mut factor = |v: &At<f64>| check.within(v, 1.0..=LARGEST_FACTOR, "a factor of nominal stress from 1 to 20");
                 FactorSource::Given { bending: factor(&given.bending), torsion: factor(&given.torsion) }
             }
-            RawFactors::UnitLoads(file) => FactorSource::UnitLoads(unit_loads(check, file, folder)),
+            RawFactors::UnitLoads(file) => {
+                let points = unit_loads(check, file, folder);
+                let (throws, found) = (if throw.is_some() { 1 } else { crank.throws() }, points.len());
+                if 4 * throws * found > MOST_LOCATIONS {
+                    let most = MOST_LOCATIONS / (4 * throws);
+                    check.wrong(file, format!("found {found} points on the webs of {throws} throws, expected at most {most}"));
+                }
+                FactorSource::UnitLoads(points)
+            }
             RawFactors::IacsM53 => FactorSource::Formulas(Formulas::IacsM53),
             RawFactors::Fvv1973 => FactorSource::Formulas(Formulas::Fvv1973),
         };

@@ -30,17 +30,18 @@ fn share_of_full_load(check: &mut Check, raw: &At<f64>) -> f64 {
 }
 
 /// Puts the engine at the load of the study.
-pub(super) fn apply(check: &mut Check, study: &RawStudy, engine: &mut Engine) {
+pub(super) fn apply(check: &mut Check, study: &RawStudy, engine: &mut Engine, speeds: &[f64]) {
+    let range = (speeds[0], speeds[speeds.len() - 1]);
     if let Some(fraction) = &study.load_fraction {
         if let Some(part) = &study.part_load {
             check.wrong(part, "found [part_load] beside `load_fraction`, expected one of them");
             return;
         }
         let load = Load::constant(share_of_full_load(check, fraction));
-        set(check, fraction, engine, &load);
+        set(check, fraction, engine, (&load, range));
     } else if let Some(part) = &study.part_load {
         let load = over_speed(check, part.get_ref());
-        set(check, part, engine, &load);
+        set(check, part, engine, (&load, range));
     }
 }
 
@@ -56,9 +57,9 @@ fn over_speed(check: &mut Check, raw: &RawPartLoad) -> Load {
     if check.mistakes.len() > before { Load::constant(1.0) } else { Load { speeds_rpm, fraction } }
 }
 
-fn set<T>(check: &mut Check, at: &At<T>, engine: &mut Engine, load: &Load) {
+fn set<T>(check: &mut Check, at: &At<T>, engine: &mut Engine, (load, range): (&Load, (f64, f64))) {
     match &mut engine.source {
-        Source::Cylinder { pressure, .. } => match pressure.at_load(load) {
+        Source::Cylinder { pressure, .. } => match pressure.at_load(load, range) {
             Some(part) => *pressure = part,
             None => {
                 check.wrong(at, "found a load outside those of the measured traces, expected columns like `1600_rpm_50_percent_bar` for it")
@@ -87,7 +88,7 @@ fn point(check: &mut Check, raw: &RawDuty, engine: &Engine, speeds: &[f64]) -> D
     let (low, high) = (speeds[0], speeds[speeds.len() - 1]);
     let load_fraction = share_of_full_load(check, &raw.load_fraction);
     let reached = match &engine.source {
-        Source::Cylinder { pressure, .. } => pressure.at_load(&Load::constant(load_fraction)).is_some(),
+        Source::Cylinder { pressure, .. } => pressure.at_load(&Load::constant(load_fraction), (low, high)).is_some(),
         Source::Harmonics(_) => false,
     };
     if !reached {

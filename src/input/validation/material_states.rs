@@ -2,7 +2,7 @@
 
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{
-    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, TemperatureLaw, Thermal, ToAir,
+    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, TYPES, TemperatureLaw, Thermal, ToAir,
 };
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::RawType;
@@ -126,6 +126,7 @@ pub(super) fn material(
                 ),
             );
         }
+        stiffness_of_rubber(check, raw, law, declaration);
         let (low, high) = law.range();
         for celsius in [temperatures.cold, temperatures.hot, Some(law.reference())].into_iter().flatten() {
             if !(low..=high).contains(&celsius) {
@@ -149,6 +150,53 @@ pub(super) fn material(
     let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));
     let life = raw.life.as_ref().map(|l| life(check, l, geometry));
     MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new() }
+}
+
+/// Types whose law follows temperature by its relaxation times, as shifts of frequency are meant.
+fn shifted() -> String {
+    let by_frequency = |t: &&Declaration| t.parameters.iter().any(|p| p.follows != Follows::Nothing) && !t.stiffness_follows();
+    TYPES.iter().copied().filter(by_frequency).map(|t| format!("`{}`", t.name)).chain(["`prony`".to_owned()]).collect::<Vec<_>>().join(", ")
+}
+
+/// The factor of WLF and Arrhenius shifts frequency, that of an oil is one of viscosity: on a stiffness that is the same at every frequency neither means anything.
+fn stiffness_of_rubber(check: &mut Check, at: &At<RawTemperatureLaw>, law: TemperatureLaw, declaration: &Declaration) {
+    let (what, of) = match law {
+        TemperatureLaw::Wlf { .. } => ("`wlf`, a shift of frequency", "a law over frequency"),
+        TemperatureLaw::Arrhenius { .. } => ("`arrhenius`, a shift of frequency", "a law over frequency"),
+        TemperatureLaw::SiliconeOil { .. } => ("`silicone_oil`, a change of viscosity", "an oil"),
+        TemperatureLaw::Exponential { .. } => return,
+    };
+    if declaration.stiffness_follows() {
+        check.wrong_with_help(
+            at,
+            format!("found {what}, for `{}`, whose stiffness is the same at every frequency, expected it with {of}: {}", declaration.name, shifted()),
+            "`exponential = { per_k = …, reference_c = …, between_c = […] }` is the share by which a stiffness falls per kelvin, as catalogues give it",
+        );
+    }
+}
+
+/// What says of a ring on measured values how it follows temperature, strain and heat: its table does, and nothing else may. False where a mistake was found.
+pub(super) fn of_measured(check: &mut Check, raw: &RawMaterialStates) -> bool {
+    let before = check.mistakes.len();
+    const HELP: &str = "`hartog fit` makes a type with a law of temperature of such a table, and prints its lines for a study; with that, `cooling` finds the temperature that is reached";
+    if let Some(at) = &raw.temperature {
+        check.wrong_with_help(
+            at,
+            "found a law of temperature for `measured`, expected none: its table holds the temperatures it was measured at",
+            HELP,
+        );
+    }
+    if let Some(at) = &raw.cooling {
+        check.wrong_with_help(
+            at,
+            "found `cooling` for `measured`, expected none: a balance of heat needs a law of temperature, and of `measured` only the stiffness at `temperature_c` and at the temperatures of conditions is read from its table",
+            HELP,
+        );
+    }
+    if let Some(at) = &raw.amplitude {
+        check.wrong(at, "found how rubber follows its strain for `measured`, expected none: its table is of the strain it was measured at");
+    }
+    check.mistakes.len() == before
 }
 
 /// A parameter that may age: any but the ring, as long as no factor leads out of its range.

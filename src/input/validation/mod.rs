@@ -18,9 +18,11 @@ mod material_states;
 mod measures;
 mod named;
 mod optimise;
+mod placeholders;
 mod published;
 mod ranges;
 mod robust;
+mod rows;
 pub(super) mod sizing;
 mod tree;
 
@@ -41,6 +43,7 @@ pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 use named::folder_of;
 pub(super) use named::table;
 pub use optimise::{FrontSpec, OptimiseSpec};
+pub use placeholders::Placeholder;
 pub use robust::{RobustSpec, Sampling};
 
 use super::error::{At, Check, InputError, Source};
@@ -53,7 +56,7 @@ use super::tables::Reach;
 use crate::absorber::mounted::station_of;
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
-use crate::engine::{Engine, Order, Source as TorqueSource};
+use crate::engine::{Engine, Excitation, Order, Source as TorqueSource};
 use crate::response::Quantity;
 use crate::units::HZ_PER_RPM;
 use std::path::Path;
@@ -79,14 +82,23 @@ struct Base {
     reciprocating: Reciprocating,
     speeds_rpm: Vec<f64>,
     order_limit: f64,
+    known_rpm: Option<(f64, f64)>,
 }
 
 impl Base {
+    /// Orders that the torque has, ascending.
+    fn orders(&self) -> Vec<Order> {
+        match &self.engine.source {
+            TorqueSource::Cylinder { .. } => Order::up_to(self.order_limit, self.engine.strokes),
+            TorqueSource::Harmonics(_) => Excitation::new(&self.engine, self.order_limit).orders,
+        }
+    }
+
     /// What absorbers are resolved against.
     fn reaches<'a>(&'a self, study: &'a Path, modes: &'a Modes, temperatures: Temperatures) -> Reaches<'a> {
-        let step = if self.engine.strokes == 4 { 0.5 } else { 1.0 };
-        let hz = |order: f64, speed: f64| order * speed * HZ_PER_RPM;
-        let frequencies_hz = (hz(step, self.speeds_rpm[0]), hz(self.order_limit, self.speeds_rpm[self.speeds_rpm.len() - 1]));
+        let orders = self.orders();
+        let hz = |order: Option<&Order>, speed: f64| order.map_or(0.0, |o| o.value() * speed * HZ_PER_RPM);
+        let frequencies_hz = (hz(orders.first(), self.speeds_rpm[0]), hz(orders.last(), self.speeds_rpm[self.speeds_rpm.len() - 1]));
         Reaches { chain: &self.chain, modes, temperatures, folder: folder_of(study), frequencies_hz }
     }
 }
@@ -113,10 +125,10 @@ fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base>
     }
     // what follows needs a chain and an engine that make sense
     let (Some(mut engine), Some(chain), true) = (engine, chain, in_engine.mistakes.is_empty()) else { return None };
-    load::apply(check, study, &mut engine);
+    let known_rpm = ranges::known_speeds(check, study, &engine, &speeds_rpm);
+    load::apply(check, study, &mut engine, &speeds_rpm);
     ranges::check_orders(check, study, &engine, order_limit);
-    ranges::check_range(check, study, &engine, &speeds_rpm);
-    Some(Base { engine, chain, crank, reciprocating: chain::reciprocating(files.engine), speeds_rpm, order_limit })
+    Some(Base { engine, chain, crank, reciprocating: chain::reciprocating(files.engine), speeds_rpm, order_limit, known_rpm })
 }
 
 /// All mistakes, those of the engine file first.
@@ -129,10 +141,12 @@ fn mistakes(in_engine: Check, check: Check) -> InputError {
 pub(super) fn resolve(files: &Files) -> Result<Study, InputError> {
     let mut in_engine = Check::new(files.engine_source);
     let mut check = Check::new(files.source);
+    let mut placeholders = placeholders::resolve(&mut in_engine, &files.engine.placeholder);
+    placeholders.extend(placeholders::resolve(&mut check, &files.study.placeholder));
     let Some(base) = base(files, &mut check, &mut in_engine) else { return Err(mistakes(in_engine, check)) };
     let study = rest(files, &mut check, &mut in_engine, base);
     match study {
-        Some(study) if check.mistakes.is_empty() && in_engine.mistakes.is_empty() => Ok(study),
+        Some(study) if check.mistakes.is_empty() && in_engine.mistakes.is_empty() => Ok(Study { placeholders, ..study }),
         _ => Err(mistakes(in_engine, check)),
     }
 }
@@ -183,6 +197,27 @@ fn reported_twist(objective: &MeasureSpec, chain: &Chain, hub: usize) -> Quantit
     }
 }
 
+/// Whether the crank's margin is that of the brake curve.
+fn loads_crank_by_brake_curve(study: &RawStudy) -> bool {
+    study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve)
+}
+
+/// Largest relative error of a peak in a search.
+fn tolerance(check: &mut Check, study: &RawStudy) -> f64 {
+    let allowed = |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)");
+    study.response.tolerance.as_ref().map_or(DEFAULT_TOLERANCE, allowed)
+}
+
+/// A study has something to evaluate or to search for, and no second objective without a search.
+fn asks_for_something(check: &mut Check, study: &RawStudy) {
+    if let (Some(second), None) = (study.objective.get(1), &study.optimise) {
+        check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
+    }
+    if study.design.is_empty() && study.catalogue.is_empty() && study.optimise.is_none() {
+        check.wrong(&study.engine, "found neither a design nor a catalogue nor [optimise], expected at least one of them in a study");
+    }
+}
+
 /// Everything of a study but its engine and ranges.
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
@@ -195,7 +230,6 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let first = designs.iter().chain(sold.clone()).find(|d| !d.absorbers.is_empty());
     let hub = optimise.as_ref().map_or_else(|| first.map_or(0, |d| station_of(&d.absorbers, 0)), |o| o.station(0));
     let fatigue = judge(files, check, in_engine, &base);
-    let brake_curve = study.fatigue.as_ref().is_some_and(|f| f.get_ref().pressure == RawCrankPressure::BrakeCurve);
     let of = Context {
         chain: &base.chain,
         fatigue: Judged::new(study.fatigue.is_some(), fatigue.as_ref()),
@@ -205,18 +239,16 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         strokes: base.engine.strokes,
         absorbers: Context::absorbers(sold.chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
         cooled: &Context::cooled(&designs, optimise.as_ref()),
+        balanced: &Context::balanced(&designs, optimise.as_ref()),
         lives: &Context::lives(&designs, optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| matches!(c.get_ref(), RawCondition::Misfire | RawCondition::UnequalCylinders)),
     };
     let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);
-    if let (Some(second), None) = (study.objective.get(1), &optimise) {
-        check.wrong(second, "found a second [[objective]] without [optimise], expected what is to be optimised by it");
-    }
+    asks_for_something(check, study);
     let limits = measures::limits(check, study, of);
-    let allowed = |t| check.within(t, 1e-9..=0.1, "a relative error from 1e-9 to 0.1 (0.001 is 0.1 %)");
-    let tolerance = study.response.tolerance.as_ref().map_or(DEFAULT_TOLERANCE, allowed);
+    let tolerance = tolerance(check, study);
     let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
     let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
     let combined = measures::combined(check, study, (&known, &limits), of);
@@ -226,12 +258,9 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
     let scatter = optimise::scatter(check, study, &base.engine, &conditions);
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
-    if study.design.is_empty() && study.catalogue.is_empty() && study.optimise.is_none() {
-        check.wrong(&study.engine, "found neither a design nor a catalogue nor [optimise], expected at least one of them in a study");
-    }
-    Some(Study {
+    let checked = Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
-        crank_engine: brake_curve.then(|| base.engine.of_brake_curve()),
+        crank_engine: loads_crank_by_brake_curve(study).then(|| base.engine.of_brake_curve()),
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
         reciprocating: base.reciprocating,
         engine: base.engine,
@@ -239,6 +268,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         chain: base.chain,
         modes,
         speeds_rpm: base.speeds_rpm,
+        known_rpm: base.known_rpm,
         order_limit: base.order_limit,
         method: study.response.method.into(),
         tolerance,
@@ -262,5 +292,9 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         calibrate,
         crank: base.crank,
         fatigue,
-    })
+        remarks: Vec::new(),
+        placeholders: Vec::new(),
+    };
+    rows::check(check, study, &checked);
+    Some(checked)
 }

@@ -1,7 +1,7 @@
 //! What a file names: tables and stations.
 
 use crate::drivetrain::Chain;
-use crate::input::error::{At, Check, InputError};
+use crate::input::error::{At, Check, InputError, looked_for};
 use std::path::Path;
 
 /// Folder of a file.
@@ -13,7 +13,7 @@ pub(super) fn folder_of(path: &Path) -> &Path {
 pub fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl Fn(&Path) -> Result<T, InputError>) -> Option<T> {
     let path = folder.join(name.get_ref());
     if !path.is_file() {
-        let help = format!("looked for {}; paths are relative to the file they stand in", path.display());
+        let help = looked_for(&path);
         check.wrong_with_help(name, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
         return None;
     }

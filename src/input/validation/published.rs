@@ -15,6 +15,7 @@ const LEAST_AMPLITUDE_DEG: f64 = 0.1;
 /// The tables. `limits`: those of multiaxial criteria, where the study has any.
 pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
     let engine = raw.engine.get_ref().clone();
+    check.name(&raw.engine);
     let mut published = Published {
         frequencies: Vec::new(),
         absorbers: Vec::new(),

@@ -9,6 +9,8 @@ use crate::input::schema::study::{RawSpeeds, RawStudy};
 
 /// More points than this in a sweep would take gigabytes: a mistake in the file.
 pub(crate) const MOST_POINTS: f64 = 5e6;
+/// More speeds than this are a mistake, too.
+const MOST_SPEEDS: f64 = 200_000.0;
 
 pub fn speeds(check: &mut Check, study: &RawStudy) -> Vec<f64> {
     speeds_of(check, &study.speed_rpm)
@@ -23,8 +25,8 @@ pub(super) fn speeds_of(check: &mut Check, range: &At<RawSpeeds>) -> Vec<f64> {
         check.wrong(&raw.to, format!("found an empty speed range, {from} to {to} rpm, expected `to` of at least `from`"));
     }
     let steps = ((to - from) / step + 1e-9).floor();
-    if steps.is_finite() && steps > MOST_POINTS {
-        check.wrong(&raw.step, format!("found a step of {step} rpm, which makes {steps} speeds, expected at most {MOST_POINTS}"));
+    if steps.is_finite() && steps > MOST_SPEEDS {
+        check.wrong(&raw.step, format!("found a step of {step} rpm, which makes {steps} speeds, expected at most {MOST_SPEEDS}"));
     }
     if check.mistakes.len() > before {
         return vec![from];
@@ -65,20 +67,22 @@ pub(crate) fn check_orders(check: &mut Check, study: &RawStudy, engine: &Engine,
     }
 }
 
-pub(crate) fn check_range(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) {
+/// The lowest and highest speed at which the engine file tells the torque or pressure, rpm; None where it does not depend on speed. Several speeds must meet the study's:
+/// beyond them the values at their ends are held.
+pub(crate) fn known_speeds(check: &mut Check, study: &RawStudy, engine: &Engine, speeds: &[f64]) -> Option<(f64, f64)> {
     let table = match &engine.source {
         Source::Cylinder { pressure, .. } => pressure.speeds_rpm().to_vec(),
         Source::Harmonics(table) => table.speeds_rpm(),
     };
+    let (low, high) = (*table.first()?, *table.last()?);
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
-    if table.len() > 1 && (first < table[0] - 1e-9 || last > table[table.len() - 1] + 1e-9) {
+    if table.len() > 1 && (last < low || first > high) {
         check.wrong(
             &study.speed_rpm,
             format!(
-                "found {first} to {last} rpm, expected a range within the torque or pressure table of the engine, {} to {} rpm",
-                table[0],
-                table[table.len() - 1]
+                "found {first} to {last} rpm, expected a range that meets the torque or pressure table of the engine, {low} to {high} rpm"
             ),
         );
     }
+    Some((low, high))
 }

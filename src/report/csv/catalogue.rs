@@ -12,7 +12,7 @@ use crate::report::files::{Folder, WriteError};
 /// [`WriteError`] where it cannot be written.
 pub fn catalogue(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.catalogue.is_empty() {
-        return folder.remove(&["catalogue.csv"]);
+        return Ok(());
     }
     let unit = study.objective.unit;
     let mut table = Table::new(&["catalogue", "design", "place", "objective", "value", "unit", "limits_hold"]);

@@ -11,7 +11,7 @@ use crate::units::DEG_PER_RAD;
 /// [`WriteError`] where it cannot be written.
 pub fn duty(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.duty.is_empty() {
-        return folder.remove(&["duty.csv"]);
+        return Ok(());
     }
     let header = ["design", "speed_rpm", "load_fraction", "share", "twist_deg", "torque_n_m", "dissipated_power_w"];
     let mut table = Table::new(&header);

@@ -11,7 +11,7 @@ use crate::units::DEG_PER_RAD;
 /// [`WriteError`] where it cannot be written.
 pub fn heat(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.heat.is_empty() {
-        return folder.remove(&["heat.csv"]);
+        return Ok(());
     }
     let mut table = Table::new(&["design", "absorber", "speed_rpm", "temperature_c", "stable", "dissipated_power_w", "twist_deg"]);
     for d in &results.heat {

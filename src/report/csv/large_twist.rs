@@ -11,7 +11,7 @@ use crate::units::DEG_PER_RAD;
 /// [`WriteError`] where it cannot be written.
 pub fn large_twist(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.large_twist.is_empty() {
-        return folder.remove(&["large_twist.csv"]);
+        return Ok(());
     }
     let mut table =
         Table::new(&["design", "absorber", "curve", "speed_rpm", "stable", "twist_deg", "largest_ring_twist_deg", "dissipated_power_w"]);

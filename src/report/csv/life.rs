@@ -10,7 +10,7 @@ use crate::report::files::{Folder, WriteError};
 /// [`WriteError`] where it cannot be written.
 pub fn life(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.duty.iter().all(|d| d.lives.is_empty()) {
-        return folder.remove(&["life.csv"]);
+        return Ok(());
     }
     let header = ["design", "absorber", "speed_rpm", "load_fraction", "share", "strain", "cycles_per_h", "damage_per_h"];
     let mut table = Table::new(&header);

@@ -4,6 +4,7 @@ use super::table::{Table, number, optional, rounded};
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};
+use crate::report::reason::reason;
 use crate::units::PA_PER_MPA;
 
 /// Columns of the smallest margins in `designs.csv`: three a criterion.
@@ -23,15 +24,16 @@ pub fn cells(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> 
     (0..criteria).flat_map(cells).collect()
 }
 
-/// `margin.csv`: a row a design, speed, fillet (the worse of its two webs) and criterion. Stresses are equivalent ones (by von Mises; by a
+/// `margin.csv`: a row a design, speed, fillet (the worse of its two webs, and the worst point of those with very many) and criterion. Stresses are equivalent ones (by von Mises; by a
 /// multiaxial criterion the shear stress held against the torsion limit); the class rule and multiaxial criteria have no mean.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn margin(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let Some(model) = &results.margin else { return folder.remove(&["margin.csv"]) };
+    let Some(model) = &results.margin else { return Ok(()) };
     let header = ["design", "speed_rpm", "fillet", "criterion", "amplitude_mpa", "mean_mpa", "safety_factor"];
-    let mut table = Table::new(&header);
+    let (mut table, mut stream) = (Table::new(&header), folder.stream()?);
+    let failed = |e: std::io::Error| WriteError { path: folder.path().join("margin.csv"), reason: reason(&e) };
     for sweep in &results.margins {
         for fillet in &sweep.fillets {
             let criterion = model.criteria[fillet.criterion];
@@ -43,14 +45,16 @@ pub fn margin(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 table.row([
                     sweep.design.clone(),
                     number(*speed),
-                    fillet.name.clone(),
+                    model.locations[used.location].name.clone(),
                     criterion.name().to_owned(),
                     rounded(used.cycle.amplitude / PA_PER_MPA),
                     mean.map_or_else(String::new, rounded),
                     factor.map_or_else(|| "infinite".into(), rounded),
                 ]);
             }
+            table.move_to(&mut stream).map_err(failed)?;
         }
     }
-    table.save(folder, "margin.csv")
+    table.move_to(&mut stream).map_err(failed)?;
+    folder.keep(stream, "margin.csv")
 }

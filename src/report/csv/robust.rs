@@ -14,7 +14,7 @@ use crate::units::DEG_PER_RAD;
 /// [`WriteError`] where they cannot be written.
 pub fn robust(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.robust.is_empty() {
-        return folder.remove(&["robust.csv", "tolerance_band.csv"]);
+        return Ok(());
     }
     let mut table = Table::new(&[
         "design",

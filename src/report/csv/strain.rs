@@ -11,7 +11,7 @@ use crate::units::DEG_PER_RAD;
 /// [`WriteError`] where it cannot be written.
 pub fn strain(results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.strain.is_empty() {
-        return folder.remove(&["strain.csv"]);
+        return Ok(());
     }
     let mut table = Table::new(&["design", "absorber", "rule", "speed_rpm", "strain", "twist_deg"]);
     for d in &results.strain {

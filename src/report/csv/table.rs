@@ -2,7 +2,8 @@
 
 use crate::input::{MeasureSpec, Study};
 use crate::numerics::rounding::seven_digits;
-use crate::report::files::{Folder, WriteError};
+use crate::report::files::{Folder, Stream, WriteError};
+use std::io::Write;
 
 /// A table in memory.
 pub struct Table {
@@ -24,6 +25,12 @@ impl Table {
         // memory does not fail to be written to, and every row has the length of the header
         let written = self.writer.write_record(cells);
         debug_assert!(written.is_ok(), "{written:?}");
+    }
+
+    /// Moves the rows so far to a file that grows: a table may be longer than memory.
+    pub(crate) fn move_to(&mut self, stream: &mut Stream) -> std::io::Result<()> {
+        let rows = std::mem::replace(&mut self.writer, csv::Writer::from_writer(Vec::new()));
+        stream.write_all(&rows.into_inner().unwrap_or_default())
     }
 
     pub(crate) fn save(self, folder: &Folder, name: &str) -> Result<(), WriteError> {

@@ -1,38 +1,13 @@
 //! A study and an engine to begin with: every value is an example, to be replaced by those of an own engine.
 
+mod kinds;
+mod placeholders;
 mod stations;
 
-use crate::input::{FoundChain, FoundStation, FoundTraces};
+use crate::input::{FoundStation, FoundTraces};
+pub(crate) use kinds::{Arrangement, Example, Gas};
 use stations::PULLEY;
 use std::fmt::Write;
-
-/// How cylinders stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Arrangement {
-    InLine,
-    V,
-}
-
-/// What is known of the gas.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Gas {
-    Wiebe,
-    Otto,
-    Measured,
-    Harmonics,
-}
-
-/// What an example is of.
-#[derive(Debug, Clone)]
-pub(crate) struct Example {
-    pub arrangement: Arrangement,
-    pub cylinders: usize,
-    pub gas: Gas,
-    /// A chain of one's own in place of that of the example.
-    pub chain: Option<FoundChain>,
-    /// Pressures of one's own in place of those of the example.
-    pub traces: Option<FoundTraces>,
-}
 
 /// Name and text of each file.
 pub(crate) type Files = Vec<(&'static str, String)>;
@@ -103,6 +78,7 @@ impl Example {
             .map_or(("pulley".into(), "flywheel".into()), |c| (c.stations[0].name.clone(), c.stations[c.stations.len() - 1].name.clone()));
         // of an engine of one's own no absorber is known
         let optional = if self.chain.is_some() { "# " } else { "" };
+        let text = text.replace("@PLACEHOLDER@\n", &placeholders::list(&self.assumed_in_study()));
         text.replace("@OPTIONAL@", optional).replace("@FIRST@", &stations::quoted(&first)).replace("@LAST@", &stations::quoted(&last))
     }
 
@@ -122,6 +98,38 @@ impl Example {
                 )
             }
         }
+    }
+
+    /// What of the study is to be confirmed: its speeds where no traces tell them, the absorber that is given, and the ring that is asked for.
+    fn assumed_in_study(&self) -> Vec<&'static str> {
+        let speeds = self.traces.as_ref().is_none_or(|t| t.traces.len() < 2).then_some("speed_rpm");
+        let given = self.chain.is_none().then_some("design.absorber");
+        speeds.into_iter().chain(given).chain(["optimise.absorber.size"]).collect()
+    }
+
+    /// What of the engine is to be confirmed: all that was not imported.
+    fn assumed_in_engine(&self) -> Vec<&'static str> {
+        let cylinder = if self.gas == Gas::Harmonics { &[] } else { placeholders::CYLINDER };
+        let layout = if self.arrangement == Arrangement::V { placeholders::V } else { placeholders::IN_LINE };
+        let gas = match (self.gas, &self.traces) {
+            (Gas::Wiebe, _) => placeholders::WIEBE,
+            (Gas::Otto, _) => placeholders::OTTO,
+            (Gas::Measured, Some(_)) => &[],
+            (Gas::Measured, None) => &["pressure.measured.file"],
+            (Gas::Harmonics, _) => &["pressure.harmonics.file"],
+        };
+        let chain: &[&str] = match &self.chain {
+            None => &["station"],
+            Some(_) if self.assumes_damping() => &["damping.fraction_of_critical"],
+            Some(_) => &[],
+        };
+        ["strokes"].iter().chain(cylinder).chain(layout).chain(gas).chain(chain).copied().collect()
+    }
+
+    /// Whether the chain was imported without damping, so that some is assumed.
+    fn assumes_damping(&self) -> bool {
+        let damps = |s: &FoundStation| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0;
+        self.chain.as_ref().is_some_and(|chain| !chain.stations.iter().any(damps))
     }
 
     fn engine(&self) -> String {
@@ -148,6 +156,7 @@ impl Example {
         let mut text = String::from(
             "# An engine with its torsional chain. Every value is an example: replace it by your own; `hartog keys` tells of all keys.\nname = \"own engine\"\nstrokes = 4\n",
         );
+        text += &placeholders::list(&self.assumed_in_engine());
         if self.gas != Gas::Harmonics {
             text += match self.chain {
                 None => "reciprocating_inertia = \"mean\"   # the inertias below hold rotating parts only; \"none\": they hold all\n",
@@ -158,9 +167,8 @@ impl Example {
             text += &geometry;
         }
         let _ = write!(text, "\n{}\n{gas}", self.layout());
-        let damps = |s: &FoundStation| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0;
         text += match &self.chain {
-            Some(chain) if !chain.stations.iter().any(damps) => {
+            Some(_) if self.assumes_damping() => {
                 "\n[damping]                        # of the whole chain: an assumption, as what was imported says nothing of it\nfraction_of_critical = 0.02      # of the first mode\n"
             }
             _ => {

@@ -1,16 +1,16 @@
 //! `classification.html`: the calculation that a classification society asks for, on A4 pages.
 
 use super::parts::{conditions, limits, model, page, parameters, picture, provenance};
+use super::question::{judged_cells, judged_heads};
 use crate::analysis::Results;
 use crate::analysis::classification::{ABOVE, Classification};
 use crate::input::{InputFile, Study};
 use crate::report::files::{Folder, WriteError};
+use crate::report::names::CLASSIFICATION;
+use crate::report::text::judged::is_apart;
 use crate::report::text::{dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{Markup, html};
-
-/// Its name.
-pub(crate) const CLASSIFICATION: &str = "classification.html";
 
 /// Writes the page; plots are taken from the folder.
 ///
@@ -24,7 +24,7 @@ pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, c: &
         (holzer(c))
         (sums(c))
         (criticals(c))
-        (designs(results))
+        (designs(study, results))
         (shafts(c))
         (conditions(results))
         (limits(study, results))
@@ -89,19 +89,21 @@ fn criticals(c: &Classification) -> Markup {
     }
 }
 
-fn designs(results: &Results) -> Markup {
+fn designs(study: &Study, results: &Results) -> Markup {
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     let columns = parameters(all());
+    let apart = is_apart(study, results);
     html! {
         h2 { "Designs" }
         p class="soft" { "Twist and torque: half peak-to-peak of all orders together at the worst speed; heat: largest mean power of all absorbers." }
         div class="scroll" { table {
-            thead { tr { th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } } }
+            thead { tr { th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "largest torque, N m" } th { "heat, W" } th { "ring twist, °" } @if apart { (judged_heads(study)) } } }
             tbody { @for d in all() { tr {
                 td { (d.name) }
                 @for p in &columns { td { (d.absorbers.iter().map(|m| dash(m.absorber.value(p.key).map(short))).collect::<Vec<_>>().join(" | ")) } }
                 td { (dash(d.twist.map(|p| short(p.value * DEG_PER_RAD)))) } td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
                 td { (dash(d.torque.map(|p| short(p.value)))) } td { (dash(d.power.map(short))) } td { (dash(d.ring_twist.map(|t| short(t * DEG_PER_RAD)))) }
+                @if apart { (judged_cells(study, results, d)) }
             } } }
         } }
     }

@@ -56,12 +56,8 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
     let shown = shown(results);
     let design = |d: &&DesignResult| json!({ "name": d.name, "told": fronts::told(&d.absorbers) });
     let none = shown.iter().find(|d| d.absorbers.is_empty()).or(shown.first()).map(|d| d.name.clone());
-    let best = results
-        .optima
-        .iter()
-        .filter(|o| o.main && o.objective == 0 && !o.robust)
-        .min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value()));
-    let chosen: Vec<String> = none.into_iter().chain(best.map(|o| o.design.name.clone())).collect();
+    let best = results.best_optimum(false).map(|o| &o.design);
+    let chosen: Vec<String> = none.into_iter().chain(best.map(|d| d.name.clone())).collect();
     let quantities = results.sweeps.iter().max_by_key(|s| s.quantities.len()).map_or(&[][..], |s| &s.quantities);
     let unit = |q: &QuantitySweep| if q.of.unit() == "deg" { "°" } else { q.of.unit() };
     let named = |q: &QuantitySweep| json!({ "name": key(q), "label": label(q), "unit": unit(q) });

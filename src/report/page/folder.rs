@@ -1,7 +1,8 @@
 //! `report.html` of what has no page of its own: what was printed, and the plots and tables of the folder.
 
-use super::parts::{PAGE, TABLES, page, picture};
+use super::parts::{TABLES, page, picture};
 use crate::report::files::{Folder, WriteError};
+use crate::report::names::PAGE;
 use crate::report::text::{short, width};
 use maud::{Markup, PreEscaped, html};
 use std::path::Path;

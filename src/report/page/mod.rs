@@ -7,18 +7,21 @@ mod fronts;
 mod modes;
 mod numbers;
 mod parts;
+mod question;
 
-pub(crate) use classification::{CLASSIFICATION, write as write_classification};
+pub(crate) use classification::write as write_classification;
 pub(crate) use folder::write as write_folder;
-pub(crate) use parts::PAGE;
 
 use super::files::{Folder, WriteError};
+use super::names::PAGE;
 use crate::analysis::{DesignResult, OptimumResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, InputFile, Study};
-use crate::report::text::{bounds, dash, short};
+use crate::report::text::judged::is_apart;
+use crate::report::text::{dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{Markup, PreEscaped, html};
-use parts::{TABLES, conditions, limits, model, page, parameters, picture, provenance};
+use parts::{TABLES, conditions, limits, model, page, parameters, picture, provenance, value_of};
+use question::{judged_cells, judged_heads, question, verdicts};
 
 const SCRIPT: &str = include_str!("page.js");
 
@@ -30,10 +33,15 @@ pub(crate) struct Prepared {
     model: Markup,
 }
 
+/// JSON in a page: within a script `<` begins comments and ends it, and the two separators once ended lines of scripts.
+fn embedded(data: &serde_json::Value) -> String {
+    let escaped = [('<', "\\u003c"), ('\u{2028}', "\\u2028"), ('\u{2029}', "\\u2029")];
+    escaped.iter().fold(data.to_string(), |text, (c, by)| text.replace(*c, by))
+}
+
 /// That of a run.
 pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
-    // a closing tag within a text would end the script
-    Prepared { data: data::data(study, results).to_string().replace("</", "<\\/"), model: model(study) }
+    Prepared { data: embedded(&data::data(study, results)), model: model(study) }
 }
 
 /// Writes the page about its data; plots of the run are taken from the folder.
@@ -68,54 +76,10 @@ fn body((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &P
     }
 }
 
-fn objective(study: &Study, value: f64) -> String {
-    let of = &study.objective;
-    format!("{}{}", short(of.unit.shown(value)), of.unit.suffix())
-}
-
-/// The best optimum by the first objective.
-fn best(results: &Results) -> Option<&OptimumResult> {
-    let main = results.optima.iter().filter(|o| o.objective == 0 && !o.robust && o.main);
-    main.min_by(|a, b| {
-        (!a.design.within_limits(), a.optimum.value())
-            .partial_cmp(&(!b.design.within_limits(), b.optimum.value()))
-            .unwrap_or(std::cmp::Ordering::Equal)
-    })
-}
-
-/// What was asked, what the answer is, and whether to believe it.
-fn question(study: &Study, results: &Results) -> Markup {
-    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective);
-    html! {
-        h1 { (study.engine.name) ": " (study.name) }
-        p { "Which absorber makes the " (study.objective.label) " smallest from " (low) " to " (high) " rpm"
-            @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) } }
-            "?" }
-        @if let Some(o) = best(results) {
-            p class="answer" {
-                b { (o.design.name) } ": " (objective(study, o.optimum.value()))
-                @if let Some(none) = none { "; without absorber it is " (objective(study, none)) }
-                ". "
-                @if study.limits.is_empty() { "The study has no limits." }
-                @else if o.design.within_limits() { span class="good" { "All limits hold." } }
-                @else { span class="bad" { "Limits are broken: no design that holds them all was found." } }
-            }
-            p {
-                (o.optimum.agreeing()) " of " (o.optimum.starts.len()) " starts agree; first-order residual "
-                (format!("{:.0e}", o.optimum.outcome.kkt_residual)) "; " (o.scan.designs) " designs elsewhere and " (o.nearby.designs) " near it "
-                @if o.scan.better || o.nearby.better { "were looked at, one of which led to it." } @else { "are no better." }
-                @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " It lies on these bounds:" }
-            }
-            @if !o.on_bounds.is_empty() { ul { @for line in bounds(o) { li class="bad" { (line.trim().replace('`', "")) } } } }
-        } @else { p class="answer" { "The study asks for no optimum: its designs are compared." } }
-    }
-}
-
 fn designs(study: &Study, results: &Results) -> Markup {
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
-    // the twist that every table shows may be the objective itself
-    let other = study.objective.measure.synthesised() != Some(study.twist);
+    // the twist that every table shows may be what designs are judged by
+    let judged = is_apart(study, results);
     let swept = |d: &DesignResult| results.sweeps.iter().any(|s| s.design == d.name);
     let columns = parameters(all());
     let cell = |d: &DesignResult, key: &str| {
@@ -130,7 +94,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
         div class="scroll" { table id="designs" class="sorts" {
             thead { tr {
                 th { "design" } @for p in &columns { th { (p.label.replacen('/', ", ", 1)) } } th { "twist, °" } th { "at rpm" } th { "torque, N m" } th { "dissipated, W" }
-                @if other { th { (study.objective.label) } } @if !study.limits.is_empty() { th { "limits" } }
+                @if judged { (judged_heads(study)) } @if !study.limits.is_empty() { th { "limits" } }
             } }
             tbody { @for d in all() {
                 tr data-design=(d.name) {
@@ -140,11 +104,12 @@ fn designs(study: &Study, results: &Results) -> Markup {
                     td { (dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))) }
                     td { (dash(d.torque.map(|p| short(p.value)))) }
                     td { (dash(d.power.map(short))) }
-                    @if other { td { (dash(d.objective.map(|v| objective(study, v)))) } }
+                    @if judged { (judged_cells(study, results, d)) }
                     @if !study.limits.is_empty() { td { @if d.within_limits() { span class="good" { "hold" } } @else { span class="bad" { "broken" } } } }
                 }
             } }
         } }
+        (verdicts(results, all()))
     }
 }
 
@@ -172,16 +137,25 @@ fn margins(study: &Study, results: &Results) -> Markup {
     } }
 }
 
+/// Whether a search ended at another value than the one that its optimum is judged by.
+fn ends_elsewhere(results: &Results) -> bool {
+    let ends = |o: &OptimumResult| (results.judged_optimum(o).value / o.optimum.value() - 1.0).abs() > 1e-6;
+    results.optima.iter().any(ends)
+}
+
 fn certificates(study: &Study, results: &Results) -> Markup {
+    let several = results.optima.iter().any(|o| o.objective > 0);
+    let value = if ends_elsewhere(results) { "value at the end of the search" } else { "value" };
     html! { @if !results.optima.is_empty() {
         h2 { "Certificates of the optima" }
         div class="scroll" { table class="sorts" {
-            thead { tr { th { "optimum" } th { "value" } th { "starts that agree" } th { "first-order residual" } th { "active peaks" } th { "other local optima" } th { "evaluations" } } }
+            thead { tr { th { "optimum" } th { (value) } @if several { th class="words" { "of" } } th { "starts that agree" } th { "first-order residual" } th { "active peaks" } th { "other local optima" } th { "evaluations" } } }
             tbody { @for o in &results.optima {
                 @let stages = &o.optimum.stages;
                 tr {
                     td { (o.design.name) }
-                    td { (if o.objective == 0 { objective(study, o.optimum.value()) } else { short(o.optimum.value()) }) }
+                    td { (value_of(study.objective_of(o.objective), o.optimum.value())) }
+                    @if several { td class="words" { (study.objective_of(o.objective).label) } }
                     td { (o.optimum.agreeing()) " of " (o.optimum.starts.len()) }
                     td { (format!("{:.0e}", o.optimum.outcome.kkt_residual)) }
                     td { (o.optimum.outcome.multipliers.iter().filter(|m| **m > 1e-6).count()) }

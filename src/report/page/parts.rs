@@ -2,7 +2,7 @@
 
 use crate::absorber::Parameter;
 use crate::analysis::{DesignResult, Results};
-use crate::input::{InputFile, Study};
+use crate::input::{InputFile, MeasureSpec, Study};
 use crate::objective::holds;
 use crate::report::files::Folder;
 use crate::report::text::{check, dash, short, width};
@@ -10,9 +10,6 @@ use crate::units::DEG_PER_RAD;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-
-/// Name of the page of a folder.
-pub(crate) const PAGE: &str = "report.html";
 
 /// How pages look.
 const STYLE: &str = include_str!("page.css");
@@ -37,6 +34,11 @@ pub(super) fn page(title: &str, body: &Markup) -> String {
     page.into_string()
 }
 
+/// A value of a measure in its own unit and sense.
+pub(super) fn value_of(of: &MeasureSpec, value: f64) -> String {
+    format!("{}{}", short(of.unit.shown(value)), of.unit.suffix())
+}
+
 /// Parameters that some design has, each once.
 pub(super) fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
     let mut list: Vec<&Parameter> = Vec::new();
@@ -55,7 +57,7 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
         div class="scroll" { table class="sorts" {
             thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * ratio)) }
+                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * l.of.unit.ratio(*ratio))) }
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }

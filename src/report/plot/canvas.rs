@@ -157,11 +157,11 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     folder.write(&format!("{name}.svg"), svg.as_bytes())?;
     let png = rendered(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
     folder.write(&format!("{name}.png"), &png)?;
-    let own = format!("{name}.pdf");
-    match Format::Pdf.is_wanted() {
-        true => folder.write(&own, &pdf(&svg, UNITS_PER_INCH).ok_or_else(|| failed("the picture could not be written as PDF".into()))?),
-        false => folder.remove(&[&own]),
+    if Format::Pdf.is_wanted() {
+        let page = pdf(&svg, UNITS_PER_INCH).ok_or_else(|| failed("the picture could not be written as PDF".into()))?;
+        folder.write(&format!("{name}.pdf"), &page)?;
     }
+    Ok(())
 }
 
 fn rendered(svg: &str) -> Option<Vec<u8>> {

@@ -10,14 +10,14 @@ use plotters::prelude::*;
 /// `heat`: a line a design for what is reached from cold, broken where it overheats; other balances as dots, open where they are not stable; limits as thin lines.
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     if results.heat.is_empty() {
-        return folder.remove(&["heat.svg", "heat.png"]);
+        return Ok(());
     }
     let all = || results.heat.iter().flat_map(|d| d.points.iter().flat_map(|p| &p.balances).map(|b| b.celsius).chain([d.limit]));
     let (low, high) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     let y = (low - 0.08 * (high - low), high + 0.08 * (high - low));
     let x = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     if x.0 >= x.1 {
-        return folder.remove(&["heat.svg", "heat.png"]);
+        return Ok(());
     }
     let name = |d: &HeatOfDesign| d.design.replace('_', " ");
     let bears = |i: usize| Stroke { style: line(COLOURS[i % COLOURS.len()], 7), ..Stroke::dashed(line(BLACK, 7)) };

@@ -22,7 +22,7 @@ const ABREAST: usize = 3;
 
 /// Smallest margin of every design at every speed, a panel a criterion.
 pub fn margins(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let Some(model) = &results.margin else { return folder.remove(&["margin.svg", "margin.png"]) };
+    let Some(model) = &results.margin else { return Ok(()) };
     let panels = model.criteria.len();
     let columns = if panels > ABREAST { 2 } else { 1 };
     let rows = panels.div_ceil(columns);
@@ -91,7 +91,7 @@ fn stroke(results: &Results, i: usize, design: &str) -> Stroke {
 
 /// Shear force, bending moment and torque along the crank where its most used web is bent most, and at the other end of that range.
 pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let Some(d) = &results.diagram else { return folder.remove(&["crank.svg", "crank.png"]) };
+    let Some(d) = &results.diagram else { return Ok(()) };
     let in_planes = |pick: fn(&Instant) -> &InPlanes, unit: f64| -> Vec<Curve> {
         let of = |(i, instant): (usize, &Instant)| {
             let planes = ["in the plane of the throw", "across it"].into_iter().zip(pick(instant)).zip([22, 10]);

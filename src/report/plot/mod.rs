@@ -32,8 +32,7 @@ use rayon::prelude::*;
 pub(crate) fn classification(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     campbell::draw(study, results, folder)?;
     excitation::draw(study, results, folder)?;
-    results.sweeps.par_iter().try_for_each(|sweep| response::draw(study, results, sweep, folder))?;
-    folder.remove_other_plots("response_")
+    results.sweeps.par_iter().try_for_each(|sweep| response::draw(study, results, sweep, folder))
 }
 
 /// Draws every plot of a run.
@@ -72,7 +71,7 @@ pub fn run(study: &Study, results: &Results, folder: &Folder, written: &(dyn Fn(
     drawn.into_iter().collect()
 }
 
-/// Plots that every run has, or removes.
+/// Plots that every run has, or looks whether it has them.
 const ALWAYS: usize = 9;
 
 /// How many plots [`run`] draws.

@@ -3,7 +3,7 @@
 use super::canvas::{self, Drawn, Stroke, WIDTH, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::Results;
-use crate::analysis::sweeps::{QuantitySweep, Sweeps};
+use crate::analysis::sweeps::{QuantitySweep, Sweeps, Swept};
 use crate::input::Study;
 use crate::objective::Condition;
 use crate::report::files::{Folder, WriteError};
@@ -17,6 +17,8 @@ const CUT: f64 = 2.0;
 
 struct Curve<'a> {
     label: String,
+    /// What it is a curve of: its panel has the unit of that.
+    of: Swept,
     values: &'a [f64],
     stroke: Stroke,
     /// Its peak between the speeds: rpm and value.
@@ -44,7 +46,18 @@ fn height(curves: &[Curve]) -> u32 {
     HEIGHT + legend::height(&curves.iter().map(Curve::entry).collect::<Vec<_>>(), WIDTH)
 }
 
-fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &[Curve], top: f64) -> Drawn {
+/// What stands beside an axis of a quantity.
+fn axis(of: Swept) -> &'static str {
+    match of {
+        Swept::Twist | Swept::Amplitude | Swept::RingTwist => "half peak-to-peak / °",
+        Swept::Torque => "half peak-to-peak / N m",
+        Swept::DissipatedPower => "power / W",
+    }
+}
+
+/// Curves of one quantity, `of`, which gives the axis its unit; a curve of another one is not drawn.
+fn panel(area: &canvas::Area, (title, of): (&str, Swept), speeds: &[f64], curves: &[Curve], top: f64) -> Drawn {
+    debug_assert!(curves.iter().all(|c| c.of == of), "{title}: curves of several quantities");
     let above = legend::below(area, &curves.iter().map(Curve::entry).collect::<Vec<_>>())?;
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
@@ -55,7 +68,7 @@ fn panel(area: &canvas::Area, title: &str, unit: &str, speeds: &[f64], curves: &
         .x_label_area_size(px(40))
         .y_label_area_size(px(58))
         .build_cartesian_2d(span, 0.0..top)?;
-    canvas::mesh!(chart, "speed / rpm", unit, 9, 7);
+    canvas::mesh!(chart, "speed / rpm", axis(of), 9, 7);
     for curve in curves {
         // plotters draws what lies outside as well: the curve is cut at the frame
         for piece in canvas::clipped(curve.points(speeds).into_iter(), top) {
@@ -85,9 +98,16 @@ fn in_condition(results: &Results, design: &str, q: &QuantitySweep) -> Option<(f
 fn curves<'a>(results: &Results, quantity: &'a QuantitySweep, orders: &[usize], peak: Option<(f64, f64)>) -> Vec<Curve<'a>> {
     let order = |&n: &usize| {
         let order = results.system.excitation.orders[n];
-        Curve { label: format!("order {order}"), values: &quantity.orders[n].amplitude, stroke: Stroke::of_order(order, 14), peak: None }
+        Curve {
+            label: format!("order {order}"),
+            of: quantity.of,
+            values: &quantity.orders[n].amplitude,
+            stroke: Stroke::of_order(order, 14),
+            peak: None,
+        }
     };
-    let total = Curve { label: "all orders".into(), values: &quantity.total, stroke: Stroke::solid(line(BLACK, 22)), peak };
+    let total =
+        Curve { label: "all orders".into(), of: quantity.of, values: &quantity.total, stroke: Stroke::solid(line(BLACK, 22)), peak };
     orders.iter().map(order).chain(std::iter::once(total)).collect()
 }
 
@@ -114,16 +134,24 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
     let others: Vec<Curve> = sweep
         .quantities
         .iter()
-        .filter(|q| q.condition != Condition::Firing)
+        // the torque of every shaft may be swept in every condition, too
+        .filter(|q| q.condition != Condition::Firing && q.of == twist.of && q.place == twist.place)
         .map(|q| (q, q.condition.name()))
         .enumerate()
         .map(|(i, (q, name))| Curve {
             label: name.replace('_', " "),
+            of: q.of,
             values: &q.total,
             stroke: Stroke::of(i, 16),
             peak: in_condition(results, &sweep.design, q),
         })
-        .chain(std::iter::once(Curve { label: "firing".into(), values: &twist.total, stroke: Stroke::solid(line(BLACK, 22)), peak }))
+        .chain(std::iter::once(Curve {
+            label: "firing".into(),
+            of: twist.of,
+            values: &twist.total,
+            stroke: Stroke::solid(line(BLACK, 22)),
+            peak,
+        }))
         .collect();
     let (of_twist, of_hub) = (curves(results, twist, &orders, peak), curves(results, hub, &orders, None));
     let (first, second) = (height(&of_twist), height(&of_hub));
@@ -136,11 +164,11 @@ pub(crate) fn draw(study: &Study, results: &Results, sweep: &Sweeps, folder: &Fo
         if third > 0 {
             let top = canvas::round_up(others.iter().map(|c| largest(c.values)).fold(0.0, f64::max));
             let title = format!("twist, {between}, all orders, in each condition");
-            panel(&bottom, &title, "half peak-to-peak / °", &study.speeds_rpm, &others, top)?;
+            panel(&bottom, (&title, twist.of), &study.speeds_rpm, &others, top)?;
         }
-        panel(&upper, &format!("twist, {between}"), "half peak-to-peak / °", &study.speeds_rpm, &of_twist, top)?;
+        panel(&upper, (&format!("twist, {between}"), twist.of), &study.speeds_rpm, &of_twist, top)?;
         let title = format!("amplitude of {}{cut}", name(study.hub));
-        panel(&lower, &title, "half peak-to-peak / °", &study.speeds_rpm, &of_hub, hub_top)
+        panel(&lower, (&title, hub.of), &study.speeds_rpm, &of_hub, hub_top)
     })
 }
 
@@ -155,17 +183,11 @@ pub(crate) fn overlay(study: &Study, results: &Results, folder: &Folder) -> Resu
             let optimum = results.is_optimum(&s.design);
             let without = i == 0 && results.designs.first().is_some_and(|d| d.name == s.design && d.absorbers.is_empty());
             let stroke = if without { Stroke::solid(line(BLACK, 15)) } else { Stroke::of(i, if optimum { 28 } else { 15 }) };
-            Curve { label: s.design.replace('_', " "), values: &s.quantities[0].total, stroke, peak: refined(results, &s.design) }
+            let twist = &s.quantities[0];
+            Curve { label: s.design.replace('_', " "), of: twist.of, values: &twist.total, stroke, peak: refined(results, &s.design) }
         })
         .collect();
     canvas::save(folder, "designs", (WIDTH, 60 + height(&curves)), |area| {
-        panel(
-            area,
-            &format!("{}: synthesised twist of all designs", study.engine.name),
-            "half peak-to-peak / °",
-            &study.speeds_rpm,
-            &curves,
-            top,
-        )
+        panel(area, (&format!("{}: synthesised twist of all designs", study.engine.name), Swept::Twist), &study.speeds_rpm, &curves, top)
     })
 }

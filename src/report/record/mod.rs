@@ -1,13 +1,16 @@
 //! `results.json`: what a script wants of a run, with its schema.
 
+mod judged;
 mod values;
 
+pub(crate) use judged::{judged, verdicts};
 pub(crate) use values::values;
 
 use super::files::{Folder, WriteError};
+use super::names::RESULTS;
 use crate::absorber::{Host, Mounted};
 use crate::analysis::{DesignResult, FrontResult, OptimumResult, Results, TradeoffResult};
-use crate::input::{FrontSpec, InputFile, MeasureSpec, Study};
+use crate::input::{FrontSpec, InputFile, MeasureSpec, Placeholder, Study};
 use crate::objective::{HELD, holds};
 use crate::optimise::Stop;
 use schemars::JsonSchema;
@@ -15,8 +18,6 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Its name.
-const RESULTS: &str = "results.json";
 /// Rises when a key changes its meaning or is no more.
 const FORMAT: u32 = 1;
 
@@ -33,6 +34,9 @@ pub(crate) struct Record {
     engine: String,
     /// The files that were read.
     inputs: Vec<Input>,
+    /// Keys of the inputs whose values are those of an example that nobody has confirmed, each with its file; absent without any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    placeholders: Vec<Unconfirmed>,
     /// What optima are best by.
     objective: MeasureName,
     /// Whether every optimum holds every limit, and none overheats.
@@ -54,6 +58,14 @@ struct Input {
     bytes: usize,
     /// CRC-32, eight hexadecimal digits.
     crc32: String,
+}
+
+/// A value of an example.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Unconfirmed {
+    file: String,
+    key: String,
+    value: String,
 }
 
 /// A measure.
@@ -87,6 +99,12 @@ struct Design {
     values: Vec<values::Value>,
     /// Limits of the study.
     limits: Vec<Limit>,
+    /// The one value that it is judged by; absent where it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    judged: Option<judged::Judged>,
+    /// What is absurd of an optimum, or of the best design where nothing was searched; absent where nothing is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    verdicts: Vec<judged::Verdict>,
 }
 
 /// An absorber.
@@ -124,6 +142,7 @@ struct Optimum {
     design: String,
     /// What it is best by.
     objective: MeasureName,
+    /// At the end of the search; what its design is judged by stands there.
     value: f64,
     converged: bool,
     /// Length of the steepest-descent step, in logarithms of the parameters.
@@ -189,6 +208,7 @@ pub(crate) fn text(study: &Study, inputs: &[InputFile], results: &Results) -> St
 
 fn record(study: &Study, inputs: &[InputFile], results: &Results) -> Record {
     let input = |f: &InputFile| Input { path: f.path.display().to_string(), bytes: f.bytes, crc32: format!("{:08x}", f.crc32) };
+    let unconfirmed = |p: &Placeholder| Unconfirmed { file: p.file.display().to_string(), key: p.key.clone(), value: p.value.clone() };
     let given = results.designs.iter().map(|d| design(study, results, d, false));
     let found = results.optima.iter().map(|o| design(study, results, &o.design, true));
     let over_inertia = results.fronts.iter().map(|f| over_ring_inertia(study, results, f));
@@ -198,6 +218,7 @@ fn record(study: &Study, inputs: &[InputFile], results: &Results) -> Record {
         study: study.name.clone(),
         engine: study.engine.name.clone(),
         inputs: inputs.iter().map(input).collect(),
+        placeholders: study.placeholders.iter().map(unconfirmed).collect(),
         objective: MeasureName::new(&study.objective),
         limits_hold: results.limits_hold(),
         chain_frequencies_hz: study.modes.frequencies_hz(),
@@ -220,6 +241,8 @@ fn design(study: &Study, results: &Results, d: &DesignResult, optimum: bool) -> 
         absorbers: absorbers(results, &d.absorbers),
         values: values(study, results, d),
         limits: study.limits.iter().zip(&d.limits).map(limit).collect(),
+        judged: judged::judged(study, results, d),
+        verdicts: judged::verdicts(results, d),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::table::significant;
 use crate::analysis::OptimumResult;
 use crate::input::MeasureSpec;
-use crate::optimise::Survey;
+use crate::optimise::{Stop, Survey};
 
 /// Curvatures above this are no rounding of differences.
 const ROUNDING: f64 = 1e-6;
@@ -88,6 +88,9 @@ fn starts(o: &OptimumResult) -> String {
 
 fn second_order(o: &OptimumResult) -> String {
     match &o.second_order {
+        None if !matches!(o.optimum.outcome.stop, Stop::Converged | Stop::NothingFree) => {
+            "  second order: not told, as the search did not converge".into()
+        }
         None => "  second order: not available, other peaks or bounds take over that near".into(),
         Some(s) => match s.curvature {
             None => "  second order: the active peaks, limits and bounds leave no direction free".into(),

@@ -1,7 +1,7 @@
 //! What `hartog check` prints: the model that a study describes.
 
 use super::crank;
-use super::plausibility::implausible;
+use super::plausibility::{implausible, placeholders};
 use super::robust::tolerances;
 use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
@@ -27,8 +27,10 @@ const CANCELS: f64 = 1e-9;
 /// Engine, chain, modes, pressure, crank, and what is to be computed.
 pub fn model(study: &Study) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
+    let remarks: String = study.remarks.iter().map(|s| format!("note: {s}\n")).collect();
     let unlikely: String =
         implausible(&plausibility::implausible(study, &excitation.audit)).iter().map(|s| format!("warning: {s}\n")).collect();
+    let unlikely = placeholders(study) + &remarks + &unlikely;
     format!(
         "{}\n{}{}\n{}\n{}\n{}{}",
         engine(study),

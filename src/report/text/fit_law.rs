@@ -30,21 +30,29 @@ pub(crate) fn fit_law(fit: &LawFit) -> String {
             fit.agreeing.1
         ));
     }
-    let wlf = fit.williams_landel_ferry();
-    let temperature = wlf.map(|(c1, c2, off)| {
-        let reference = fit.factors.iter().find(|f| f.1.standard_error.is_none()).map_or(0.0, |f| f.0);
-        text.push_str(&format!("  the factors follow Williams, Landel and Ferry to a factor of {}\n", significant(off, 3)));
-        format!(
-            "  material.temperature.wlf = {{ c1 = {}, c2_k = {}, reference_c = {reference} }}\n",
-            significant(c1, 5),
-            significant(c2, 5)
-        )
-    });
+    let temperature = temperature(fit);
+    if let Some((law, off, _)) = &temperature {
+        text.push_str(&format!("  the factors follow {law} to a factor of {}\n", significant(*off, 3)));
+    }
     let values = parameters.iter().zip(&fit.values).map(|(p, f)| format!("{} = {}", p.key, rounded(f.value)));
     let line = values.collect::<Vec<_>>().join(", ");
     text + &format!(
         "In a study, with a ring of its own:\n  type.{} = {{ ring_inertia_kg_m2 = …, {line} }}\n{}",
         fit.declaration.name,
-        temperature.unwrap_or_default()
+        temperature.map_or_else(String::new, |t| t.2)
     )
+}
+
+/// The law of temperature that the factors follow, by its name, the largest ratio that is left, and its line of a study: a shift of frequency, or where the stiffness is the same at every frequency its fall per kelvin.
+fn temperature(fit: &LawFit) -> Option<(&'static str, f64, String)> {
+    let reference = fit.factors.iter().find(|f| f.1.standard_error.is_none())?.0;
+    if fit.declaration.stiffness_follows() {
+        let (per_k, off) = fit.exponential()?;
+        let (low, high) = (fit.factors.first()?.0, fit.factors.last()?.0);
+        let values = format!("per_k = {}, reference_c = {reference}, between_c = [{low}, {high}]", significant(per_k, 5));
+        return Some(("an exponential", off, format!("  material.temperature.exponential = {{ {values} }}\n")));
+    }
+    let (c1, c2, off) = fit.williams_landel_ferry()?;
+    let values = format!("c1 = {}, c2_k = {}, reference_c = {reference}", significant(c1, 5), significant(c2, 5));
+    Some(("Williams, Landel and Ferry", off, format!("  material.temperature.wlf = {{ {values} }}\n")))
 }

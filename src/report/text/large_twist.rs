@@ -69,12 +69,11 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     if unknown {
         text.push_str(&format!("  {}: stability cannot be told beside laws that are known by frequency only.\n", d.design));
     }
-    if d.curves.iter().all(Vec::is_empty) {
-        text.push_str(&format!("  {}: NO MOTION was found at any speed.\n", d.design));
-    }
-    if !d.whole {
-        let travel =
-            d.travel.map_or_else(String::new, |t| format!("; its travel ends at {}° of ring twist", significant(t * DEG_PER_RAD, 4)));
+    let travel = d.travel.map_or_else(String::new, |t| format!("; its path ends at {}° of ring twist", significant(t * DEG_PER_RAD, 4)));
+    if !d.without_motion.is_empty() {
+        let at = between(&d.without_motion);
+        text.push_str(&format!("  {} FAILS: NO STEADY MOTION of it is known at {at}{travel}. Small twist tells nothing of it there, so that it has no objective and holds no limit.\n", d.design));
+    } else if !d.whole {
         text.push_str(&format!(
             "  {}: NOT FOLLOWED to the end of every curve: no motion was found further on, or too many steps were needed{travel}.\n",
             d.design
@@ -83,7 +82,7 @@ fn remarks(text: &mut String, d: &LargeTwistOfDesign, study: &Study) {
     let limits = study.limits.iter().zip(&d.at_large_twist.limits).filter(|(_, own)| own.is_none()).map(|(l, _)| l.words.as_str());
     let objective = d.at_large_twist.objective.is_none().then_some(study.objective.label.as_str());
     let untold: Vec<&str> = objective.into_iter().chain(limits).collect();
-    if !untold.is_empty() {
+    if !untold.is_empty() && d.without_motion.is_empty() {
         text.push_str(&format!("  {}: judged at small twist alone: {}.\n", d.design, untold.join("; ")));
     }
     if d.change > study.tolerance {

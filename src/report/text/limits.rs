@@ -33,11 +33,12 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
             String::new()
         };
         let found = match limit.of.measure.within.factors.as_slice() {
+            _ if *ratio == f64::INFINITY => "at some speeds no steady motion is known".into(),
             [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
                 format!("the one that is nearest or deepest inside is {} times the nearer end", significant(*ratio, 4))
             }
             [] => format!("it is {}", value(limit, ratio * limit.limit)),
-            _ => format!("{:.1} % of it", 100.0 * ratio),
+            _ => format!("{:.1} % of it", 100.0 * limit.of.unit.ratio(*ratio)),
         };
         lines.push(format!("  limit: {}: {verdict} ({found}{worst}{costs})", limit.words));
     }

@@ -116,7 +116,7 @@ fn differ(study: &Study, results: &Results) -> String {
         };
         let (Some(by_margin), Some(by_first)) = (margin(&o.design), margin(&twin.design)) else { continue };
         let gain = by_margin / by_first - 1.0;
-        let lost = o.design.objective.zip(twin.design.objective).map_or(0.0, |(a, b)| a / b - 1.0);
+        let lost = o.design.objective.zip(twin.design.objective).map_or(0.0, |(a, b)| study.objective.unit.ratio(a / b) - 1.0);
         let verdict = if gain.abs() < SAME { "the two optima do not differ for the crank" } else { "the two optima differ" };
         let _ = writeln!(
             text,

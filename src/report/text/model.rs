@@ -12,12 +12,19 @@ use std::fmt::Write;
 pub(crate) fn reciprocating(study: &Study) -> Option<String> {
     let f = frequencies(study)?;
     let (each, share) = (significant(f.each, 4), 100.0 * (1.0 - f.with / f.without));
+    // inertia lowers every frequency: anything else is rounding, of a frequency near zero
+    let is_known = (-0.05..=100.0).contains(&share);
     let said = match study.reciprocating {
         r if r.stated => "stated in the engine file",
         r if r.mean => "the default of inertias that follow from dimensions",
         _ => "the default of inertias that are given",
     };
-    Some(if study.reciprocating.mean {
+    Some(if !is_known {
+        let (value, done) = if study.reciprocating.mean { ("mean", "added") } else { ("none", "left out") };
+        format!(
+            "reciprocating_inertia = \"{value}\" ({said}): {each} kg m² a cylinder are {done}; f1 is too near to zero to tell what that does"
+        )
+    } else if study.reciprocating.mean {
         format!("reciprocating_inertia = \"mean\" ({said}): {each} kg m² a cylinder are added, which lowers f1 by {share:.1} %")
     } else {
         format!("reciprocating_inertia = \"none\" ({said}): {each} kg m² a cylinder are left out; \"mean\" would lower f1 by {share:.1} %")

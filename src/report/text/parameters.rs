@@ -1,12 +1,11 @@
 //! What the parameters of an optimum ask of who builds it: the loss factor that they imply, and bounds that they lie on.
 
 use super::table::significant;
+use super::verdict::rubber_loss;
 use crate::analysis::OptimumResult;
 use crate::drivetrain::natural;
 use crate::units::HZ_PER_RAD_PER_S;
 
-/// Loss factors of rubber in torsional absorbers.
-const RUBBER: &str = "0.1 to 0.3";
 /// A smaller gain, per cent of the objective, is rounding.
 const WORTH_SAYING: f64 = 1e-6;
 
@@ -17,14 +16,16 @@ pub(super) fn parameters(o: &OptimumResult) -> Vec<String> {
         let which = if o.design.absorbers.len() > 1 { format!("absorber {}: ", i + 1) } else { String::new() };
         if let Some((loss, own)) = mounted.absorber.implied_loss_factor() {
             lines.push(format!(
-                "  {which}implied loss factor {} (c omega/k at the ring's own {} Hz); rubber has {RUBBER}",
+                "  {which}implied loss factor {} (c omega/k at the ring's own {} Hz); rubber has {}",
                 significant(loss, 3),
-                significant(own * HZ_PER_RAD_PER_S, 4)
+                significant(own * HZ_PER_RAD_PER_S, 4),
+                rubber_loss()
             ));
         } else if let Some(law) = mounted.absorber.law()
             && let (Some(own), Some(loss)) = (natural::own(&**law), natural::own_loss_factor(&**law))
         {
-            let hint = if mounted.absorber.value("loss_factor").is_some() { format!("; rubber has {RUBBER}") } else { String::new() };
+            let hint =
+                if mounted.absorber.value("loss_factor").is_some() { format!("; rubber has {}", rubber_loss()) } else { String::new() };
             let hz = significant(own * HZ_PER_RAD_PER_S, 4);
             lines.push(format!("  {which}the ring on its held hub has {hz} Hz and there a loss factor of {}{hint}", significant(loss, 3)));
         }

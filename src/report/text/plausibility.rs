@@ -1,12 +1,52 @@
 //! What is unlikely in a study, in words.
 
 use super::short;
-use crate::analysis::plausibility::Implausible;
+use crate::analysis::plausibility::{Implausible, Known};
+use crate::input::Study;
 use crate::units::DEG_PER_RAD;
+use std::fmt::Write;
 
-/// One sentence each, with what may be the reason.
+/// Values of an example that nobody has confirmed: a block for each file, empty without any.
+pub(crate) fn placeholders(study: &Study) -> String {
+    let mut text = String::new();
+    for group in study.placeholders.chunk_by(|a, b| a.file == b.file) {
+        let file = group[0].file.display();
+        let _ = writeln!(
+            text,
+            "warning: these {} values of {file} are those of an example, not of your engine; put in your own, and delete their names from `placeholder` there:",
+            group.len()
+        );
+        for p in group {
+            let _ = writeln!(text, "  {} = {}", p.key, p.value);
+        }
+    }
+    text
+}
+
+/// So many are read; more hide the first.
+const MOST_TOLD: usize = 20;
+
+/// One sentence each, with what may be the reason; of very many the first, and how many more there are.
 pub(crate) fn implausible(found: &[Implausible]) -> Vec<String> {
-    found.iter().map(sentence).collect()
+    let more = found.len().saturating_sub(MOST_TOLD);
+    let rest = (more > 0).then(|| format!("{more} more numbers are as unlikely"));
+    found.iter().take(MOST_TOLD).map(sentence).chain(rest).collect()
+}
+
+fn known(of: Known) -> &'static str {
+    match of {
+        Known::Pressure => "the pressure is known",
+        Known::Curve => "the curve of torque, power or mean pressure is known",
+        Known::Harmonics => "the torque is known",
+    }
+}
+
+/// What is held at the ends of the speeds at which it is known.
+fn held(of: Known, (low, high): (f64, f64), (first, last): (f64, f64)) -> String {
+    let below = (first < low).then(|| format!("from {first} to {low} rpm it is taken as at {low} rpm"));
+    let above = (last > high).then(|| format!("from {high} to {last} rpm it is taken as at {high} rpm"));
+    let parts: Vec<String> = below.into_iter().chain(above).collect();
+    format!("{} from {low} to {high} rpm only: {}", known(of), parts.join(", "))
 }
 
 fn sentence(found: &Implausible) -> String {
@@ -37,7 +77,10 @@ fn sentence(found: &Implausible) -> String {
             "the crank radius is {} of the rod, outside 0.1 to 0.5: `crank_radius_mm` is half the stroke, `rod_length_mm` between the eyes",
             short(*ratio)
         ),
-        Implausible::OneSpeed(rpm) => format!("the pressure is known at {rpm} rpm only and taken for all speeds of the study"),
+        Implausible::OneSpeed { of, speed_rpm } => {
+            format!("{} at {speed_rpm} rpm only and taken for all speeds of the study", known(*of))
+        }
+        Implausible::Held { of, known_rpm, study_rpm } => held(*of, *known_rpm, *study_rpm),
         Implausible::PistonMass { mass, over_cube } => format!(
             "the piston has {} kg, {} kg/m³ of the cube of the bore, outside 100 to 30000: is its mass in kg, the bore in mm?",
             short(*mass),
@@ -72,6 +115,9 @@ fn sentence(found: &Implausible) -> String {
         }
         Implausible::DampingRatio { mode, ratio } => {
             format!("the damping of mode {} is {} % of critical, above 20 %: shafts have 0.5 to 5 %", mode + 1, short(100.0 * ratio))
+        }
+        Implausible::RuleEnds { limit, end_rpm, highest_rpm } => {
+            format!("the rule of the limit \"{limit}\" ends at {end_rpm} rpm: from there to {highest_rpm} rpm nothing is judged by it")
         }
         Implausible::Tuning { design, absorber, ratio } => format!(
             "the ring of absorber {} of `{design}` swings at {} of the lowest natural frequency of the chain, outside 0.1 to 10: is its stiffness in N m/rad?",

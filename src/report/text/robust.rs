@@ -33,7 +33,7 @@ pub(super) fn during(design: &[Mounted], case: &RowCase) -> String {
 }
 
 /// Tolerances by their keys.
-pub(super) fn tolerances(spec: &RobustSpec) -> String {
+pub(crate) fn tolerances(spec: &RobustSpec) -> String {
     let one = |(key, share): &(&str, f64)| {
         let percent = format!("{:.2}", 100.0 * share);
         format!("{key} ±{} %", percent.trim_end_matches('0').trim_end_matches('.'))
@@ -62,7 +62,7 @@ pub(crate) fn robust(study: &Study, results: &Results) -> String {
     let mut rows = Vec::new();
     for d in &results.robust {
         let mut row = vec![d.design.clone(), shown(of, d.worst.nominal), shown(of, d.worst.value)];
-        row.push(format!("{:.1}", 100.0 * (d.worst.value / d.worst.nominal - 1.0)));
+        row.push(format!("{:.1}", 100.0 * (of.unit.ratio(d.worst.value / d.worst.nominal) - 1.0)));
         row.push(deviation(absorbers(&d.design), &d.worst.deviation));
         row.extend(d.percentile.iter().flat_map(|p| [p.value, p.between.0, p.between.1]).map(|v| shown(of, v)));
         rows.push(row);
@@ -81,7 +81,12 @@ pub(crate) fn robust(study: &Study, results: &Results) -> String {
     for d in &results.robust {
         for (limit, worst) in study.limits.iter().zip(&d.limits).filter(|(_, worst)| !holds(worst.value)) {
             let at = deviation(absorbers(&d.design), &worst.deviation);
-            text.push_str(&format!("  {}: limit {} is broken at {at} ({:.0} % of it)\n", d.design, limit.words, 100.0 * worst.value));
+            text.push_str(&format!(
+                "  {}: limit {} is broken at {at} ({:.0} % of it)\n",
+                d.design,
+                limit.words,
+                100.0 * limit.of.unit.ratio(worst.value)
+            ));
         }
     }
     text

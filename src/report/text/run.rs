@@ -1,87 +1,23 @@
 //! What a run prints: designs, optima, conditions, summary.
 
 use super::certificate::certificate;
+use super::judged::{sentence, value_of};
 use super::limits::{barred, limits};
 use super::margin::factor;
 use super::materials::temperatures;
 use super::parameters::parameters;
 use super::robust::during;
-use super::table::{dash, keyed, significant, table};
-use super::width::is_wide;
-use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
-use crate::absorber::{Absorber, Host, Mounted, Parameter};
+use super::table::{dash, keyed, significant};
+use super::verdict::{clause, of_design};
 use crate::analysis::choice::{Choice, Strategy};
+use crate::analysis::judged::Basis;
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Peak, Place, holds};
 use crate::optimise::Role;
-use crate::report::csv::in_unit;
-use crate::response::{Quantity, Work};
+use crate::response::Work;
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
-
-/// Parameters that some absorber has besides ring inertia, stiffness and damping.
-fn other_parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
-    let mut list: Vec<&Parameter> = Vec::new();
-    for p in designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration()).flat_map(|t| t.parameters) {
-        if ![RING_INERTIA.key, STIFFNESS.key, DAMPING.key].contains(&p.key) && list.iter().all(|known| known.key != p.key) {
-            list.push(p);
-        }
-    }
-    list
-}
-
-/// Ring, stiffness, damping and the other parameters of an absorber.
-fn absorber_cells(mounted: Option<&Mounted>, others: &[&Parameter]) -> Vec<String> {
-    let one = mounted.map(|m| &m.absorber);
-    let mut cells = vec![
-        dash(one.map(|a| significant(a.ring_inertia(), 4))),
-        dash(one.and_then(Absorber::stiffness).map(|k| significant(k, 5))),
-        dash(one.and_then(Absorber::damping).map(|c| significant(c, 4))),
-    ];
-    cells.extend(others.iter().map(|p| dash(one.and_then(|a| a.value(p.key)).map(|x| significant(x, 4)))));
-    cells
-}
-
-/// A line for each absorber of a design after its first.
-fn further_absorbers(study: &Study, d: &DesignResult, others: &[&Parameter], columns: usize) -> Vec<Vec<String>> {
-    let line = |(i, m): (usize, &Mounted)| {
-        let host = match m.on {
-            Host::Station(station) => study.chain.stations[station].name.clone(),
-            Host::Ring(inner) => format!("ring {}", inner + 1),
-        };
-        let mut row = vec![format!("  {}: {} on {host}", i + 1, m.absorber.type_name())];
-        row.extend(absorber_cells(Some(m), others));
-        row.resize(columns, String::new());
-        row
-    };
-    d.absorbers.iter().enumerate().skip(1).map(line).collect()
-}
-
-fn design_row(study: &Study, results: &Results, d: &DesignResult, others: &[&Parameter]) -> Vec<String> {
-    let orders = &results.system.excitation.orders;
-    let frequency = |i: usize| dash(d.frequencies_hz.get(i).map(|f| format!("{f:.2}")));
-    let mut row = vec![d.name.clone()];
-    row.extend(absorber_cells(d.absorbers.first(), others));
-    if is_wide() {
-        row.extend([frequency(0), frequency(1), frequency(2)]);
-    }
-    row.extend([dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))), dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm)))]);
-    if is_wide() {
-        row.push(dash(d.order_twist.map(|p| significant(p.value * DEG_PER_RAD, 4))));
-        row.push(dash(d.order_twist.map(|p| format!("{} @ {:.0}", orders[p.order], p.speed_rpm))));
-    }
-    row.extend([dash(d.torque.map(|p| format!("{:.0}", p.value))), dash(d.power.map(|p| significant(p, 3)))]);
-    if other_objective(study) {
-        row.push(dash(d.objective.map(|v| significant(in_unit(study, v), 5))));
-    }
-    row
-}
-
-/// Whether the objective is not the synthesised twist that every table shows.
-fn other_objective(study: &Study) -> bool {
-    study.objective.measure.synthesised() != Some(study.twist)
-}
 
 /// How searches evaluated designs, where that was chosen: a line each objective.
 pub(crate) fn choices(results: &Results) -> String {
@@ -111,47 +47,8 @@ fn chosen(results: &Results, (index, objective): (usize, &MeasureSpec), c: &Choi
     )
 }
 
-/// The table of designs and optima.
-pub fn designs(study: &Study, results: &Results) -> String {
-    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
-    let others = other_parameters(all());
-    let mut header = vec!["design", "ring/kg m²", "k/N m/rad", "c/N m s/rad"];
-    header.extend(others.iter().map(|p| p.label));
-    let columns = ["f1/Hz", "f2/Hz", "f3/Hz", "twist/°", "at/rpm", "order/°", "order @ rpm", "torque/N m", "dissipated/W"];
-    header.extend(columns.into_iter().filter(|c| is_wide() || !["f1/Hz", "f2/Hz", "f3/Hz", "order/°", "order @ rpm"].contains(c)));
-    if other_objective(study) {
-        header.push(&study.objective.column);
-    }
-    let mut rows = Vec::new();
-    for d in all() {
-        rows.push(design_row(study, results, d, &others));
-        rows.extend(further_absorbers(study, d, &others, header.len()));
-    }
-    let name = |i: usize| study.chain.stations[i].name.as_str();
-    let between = match study.twist {
-        Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
-        _ => String::new(),
-    };
-    let order = if is_wide() { "order: its largest single order; " } else { "" };
-    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    format!(
-        "{}\n  twist: half peak-to-peak of all orders with phase, {between}, largest over {low} to {high} rpm;\n  {order}\
-         torque: largest vibratory torque of a shaft; dissipated: mean power dissipated in the absorbers\n",
-        table(&header, &rows)
-    )
-}
-
 fn value(study: &Study, v: f64) -> String {
     value_of(&study.objective, v)
-}
-
-fn value_of(objective: &MeasureSpec, v: f64) -> String {
-    match objective.unit {
-        UnitOf::Angle => format!("{:.6}°", v * DEG_PER_RAD),
-        UnitOf::Torque => format!("{v:.4} N m"),
-        UnitOf::Margin => factor(1.0 / v),
-        unit => format!("{}{}", significant(unit.shown(v), 6), unit.suffix()),
-    }
 }
 
 fn at_speed(p: &Peak) -> String {
@@ -182,17 +79,15 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         let _ = writeln!(text, "{line}");
     };
     let objective = study.objective_of(o.objective);
-    let at_worst = if o.robust { " at worst within the tolerances" } else { "" };
-    put(format!("{}: {}{at_worst} {}", o.design.name, objective.label, value_of(objective, best)));
-    let own = o.design.objective.filter(|_| o.objective == 0);
-    // of the conditions that it is judged in, not of all that are reported
-    let worst = o.design.conditions.iter().find(|c| own == Some(c.objective));
-    if let (Some(all), Some(c)) = (own.filter(|v| *v > best * (1.0 + 1e-9)), worst) {
-        let why = match c.condition {
-            Condition::InOperation => "at its own temperature and strain; searches are at the reference of its material",
-            _ => "whatever the spring and damper; the rest is optimised",
+    let judged = results.judged_optimum(o);
+    put(format!("{}: {} {}", o.design.name, objective.label, sentence(study, &judged)));
+    if judged.value > best * (1.0 + 1e-6) {
+        let why = match judged.reached_in {
+            Basis::In(Condition::InOperation) => "which is at the reference of its material",
+            Basis::OwnAmplitude => "which is of small twist",
+            _ => "the rest whatever the spring and damper",
         };
-        put(format!("  {}: {}, {why}", c.condition.name().replace('_', " "), value(study, all)));
+        put(format!("  the search ended at {}, {why}", value_of(objective, best)));
     }
     for ((row, nature), load_case) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.load_cases) {
         let p = &row.peak;
@@ -250,6 +145,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
     for (i, limit) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| !holds(d.limits[i]);
         let size = |d: &DesignResult| match limit.of.unit {
+            _ if d.limits[i] == f64::INFINITY => "no steady motion".into(),
             UnitOf::Margin => factor(1.0 / (d.limits[i] * limit.limit)),
             UnitOf::Life => value_of(&limit.of, d.limits[i] * limit.limit),
             _ => format!("{:.0} %", 100.0 * d.limits[i]),
@@ -268,44 +164,49 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         let beside = none.map_or_else(String::new, |d| format!("; with its resonances it is {}", value(study, objective(d))));
         let _ = writeln!(text, "Quasi-static, as if nothing resonated, the engine without absorber has {}{beside}.", value(study, floor));
     }
-    let with = || results.designs.iter().filter(|d| !d.absorbers.is_empty());
-    let any_holds = with().any(DesignResult::within_limits);
-    let given = with().filter(|d| !any_holds || d.within_limits());
-    let whose = match (study.limits.is_empty(), any_holds) {
+    text.push_str(&answer(study, results));
+    text
+}
+
+/// The best given design beside the best optimum; where nothing was searched, the best of the designs.
+fn answer(study: &Study, results: &Results) -> String {
+    let judged = |d: &DesignResult| results.judged(d).map_or_else(String::new, |j| sentence(study, &j));
+    let mut text = String::new();
+    let best = results.best_given();
+    let whose = match (study.limits.is_empty(), best.is_some_and(DesignResult::within_limits)) {
         (true, _) => "",
         (false, true) => " within the limits",
+        (false, false) if results.designs.iter().any(|d| !d.absorbers.is_empty() && d.within_limits()) => "",
         (false, false) => " (none is within the limits)",
     };
-    if let (Some(best), Some(own)) =
-        (given.min_by(|a, b| better(a, b)), results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design)))
-    {
-        let is_inverse = study.objective.unit.is_inverse();
-        let share = objective(&own.design) / objective(best);
-        // what is said is said of the margin or the life, not of its inverse
-        let ratio = 100.0 * (1.0 - if is_inverse { 1.0 / share } else { share });
-        let compare = if !ratio.is_finite() {
-            "not comparable".to_owned()
-        } else if ratio.abs() < 1e-4 {
-            "the same".to_owned()
-        } else if ratio > 0.0 {
-            format!("{ratio:.1} % lower")
-        } else {
-            format!("{:.1} % higher", -ratio)
-        };
-        let _ = writeln!(
-            text,
-            "Best given design{whose}: {} with {}. {}: {}, {compare}.",
-            best.name,
-            value(study, objective(best)),
-            own.design.name,
-            value(study, objective(&own.design))
-        );
-        let in_operation = results.conditions().filter(|c| *c == Condition::InOperation);
-        let judged_in: Vec<Condition> = held.iter().copied().chain(in_operation).collect();
-        if judged_in != [Condition::Firing] {
-            let names: Vec<String> = judged_in.iter().map(|c| c.name().replace('_', " ")).collect();
-            let _ = writeln!(text, "  (each at its worst of: {})", names.join(", "));
+    match (best, results.best_optimum(false)) {
+        (Some(best), Some(own)) => {
+            // what is said is said of the margin or the life, not of its inverse
+            let ratio = 100.0 * (1.0 - study.objective.unit.ratio(objective(&own.design) / objective(best)));
+            let compare = if !ratio.is_finite() {
+                "not comparable".to_owned()
+            } else if ratio.abs() < 1e-4 {
+                "the same".to_owned()
+            } else if ratio > 0.0 {
+                format!("{ratio:.1} % lower")
+            } else {
+                format!("{:.1} % higher", -ratio)
+            };
+            let (given, found) = (judged(best), judged(&own.design));
+            let _ = writeln!(text, "Best given design{whose}: {} with {given}. {}: {found}, {compare}.", best.name, own.design.name);
         }
+        (Some(best), None) => {
+            let _ = writeln!(text, "Best design{whose}: {} with {}.", best.name, judged(best));
+            let (found, of) = of_design(results, best);
+            let words: Vec<String> = found.iter().map(|v| clause(v, of, &best.absorbers)).collect();
+            if !words.is_empty() {
+                let _ = writeln!(text, "  verdict on {}: {}", best.name, words.join("; "));
+            }
+        }
+        _ => {}
+    }
+    if let Some(robust) = results.best_optimum(true) {
+        let _ = writeln!(text, "Best within the tolerances: {} with {}.", robust.design.name, judged(&robust.design));
     }
     text
 }
@@ -356,16 +257,16 @@ pub fn conditions(study: &Study, results: &Results) -> String {
             list.join(", ")
         );
     }
-    let given = results.designs.iter().filter(|d| !d.absorbers.is_empty());
-    let own = results.optima.iter().filter(|o| o.main).min_by(|a, b| better(&a.design, &b.design));
-    if let (Some(best), Some(own)) = (given.min_by(|a, b| better(a, b)), own) {
+    if let (Some(best), Some(own)) = (results.best_given(), results.best_optimum(false)) {
         for own in &own.design.conditions {
             let Some(given) = best.conditions.iter().find(|c| c.condition == own.condition) else { continue };
-            let change = 100.0 * (own.objective / given.objective - 1.0);
-            let words = if change.abs() < 0.05 {
-                "changes nothing".to_owned()
-            } else {
-                format!("{} {:.1} %", if change < 0.0 { "saves" } else { "costs" }, change.abs())
+            let unit = study.objective.unit;
+            let change = 100.0 * (unit.ratio(own.objective / given.objective) - 1.0);
+            let words = match (unit.is_inverse(), change < 0.0) {
+                _ if change.abs() < 0.05 => "changes nothing".to_owned(),
+                (true, false) => format!("gains {change:.1} %"),
+                (false, true) => format!("saves {:.1} %", -change),
+                _ => format!("costs {:.1} %", change.abs()),
             };
             let _ = writeln!(
                 text,
@@ -380,17 +281,7 @@ pub fn conditions(study: &Study, results: &Results) -> String {
     text
 }
 
-/// Order of designs by objective; what is level (a lost absorber is the same for all) by the twist while all works.
-fn better(a: &DesignResult, b: &DesignResult) -> std::cmp::Ordering {
-    const LEVEL: f64 = 1e-9;
-    let (x, y) = (objective(a), objective(b));
-    if (x - y).abs() <= LEVEL * x.abs() {
-        let twist = |d: &DesignResult| d.twist.map_or(0.0, |p| p.value);
-        return twist(a).total_cmp(&twist(b));
-    }
-    x.total_cmp(&y)
-}
-
+/// Infinite where no steady motion of it is known.
 fn objective(d: &DesignResult) -> f64 {
-    d.objective.unwrap_or(0.0)
+    d.objective.unwrap_or(f64::INFINITY)
 }

@@ -196,10 +196,11 @@ impl<'w, 'a> Arc<'w, 'a> {
             moved -= &step;
             if step.amax() <= LAST_STEP * (1.0 + x.amax() / self.scale) {
                 let Some(tangent) = lu.solve(&ahead(n)).map(|t| t.normalize()) else { return Ok(None) };
-                let place =
+                let mut place =
                     Place { x: &from.x + moved.rows(0, n) * self.scale, speed_rpm: from.speed_rpm + moved[n] * self.width(), tangent };
+                let is_within = self.balance.within_path(&mut place.x);
                 // a sharp turn within a step is another branch
-                return Ok((place.tangent.dot(&from.tangent) > 0.5).then_some((place, steps)));
+                return Ok((is_within && place.tangent.dot(&from.tangent) > 0.5).then_some((place, steps)));
             }
         }
         Ok(None)

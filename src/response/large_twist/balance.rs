@@ -190,6 +190,16 @@ impl<'a> Balance<'a> {
         (0..angle.len()).map(|j| equations.reactions(&at(j))).collect()
     }
 
+    /// Turns a motion back by full turns of what moves to where it is about its rest, and says whether it stays within half a turn there: beyond, a mass on a circle would pass over the top, and
+    /// its equations, which go on, are those of no absorber.
+    pub(super) fn within_path(&self, x: &mut DVector<f64>) -> bool {
+        let equations = self.equations();
+        let (Some(turn), Some(largest)) = (equations.full_turn(), equations.largest_twist()) else { return true };
+        x[0] -= turn * (x[0] / turn).round();
+        let twist = phasors(&x.as_slice()[1..2 * self.harmonics() + 1]);
+        self.transform.sampled((x[0], &twist), (0.0, &[])).iter().all(|angle| angle.re.abs() < largest)
+    }
+
     fn forces(&self, linear: &Linear, mean: f64, (twist, hub): (&[C64], &[C64]), with_slopes: bool) -> Option<Forces> {
         let reactions = self.reactions(linear.speed_rpm, (mean, twist), hub);
         if reactions.iter().any(|(own, torque)| !(own.value.is_finite() && torque.value.is_finite())) {

@@ -127,13 +127,11 @@ impl Surroundings<'_> {
     fn single(&self, solver: &mut Factored, at: Operating, torque: Option<&[C64]>) -> Option<Motions> {
         solver.factor_at(self.others, at).ok()?;
         match torque {
-            Some(torque) => solver.x.copy_from_slice(torque),
-            None => solver.x.fill(ZERO),
+            Some(torque) => solver.torque.copy_from_slice(torque),
+            None => solver.torque.fill(ZERO),
         }
-        solver.matrix.solve(&mut solver.x);
-        let mut unit = vec![ZERO; solver.x.len()];
-        unit[self.station] = C64::from(1.0);
-        solver.matrix.solve(&mut unit);
+        solver.solve_torque();
+        let unit = solver.under_unit(self.station);
         let hub = (solver.angle(self.station, &solver.x), solver.angle(self.station, &unit));
         let outputs = self.quantities.iter().map(|q| (solver.output(*q, &solver.x), solver.output(*q, &unit)));
         (hub.0.is_finite() && hub.1.is_finite()).then(|| std::iter::once(hub).chain(outputs).collect())

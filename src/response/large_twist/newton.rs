@@ -26,7 +26,7 @@ pub(super) struct Found {
 }
 
 impl Balance<'_> {
-    /// Nothing where it does not converge in so many steps.
+    /// Nothing where it does not converge in so many steps, or to a motion beyond the path of what moves.
     pub(super) fn newton(&self, linear: &Linear, start: &DVector<f64>, most: usize, work: &mut Work) -> Option<Found> {
         self.newton_beside(linear, start, &[], most, work)
     }
@@ -66,7 +66,7 @@ impl Balance<'_> {
             // the error that is left: the square of the step, or as much less than the step as that is less than the one before
             let scale = if is_kept { last } else { reach };
             if size <= LAST_STEP.0 * reach && size * size <= LAST_STEP.1 * reach * scale {
-                return Some(Found { x, even: lu.is_positive() });
+                return self.within_path(&mut x).then(|| Found { x, even: lu.is_positive() });
             }
             let converges = size <= if is_kept { SHRINKS * last } else { NEAR * reach };
             (kept, last) = (converges.then_some(lu), size);

@@ -59,6 +59,8 @@ pub(crate) struct Context<'a> {
     pub absorbers: usize,
     /// Of each absorber what cools it, one for every type that is optimised and every design; nothing where some do not say.
     pub cooled: &'a [Option<Vec<Cooling>>],
+    /// Absorbers whose temperature or strain is balanced, of any design and of what is optimised.
+    pub balanced: &'a [usize],
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
     /// Whether the study has a duty.
@@ -82,6 +84,13 @@ impl<'a> Context<'a> {
         let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).map(of_law);
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
         (0..count).map(|i| searched(i).chain(given(i)).collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())).collect()
+    }
+
+    /// Absorbers whose material says what cools it, or how it follows its strain: one of a design.
+    pub fn balanced(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<usize> {
+        let searched = |a: &AbsorberSpec| a.materials.iter().any(|m| m.1.cooling.is_some() || m.1.amplitude.is_some());
+        let families = optimise.into_iter().filter_map(|o| o.absorbers.iter().position(searched));
+        designs.iter().filter_map(|d| d.absorbers.iter().position(|m| m.absorber.follows_motion())).chain(families).collect()
     }
 
     /// Of each absorber whether all that is optimised there and every design that has it says how many cycles of strain it bears.

@@ -7,6 +7,7 @@ use crate::input::measure::UnitOf;
 use crate::input::schema::measure::{
     RawInertia, RawLifeOf, RawLossFactor, RawPower, RawPowerOver, RawPowerPerArea, RawRingTwist, RawSpringStress, RawStrain, RawTemperature,
 };
+use crate::input::validation::absorbers::HEAT_OF_OTHERS;
 use crate::objective::{Over, Property, Within};
 use crate::response::Quantity;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
@@ -94,11 +95,28 @@ pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Cont
             }
         }
         _ if rings.is_some() => {
+            if let Some(other) = of.balanced.iter().copied().find(|b| index != Some(*b)) {
+                let number = t.absorber.get_ref();
+                let found = format!(
+                    "found the temperature of absorber {number}, which nothing is said to cool, beside absorber {0} with `cooling` or `amplitude`, expected that of absorber {0}",
+                    other + 1
+                );
+                check.wrong_with_help(
+                    &t.absorber,
+                    format!("{found}: temperature and strain are balanced for one absorber of a design"),
+                    HEAT_OF_OTHERS,
+                );
+                return None;
+            }
             let found = format!(
                 "found the temperature of absorber {}, of which some type or design does not say what cools it",
                 t.absorber.get_ref()
             );
-            check.wrong(&t.absorber, format!("{found}, expected `cooling` in every material of it"));
+            check.wrong_with_help(
+                &t.absorber,
+                format!("{found}, expected `cooling` in every material of it"),
+                "`cooling` stands beside a law of `temperature`; the heat of types without one is limited by `dissipated_power`",
+            );
         }
         _ => {}
     }

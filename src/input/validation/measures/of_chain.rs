@@ -135,7 +135,9 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let names = Names { key: "shaft_stress", column: "shaft_stress_mpa", word: "stress", what: "nominal stress", place };
     let unit = UnitOf::Stress { section_modulus };
     let mut within = of.within(check, s.within());
-    let rules = [s.iacs_m68.as_ref().map(|r| propulsion(check, r, outer)), s.korean_register_crank.as_ref().map(|r| crank(check, r))];
+    let ratio = chain.speed_ratios().map_or(1.0, |ratios| ratios[shaft].abs());
+    let propulsion = s.iacs_m68.as_ref().map(|r| propulsion(check, r, (outer, ratio)));
+    let rules = [propulsion, s.korean_register_crank.as_ref().map(|r| Some(crank(check, r)))];
     let mut rules = rules.into_iter().flatten();
     let Some(rule) = rules.next() else {
         let spec = spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit);
@@ -148,13 +150,14 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     if let Some(at) = &s.factor_by_speed {
         check.wrong(at, ONE);
     }
-    if let Some(second) = rules.next() {
+    if let Some(Some(second)) = rules.next() {
         check.wrong(second.rated, ONE);
     }
+    let rule = rule?;
     let limit = of_rule(check, &rule, of, &mut within)?;
     Some(Resolved {
         spec: spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit),
-        bound: Bound::Rule { words: rule.words, limit, rated_rpm: *rule.rated.get_ref() },
+        bound: Bound::Rule { words: rule.words, limit, rated_rpm: rule.rated_rpm },
     })
 }
 
@@ -162,46 +165,75 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
 struct Rule<'r> {
     words: &'static str,
     rated: &'r At<f64>,
+    /// Of the crankshaft, as all speeds of a study.
+    rated_rpm: f64,
     rule: ShaftRule,
 }
 
-fn propulsion<'r>(check: &mut Check, raw: &'r At<RawM68>, diameter: f64) -> Rule<'r> {
-    let raw = raw.get_ref();
+/// The rated speed of a rule as it is given, and that of the crankshaft, rpm; `ratio`: speed of the shaft over that.
+fn rated<'r>(check: &mut Check, at: &'r At<RawM68>, ratio: f64) -> Option<(&'r At<f64>, f64)> {
+    match (&at.get_ref().rated_speed_rpm, &at.get_ref().rated_shaft_speed_rpm) {
+        (Some(crank), None) => Some((crank, check.positive(crank))),
+        (None, Some(shaft)) => Some((shaft, check.positive(shaft) / ratio)),
+        (Some(_), Some(shaft)) => {
+            check.wrong(shaft, "found the rated speed of the shaft beside that of the crankshaft, expected one of them");
+            None
+        }
+        (None, None) => {
+            check.wrong(
+                at,
+                "found a rule without its rated speed, expected `rated_speed_rpm`, that of the crankshaft, or `rated_shaft_speed_rpm`, that of this shaft",
+            );
+            None
+        }
+    }
+}
+
+/// `ratio`: speed of the shaft over that of the crankshaft.
+fn propulsion<'r>(check: &mut Check, at: &'r At<RawM68>, (diameter, ratio): (f64, f64)) -> Option<Rule<'r>> {
+    let raw = at.get_ref();
     let tensile =
         PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=800.0, "N/mm² from 400 to the 800 up to which the rule counts it");
     let stress_factor =
         check.within(&raw.stress_factor, 0.1..=1.0, "c_K of the rule, 0.1 to 1 (1 for an integral flange, 0.6 for a tapered keyway)");
-    Rule { words: "by IACS UR M68", rated: &raw.rated_speed_rpm, rule: ShaftRule::Propulsion { tensile, stress_factor, diameter } }
+    let (rated, rated_rpm) = rated(check, at, ratio)?;
+    Some(Rule { words: "by IACS UR M68", rated, rated_rpm, rule: ShaftRule::Propulsion { tensile, stress_factor, diameter } })
 }
 
 fn crank<'r>(check: &mut Check, raw: &'r At<RawKrCrank>) -> Rule<'r> {
     let raw = raw.get_ref();
     let tensile = PA_PER_MPA * check.within(&raw.tensile_strength_mpa, 400.0..=1500.0, "N/mm² from 400 to 1500");
     let rule = ShaftRule::Crank { tensile, in_line: raw.engine != RawKrEngine::Other };
-    Rule { words: "by KR Pt 5 Ch 4", rated: &raw.rated_speed_rpm, rule }
+    Rule { words: "by KR Pt 5 Ch 4", rated: &raw.rated_speed_rpm, rated_rpm: check.positive(&raw.rated_speed_rpm), rule }
 }
 
 /// The limit of a rule at the rated speed, MPa; its curve over speed, and the range it holds in, go into `within`.
-fn of_rule(check: &mut Check, Rule { rated: at_rated, rule, .. }: &Rule, of: Context, within: &mut Within) -> Option<f64> {
-    let rated = check.positive(at_rated);
+fn of_rule(
+    check: &mut Check,
+    &Rule { rated: at_rated, rated_rpm: rated, rule, .. }: &Rule,
+    of: Context,
+    within: &mut Within,
+) -> Option<f64> {
+    let given = *at_rated.get_ref();
+    let found = if given == rated { format!("found {rated} rpm") } else { format!("found {given} rpm, {rated} rpm of the crankshaft") };
     // written without rounding
     let top = (rule.top() * rated * 1e6).round() / 1e6;
     if of.speeds.0 >= top {
-        check.wrong(
-            at_rated,
-            format!("found {rated} rpm, expected a rated speed of which the study's speeds are no more than {}", rule.top()),
-        );
+        check.wrong(at_rated, format!("{found}, expected a rated speed of which the study's speeds are no more than {}", rule.top()));
         return None;
     }
     let whole = rule.continuous(1.0);
     within.factors = rule.ratios().into_iter().map(|ratio| (ratio * rated, rule.continuous(ratio) / whole)).collect();
+    if let Some(last) = within.factors.last_mut() {
+        last.0 = top;
+    }
     // the rule ends there, whatever range is asked for
     if of.speeds.1 > top {
         let asked = if within.ranges.is_empty() { vec![of.speeds] } else { std::mem::take(&mut within.ranges) };
         within.ranges = asked.into_iter().filter(|r| r.0 < top).map(|r| (r.0, r.1.min(top))).collect();
     }
     if within.ranges.is_empty() && of.speeds.1 > top {
-        check.wrong(at_rated, format!("found {rated} rpm, expected one of which the limit's speeds are no more than {}", rule.top()));
+        check.wrong(at_rated, format!("{found}, expected one of which the limit's speeds are no more than {}", rule.top()));
         return None;
     }
     Some(whole / PA_PER_MPA)

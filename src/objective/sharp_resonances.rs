@@ -1,0 +1,116 @@
+//! More speeds where a resonance is not wide for the distance of the speeds: beside it a top may lie between two speeds neither of which is higher than its neighbours, and several tops may lie in
+//! neighbouring intervals. Poles tell where: farther from all of them the response is smooth, and its values show its tops.
+
+use super::peak_search::PeakFinder;
+use super::speeds::Speeds;
+use crate::absorber::Mounted;
+use crate::numerics::C64;
+use crate::response::{Quantity, ResponseError, Work};
+
+/// Second differences of phasors may be this many times too small.
+const DOUBT: f64 = 3.0;
+/// Sharp resonances that bend a sum by less than this share hide nothing of it.
+const HIDDEN: f64 = 1e-7;
+/// A single order may rise by this share between two speeds beside a sharp resonance.
+pub(super) const RISE: f64 = 0.5;
+
+/// How far a phasor is at most off the straight line between two known speeds: h² |y''|/8 with y'' from second differences at both.
+fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
+    let h = rpm[i + 1] - rpm[i];
+    let second = |j: usize| {
+        let (before, after) = (rpm[j] - rpm[j - 1], rpm[j + 1] - rpm[j]);
+        ((y(j + 1) - y(j)) / after - (y(j) - y(j - 1)) / before).norm() * 2.0 / (before + after)
+    };
+    let inside = [i, i + 1].into_iter().filter(|j| *j > 0 && j + 1 < rpm.len());
+    DOUBT * 0.125 * h * h * inside.map(second).fold(0.0, f64::max)
+}
+
+impl PeakFinder<'_> {
+    /// Speeds and phasors with more of them where a sharp resonance may hide a peak that `can_matter`: by an index of a speed and how far the phasors of the sum are off straight lines up to the next,
+    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. Nothing where no more are needed.
+    pub(super) fn resolved(
+        &self,
+        design: &[Mounted],
+        quantity: Quantity,
+        (speeds, sweep): (&Speeds, &[C64]),
+        can_matter: impl Fn(usize, f64) -> bool,
+        work: &mut Work,
+    ) -> Result<Option<(Speeds, Vec<C64>)>, ResponseError> {
+        if speeds.sharp.is_empty() {
+            return Ok(None);
+        }
+        let orders = self.system.orders();
+        let needed = |i: usize| {
+            let near = orders_near(speeds, i);
+            if near.is_empty() {
+                return 1;
+            }
+            let bends: Vec<f64> = (0..orders).map(|n| bend(&speeds.rpm, i, |j| sweep[j * orders + n])).collect();
+            if !can_matter(i, bends.iter().sum()) {
+                return 1;
+            }
+            let size: f64 = sweep[i * orders..(i + 1) * orders].iter().map(|y| y.norm()).sum();
+            let matters = |n: &usize| bends[*n] * near.len() as f64 > HIDDEN * size;
+            speeds.parts_for(i, speeds.sharp_near(i).filter(|s| matters(&s.order)))
+        };
+        let parts: Vec<usize> = (0..speeds.rpm.len().saturating_sub(1)).map(needed).collect();
+        if parts.iter().all(|p| *p < 2) {
+            return Ok(None);
+        }
+        let (finer, more) = speeds.cut(&parts);
+        let between = self.direct.at_each(design, &[quantity], &more, work)?.swap_remove(0);
+        Ok(Some((finer, laid_in(&parts, sweep, &between, orders))))
+    }
+}
+
+/// Speeds and values with more of them where a sharp resonance may hide one that reaches `wanted`; `rise`: by how much an order may raise the value beside an index of a speed. Nothing where no more are needed.
+///
+/// # Errors
+/// Those of `value_at`.
+pub(super) fn resolved_values(
+    (speeds, values): (&Speeds, &[f64]),
+    wanted: f64,
+    rise: impl Fn(usize, usize) -> f64,
+    value_at: impl FnMut(f64) -> Result<f64, ResponseError>,
+) -> Result<Option<(Speeds, Vec<f64>)>, ResponseError> {
+    if speeds.sharp.is_empty() {
+        return Ok(None);
+    }
+    let needed = |i: usize| {
+        let near = orders_near(speeds, i);
+        let able = |j: usize| values[j] + near.iter().map(|n| rise(j, *n)).sum::<f64>();
+        if near.is_empty() || able(i).max(able(i + 1)) < wanted {
+            return 1;
+        }
+        let matters = |n: usize| rise(i, n).max(rise(i + 1, n)) > HIDDEN * wanted;
+        speeds.parts_for(i, speeds.sharp_near(i).filter(|s| matters(s.order)))
+    };
+    let parts: Vec<usize> = (0..values.len().saturating_sub(1)).map(needed).collect();
+    if parts.iter().all(|p| *p < 2) {
+        return Ok(None);
+    }
+    let (finer, more) = speeds.cut(&parts);
+    let between = more.into_iter().map(value_at).collect::<Result<Vec<f64>, ResponseError>>()?;
+    Ok(Some((finer, laid_in(&parts, values, &between, 1))))
+}
+
+/// Orders that meet a sharp resonance near the speeds from an index to the next, each once.
+fn orders_near(speeds: &Speeds, i: usize) -> Vec<usize> {
+    let mut near: Vec<usize> = speeds.sharp_near(i).map(|s| s.order).collect();
+    near.sort_unstable();
+    near.dedup();
+    near
+}
+
+/// Values with those of the speeds between laid in; `each`: of one speed.
+fn laid_in<T: Copy>(parts: &[usize], known: &[T], between: &[T], each: usize) -> Vec<T> {
+    let mut all = Vec::with_capacity(known.len() + between.len());
+    let mut rest = between;
+    for (i, own) in known.chunks(each).enumerate() {
+        all.extend_from_slice(own);
+        let (now, later) = rest.split_at(parts.get(i).map_or(0, |p| p.saturating_sub(1)) * each);
+        all.extend_from_slice(now);
+        rest = later;
+    }
+    all
+}

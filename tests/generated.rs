@@ -138,30 +138,3 @@ fn a_generated_study() {
         Err(error) => println!("{error}"),
     }
 }
-
-#[test]
-#[ignore = "scan"]
-fn scan_unconverged() {
-    let from = std::env::var("HARTOG_FIRST_SEED").ok().and_then(|s| s.parse().ok()).unwrap_or(0);
-    let count: u64 = std::env::var("HARTOG_STUDIES").ok().and_then(|s| s.parse().ok()).unwrap_or(100);
-    (from..from + count).into_par_iter().for_each(|seed| {
-        let folder = tempfile::tempdir().expect("a folder");
-        let input = written(&mut Xoshiro256PlusPlus::seed_from_u64(seed));
-        put(&input, folder.path());
-        let Ok(study) = hartog::input::read(&folder.path().join("study.toml")) else { return };
-        let start = Instant::now();
-        let Ok(results) = hartog::analysis::run(&study, &Silent) else { return };
-        for o in &results.optima {
-            if format!("{:?}", o.optimum.outcome.stop) != "Converged" {
-                println!(
-                    "{seed} {} {:?} kkt {:e} {:?} {:.1} s",
-                    o.design.name,
-                    o.optimum.outcome.stop,
-                    o.optimum.outcome.kkt_residual,
-                    o.second_order,
-                    start.elapsed().as_secs_f64()
-                );
-            }
-        }
-    });
-}

@@ -101,7 +101,7 @@ impl Resonances {
             let step = step_at(&grid.speed_rpm, speed);
             let half_width = damping * speed;
             let near = SMOOTH * step;
-            if std::env::var("OLD").is_err() && half_width < near && (low - near..=high + near).contains(&speed) {
+            if half_width < near && (low - near..=high + near).contains(&speed) {
                 sharp.push(Sharp { order: n, speed_rpm: speed, half_width });
             }
             if half_width > STEPS * step || speed < low - step || speed > high + step {

@@ -11,7 +11,8 @@ type Row = BTreeMap<String, String>;
 /// What a run of a study prints, its files in the folder.
 fn run(study: &Path, folder: &Path) -> String {
     let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
-    let output = c.current_dir(env!("CARGO_MANIFEST_DIR")).arg("run").arg(study).arg("--out").arg(folder).output().expect("runs");
+    let output =
+        c.current_dir(env!("CARGO_MANIFEST_DIR")).args(["run", "--verbose"]).arg(study).arg("--out").arg(folder).output().expect("runs");
     assert!(output.status.code().is_some_and(|c| c <= 1), "{}", String::from_utf8_lossy(&output.stderr));
     // sentences are broken between words
     String::from_utf8_lossy(&output.stdout).into_owned()

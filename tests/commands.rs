@@ -282,7 +282,7 @@ fn loss_factors_and_bounds_of_an_optimum() {
     let run = |changes: &[(&str, &str)]| {
         let out = folder.path().join("o");
         let study = variant(folder.path(), "den_hartog", changes);
-        let output = hartog().arg("run").arg(&study).arg("--out").arg(&out).output().expect("run");
+        let output = hartog().args(["run", "--verbose"]).arg(&study).arg("--out").arg(&out).output().expect("run");
         (String::from_utf8_lossy(&output.stdout).into_owned(), read(&out, "absorbers.csv"))
     };
     let few = ("points = 25", "points = 2");

@@ -304,7 +304,7 @@ fn one_ring(name: &str, size: Size) -> Study {
     s
 }
 
-/// Equals itself: the table of the README. Rubber that can be had costs 6 % of twist on the six and 60 % on the V10; heat decides on the V10.
+/// Equals itself: the table of the guide. Rubber that can be had costs 6 % of twist on the six and 60 % on the V10; heat decides on the V10.
 #[test]
 fn what_can_be_built() {
     for (name, ring, cool, rubber) in [("villalva_i6_limits", 0.076, 0.4593, 0.4593), ("villalva_v10_limits", 0.052, 0.4678, 0.4126)] {

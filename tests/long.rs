@@ -141,12 +141,12 @@ fn random_starts_reach_the_optima() {
     });
 }
 
-/// The README's table of materials: the best of rubber, silicone oil and leaf springs at each temperature alone and at all, to its printed digits; the same numbers from its rows.
+/// The guide's table of materials: the best of rubber, silicone oil and leaf springs at each temperature alone and at all, to its printed digits; the same numbers from its rows.
 #[test]
 #[ignore = "half a minute"]
 fn materials_at_each_temperature() {
-    let readme = std::fs::read_to_string("README.md").expect("text");
-    let rows = readme.lines().skip_while(|l| !l.starts_with("| peak twist, six |")).skip(2).take_while(|l| l.starts_with('|'));
+    let chapter = std::fs::read_to_string("src/guide/absorbers_and_materials.md").expect("text");
+    let rows = chapter.lines().skip_while(|l| !l.starts_with("| peak twist, six |")).skip(2).take_while(|l| l.starts_with('|'));
     let number = |cell: &str| cell.trim().strip_suffix('°').and_then(|x| x.parse::<f64>().ok());
     let printed: Vec<Vec<f64>> = rows.map(|l| l.split('|').filter_map(number).collect()).collect();
     assert_eq!(printed.len(), 6);

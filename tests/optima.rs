@@ -275,7 +275,7 @@ fn long_chains(which: impl Fn(usize) -> bool, stride: usize) {
 
 #[test]
 fn a_long_chain() {
-    long_chains(|i| i == 16, 3);
+    long_chains(|i| i == 16, 10);
 }
 
 #[test]

@@ -85,8 +85,13 @@ fn beyond_the_cusp_nothing_passes() {
 
         let optimised = run(&rotor(folder.path(), torque, (500.0, 700.0, 50.0), search));
         assert_eq!(optimised.limits_hold(), passes, "an optimum under {torque} N m");
-        let output =
-            hartog().arg("run").arg(folder.path().join("study.toml")).arg("--out").arg(folder.path().join("out")).output().expect("runs");
+        let output = hartog()
+            .args(["run", "--verbose"])
+            .arg(folder.path().join("study.toml"))
+            .arg("--out")
+            .arg(folder.path().join("out"))
+            .output()
+            .expect("runs");
         let text = String::from_utf8_lossy(&output.stdout).replace("\n    ", " ");
         assert_eq!(output.status.code(), Some(i32::from(!passes)), "{text}");
         assert_eq!(

@@ -218,17 +218,17 @@ fn results_for_a_script() {
     assert!(quiet.status.success() && quiet.stdout.is_empty() && quiet.stderr.is_empty());
 }
 
-/// Every example of the README that reads a table by pandas runs as printed and prints something, after the runs that it names by their folders; every table that they make has one.
+/// Every example of the guide that reads a table by pandas runs as printed and prints something, after the runs that it names by their folders; every table that they make has one.
 #[test]
 #[ignore = "needs python3 with pandas; a minute"]
-fn examples_of_the_readme_read_every_table() {
+fn examples_of_the_guide_read_every_table() {
     if !Command::new("python3").args(["-c", "import pandas"]).output().is_ok_and(|o| o.status.success()) {
         println!("skipped: no python3 with pandas here");
         return;
     }
     let folder = tempfile::tempdir().expect("folder");
-    let readme = include_str!("../README.md");
-    let examples: Vec<&str> = readme.lines().filter(|l| l.starts_with("python3 -c ")).collect();
+    let chapter = include_str!("../src/guide/other_programs.md");
+    let examples: Vec<&str> = chapter.lines().filter(|l| l.starts_with("python3 -c ")).collect();
     let mut made: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for example in &examples {
         let study = example.split("out/").nth(1).and_then(|rest| rest.split('/').next()).expect("a folder");

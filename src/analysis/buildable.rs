@@ -18,7 +18,7 @@ pub(crate) enum Property {
 /// Where an end of a range comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Source {
-    /// A publication, by its key in `lib.rs`.
+    /// A publication, by its key in the references of the guide.
     Published(&'static str),
     /// No source states it.
     Assumed(&'static str),

@@ -196,7 +196,10 @@ impl<'a> Searches<'a> {
             let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
             if is_worse_in_operation(&both, &optimum).map_err(failed)? {
                 optimum = search_in_operation(&both, &optimum, spec.seed, step).map_err(failed)?;
+                // what was looked at for the reference says nothing of this one
+                looked.scan = Scan::default();
                 looked.survey = self.survey(&both, &mut optimum, spec.seed);
+                looked.nearby = scan::nearby(&both, &mut optimum, spec.seed);
                 looked.conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
             } else {
                 scenarios.pop();

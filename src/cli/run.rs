@@ -29,13 +29,13 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
-    /// Print `results.json` instead of tables.
+    /// Print `results.json` instead of the answer.
     #[arg(long, conflicts_with_all = ["verbose", "quiet"])]
     pub json: bool,
     /// Print nothing but errors.
     #[arg(long, short, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Print how searches evaluated designs, what one design costs, and the time of each stage.
+    /// Print all tables and certificates, how searches evaluated designs, what one design costs, and the time of each stage.
     #[arg(long)]
     pub verbose: bool,
     /// Go on where a run into the same folder was interrupted; files are those of a run that was not.
@@ -50,7 +50,7 @@ impl Arguments {
     }
 }
 
-/// Runs a study, prints its tables and writes its files.
+/// Runs a study, prints its answer and writes its files.
 pub fn run(arguments: &Arguments) -> u8 {
     crate::cli::threads(arguments.threads.map(usize::from));
     let start = Instant::now();
@@ -112,17 +112,16 @@ pub fn run(arguments: &Arguments) -> u8 {
     if arguments.json {
         say_raw(&record::text(study, &inputs, &results));
     }
-    if arguments.tells() {
+    if arguments.verbose {
         print(study, calibration, &results);
-        if arguments.verbose {
-            say(&costs(&results, &timing));
-        }
-        say(&format!(
-            "\n{} files in {} after {total:.1} s: open {} there first\n",
-            folder.written(),
-            folder.path().display(),
-            crate::report::PAGE
-        ));
+        say(&costs(&results, &timing));
+    } else if arguments.tells() {
+        say(&text::answer(study, calibration, &results));
+    }
+    if arguments.tells() {
+        let all = if arguments.verbose { "" } else { "; --verbose prints all tables" };
+        let (files, path) = (folder.written(), folder.path().display());
+        say(&format!("\n{files} files in {path} after {total:.1} s: open {} there first{all}\n", crate::report::PAGE));
     }
     if results.limits_hold() { DONE } else { FAILED }
 }

@@ -44,8 +44,9 @@ impl PeakFinder<'_> {
             let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
             let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
             let wanted = found.keep * found.best.max(top);
-            let rise = |i: usize, n: usize| if n == order { RISE * values[i] } else { 0.0 };
-            let finer = resolved_values((speeds, &values), wanted, rise, |speed| value_at(speed, work))?;
+            let rise = |i: usize, _: usize| RISE * values[i].max(values[i + 1]);
+            let can_matter = (order..order + 1, |value| (1.0 + RISE) * value, rise);
+            let finer = resolved_values((speeds, &values), wanted, can_matter, |speed| value_at(speed, work))?;
             let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
             top = values.iter().copied().fold(top, f64::max);
             for candidate in local_maxima::maxima(&speeds.rpm, values) {

@@ -5,7 +5,7 @@ use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
 use super::peak_search::{Found, PeakFinder};
 use super::shared::Sweep;
-use super::sharp_resonances::{RISE, resolved_values};
+use super::sharp_resonances::{RISE, RISE_OF_SQUARES, bend, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
 use crate::numerics::ZERO;
@@ -60,14 +60,17 @@ impl PeakFinder<'_> {
             Ok(self.powers_at(design, measure, speed, work)?.iter().sum::<f64>() * measure.within.weight(speed))
         };
         let rise = |i: usize, n: usize| {
-            let at = self.operating(n, speeds.rpm[i]);
-            let own = |(r, y): (usize, &Sweep)| {
-                design[r].absorber.law().map_or(0.0, |law| law.dissipated_power(at, y[(start + i) * orders + n].norm_sqr()))
+            let own = |(r, twist): (usize, &Sweep)| {
+                let y = |j: usize| twist[(start + j) * orders + n];
+                let size = y(i).norm().max(y(i + 1).norm());
+                let most = (size + bend(&speeds.rpm, i, y).min(RISE * size)).powi(2) - size * size;
+                design[r].absorber.law().map_or(0.0, |law| law.dissipated_power(self.operating(n, speeds.rpm[i]), most))
             };
-            RISE * (2.0 + RISE) * measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
+            measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
         let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);
-        let finer = resolved_values((speeds, &values), wanted, rise, |speed| value_at(speed, work))?;
+        let can_matter = (0..orders, |value| (1.0 + RISE_OF_SQUARES) * value, rise);
+        let finer = resolved_values((speeds, &values), wanted, can_matter, |speed| value_at(speed, work))?;
         let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
         let known = found.peaks.iter().map(|peak| peak.value).chain(values.iter().copied()).fold(0.0, f64::max);
         let top = known.max(found.best);

@@ -6,20 +6,24 @@ use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::numerics::C64;
 use crate::response::{Quantity, ResponseError, Work};
+use std::ops::Range;
 
 /// Second differences of phasors may be this many times too small.
 const DOUBT: f64 = 3.0;
 /// Sharp resonances that bend a sum by less than this share hide nothing of it.
 const HIDDEN: f64 = 1e-7;
-/// A single order may rise by this share between two speeds beside a sharp resonance.
+/// A phasor may rise by this share between two speeds beside a sharp resonance.
 pub(super) const RISE: f64 = 0.5;
+/// What follows the squares of phasors may rise by this share.
+pub(super) const RISE_OF_SQUARES: f64 = RISE * (2.0 + RISE);
 
 /// How far a phasor is at most off the straight line between two known speeds: h² |y''|/8 with y'' from second differences at both.
-fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
+pub(super) fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
     let h = rpm[i + 1] - rpm[i];
     let second = |j: usize| {
         let (before, after) = (rpm[j] - rpm[j - 1], rpm[j + 1] - rpm[j]);
-        ((y(j + 1) - y(j)) / after - (y(j) - y(j - 1)) / before).norm() * 2.0 / (before + after)
+        // root of the square: the modulus that no number can overflow costs several times as much
+        ((y(j + 1) - y(j)) / after - (y(j) - y(j - 1)) / before).norm_sqr().sqrt() * 2.0 / (before + after)
     };
     let inside = [i, i + 1].into_iter().filter(|j| *j > 0 && j + 1 < rpm.len());
     DOUBT * 0.125 * h * h * inside.map(second).fold(0.0, f64::max)
@@ -27,13 +31,13 @@ fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
 
 impl PeakFinder<'_> {
     /// Speeds and phasors with more of them where a sharp resonance may hide a peak that `can_matter`: by an index of a speed and how far the phasors of the sum are off straight lines up to the next,
-    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. Nothing where no more are needed.
+    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `widest`: half the range at an index, or more. Nothing where no more are needed.
     pub(super) fn resolved(
         &self,
         design: &[Mounted],
         quantity: Quantity,
         (speeds, sweep): (&Speeds, &[C64]),
-        can_matter: impl Fn(usize, f64) -> bool,
+        (widest, can_matter): (impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
         work: &mut Work,
     ) -> Result<Option<(Speeds, Vec<C64>)>, ResponseError> {
         if speeds.sharp.is_empty() {
@@ -41,6 +45,10 @@ impl PeakFinder<'_> {
         }
         let orders = self.system.orders();
         let needed = |i: usize| {
+            // most intervals need no look at their phasors
+            if !can_matter(i, RISE * widest(i).max(widest(i + 1))) {
+                return 1;
+            }
             let near = orders_near(speeds, i);
             if near.is_empty() {
                 return 1;
@@ -63,26 +71,30 @@ impl PeakFinder<'_> {
     }
 }
 
-/// Speeds and values with more of them where a sharp resonance may hide one that reaches `wanted`; `rise`: by how much an order may raise the value beside an index of a speed. Nothing where no more are needed.
+/// Speeds and values with more of them where a sharp resonance may hide one that reaches `wanted`. `rise`: by how much one of the orders that count may raise the value between an index of a speed and the
+/// next; `most`: what all of them together may raise a value to, or more. Nothing where no more are needed.
 ///
 /// # Errors
 /// Those of `value_at`.
 pub(super) fn resolved_values(
     (speeds, values): (&Speeds, &[f64]),
     wanted: f64,
-    rise: impl Fn(usize, usize) -> f64,
+    (orders, most, rise): (Range<usize>, impl Fn(f64) -> f64, impl Fn(usize, usize) -> f64),
     value_at: impl FnMut(f64) -> Result<f64, ResponseError>,
 ) -> Result<Option<(Speeds, Vec<f64>)>, ResponseError> {
     if speeds.sharp.is_empty() {
         return Ok(None);
     }
     let needed = |i: usize| {
-        let near = orders_near(speeds, i);
-        let able = |j: usize| values[j] + near.iter().map(|n| rise(j, *n)).sum::<f64>();
-        if near.is_empty() || able(i).max(able(i + 1)) < wanted {
+        let higher = values[i].max(values[i + 1]);
+        if most(higher) < wanted {
             return 1;
         }
-        let matters = |n: usize| rise(i, n).max(rise(i + 1, n)) > HIDDEN * wanted;
+        let near: Vec<(usize, f64)> = orders_near(speeds, i).into_iter().filter(|n| orders.contains(n)).map(|n| (n, rise(i, n))).collect();
+        if near.is_empty() || higher + near.iter().map(|n| n.1).sum::<f64>() < wanted {
+            return 1;
+        }
+        let matters = |order: usize| near.iter().any(|(n, rise)| *n == order && *rise > HIDDEN * wanted);
         speeds.parts_for(i, speeds.sharp_near(i).filter(|s| matters(s.order)))
     };
     let parts: Vec<usize> = (0..values.len().saturating_sub(1)).map(needed).collect();

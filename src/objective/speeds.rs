@@ -75,7 +75,7 @@ pub struct Speeds {
     pub added: Vec<usize>,
     /// Resonances in the range that nothing damps, as far as eigenvalues tell.
     pub poles: Vec<Pole>,
-    /// Resonances in the range or beside it that values at these speeds may not show.
+    /// Resonances in the range or beside it that values at these speeds may not show, by speed.
     pub(super) sharp: Vec<Sharp>,
 }
 
@@ -133,6 +133,7 @@ impl Resonances {
             }
         }
         more.retain(|s| (low..=high).contains(s));
+        sharp.sort_by(|a: &Sharp, b: &Sharp| a.speed_rpm.total_cmp(&b.speed_rpm));
         if more.is_empty() {
             return Speeds { poles, sharp, ..Speeds::of(grid) };
         }
@@ -239,8 +240,11 @@ impl Speeds {
 
     /// Sharp resonances that are near the speeds from index `i` to the next.
     pub(super) fn sharp_near(&self, i: usize) -> impl Iterator<Item = &Sharp> {
-        let interval = (self.rpm[i], self.rpm[i + 1]);
-        self.sharp.iter().filter(move |s| s.distance(interval) < SMOOTH * (interval.1 - interval.0))
+        let (low, high) = (self.rpm[i], self.rpm[i + 1]);
+        let near = SMOOTH * (high - low);
+        let first = self.sharp.partition_point(|s| s.speed_rpm < low - near);
+        let within = self.sharp[first..].iter().take_while(move |s| s.speed_rpm <= high + near);
+        within.filter(move |s| s.distance((low, high)) < near)
     }
 
     /// Into how many parts the speeds from index `i` to the next must be cut for these resonances to be smooth in each.

@@ -126,8 +126,9 @@ impl PeakFinder<'_> {
         let known = self.candidates(metric, (speeds, sweep), (found.keep, found.best), work);
         let wanted = found.keep * found.best.max(known.top);
         let can_matter = |i: usize, bend: f64| Self::may_reach(metric, speeds, &known, (i, bend), wanted);
+        let widest = |i: usize| known.most[i].half_peak_to_peak;
         if known.top > 0.0
-            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), can_matter, work)?
+            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), (widest, can_matter), work)?
         {
             return self.synthesised(design, (quantity, over, metric), (&speeds, &sweep), found, work);
         }

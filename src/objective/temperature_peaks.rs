@@ -4,7 +4,7 @@ use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::{Found, PeakFinder};
-use super::sharp_resonances::{RISE, resolved_values};
+use super::sharp_resonances::{RISE_OF_SQUARES, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::absorber::mounted::with_law;
@@ -50,9 +50,11 @@ impl PeakFinder<'_> {
         };
         let powers: Vec<f64> = twists.iter().enumerate().map(power).collect();
         Ok(move |i: usize, n: usize| {
-            let all = &powers[i * orders..(i + 1) * orders];
-            let share = all[n] / all.iter().sum::<f64>().max(f64::MIN_POSITIVE);
-            RISE * (2.0 + RISE) * share * (values[i] + COLDEST)
+            let share = |i: usize| {
+                let all = &powers[i * orders..(i + 1) * orders];
+                all[n] / all.iter().sum::<f64>().max(f64::MIN_POSITIVE) * (values[i] + COLDEST)
+            };
+            RISE_OF_SQUARES * share(i).max(share(i + 1))
         })
     }
 
@@ -71,9 +73,9 @@ impl PeakFinder<'_> {
             let weight = |speed: f64| measure.within.weight(speed);
             let values = speeds.rpm.iter().map(|s| Ok(self.reached(&of, *s)? * weight(*s))).collect::<Result<Vec<f64>, ResponseError>>()?;
             let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);
-            let finer = resolved_values((speeds, &values), wanted, self.rises(design, i, (speeds, &values), work)?, |speed| {
-                Ok(self.reached(&of, speed)? * weight(speed))
-            })?;
+            let rise = self.rises(design, i, (speeds, &values), work)?;
+            let can_matter = (0..self.system.orders(), |value| value + RISE_OF_SQUARES * (value + COLDEST), rise);
+            let finer = resolved_values((speeds, &values), wanted, can_matter, |speed| Ok(self.reached(&of, speed)? * weight(speed)))?;
             let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
             let top = values.iter().copied().fold(found.best, f64::max);
             for candidate in local_maxima::maxima(&speeds.rpm, values) {

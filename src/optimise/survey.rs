@@ -21,7 +21,7 @@ pub struct Survey {
     pub designs: usize,
     /// Points of the grid along each coordinate; nothing where there was no grid.
     pub per_coordinate: Option<usize>,
-    /// Those whose objective is certainly above that of the optimum by a quarter: whether they hold the limits is not asked.
+    /// Those whose objective is above that of the optimum by a quarter, or that have no finite response: whether they hold the limits is not asked.
     pub above: usize,
     /// Those of the others that hold all limits.
     pub within_limits: usize,
@@ -33,7 +33,7 @@ pub struct Survey {
 
 /// Points of the grid with one coordinate, and along each of two; of what takes long, fewer.
 const ALONG_ONE: [usize; 2] = [512, 128];
-const ALONG_TWO: [usize; 2] = [64, 24];
+const ALONG_TWO: [usize; 2] = [32, 20];
 /// Random points for each of more coordinates.
 const RANDOM: usize = 32;
 /// What is above the optimum by this factor leads to nothing better within a step of the grid.
@@ -100,7 +100,7 @@ impl Points {
         }
     }
 
-    /// Indices of the points beside one; all others where there is no grid.
+    /// Indices of the points beside one; none where there is no grid.
     fn beside(&self, i: usize) -> Vec<usize> {
         match self.grid {
             Some((1, n)) => [i.wrapping_sub(1), i + 1].into_iter().filter(|j| *j < n).collect(),
@@ -165,11 +165,11 @@ pub(crate) fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Sur
         let mut work = Work::default();
         (followed(problem, (&points.list[*i], judged[*i]), &known, &mut work), work)
     };
-    let ends: Vec<(Vec<Outcome>, Work)> = chosen.par_iter().map(follow).collect();
     let lowest = (0..judged.len()).filter_map(|i| Some((judged[i]?.0, i))).reduce(|a, b| if b.0 < a.0 { b } else { a });
     let from = lowest.map_or_else(|| known.point.clone(), |l| points.list[l.1].clone());
     let mut work = Work::default();
-    let tightened = tightened(problem, &from, &mut work);
+    let (ends, tightened): (Vec<(Vec<Outcome>, Work)>, _) =
+        rayon::join(|| chosen.par_iter().map(follow).collect(), || tightened(problem, &from, &mut work));
     optimum.stages.minimax += work;
     for (outcomes, work) in ends {
         optimum.stages.minimax += work;
@@ -202,7 +202,8 @@ fn chosen(points: &Points, judged: &[Judged]) -> Vec<usize> {
     let first_limits = |j: (f64, f64)| if j.1 <= HELD { (0.0, j.0) } else { (j.1, j.0) };
     let mut list: Vec<usize> = Vec::new();
     let mut put = |key: &dyn Fn((f64, f64)) -> (f64, f64)| {
-        let own = |i: usize| judged[i].map(key);
+        // an objective that was not asked for is no lowest one
+        let own = |i: usize| judged[i].map(key).filter(|key| key.0 > 0.0 || key.1.is_finite());
         let lowest =
             |i: &usize| own(*i).is_some_and(|mine| points.beside(*i).into_iter().all(|j| own(j).is_none_or(|other| mine <= other)));
         let mut found: Vec<usize> = (0..judged.len()).filter(lowest).collect();

@@ -37,3 +37,14 @@ pub(crate) fn catalogue(study: &Study, results: &Results) -> String {
     }
     text
 }
+
+/// The best absorber of each catalogue, a line each.
+pub(super) fn best_of_catalogues(study: &Study, results: &Results) -> String {
+    let line = |file: &String| {
+        let best = results.catalogue.iter().filter(|r| r.file == *file && r.objective.is_some()).min_by_key(|r| r.place)?;
+        let (value, unit) = (significant(study.objective.unit.shown(best.objective?), 5), study.objective.unit.suffix());
+        let held = if study.limits.is_empty() || holds(best.over_limit) { "" } else { ", which breaks a limit" };
+        Some(format!("Best of catalogue {file}: {} with {value}{unit}{held}.\n", best.design))
+    };
+    study.catalogues.iter().filter_map(|spec| line(&spec.file)).collect()
+}

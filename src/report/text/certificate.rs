@@ -20,12 +20,18 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         let held = if o.survey.is_some() { ", which hold the limits" } else { "" };
         lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
-    lines.push(match &o.scan {
+    match &o.scan {
         scan if scan.better => {
-            format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs)
+            lines.push(format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs));
         }
-        scan => format!("  none of {} designs elsewhere, nor what the best {} of them lead to, is lower", scan.designs, scan.followed),
-    });
+        scan if scan.designs > 0 => {
+            lines.push(format!(
+                "  none of {} designs elsewhere, nor what the best {} of them lead to, is lower",
+                scan.designs, scan.followed
+            ));
+        }
+        _ => {}
+    }
     lines.extend(o.survey.as_ref().map(survey));
     match &o.nearby {
         near if near.better => lines.push(format!("  found from one of {} random designs near the end of the search", near.designs)),
@@ -61,7 +67,11 @@ fn survey(s: &Survey) -> String {
         1 => "one holds all limits".to_owned(),
         n => format!("{n} hold all limits"),
     };
-    let above = if s.above > 0 { format!("{} are surely higher by a quarter; of the other {asked} ", s.above) } else { String::new() };
+    let above = if s.above > 0 {
+        format!("{} are higher by a quarter or have no finite response; of the other {asked} ", s.above)
+    } else {
+        String::new()
+    };
     let result = if s.better {
         "it was found from one of these"
     } else {

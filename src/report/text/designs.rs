@@ -119,3 +119,65 @@ fn judged_in(study: &Study, results: &Results) -> String {
         ),
     }
 }
+
+/// Columns of the narrow table besides the design, those that are given up last first.
+const NARROW: [&str; 5] = ["twist/°", "at/rpm", "torque/N m", "ring/kg m²", "k/N m/rad"];
+
+/// The table on one screen: the first `most` designs, given ones before optima, and as many columns as fit the width.
+pub(super) fn narrow(study: &Study, results: &Results, most: usize) -> String {
+    let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).collect();
+    let judged = is_apart(study, results);
+    let limited = !study.limits.is_empty();
+    let row = |d: &&DesignResult| {
+        let first = d.absorbers.first().map(|m| &m.absorber);
+        let mut row = vec![d.name.clone()];
+        if judged {
+            let own = results.judged(d);
+            row.push(dash(own.as_ref().map(|j| significant(in_unit(study, j.value), 5))));
+            row.push(dash(own.filter(|j| !j.is_reference()).map(|j| word(j.reached_in))));
+        }
+        if limited {
+            row.push(if d.within_limits() { "hold" } else { "FAIL" }.into());
+        }
+        row.extend([
+            dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),
+            dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm))),
+            dash(d.torque.map(|p| format!("{:.0}", p.value))),
+            dash(first.map(|a| significant(a.ring_inertia(), 4))),
+            dash(first.and_then(Absorber::stiffness).map(|k| significant(k, 5))),
+        ]);
+        row
+    };
+    let column = if study.objective.unit == UnitOf::Angle { "judged/°" } else { "judged" };
+    let mut header = vec!["design"];
+    if judged {
+        header.extend([if is_other(study) { study.objective.column.as_str() } else { column }, "worst in"]);
+    }
+    header.extend(limited.then_some("limits"));
+    header.extend(NARROW);
+    let shown = shown(&all, results.designs.len(), most);
+    let rows: Vec<Vec<String>> = shown.iter().map(row).collect();
+    let text = loop {
+        let cut: Vec<Vec<String>> = rows.iter().map(|r| r[..header.len()].to_vec()).collect();
+        let text = table(&header, &cut);
+        // a table that does not fit goes on below, after an empty line
+        if header.len() < 3 || !text.contains("\n\n") {
+            break text;
+        }
+        header.pop();
+    };
+    let left = all.len() - shown.len();
+    let more = if left > 0 { format!("  {left} more in designs.csv\n") } else { String::new() };
+    text + &more
+}
+
+/// So many of the designs: where there are too many, as many of the given ones, which come first, as of the optima.
+fn shown<'d>(all: &[&'d DesignResult], given: usize, most: usize) -> Vec<&'d DesignResult> {
+    if all.len() <= most {
+        return all.to_vec();
+    }
+    let optima = all.len() - given;
+    let of_optima = optima.min(most.div_ceil(2)).max(most.saturating_sub(given));
+    let (first, rest) = all.split_at(given);
+    first[..most - of_optima].iter().chain(&rest[..of_optima]).copied().collect()
+}

@@ -1,4 +1,5 @@
 //! What is printed: tables that line up, and sentences.
+mod answer;
 pub mod calibration;
 mod catalogue;
 mod certificate;
@@ -28,6 +29,7 @@ mod strain;
 mod table;
 pub(crate) mod verdict;
 pub mod width;
+pub(crate) use answer::answer;
 pub(crate) use catalogue::catalogue;
 pub(crate) use classification::criticals;
 pub use curves::curves;

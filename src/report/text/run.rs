@@ -116,7 +116,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 }
 
 /// A line for each family of each front: its knee, or that it has no design.
-fn fronts(study: &Study, results: &Results) -> String {
+pub(super) fn fronts(study: &Study, results: &Results) -> String {
     let Some(FrontSpec::Of { measures, .. }) = &study.front else { return String::new() };
     let mut text = String::new();
     for t in &results.tradeoffs {

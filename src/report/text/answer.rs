@@ -1,0 +1,208 @@
+//! The answer of a run on one screen: which absorber, how much it saves, whether it is proved, whether it holds its limits, and the designs beside it.
+
+use super::catalogue::best_of_catalogues;
+use super::designs::{designs, narrow};
+use super::judged::{sentence, value_of};
+use super::limits::{barred, limits};
+use super::run::fronts;
+use super::verdict::{clause, of_design};
+use super::width::{is_wide, wrapped};
+use crate::absorber::{Host, Mounted};
+use crate::analysis::verdict::Verdict;
+use crate::analysis::{Calibration, DesignResult, OptimumResult, Results};
+use crate::input::Study;
+use crate::objective::holds;
+use crate::optimise::Survey;
+use crate::report::text::table::significant;
+
+/// Lines of the screen, without the last one, which names the folder and what stands before it.
+const LINES: usize = 37;
+/// Rows of the table of designs are left out down to this number before anything else is.
+const LEAST_ROWS: usize = 4;
+
+/// The answer, in at most [`LINES`] lines.
+pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: &Results) -> String {
+    let head = head(study, calibration);
+    let found = found(study, results);
+    let notes = notes(study, results);
+    let lines = |parts: &[&str]| parts.iter().map(|p| wrapped(p).lines().count()).sum::<usize>();
+    // two empty lines stand between the parts
+    let taken = lines(&[&head, &found]) + 2;
+    let mut notes = wrapped(&notes);
+    let most = LINES.saturating_sub(taken + LEAST_ROWS + 5);
+    if notes.lines().count() > most {
+        let kept: Vec<&str> = notes.lines().take(most.saturating_sub(1)).collect();
+        notes = format!("{}\n  … more: --verbose\n", kept.join("\n"));
+    }
+    if is_wide() {
+        return format!("{head}\n{found}\n{}{notes}", designs(study, results));
+    }
+    let mut rows = results.designs.len() + results.optima.len();
+    let mut table = narrow(study, results, rows);
+    while taken + lines(&[&table, &notes]) > LINES && rows > LEAST_ROWS {
+        rows -= 1;
+        table = narrow(study, results, rows);
+    }
+    format!("{head}\n{found}\n{table}{notes}")
+}
+
+/// Engine, its natural frequencies, and what was calibrated.
+fn head(study: &Study, calibration: Option<&Calibration>) -> String {
+    let chain = study.modes.frequencies_hz();
+    let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
+    let mut text = format!("{}: natural frequencies {} Hz\n", study.engine.name, frequencies.join(", "));
+    if let Some(c) = calibration {
+        let fitted: Vec<String> = c.inputs.iter().map(|i| format!("{} {}", i.free.input.key(), significant(i.value, 4))).collect();
+        text.push_str(&format!("  calibrated on {} amplitudes: {}\n", c.rows.len(), fitted.join(", ")));
+    }
+    text
+}
+
+/// The best optimum with what it saves, its certificate and its limits; where nothing was searched, the best of the designs.
+fn found(study: &Study, results: &Results) -> String {
+    let judged = |d: &DesignResult| results.judged(d).map_or_else(|| "no steady motion".into(), |j| sentence(study, &j));
+    let of = &study.objective.label;
+    let mut text = String::new();
+    let mut put = |line: String| text.extend([line.as_str(), "\n"]);
+    let named = |d: &DesignResult| format!("{}: {of} {}", d.name, judged(d));
+    match (results.best_optimum(false), results.best_given()) {
+        (Some(o), given) => {
+            put(named(&o.design));
+            parameters(study, &o.design).into_iter().for_each(&mut put);
+            put(format!("  {}", savings(study, results, &o.design, given)));
+            put(format!("  {}", certificate(o)));
+            if study.limits.is_empty() {
+                put("  the study has no limits".into());
+            }
+            limits(study, o).into_iter().for_each(&mut put);
+            about(results, &o.design).into_iter().for_each(&mut put);
+        }
+        (None, Some(given)) => {
+            put(format!("The study asks for no optimum. Best design: {}", named(given)));
+            parameters(study, given).into_iter().for_each(&mut put);
+            put(format!("  {}", savings(study, results, given, None)));
+            for (limit, ratio) in study.limits.iter().zip(&given.limits) {
+                put(format!("  limit: {}: {}", limit.words, if holds(*ratio) { "holds" } else { "FAILS" }));
+            }
+            about(results, given).into_iter().for_each(&mut put);
+        }
+        (None, None) => {
+            put("The study asks for no optimum and has no design with an absorber.".into());
+            results.designs.iter().for_each(|d| put(format!("  {}", named(d))));
+        }
+    }
+    if let Some(robust) = results.best_optimum(true) {
+        put(format!("Within the tolerances: {}", named(&robust.design)));
+    }
+    text
+}
+
+/// Each absorber of a design: type, station and parameters with their units.
+fn parameters(study: &Study, d: &DesignResult) -> Vec<String> {
+    let line = |m: &Mounted| {
+        let host = match m.on {
+            Host::Station(station) => study.chain.stations[station].name.clone(),
+            Host::Ring(inner) => format!("ring {}", inner + 1),
+        };
+        let declared = m.absorber.declaration().map_or(&[][..], |t| t.parameters);
+        let one = |p: &crate::absorber::Parameter| {
+            let (symbol, unit) = p.label.split_once('/').unwrap_or((p.label, ""));
+            m.absorber.value(p.key).map(|x| format!("{symbol} {} {unit}", significant(x, 5)).trim_end().to_owned())
+        };
+        let all: Vec<String> = declared.iter().filter_map(one).collect();
+        format!("  {} on {host}: {}", m.absorber.type_name(), all.join(", "))
+    };
+    d.absorbers.iter().map(line).collect()
+}
+
+/// By how much a design is better than others, in words: than the engine without absorber, and than the best given design.
+fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&DesignResult>) -> String {
+    let own = results.judged(d).map(|j| j.value);
+    let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective);
+    let none = none.or_else(|| results.bare.first().copied().flatten());
+    let against = |other: f64| {
+        let value = own?;
+        let change = 100.0 * (study.objective.unit.ratio(value / other) - 1.0);
+        let words = match change {
+            c if !c.is_finite() => return None,
+            c if c.abs() < 0.05 => "the same as".to_owned(),
+            c if c < 0.0 => format!("{:.1} % less than", -c),
+            c => format!("{c:.1} % more than"),
+        };
+        Some((words, value_of(&study.objective, other)))
+    };
+    let mut parts = Vec::new();
+    if let Some((words, value)) = none.and_then(against) {
+        parts.push(format!("{words} without absorber ({value})"));
+    }
+    if let Some(best) = given
+        && let Some((words, value)) = results.judged(best).and_then(|j| against(j.value))
+    {
+        parts.push(format!("{words} the best given design, {} ({value})", best.name));
+    }
+    if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
+}
+
+/// What was looked at and what that says, in a line: no proof.
+fn certificate(o: &OptimumResult) -> String {
+    let residual = o.optimum.outcome.kkt_residual;
+    let first = if residual.is_finite() { format!("first-order residual {residual:.0e}") } else { "no first-order residual".into() };
+    let survey = o.survey.as_ref().map_or_else(String::new, surveyed);
+    let elsewhere = if o.scan.designs > 0 { format!("{} designs elsewhere and ", o.scan.designs) } else { String::new() };
+    let result = if o.scan.better || o.nearby.better { "led to it" } else { "are no better" };
+    format!(
+        "not proved; {} of {} starts agree, {first}, {elsewhere}{} near it {result}{survey}",
+        o.optimum.agreeing(),
+        o.optimum.starts.len(),
+        o.nearby.designs
+    )
+}
+
+fn surveyed(s: &Survey) -> String {
+    let found = if s.better { "it was found from one of them" } else { "none that was followed led lower" };
+    format!(", {} over all bounds: {found}", s.designs)
+}
+
+/// What is absurd of a design.
+fn about(results: &Results, d: &DesignResult) -> Vec<String> {
+    let (found, of) = of_design(results, d);
+    found.iter().map(|v| format!("  verdict: {}", clause(v, of, &d.absorbers))).collect()
+}
+
+/// What makes other optima than the best one useless, a line each: why a run ends with the exit code of a failure.
+fn failures(study: &Study, results: &Results) -> String {
+    let best = results.best_optimum(false).map(|o| o.design.name.as_str());
+    let line = |o: &OptimumResult| {
+        let of = study.objective_of(o.objective);
+        let serious = |v: &&Verdict| matches!(v, Verdict::WorseThanNone { .. } | Verdict::Overheats { .. });
+        let mut words: Vec<String> = results.verdicts(o).iter().filter(serious).map(|v| clause(v, of, &o.design.absorbers)).collect();
+        let broken = study.limits.iter().zip(&o.design.limits).filter(|(_, ratio)| !holds(**ratio));
+        words.extend(broken.map(|(limit, _)| format!("FAILS {}", limit.words)));
+        (!words.is_empty()).then(|| format!("{}: {}\n", o.design.name, words.join("; ")))
+    };
+    results.optima.iter().filter(|o| Some(o.design.name.as_str()) != best).filter_map(line).collect()
+}
+
+/// What else was found: other objectives, fronts, catalogues, limits that given designs break.
+fn notes(study: &Study, results: &Results) -> String {
+    let mut text = String::new();
+    for (i, objective) in study.objectives().enumerate().skip(1) {
+        let all = results.optima.iter().filter(|o| o.objective == i && o.main);
+        if let Some(o) = all.min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value())) {
+            let own = results.judged_optimum(o);
+            text.push_str(&format!("Best by {}: {} with {}.\n", objective.label, o.design.name, value_of(objective, own.value)));
+        }
+    }
+    text.push_str(&failures(study, results));
+    text.push_str(&best_of_catalogues(study, results));
+    text.push_str(&fronts(study, results));
+    for (i, limit) in study.limits.iter().enumerate() {
+        let broken: Vec<&str> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| d.name.as_str()).collect();
+        if !broken.is_empty() {
+            text.push_str(&format!("Limit {}: broken by the given {}.\n", limit.words, broken.join(", ")));
+        }
+    }
+    let named = results.best_optimum(false).map(|o| &o.design).or_else(|| results.best_given());
+    named.into_iter().flat_map(|d| barred(study, d)).for_each(|line| text.extend([line.as_str(), "\n"]));
+    if text.is_empty() { text } else { format!("\n{text}") }
+}

@@ -1,0 +1,76 @@
+//! The answer that `hartog run` prints on one screen.
+
+use crate::support::read;
+use std::collections::BTreeMap;
+use std::process::Command;
+
+/// What is printed, with the lines of each sentence in one.
+fn unbroken(printed: &str) -> String {
+    printed.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The answer of every kind of study stands on one screen of 40 lines and 100 columns: which design, what it comes to and saves, what was looked at, its limits, what to open next. Its value is that of
+/// `designs.csv`, printed to six digits.
+fn answers_fit_one_screen(studies: &[&str]) {
+    for name in studies {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().join("out");
+        let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+        let run = c.current_dir(env!("CARGO_MANIFEST_DIR")).arg("run").arg(format!("studies/{name}.toml")).arg("--out").arg(&out);
+        let text = String::from_utf8(run.output().expect("runs").stdout).expect("text");
+        let lines: Vec<&str> = text.lines().collect();
+        assert!((8..=40).contains(&lines.len()), "{name}: {} lines\n{text}", lines.len());
+        assert!(lines.iter().all(|l| l.chars().count() <= 100), "{name}:\n{text}");
+        let said = unbroken(&text);
+        let summary = serde_json::from_str::<serde_json::Value>(&read(&out, "summary.json")).expect("JSON");
+        let mut designs = csv::Reader::from_path(out.join("designs.csv")).expect("a table");
+        let designs = designs.deserialize::<BTreeMap<String, String>>().map(|row| row.expect("a row"));
+        let best = designs.into_iter().find(|d| said.contains(&format!("{}: ", d["design"]))).expect("a design is named");
+        if summary["optima"].as_array().is_some_and(|o| !o.is_empty()) {
+            assert!(said.contains("not proved; ") && said.contains(" starts agree"), "{name}:\n{text}");
+            assert!(said.contains("limit: ") || said.contains("the study has no limits"), "{name}:\n{text}");
+        }
+        assert!(said.contains("without absorber (") || said.contains("the best given design, "), "{name}:\n{text}");
+        assert!(said.contains("report.html"), "{name}:\n{text}");
+        if let Ok(twist) = best["peak_twist_deg"].parse::<f64>()
+            && said.contains("peak twist")
+        {
+            assert!(said.contains(&format!("{twist:.6}")) || said.contains("worst of"), "{name}: {twist}\n{text}");
+        }
+    }
+}
+
+#[test]
+fn an_answer_fits_one_screen() {
+    answers_fit_one_screen(&["den_hartog", "villalva_i6_catalogue", "villalva_i6_life", "villalva_i6_oils", "minucci_i4"]);
+}
+
+#[test]
+#[ignore = "a minute: every shipped study"]
+fn every_answer_fits_one_screen() {
+    let studies = std::fs::read_dir("studies").expect("studies").map(|e| e.expect("an entry").path());
+    let names: Vec<String> = studies
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .map(|p| p.file_stem().expect("a name").to_string_lossy().into_owned())
+        .filter(|name| !name.starts_with("fialho"))
+        .collect();
+    answers_fit_one_screen(&names.iter().map(String::as_str).collect::<Vec<_>>());
+}
+
+/// The screen that the guide shows of the six is the one that its command prints, but for times and rounding in residuals; what the README shows is a part of it.
+#[test]
+fn the_guide_shows_the_answer() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+    let run = c.current_dir(env!("CARGO_MANIFEST_DIR")).args(["run", "studies/villalva_i6.toml", "--out"]).arg(folder.path().join("out"));
+    let printed = String::from_utf8(run.output().expect("runs").stdout).expect("text");
+    let guide = include_str!("../src/guide/reading_results.md");
+    let start = guide.find("Villalva in-line six: natural").expect("the screen");
+    let shown = guide[start..].split("```").next().expect("a block");
+    let before_files = |text: &str| text.lines().take_while(|l| !l.contains("files in")).map(str::to_owned).collect::<Vec<_>>();
+    let steady = |text: &str| before_files(text).into_iter().filter(|l| !l.contains("residual")).collect::<Vec<_>>();
+    assert_eq!(steady(shown), steady(&printed));
+    let readme = include_str!("../README.md");
+    let part = readme.split("```text\n").nth(1).and_then(|t| t.split("```").next()).expect("a block");
+    assert!(steady(part).iter().all(|line| shown.contains(line)), "{part}");
+}

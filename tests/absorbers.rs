@@ -1,8 +1,8 @@
 //! Absorbers: closed forms, and the laws every type obeys.
 
-use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::SpringAndDamper;
+use crate::support::{Kind, assert_close, h_infinity_peak, study};
 use hartog::absorber::closed_forms::{self, EngineMode};
+use hartog::absorber::{Host, SpringAndDamper};
 
 /// Amplitude of the engine mass in static deflections, omega/omega_engine = x, [Den Hartog 1956] eq. (3.24); `zeta` = c/(2 J omega_engine).
 fn amplitude(mu: f64, tuning: f64, zeta: f64, x: f64) -> f64 {
@@ -98,5 +98,24 @@ fn closed_forms_reproduce_the_thesis() {
         assert_close(unity.stiffness, stiffness, 0.01, 0.0, "unity stiffness");
         assert_close(unity.damping, damping, 0.07, 0.0, "unity damping");
         assert_close(closed_forms::viscous_damping(viscous_ring, engine), viscous, 0.07, 0.0, "viscous damping");
+    }
+}
+
+/// A design that hangs on nothing is an error that names the absorber, not a panic: on a station that the chain does not have, on a ring that is none, on its own ring.
+#[test]
+fn what_hangs_on_nothing_is_refused() {
+    let s = study("den_hartog");
+    let on = |host: Host| {
+        let mut mounted = crate::support::on(0, Kind::Tuned, 0.1, 800.0, 3.0);
+        mounted.on = host;
+        s.evaluate("mine", vec![mounted]).expect_err("refused").to_string()
+    };
+    assert!(
+        on(Host::Station(9)).contains("absorber 1 cannot be mounted: the chain has no station of that index"),
+        "{}",
+        on(Host::Station(9))
+    );
+    for host in [Host::Ring(3), Host::Ring(0)] {
+        assert!(on(host).contains("cannot be mounted: the absorbers hang on each other's rings"), "{}", on(host));
     }
 }

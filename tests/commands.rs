@@ -254,7 +254,7 @@ fn compare_holds_the_conditions_of_the_optimum() {
     assert!(String::from_utf8_lossy(&output).contains(&words), "{words}");
 }
 
-/// `chart` writes the table of the contract and its plots, finds no defect, and a coarse grid errs where a refined peak does not.
+/// `chart` writes the table of the contract and its plots, finds every method on every scenario of stability as it is declared (no defect), and a coarse grid errs where a refined peak does not.
 #[test]
 fn chart_writes_speed_and_accuracy() {
     let folder = tempfile::tempdir().expect("folder");

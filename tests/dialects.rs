@@ -151,6 +151,8 @@ fn heads_and_units_of_four_languages() {
         ("kNm/Grad", 1e3 * deg, "kg cm2", 1e-4),
         ("lb in/rad", lbf_in, "lb in s²", lbf_in),
         ("lbf·ft/rad", 12.0 * lbf_in, "lbf·in·s^2", lbf_in),
+        ("in-lb/rad", lbf_in, "in-lb-s2", lbf_in),
+        ("ft lb/rad", 12.0 * lbf_in, "lb ft s²", 12.0 * lbf_in),
     ];
     for (stiffness, k, inertia, j) in units {
         let rows = [("hub", 0.01, 3e5), ("crank", 0.02, 9e5), ("wheel", 0.9, 0.0)]

@@ -248,7 +248,7 @@ fn long_chains(which: impl Fn(usize) -> bool, stride: usize) {
     let mut better = 0;
     for i in 0..24 {
         let mut s = long_chain(&mut random, 46);
-        s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(4).collect();
+        s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
         if !which(i) {
             continue;
         }

@@ -14,9 +14,9 @@ use std::time::{Duration, Instant};
 fn short(folder: &Path) -> String {
     let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
     let text = format!(
-        "engine = {engine:?}\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 12\n[[design]]\nname = \"none\"\n\
+        "engine = {engine:?}\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[design]]\nname = \"none\"\n\
          [optimise]\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\", \"viscous\"]\n\
-         size.ring_inertia_kg_m2.each = [0.076, 0.03]\n[pareto]\npoints = 20\nagainst.ring_inertia_kg_m2 = [0.01, 0.15]\n\
+         size.ring_inertia_kg_m2.each = [0.076]\n[pareto]\npoints = 16\nagainst.ring_inertia_kg_m2 = [0.01, 0.15]\n\
          [robust]\ntolerance = {{ stiffness_n_m_per_rad = 0.1 }}\n"
     );
     let path = folder.join("short.toml");

@@ -68,7 +68,47 @@ fn every_station_and_shaft_on_request() {
     assert_eq!(looked_at, 5 * 24 * 9);
 }
 
-/// Every table but that of times as Parquet holds what its CSV holds, numbers as doubles and empty cells as nulls; every plot is a page of PDF of its printed width, 170 mm, with its words as text; files do
+/// A column of Parquet has one type in the tables of all studies, whatever fills it, so that these can be put together; what is true or false is no text, and an empty column of numbers none either. The
+/// metadata have the units.
+#[test]
+fn columns_have_one_type() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    let mut types: BTreeMap<(String, String), parquet::basic::Type> = BTreeMap::new();
+    let mut shared = 0;
+    for study in ["den_hartog", "mendes_mwm6", "villalva_i6_life", "villalva_i6_large_twist"] {
+        let folder = tempfile::tempdir().expect("folder");
+        let out = folder.path().join("out");
+        let arguments = ["run", &format!("studies/{study}.toml"), "--quiet", "--format", "parquet", "--out", &out.to_string_lossy()];
+        assert!(hartog(&arguments).status.success());
+        for path in std::fs::read_dir(&out).expect("a folder").map(|e| e.expect("an entry").path()) {
+            if path.extension().is_none_or(|e| e != "parquet") {
+                continue;
+            }
+            let table = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            let reader = SerializedFileReader::new(std::fs::File::open(&path).expect("a file")).expect("parquet");
+            for column in reader.metadata().file_metadata().schema_descr().columns() {
+                let known = types.insert((table.clone(), column.name().to_owned()), column.physical_type());
+                shared += usize::from(known.is_some());
+                assert!(known.is_none_or(|k| k == column.physical_type()), "{study}: {table}, {}", column.name());
+            }
+            let units = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+            let unit = |column: &str| units.iter().find(|u| u.key == format!("unit:{column}")).and_then(|u| u.value.clone());
+            if table == "designs" {
+                assert_eq!(unit("peak_twist_deg").as_deref(), Some("°"));
+                assert_eq!(unit("stiffness_n_m_per_rad").as_deref(), Some("N m/rad"));
+                assert_eq!(unit("design"), None);
+            }
+        }
+    }
+    assert!(shared > 60, "{shared}");
+    let of = |table: &str, column: &str| types[&(table.to_owned(), column.to_owned())];
+    assert_eq!(of("optima", "converged"), parquet::basic::Type::BOOLEAN);
+    assert_eq!(of("optima", "starts"), parquet::basic::Type::INT64);
+    assert_eq!(of("designs", "f3_hz"), parquet::basic::Type::DOUBLE);
+    assert_eq!(of("designs", "design"), parquet::basic::Type::BYTE_ARRAY);
+}
+
+/// Every table but that of times as Parquet holds what its CSV holds, numbers as numbers and empty cells as nulls; every plot is a page of PDF of its printed width, 170 mm, with its words as text; files do
 /// not depend on the number of threads; a run that is not asked for them takes them away.
 #[test]
 fn parquet_and_pdf_stand_beside_tables_and_plots() {
@@ -112,6 +152,8 @@ fn parquet_and_pdf_stand_beside_tables_and_plots() {
                         assert_eq!(*x, cell.parse::<f64>().expect("a number"), "{table} {head}");
                         numbers += 1;
                     }
+                    parquet::record::Field::Long(n) => assert_eq!(*n, cell.parse::<i64>().expect("a whole number"), "{table} {head}"),
+                    parquet::record::Field::Bool(b) => assert_eq!(b.to_string(), *cell, "{table} {head}"),
                     parquet::record::Field::Str(text) => assert_eq!(text, cell, "{table} {head}"),
                     other => panic!("{table} {head}: {other}"),
                 }

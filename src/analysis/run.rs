@@ -60,13 +60,9 @@ impl Study {
     /// The numbers of one design on this engine, by the study's calibrated inputs; its other designs and its searches are left out.
     ///
     /// # Errors
-    /// [`RunError`] where it has no finite response.
-    ///
-    /// # Panics
-    /// Where an absorber is on no station of the chain, or on its own ring.
+    /// [`RunError`] where it has no finite response, and where an absorber is on no station of the chain or on its own ring.
     pub fn evaluate(&self, name: &str, absorbers: Vec<Mounted>) -> Result<DesignResult, RunError> {
-        assert!(is_tree(&absorbers), "absorbers on each other's rings");
-        assert!((0..absorbers.len()).all(|i| station_of(&absorbers, i) < self.chain.len()), "an absorber on no station");
+        self.mounted(&absorbers).map_err(|error| RunError { what: name.to_owned(), error })?;
         let (mut study, _) = calibrate(self, &Silent)?;
         (study.optimise, study.front) = (None, None);
         study.more_objectives.clear();
@@ -75,6 +71,17 @@ impl Study {
         study.robust = None;
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
+    }
+
+    /// Whether each absorber hangs, directly or by the rings of others, on a station of the chain.
+    fn mounted(&self, absorbers: &[Mounted]) -> Result<(), ResponseError> {
+        if !is_tree(absorbers) {
+            return Err(ResponseError::NotMounted { number: 1, why: "the absorbers hang on each other's rings, or on one that is none" });
+        }
+        match (0..absorbers.len()).find(|i| station_of(absorbers, *i) >= self.chain.len()) {
+            Some(i) => Err(ResponseError::NotMounted { number: i + 1, why: "the chain has no station of that index" }),
+            None => Ok(()),
+        }
     }
 }
 

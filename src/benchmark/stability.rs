@@ -72,7 +72,7 @@ impl Cell {
     }
 
     /// Whether it came as declared.
-    pub fn as_declared(&self) -> bool {
+    pub(crate) fn as_declared(&self) -> bool {
         match (&self.declared, &self.found) {
             (Right(tolerance), Ok(e)) => *e <= tolerance.min(RIGHT),
             (Rough, Ok(_)) => self.word() == "rough",

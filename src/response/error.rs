@@ -19,6 +19,14 @@ pub enum ResponseError {
         /// Hz.
         frequency_hz: f64,
     },
+    /// An absorber is mounted on nothing.
+    #[error("absorber {number} cannot be mounted: {why}")]
+    NotMounted {
+        /// Its number in the design, from 1.
+        number: usize,
+        /// Why not.
+        why: &'static str,
+    },
     /// A method cannot take this system.
     #[error("{method} cannot be used here: {why}")]
     NotApplicable {

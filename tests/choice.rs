@@ -2,8 +2,8 @@
 
 use crate::support::{assert_close, study, system};
 use hartog::absorber::{Absorber, MAXWELL, Mounted, Operating, Tuned};
-use hartog::analysis::choice::{self, Strategy};
-use hartog::analysis::{Silent, audit, calibrate, families, margins};
+use hartog::analysis::method_selection::{self, Strategy};
+use hartog::analysis::{Silent, calibrate, families, margins, model_check};
 use hartog::benchmark::methods::Candidate;
 use hartog::benchmark::savings;
 use hartog::drivetrain::System;
@@ -62,8 +62,8 @@ fn giving_up_early_keeps_the_best() {
     let s = study("villalva_i6_thesis");
     let sys = system(&s);
     let spec = s.optimise.as_ref().expect("a search");
-    let modes = families::engine_modes(&s, spec, audit::highest_frequency_hz(&s, &sys.excitation.orders));
-    let designs = choice::random_absorbers(&s, &modes, 300, 7);
+    let modes = families::engine_modes(&s, spec, model_check::highest_frequency_hz(&s, &sys.excitation.orders));
+    let designs = method_selection::random_absorbers(&s, &modes, 300, 7);
     with_tables(&s, &sys, |_, tables| {
         for stride in [1, 4, 16] {
             let surrogate = Surrogate::new(tables, s.twist, stride).expect("damped");
@@ -95,8 +95,9 @@ fn tables_answer_for_margins() {
     let method = Method::Receptance(Receptance::new(&sys, &grid, s.hub, &measures[0].quantities));
     let Method::Receptance(tables) = &method else { unreachable!("just made") };
     let finder = PeakFinder::new(&sys, &grid, &method, true).with_margin(Some(&model));
-    let modes = families::engine_modes(&s, s.optimise.as_ref().expect("a search"), audit::highest_frequency_hz(&s, &sys.excitation.orders));
-    let designs = choice::random_absorbers(&s, &modes, 150, 11);
+    let modes =
+        families::engine_modes(&s, s.optimise.as_ref().expect("a search"), model_check::highest_frequency_hz(&s, &sys.excitation.orders));
+    let designs = method_selection::random_absorbers(&s, &modes, 150, 11);
     let surrogate = Surrogate::of(tables, &measures[0], Some(&model), 4).expect("Goodman asks for extremes");
     let (mut scratch, mut work) = (Scratch::default(), Work::default());
     let (mut taken, mut exceeded, mut accepted) = (0, 0, 0);

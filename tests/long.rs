@@ -3,7 +3,7 @@
 use crate::support::{study, system};
 use hartog::absorber::Declaration;
 use hartog::absorber::closed_forms::EngineMode;
-use hartog::analysis::audit::highest_frequency_hz;
+use hartog::analysis::model_check::highest_frequency_hz;
 use hartog::analysis::{self, OptimumResult, Silent, families};
 use hartog::input::{OptimiseSpec, Study};
 use hartog::objective::{Condition, Limit, PeakFinder};

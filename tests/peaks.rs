@@ -2,7 +2,7 @@
 
 use crate::support::{Kind, assert_close, on, one_throw, study, system, three_values, uniform_chain};
 use hartog::absorber::Mounted;
-use hartog::analysis::{evaluate::evaluate, wanted::Wanted};
+use hartog::analysis::{evaluate::evaluate, evaluation_plan::Wanted};
 use hartog::drivetrain::System;
 use hartog::engine::Excitation;
 use hartog::input::Study;

@@ -9,7 +9,7 @@ use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use std::sync::Arc;
 
 /// Ring in silicone oil.
@@ -75,8 +75,8 @@ fn stiffness_each(law: &Carreau, power: ImaginaryPower, at: &[Operating], out: &
     let exponent = (law.flow_index - 1.0) / law.transition;
     by_frequency(at, out, |omega| {
         let z = 1.0 + power.branchless(omega * law.relaxation_time);
-        let size = branchless::exponential(0.5 * exponent * branchless::logarithm(z.re * z.re + z.im * z.im));
-        let (sine, cosine) = branchless::sine_cosine(exponent * branchless::angle(z.re, z.im));
+        let size = simd_elementary::exponential(0.5 * exponent * simd_elementary::logarithm(z.re * z.re + z.im * z.im));
+        let (sine, cosine) = simd_elementary::sine_cosine(exponent * simd_elementary::angle(z.re, z.im));
         let newtonian = omega * law.damping * size;
         C64::new(-newtonian * sine, newtonian * cosine)
     });

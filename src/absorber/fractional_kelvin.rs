@@ -8,7 +8,7 @@ use super::fractional_zener::{EXPONENT, start};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
-use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use std::sync::Arc;
 
 /// Ring on a spring beside a springpot.
@@ -67,7 +67,7 @@ impl Law for FractionalKelvin {
         // temperature puts its factor on the relaxation time
         let own = powers(at, self.relaxation_time, self.exponent);
         Some(Box::new(move |factor, [re, im, below]| {
-            let share = self.stiffness * branchless::exponential(self.exponent * factor);
+            let share = self.stiffness * simd_elementary::exponential(self.exponent * factor);
             own.iter().zip(re).zip(im).for_each(|((z, re), im)| (*re, *im) = (self.stiffness + share * z.re, share * z.im));
             below.fill(1.0);
         }))

@@ -8,7 +8,7 @@ use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::elementary::ComplexElementary;
-use crate::numerics::{C64, ImaginaryPower, branchless, imaginary_ln};
+use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use std::sync::Arc;
 
 /// Ring on rubber of four numbers.
@@ -105,7 +105,7 @@ impl Law for FractionalZener {
         // temperature puts its factor on the relaxation time
         let own = powers(at, self.relaxation_time, self.exponent);
         let own = [own.iter().map(|z| z.re).collect(), own.iter().map(|z| z.im).collect()];
-        Some(Box::new(move |factor, out| stiffness_each(self, branchless::exponential(self.exponent * factor), &own, out)))
+        Some(Box::new(move |factor, out| stiffness_each(self, simd_elementary::exponential(self.exponent * factor), &own, out)))
     }
     fn is_analytic(&self) -> bool {
         true

@@ -4,7 +4,7 @@ use super::cooling::Cooling;
 use super::geometry::Geometry;
 use super::kraus::Kraus;
 use super::life::StrainLife;
-use super::state::State;
+use super::material_state::State;
 use super::temperature::TemperatureLaw;
 
 /// Factors on the parameters of a type in a state, in the order of their declaration.

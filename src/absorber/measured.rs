@@ -5,8 +5,8 @@
 
 use super::dynamic_stiffness::Operating;
 use super::law::{Declaration, Law};
+use super::material_state::State;
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range};
-use super::state::State;
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 
 use super::law::{Declaration, Law};
 use super::material::Material;
-use super::state::State;
+use super::material_state::State;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::law::{ByFactor, Declaration, Law};
 use super::material::Material;
-use super::state::State;
+use super::material_state::State;
 use crate::numerics::C64;
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Ranges of speed that a society's rule bars: round each critical speed at which a design breaks its limit.
 
+use super::evaluation_plan::EvaluationPlan;
 use super::systems::engines_in;
-use super::wanted::Wanted;
 use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
 use crate::input::LimitSpec;
@@ -55,7 +55,7 @@ pub struct StillBroken {
 pub(crate) fn still_broken(
     finders: &[PeakFinder],
     design: &[Mounted],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     ratios: &[f64],
     barred: &[BarredRange],
 ) -> Result<Vec<StillBroken>, ResponseError> {
@@ -100,7 +100,7 @@ fn without<'b>(ranges: &[(f64, f64)], speeds_rpm: &[f64], barred: impl Iterator<
 pub(crate) fn ranges(
     finders: &[PeakFinder],
     design: &[Mounted],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     ratios: &[f64],
 ) -> Result<Vec<BarredRange>, ResponseError> {
     let mut list: Vec<BarredRange> = Vec::new();

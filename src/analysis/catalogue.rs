@@ -1,7 +1,7 @@
 //! Absorbers of catalogues in the order of the study's objective.
 
+use super::evaluation_plan::{EvaluationPlan, asked};
 use super::systems::engines_in;
-use super::wanted::{Wanted, asked};
 use super::{Progress, RunError};
 use crate::input::{DesignSpec, Study};
 use crate::objective::in_operation::absorbers;
@@ -33,7 +33,7 @@ pub(crate) type Best = Vec<(usize, DesignSpec)>;
 pub(crate) fn ranked(
     study: &Study,
     finders: &[PeakFinder],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     progress: &dyn Progress,
 ) -> Result<(Vec<Ranked>, Best), RunError> {
     let (mut list, mut best) = (Vec::new(), Vec::new());
@@ -67,7 +67,7 @@ pub(crate) fn ranked(
 }
 
 /// Objective, and the largest limited measure over its limit.
-fn judge(finders: &[PeakFinder], wanted: &Wanted, design: &DesignSpec) -> Result<(f64, f64), ResponseError> {
+fn judge(finders: &[PeakFinder], wanted: &EvaluationPlan, design: &DesignSpec) -> Result<(f64, f64), ResponseError> {
     let (mut value, mut over) = (0.0f64, 0.0f64);
     for condition in wanted.judged_in(&design.absorbers) {
         for finder in engines_in(condition, finders) {

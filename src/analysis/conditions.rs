@@ -1,8 +1,8 @@
 //! A design in a load case with a fault: a cylinder misfires, the cylinders burn unequally, the absorber is locked or lost.
 
 use super::RunError;
+use super::evaluation_plan::{EvaluationPlan, asked, shafts};
 use super::systems::engines_in;
-use super::wanted::{Wanted, asked, shafts};
 use crate::absorber::Mounted;
 use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, DesignPeaks, Measure, Over, Peak, PeakFinder};
@@ -35,7 +35,7 @@ pub(crate) fn in_conditions(
     finders: &[PeakFinder],
     name: &str,
     design: &[Mounted],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     work: &mut Work,
 ) -> Result<Vec<ConditionResult>, RunError> {
     let failed = |condition: Condition, error| RunError { what: format!("{name}, {}", condition.name().replace('_', " ")), error };

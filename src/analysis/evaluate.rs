@@ -1,8 +1,8 @@
 //! Everything that is reported of one design.
 
-use super::made_of::{MadeOf, made_of};
+use super::evaluation_plan::{EvaluationPlan, asked, shafts};
 use super::margins::{self, SmallestMargin};
-use super::wanted::{Wanted, asked, shafts};
+use super::required_material::{MadeOf, made_of};
 use super::{BarredRange, ConditionResult, RunError, StillBroken, barred, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
@@ -188,7 +188,7 @@ pub fn evaluate(
     finders: &[PeakFinder],
     name: &str,
     design: &[Mounted],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     work: &mut Work,
 ) -> Result<DesignResult, RunError> {
     let firing = firing(&finders[0], name, design, wanted, work);
@@ -216,7 +216,7 @@ fn firing(
     finder: &PeakFinder,
     name: &str,
     design: &[Mounted],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     work: &mut Work,
 ) -> Result<(DesignResult, Vec<f64>), ResponseError> {
     let of = |quantities: Vec<Quantity>, over: Over| Measure::new(quantities, over);

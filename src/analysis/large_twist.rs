@@ -7,7 +7,7 @@ use crate::input::{LimitSpec, Study};
 use crate::numerics::maximise::maximise;
 use crate::numerics::synthesis::Synthesiser;
 use crate::objective::{Measure, Over, PeakFinder};
-use crate::optimise::memory::remembered;
+use crate::optimise::checkpoint::remembered;
 use crate::response::large_twist::{Balance, Curve, CurvePoint, Stability, Steady};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;

@@ -59,7 +59,7 @@ pub(crate) fn secondary(study: &Study, system: &System) -> Option<Secondary> {
     let variation = study.engine.reciprocating_inertia()?;
     let mut worst: Option<Secondary> = None;
     let mut primary: f64 = 0.0;
-    for critical in super::audit::critical_speeds(study, &system.excitation.orders).iter().filter(|c| c.mode <= MODES) {
+    for critical in super::model_check::critical_speeds(study, &system.excitation.orders).iter().filter(|c| c.mode <= MODES) {
         let mode = study.modes.rigid + critical.mode - 1;
         let omega = study.modes.omega[mode];
         // twist per modal torque

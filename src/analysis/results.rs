@@ -2,16 +2,16 @@
 
 use super::calibrate::Calibration;
 use super::catalogue::Ranked;
-use super::choice::Choice;
-use super::diagram::Diagram;
+use super::crank_diagram::Diagram;
 use super::duty::DutyOfDesign;
+use super::equivalent_constants::SimplestLaw;
 use super::evaluate::{DesignResult, Nature};
 use super::heat::HeatOfDesign;
 use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
+use super::method_selection::Choice;
 use super::robust::RobustOfDesign;
 use super::sensitivities::Sensitivity;
-use super::simplest::SimplestLaw;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;

@@ -4,7 +4,7 @@ use super::{DesignResult, Progress};
 use crate::absorber::Deviation;
 use crate::input::{RobustSpec, Sampling, Study};
 use crate::objective::{Measure, PeakFinder};
-use crate::optimise::memory::remembered;
+use crate::optimise::checkpoint::remembered;
 use crate::optimise::{LoadCase, Tolerances, robust};
 use crate::response::{ResponseError, Work};
 use rand::SeedableRng;

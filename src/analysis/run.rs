@@ -1,25 +1,25 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
-use super::audit::highest_frequency_hz;
 use super::catalogue;
-use super::choice::{self, Choice, Strategy};
-use super::diagram::{self, Diagram};
+use super::catalogue_retuning::with_retuned;
+use super::crank_diagram::{self, Diagram};
 use super::duty::{self, DutyOfDesign};
+use super::equivalent_constants::{self, SimplestLaw};
 use super::evaluate::{self, DesignResult};
+use super::evaluation_plan::EvaluationPlan;
 use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
+use super::method_selection::{self, Choice, Strategy};
+use super::model_check::highest_frequency_hz;
 use super::results::Results;
-use super::retuned::with_retuned;
 use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
-use super::simplest::{self, SimplestLaw};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::{Clock, Timing};
-use super::wanted::Wanted;
-use super::{Progress, RunError, Silent, calibrate, cost, families};
+use super::{Progress, RunError, Silent, calibrate, families, timing_probe};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
@@ -112,7 +112,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         clock.lap("choice", Work::default());
     }
     let measures = margins::measures(study);
-    let wanted = Wanted::new(study, &measures);
+    let wanted = EvaluationPlan::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
     let best = with_retuned(study, best, &load_cases, progress)?;
@@ -180,7 +180,7 @@ fn crank(study: &Study, system: &System, grid: &Grid, progress: &dyn Progress, c
 /// What one evaluation costs, of the first design with an absorber.
 fn probe(study: &Study, finder: &PeakFinder, shown: &[&DesignResult], margins: &[Measure]) -> Result<Vec<Timing>, RunError> {
     let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) else { return Ok(Vec::new()) };
-    cost::per_design(finder, &d.absorbers, study.twist, margins).map_err(|error| of_design(d, error))
+    timing_probe::per_design(finder, &d.absorbers, study.twist, margins).map_err(|error| of_design(d, error))
 }
 
 /// Modes that each absorber to be optimised can be tuned to.
@@ -226,7 +226,7 @@ fn methods<'a>(study: &Study, systems: &'a [System], grid: &'a Grid, progress: &
 fn designs<'d>(
     given: impl Iterator<Item = &'d DesignSpec>,
     finders: &[PeakFinder],
-    wanted: &Wanted,
+    wanted: &EvaluationPlan,
     progress: &dyn Progress,
     clock: &mut Clock,
 ) -> Result<Vec<DesignResult>, RunError> {
@@ -289,7 +289,7 @@ fn over_speed(
     let best = shown.iter().filter_map(|d| Some((d, d.margins.first()?))).reduce(|a, b| if b.1.margin > a.1.margin { b } else { a });
     let diagram = || {
         best.zip(firing.margin).map_or(Ok(None), |((d, smallest), model)| {
-            diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
+            crank_diagram::diagram(study, model, firing, (&d.name, &d.absorbers), smallest).map_err(|error| of_design(d, error))
         })
     };
     let duty = || duty::duty(study, shown).map_err(|(d, error)| of_design(d, error));
@@ -299,7 +299,7 @@ fn over_speed(
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     progress.step();
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
-    let simplest = simplest::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    let simplest = equivalent_constants::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
     Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
@@ -342,7 +342,7 @@ fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, progre
         Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
             let objectives: Vec<_> = study.objectives().collect();
             progress.stage("choice of the method", objectives.len());
-            let choose = |o: &&MeasureSpec| choice::choose(study, &o.measure, modes, finder, r);
+            let choose = |o: &&MeasureSpec| method_selection::choose(study, &o.measure, modes, finder, r);
             objectives.par_iter().map(choose).inspect(|_| progress.step()).collect()
         }
         _ => Vec::new(),

@@ -1,12 +1,12 @@
 //! The searches of a study: optima and fronts.
 
 use super::evaluate::{self, Classifier};
+use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Family};
 use super::results::{FrontResult, OptimumResult, RowCase};
 use super::search_in_operation::{is_worse_in_operation, search_in_operation};
 use super::sensitivities::sensitivities;
 use super::timing::{Clock, timed};
-use super::wanted::Wanted;
 use super::{Progress, RunError};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Mounted};
@@ -19,8 +19,8 @@ use crate::optimise::front::KnownOptimum;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, front, largest, prices, robust,
-    scan, search, second_order, starts, survey,
+    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, front, largest, robust, search,
+    second_order, shadow_prices, starts, survey, verification_scan,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -62,7 +62,7 @@ pub(crate) struct Searches<'a> {
     combined: Vec<Limit>,
     pub(super) limits: Vec<Limit>,
     pub(super) modes: &'a [Vec<EngineMode>],
-    wanted: &'a Wanted<'a>,
+    wanted: &'a EvaluationPlan<'a>,
     pub(super) progress: &'a dyn Progress,
 }
 
@@ -81,7 +81,7 @@ impl<'a> Searches<'a> {
         study: &'a Study,
         (finders, load_cases): (&'a [PeakFinder<'a>], &'a [LoadCase<'a>]),
         modes: &'a [Vec<EngineMode>],
-        wanted: &'a Wanted<'a>,
+        wanted: &'a EvaluationPlan<'a>,
         progress: &'a dyn Progress,
     ) -> Self {
         let objectives = study.objectives().map(|o| o.measure.in_si()).collect();
@@ -199,7 +199,7 @@ impl<'a> Searches<'a> {
                 // what was looked at for the reference says nothing of this one
                 looked.scan = Scan::default();
                 looked.survey = self.survey(&both, &mut optimum, spec.seed);
-                looked.nearby = scan::nearby(&both, &mut optimum, spec.seed);
+                looked.nearby = verification_scan::nearby(&both, &mut optimum, spec.seed);
                 looked.conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
             } else {
                 scenarios.pop();
@@ -233,7 +233,7 @@ impl<'a> Searches<'a> {
         let firing = LoadCase { condition: Condition::Firing, cylinder: None, finder: &self.finders[0], deviation: None };
         let reference = self.comes_to(objective, &[firing], mounted).ok();
         let (prices, on_bounds) =
-            (prices::prices(&optimum.outcome, self.limits.len()), prices::on_bounds(&problem.space, &optimum.outcome));
+            (shadow_prices::prices(&optimum.outcome, self.limits.len()), shadow_prices::on_bounds(&problem.space, &optimum.outcome));
         Ok(OptimumResult {
             design: design?,
             optimum,
@@ -258,9 +258,9 @@ impl<'a> Searches<'a> {
     /// Holds an optimum against designs that no start comes from, and keeps what is better; where it breaks a limit, looks for what does not.
     fn looked_over(&self, problem: &Problem, optimum: &mut Optimum, starts: &[NamedPoint], seed: u64) -> Result<LookedOver, ResponseError> {
         let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-        let scan = scan::scan(problem, optimum, &lines);
+        let scan = verification_scan::scan(problem, optimum, &lines);
         let survey = self.survey(problem, optimum, seed);
-        let nearby = scan::nearby(problem, optimum, seed);
+        let nearby = verification_scan::nearby(problem, optimum, seed);
         Ok(LookedOver { scan, survey, nearby, conflict: conflict_of(problem, optimum, starts)? })
     }
 

@@ -1,10 +1,10 @@
 //! Fronts by NSGA-II \[Deb et al. 2002\] beside those that are followed by the minimax method: how far it stays behind at equal work and at more, and whether it finds anything that they
 //! missed.
 
+use crate::analysis::evaluation_plan::EvaluationPlan;
 use crate::analysis::searches::Searches;
 use crate::analysis::timing::Clock;
-use crate::analysis::wanted::Wanted;
-use crate::analysis::{RunError, Silent, audit, families, margins};
+use crate::analysis::{RunError, Silent, families, margins, model_check};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{AbsorberSpec, FrontSpec, LimitSpec, OptimiseSpec, Size, Study};
@@ -95,7 +95,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
         return Ok(Vec::new());
     }
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+    let modes = families::engine_modes(study, spec, model_check::highest_frequency_hz(study, &excitation.orders));
     let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     let grid = Grid::new(&study.speeds_rpm, if study.refine_peaks { &system.excitation.tabulated_rpm } else { &[] });
     let mut quantities: Vec<Quantity> = study.measures().flat_map(|m| m.measure.quantities.iter().copied()).collect();
@@ -106,7 +106,7 @@ pub fn measure(study: &Study) -> Result<Vec<Evolution>, RunError> {
     let finder = PeakFinder::new(&system, &grid, &method, study.refine_peaks).with_margin(margin.as_ref()).with_duty(&duty);
     let finders = [finder];
     let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finders[0], deviation: None }];
-    let wanted = Wanted::new(study, &[]);
+    let wanted = EvaluationPlan::new(study, &[]);
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, &Silent);
     let limits: Vec<Limit> = study.limits.iter().map(LimitSpec::to_limit).collect();
     let beside = |space: Space, first: &Measure, second: &Measure, exact: Exact| {

@@ -3,7 +3,7 @@
 use crate::absorber::closed_forms::{EngineMode, h_infinity_ring};
 use crate::absorber::{Absorber, Declaration, HARDENING, Mounted, Operating, TYPES, Tuned};
 use crate::analysis::timing::{Repeats, median_seconds};
-use crate::analysis::{RunError, audit, families, heat::of_design as heat, large_twist};
+use crate::analysis::{RunError, families, heat::of_design as heat, large_twist, model_check};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::{OptimiseSpec, Study};
@@ -33,7 +33,7 @@ const REPEATS: Repeats = Repeats { least: 3, most: 31, seconds: 0.1 };
 pub fn measure(study: &Study) -> Result<Vec<LawCost>, RunError> {
     let (Some(spec), Some(quantity)) = (&study.optimise, study.objective.measure.synthesised()) else { return Ok(Vec::new()) };
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+    let modes = families::engine_modes(study, spec, model_check::highest_frequency_hz(study, &excitation.orders));
     let Some(mode) = modes.first().and_then(|m| m.first()).copied() else { return Ok(Vec::new()) };
     let ring = families::main_ring(&spec.absorbers[0]).unwrap_or(0.1 * mode.inertia);
     let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);

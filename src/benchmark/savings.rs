@@ -3,9 +3,9 @@
 use super::smaller_models::{self, SmallerModel};
 use super::speed_accuracy::REPEATS;
 use crate::absorber::Mounted;
-use crate::analysis::choice::{self, Choice, Strategy};
+use crate::analysis::method_selection::{self, Choice, Strategy};
 use crate::analysis::timing::median_seconds;
-use crate::analysis::{RunError, audit, families};
+use crate::analysis::{RunError, families, model_check};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::Study;
@@ -103,14 +103,14 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
     let failed = |error| RunError { what: "random absorbers".into(), error };
     let (Some(spec), Some(quantity)) = (&study.optimise, study.objective.measure.synthesised()) else { return Ok(None) };
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+    let modes = families::engine_modes(study, spec, model_check::highest_frequency_hz(study, &excitation.orders));
     let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     let grid = Grid::new(&study.speeds_rpm, &system.excitation.tabulated_rpm);
     let method = Method::Receptance(Receptance::new(&system, &grid, study.hub, &[quantity]));
     let finder = PeakFinder::new(&system, &grid, &method, true);
-    let designs = choice::random_absorbers(study, &modes, DESIGNS, SEED);
+    let designs = method_selection::random_absorbers(study, &modes, DESIGNS, SEED);
     let (Method::Receptance(receptance), false) = (&method, designs.is_empty()) else { return Ok(None) };
-    let choice = choice::choose(study, &study.objective.measure, &modes, &finder, receptance);
+    let choice = method_selection::choose(study, &study.objective.measure, &modes, &finder, receptance);
     let (full, skipping, identical) = skipping(&finder, &designs[..IN_FULL], quantity).map_err(failed)?;
     let surrogate = match choice.chosen.strategy {
         Strategy::Tables(stride) => Surrogate::new(receptance, quantity, stride),
@@ -128,7 +128,7 @@ pub fn measure(study: &Study) -> Result<Option<Savings>, RunError> {
         threads: rayon::current_num_threads(),
         point: point(&method, &designs[0], quantity).map_err(failed)?,
         sweep: sweep(&system, study, &designs[0], quantity).map_err(failed)?,
-        smaller_models: smaller_models::estimates(study, &finder, &choice::named_designs(study, &designs), quantity),
+        smaller_models: smaller_models::estimates(study, &finder, &method_selection::named_designs(study, &designs), quantity),
         choice,
     }))
 }

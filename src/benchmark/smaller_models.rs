@@ -6,7 +6,7 @@
 use super::methods::Candidate;
 use super::speed_accuracy::peak;
 use crate::absorber::Mounted;
-use crate::analysis::choice::nominal;
+use crate::analysis::method_selection::nominal;
 use crate::input::Study;
 use crate::numerics::ZERO;
 use crate::numerics::synthesis::Synthesiser;

@@ -4,9 +4,9 @@ use super::methods::Candidate;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Absorber, Mounted};
-use crate::analysis::choice::{Considered, STRIDES, Strategy};
+use crate::analysis::method_selection::{Considered, STRIDES, Strategy};
 use crate::analysis::timing::{Repeats, median_seconds};
-use crate::analysis::{Progress, RunError, audit, families};
+use crate::analysis::{Progress, RunError, families, model_check};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
 use crate::input::Study;
@@ -74,7 +74,7 @@ fn probes(study: &Study, excitation: &Excitation) -> Vec<(String, Vec<Mounted>)>
     let given = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| (d.name.clone(), d.absorbers.clone()));
     let mut list: Vec<_> = given.collect();
     if let Some(spec) = &study.optimise {
-        let modes = families::engine_modes(study, spec, audit::highest_frequency_hz(study, &excitation.orders));
+        let modes = families::engine_modes(study, spec, model_check::highest_frequency_hz(study, &excitation.orders));
         for types in families::types(spec) {
             let rings = vec![None; types.len()];
             let space = families::family(spec, &families::Choice { types, rings }, &modes);

@@ -4,7 +4,7 @@ use super::exit::{DONE, fail, say, say_raw};
 use crate::input::FileKind;
 use crate::input::closest;
 use crate::input::keys::{Key, keys};
-use crate::report::record;
+use crate::report::results_json;
 use crate::report::text::keys::{explained, list};
 
 /// A kind of file.
@@ -53,7 +53,7 @@ impl Schema {
             Self::Engine => FileKind::Engine.json_schema_text(),
             Self::Sizing => FileKind::Sizing.json_schema_text(),
             Self::Material => FileKind::Material.json_schema_text(),
-            Self::Results => format!("{:#}\n", record::json_schema()),
+            Self::Results => format!("{:#}\n", results_json::json_schema()),
         }
     }
 }

@@ -15,6 +15,6 @@ pub mod report;
 pub mod run;
 pub mod shell;
 pub mod size;
-mod watched;
+mod supervised_run;
 
 pub(crate) use exit::threads;

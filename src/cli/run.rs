@@ -2,11 +2,11 @@
 
 use super::exit::{DONE, FAILED, fail, paths, say, say_raw, say_to_error};
 use super::place::chosen;
-use super::watched::{Watched, end_at_interrupt};
+use super::supervised_run::{Watched, end_at_interrupt};
 use crate::analysis::plausibility;
 use crate::analysis::{Calibration, Progress, Results, Timing};
 use crate::input::{self, Study};
-use crate::report::{Job, Journal, Names, about, csv, record, text};
+use crate::report::{Job, Journal, Names, about, csv, results_json, text};
 use crate::response::Work;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -110,7 +110,7 @@ pub fn run(arguments: &Arguments) -> u8 {
         ));
     }
     if arguments.json {
-        say_raw(&record::text(study, &inputs, &results));
+        say_raw(&results_json::text(study, &inputs, &results));
     }
     if arguments.verbose {
         print(study, calibration, &results);

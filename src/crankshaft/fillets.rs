@@ -1,9 +1,9 @@
 //! The worst of the locations of every fillet (its webs, and the shafts on both sides of a crankpin) at a speed.
 
+use super::branch_and_bound::{Able, Next, worst};
 use super::margin::{ROUNDING, multiaxially};
 use super::stress_histories::{Path, SampledTorque};
 use super::web_paths::WebPath;
-use super::worst_first::{Able, Next, worst};
 use super::{Known, Margin, MarginCriterion, Torque, Used};
 use crate::fatigue::multiaxial::bound::Within;
 use std::cell::{Cell, OnceCell, RefCell};

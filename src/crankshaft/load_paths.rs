@@ -1,8 +1,8 @@
 //! The loads of a web over the cycle by a few of their samples, within a known distance of the others: what many points on the web share.
 
 use crate::numerics::ellipsoid::ellipsoid;
-use crate::numerics::extents::range;
 use crate::numerics::polyline::polyline;
+use crate::numerics::projections::range;
 
 /// Samples closer to the polyline than this share of half the range of every load are left out.
 const NEAR: f64 = 0.005;

@@ -9,7 +9,7 @@ use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::fatigue::{ClassRule, Cycle, Strength, class_rules, multiaxial};
 use crate::numerics::synthesis::Extremes;
-use crate::numerics::{C64, nearest};
+use crate::numerics::{C64, table_lookup};
 
 /// The vibratory torque of a shaft at a speed, N m.
 #[derive(Debug, Clone, Copy)]
@@ -123,7 +123,7 @@ impl Margin {
         if self.speeds.len() == 1 {
             return At { low: 0, high: 0, fraction: 0.0 };
         }
-        let low = nearest::in_nearly_even(&self.speeds, speed_rpm);
+        let low = table_lookup::in_nearly_even(&self.speeds, speed_rpm);
         let [below, above] = [self.speeds[low], self.speeds[low + 1]].map(|s| s * s);
         At { low, high: low + 1, fraction: (speed_rpm * speed_rpm - below) / (above - below) }
     }

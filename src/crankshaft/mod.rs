@@ -2,12 +2,13 @@
 
 pub mod beam;
 mod bending;
+mod branch_and_bound;
 pub mod crank;
 pub mod criterion;
 pub mod critical_locations;
 pub mod elements;
+mod evaluation_cache;
 pub(crate) mod fillets;
-mod known;
 mod load_paths;
 pub mod loads;
 pub mod margin;
@@ -22,14 +23,13 @@ mod unit_load_bounds;
 pub mod unit_loads;
 mod unsurpassed;
 mod web_paths;
-mod worst_first;
 
 pub use beam::{Beam, Reactions, Support};
 pub use crank::{Crank, OilBore, Place};
 pub use criterion::{FactorSource, Family, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
 pub(crate) use critical_locations::stations_of_throws;
 pub use critical_locations::{CriticalLocation, shafts};
-pub use known::Known;
+pub use evaluation_cache::Known;
 pub use margin::{Margin, Torque, Used};
 pub use stress_concentration::{Concentration, Geometry as NotchGeometry};
 pub use unit_loads::UnitLoads;

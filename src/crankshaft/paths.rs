@@ -1,16 +1,16 @@
 //! The margin by multiaxial criteria, which ask for the path of a location over the cycle: only paths that may be used most are searched.
 
-use super::known::Outline;
+use super::branch_and_bound::{Able, Next, worst};
+use super::evaluation_cache::Outline;
 use super::margin::{ROUNDING, multiaxially};
 use super::speed_table::At;
 use super::stress_histories::{Histories, Path};
 use super::unit_loads::UnitLoads;
 use super::web_paths::WebPath;
-use super::worst_first::{Able, Next, worst};
 use super::{Known, Margin, MarginCriterion, Torque, Used};
 use crate::fatigue::multiaxial::{self, Criterion, bound::Within};
 use crate::numerics::synthesis::Extremes;
-use crate::numerics::{C64, magnitudes};
+use crate::numerics::{C64, abs_sums};
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -107,7 +107,7 @@ impl Margin {
     fn by_neighbour(&self, histories: &Histories, (location, at): (usize, At), (torque, rise): (&Torque, f64), other: &Outline) -> Within {
         let shaft = self.locations[location].shaft;
         let change =
-            magnitudes::of_difference(torque.phasors, &other.torque) + (self.mean_at(at, shaft) - self.mean_at(other.at, shaft)).abs();
+            abs_sums::of_difference(torque.phasors, &other.torque) + (self.mean_at(at, shaft) - self.mean_at(other.at, shaft)).abs();
         // on its way to the next speed the torque changes by as much again, at most
         let Extremes { half_peak_to_peak, middle, .. } = torque.extremes;
         let more = if rise > 1.0 { (rise - 1.0) * (half_peak_to_peak + middle.abs()) } else { 0.0 };

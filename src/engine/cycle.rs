@@ -4,7 +4,7 @@ use super::forces::{Moment, UnitForces, unit_forces};
 use super::pressure::{sample_angle, samples};
 use super::{Engine, Geometry, Source};
 use crate::numerics::elementary::Elementary;
-use crate::numerics::nearest;
+use crate::numerics::table_lookup;
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 use std::sync::OnceLock;
 
@@ -120,7 +120,7 @@ impl<'a> Cycle<'a> {
     /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.
     pub(crate) fn moments(&self, speed_rpm: f64, stride: usize) -> Vec<Moment> {
         let n = samples(self.engine.strokes) / stride;
-        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { nearest::held(self.speeds_rpm, speed_rpm) };
+        let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { table_lookup::held(self.speeds_rpm, speed_rpm) };
         let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
         let gas = |j: usize| low[j] + (high[j] - low[j]) * fraction;
         let omega = speed_rpm * RAD_PER_S_PER_RPM;

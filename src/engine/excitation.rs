@@ -5,7 +5,7 @@ use super::pressure::{each_revolution, sample_angle, samples};
 use super::{Engine, Geometry, HarmonicTable, Order, Source};
 use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
-use crate::numerics::{C64, ZERO, nearest};
+use crate::numerics::{C64, ZERO, table_lookup};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// What the pressure means at one tabulated speed, for checking it.
@@ -242,7 +242,7 @@ impl Excitation {
         if self.gas.len() == 1 {
             return self.gas[0].iter().zip(&self.inertia).map(|(g, i)| with_inertia(*g, i)).collect();
         }
-        let (i, fraction) = nearest::held(&self.tabulated_rpm, speed_rpm);
+        let (i, fraction) = table_lookup::held(&self.tabulated_rpm, speed_rpm);
         let between = self.gas[i].iter().zip(&self.gas[i + 1]).map(|(a, b)| a + (b - a) * fraction);
         between.zip(&self.inertia).map(|(g, i)| with_inertia(g, i)).collect()
     }
@@ -252,7 +252,7 @@ impl Excitation {
         if table.len() == 1 {
             return table[0][order];
         }
-        let (i, fraction) = nearest::held(&self.tabulated_rpm, speed_rpm);
+        let (i, fraction) = table_lookup::held(&self.tabulated_rpm, speed_rpm);
         table[i][order] + (table[i + 1][order] - table[i][order]) * fraction
     }
 

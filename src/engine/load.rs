@@ -1,6 +1,6 @@
 //! Load: what share of the full-load curve the engine runs at.
 
-use crate::numerics::nearest;
+use crate::numerics::table_lookup;
 
 /// Largest share of the full-load curve.
 pub(crate) const LARGEST_LOAD: f64 = 1.2;
@@ -48,6 +48,6 @@ pub(crate) fn between(speeds: &[f64], values: &[f64], speed: f64) -> f64 {
     if speeds.len() == 1 {
         return values[0];
     }
-    let (i, fraction) = nearest::held(speeds, speed);
+    let (i, fraction) = table_lookup::held(speeds, speed);
     values[i] + (values[i + 1] - values[i]) * fraction
 }

@@ -1,8 +1,8 @@
 //! Mistakes in input files, each with its place, what was found and what was expected.
 
-pub use super::at::At;
-use super::excerpt::{shortened, window};
 use super::letters::fault;
+use super::snippet::{shortened, window};
+pub use super::spanned::At;
 use super::wording::{BACKSLASH, has_escapes, is_table, of_grammar};
 use std::fmt;
 use std::ops::Range;

@@ -1,8 +1,6 @@
 //! The only place that reads files: a study in TOML, the engine file and tables it names.
 
-mod at;
 pub mod error;
-mod excerpt;
 mod files;
 pub(crate) mod import;
 pub mod keys;
@@ -10,6 +8,8 @@ mod letters;
 pub mod measure;
 pub mod published;
 mod schema;
+mod snippet;
+mod spanned;
 pub mod tables;
 mod told;
 mod validation;

@@ -1,7 +1,7 @@
 //! Convex hull of points in a plane.
 
 use crate::numerics::elementary::Elementary;
-use crate::numerics::extents::{LANES, along, extents, range};
+use crate::numerics::projections::{LANES, along, extents, range};
 
 /// Directions in which extreme points are looked for, round half a turn: with their opposites a polygon of twice as many sides.
 const DIRECTIONS: usize = 8;

@@ -2,7 +2,7 @@
 
 use super::elementary::Elementary;
 use super::lu::Lu;
-use super::product::{ROWS, product};
+use super::matrix_product::{ROWS, product};
 use nalgebra::DMatrix;
 use nalgebra::linalg::balancing::{balance_parlett_reinsch, unbalance};
 

@@ -1,35 +1,35 @@
 //! Physics-free mathematics.
 
-pub(crate) mod branchless;
+pub(crate) mod abs_sums;
 pub mod eigen;
 pub mod elementary;
 pub mod ellipsoid;
 pub mod enclosing;
-pub(crate) mod extents;
 pub(crate) mod extremes;
 pub mod harmonics;
 pub mod hull;
 pub mod interpolation;
+pub(crate) mod lazy_extremes;
 pub mod least_squares;
 pub(crate) mod lu;
-pub(crate) mod magnitudes;
 pub mod matrix_exponential;
+pub(crate) mod matrix_product;
 pub mod maximise;
-pub mod nearest;
 pub(crate) mod periodic_sums;
 pub(crate) mod piecewise;
 pub mod polyline;
-pub(crate) mod product;
+pub(crate) mod projections;
 pub mod quadrature;
 pub mod rainflow;
 pub(crate) mod roots;
 pub mod rounding;
 mod samples;
 mod sampling;
-pub(crate) mod screen;
 mod series;
+pub(crate) mod simd_elementary;
 pub(crate) mod sparse;
 pub mod synthesis;
+pub mod table_lookup;
 mod tree;
 pub mod tridiagonal;
 
@@ -69,7 +69,7 @@ impl ImaginaryPower {
     /// The same without a branch, for y > 0 in loops.
     #[inline(always)]
     pub(crate) fn branchless(self, y: f64) -> C64 {
-        let size = branchless::exponential(self.exponent * branchless::logarithm(y));
+        let size = simd_elementary::exponential(self.exponent * simd_elementary::logarithm(y));
         C64::new(self.turn.re * size, self.turn.im * size)
     }
 }

@@ -1,7 +1,7 @@
 //! Samples of a sum of harmonics over its period: the same on every processor.
 
 use super::C64;
-use super::extents::largest;
+use super::projections::largest;
 use crate::numerics::elementary::Elementary;
 use std::f64::consts::TAU;
 

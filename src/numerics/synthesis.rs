@@ -5,7 +5,7 @@ use super::maximise::maximise;
 use super::samples::Local;
 pub use super::samples::Samples;
 use super::sampling::Tables;
-use super::{C64, ZERO, magnitudes, series};
+use super::{C64, ZERO, abs_sums, series};
 use crate::numerics::elementary::{ComplexElementary, turn};
 use std::f64::consts::TAU;
 
@@ -130,7 +130,7 @@ impl Synthesiser {
 
     /// How far a maximum can stand above its nearest sample: half the largest |f''| times the square of half a step.
     pub(super) fn reach(&self, phasors: &[C64]) -> f64 {
-        0.125 * magnitudes::weighted(phasors, &self.squares) * self.step() * self.step()
+        0.125 * abs_sums::weighted(phasors, &self.squares) * self.step() * self.step()
     }
 
     pub(super) fn samples(&self, phasors: &[C64]) -> Samples {
@@ -152,7 +152,7 @@ impl Synthesiser {
         let top = samples.end(sign);
         let lowest = top - below - self.reach(phasors);
         // its sign is what counts: exact where seven samples leave a doubt
-        let doubt = magnitudes::weighted(phasors, &self.doubts);
+        let doubt = abs_sums::weighted(phasors, &self.doubts);
         let slope = |j: usize| {
             let own = samples.slope(j);
             sign * if own.abs() > doubt { own } else { self.derivatives(phasors, samples.angle(j)).1 }
@@ -259,7 +259,7 @@ impl Synthesiser {
 
 /// Sum of magnitudes: an upper bound of half the peak-to-peak value.
 pub fn bound(phasors: &[C64]) -> f64 {
-    magnitudes::sum(phasors)
+    abs_sums::sum(phasors)
 }
 
 /// The phasor of largest magnitude: its index and magnitude.

@@ -1,9 +1,9 @@
 //! Peaks of one design: what its measures share is evaluated once, and a measure that is asked for again is known.
 
+use super::design_cache::Shared;
 use super::measure::Measure;
 use super::peak::Peak;
 use super::peak_search::{Asked, PeakFinder, lowest};
-use super::shared::Shared;
 use crate::absorber::Mounted;
 use crate::response::{ResponseError, Work};
 

@@ -1,8 +1,8 @@
 //! The objective and how it is evaluated: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
 
-mod branch;
 pub mod condition;
 mod damage;
+mod design_cache;
 mod design_peaks;
 pub mod duty;
 mod duty_means;
@@ -13,12 +13,12 @@ pub mod measure;
 mod order_peaks;
 pub mod peak;
 pub mod peak_search;
+mod peak_tracking;
 pub mod point_metric;
 mod poles;
 mod power_peaks;
 mod properties;
 mod search_value;
-mod shared;
 mod sharp_resonances;
 pub mod speeds;
 pub mod surrogate;
@@ -28,6 +28,7 @@ mod temperature_peaks;
 
 pub use condition::Condition;
 pub(crate) use damage::Sheared;
+pub(crate) use design_cache::Shared;
 pub(crate) use design_peaks::DesignPeaks;
 pub use duty::DutyLoad;
 pub(crate) use measure::{HELD, holds, is_same_speed};
@@ -35,4 +36,3 @@ pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};
 pub(crate) use peak_search::Asked;
 pub use peak_search::PeakFinder;
-pub(crate) use shared::Shared;

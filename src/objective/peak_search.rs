@@ -3,12 +3,12 @@
 //! A sweep finds the local maxima on the grid, with speeds added round resonances too narrow for it; each that could win is refined by direct
 //! solutions. Ends of the range and kinks of the torque (tabulated speeds) are candidates.
 
+use super::design_cache::{Shared, Sweep};
 use super::duty::DutyLoad;
 use super::local_maxima::{self, Candidate};
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
 use super::point_metric::PointMetric;
-use super::shared::{Shared, Sweep};
 use super::speeds::{Resonances, Speeds};
 use super::surrogate::Surrogate;
 use crate::absorber::Mounted;

@@ -4,7 +4,7 @@ use super::measure::{Over, Within};
 use crate::crankshaft::{Known, Margin, Torque};
 use crate::numerics::C64;
 use crate::numerics::extremes::Most;
-use crate::numerics::screen::Screen;
+use crate::numerics::lazy_extremes::Screen;
 use crate::numerics::synthesis::{Extremes, Synthesiser};
 use crate::response::Quantity;
 

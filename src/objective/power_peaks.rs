@@ -1,10 +1,10 @@
 //! Peaks of the mean power that absorbers dissipate, over speed.
 
+use super::design_cache::Sweep;
 use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
 use super::peak_search::{Found, PeakFinder};
-use super::shared::Sweep;
 use super::sharp_resonances::{RISE, RISE_OF_SQUARES, bend, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};

@@ -1,10 +1,10 @@
 //! What searches ask of a design: its peak from tables where they are within tolerance, else exactly.
 
+use super::design_cache::Shared;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::{Asked, PeakFinder, lowest};
 use super::point_metric::PointMetric;
-use super::shared::Shared;
 use super::surrogate::{Scratch, Surrogate};
 use crate::absorber::Mounted;
 use crate::numerics::ZERO;

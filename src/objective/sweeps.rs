@@ -1,8 +1,8 @@
 //! Sweeps of quantities over the speeds of a design, once for all its measures.
 
+use super::design_cache::{Shared, Sweep, Swept};
 use super::measure::{Measure, Over};
 use super::peak_search::PeakFinder;
-use super::shared::{Shared, Sweep, Swept};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::numerics::C64;

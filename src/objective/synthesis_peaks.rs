@@ -1,17 +1,17 @@
 //! Peaks of the synthesis of all orders, or of what the crank makes of it: speeds that could win are synthesised, and the branches of the extremes over the cycle followed.
 
-use super::branch::{Branches, OnBranch, Peaked};
 use super::local_maxima::{self, Candidate};
 use super::measure::Over;
 use super::peak::{Peak, Place};
 use super::peak_search::{Found, LEVEL, PeakFinder};
+use super::peak_tracking::{Branches, OnBranch, Peaked};
 use super::point_metric::PointMetric;
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
 use crate::numerics::extremes::{Most, Precision};
-use crate::numerics::screen::Screen;
+use crate::numerics::lazy_extremes::Screen;
 use crate::numerics::synthesis::{Extremes, bound, dominating};
-use crate::numerics::{C64, ZERO, magnitudes};
+use crate::numerics::{C64, ZERO, abs_sums};
 use crate::response::{Quantity, ResponseError, Work};
 
 /// Known speeds that bound their neighbours, this far off.
@@ -56,7 +56,7 @@ impl PeakFinder<'_> {
         let by_neighbour = |i: usize, most: &[Option<Most>], wanted: f64| {
             let near = (1..=NEAR).flat_map(|d| [i.checked_sub(d), Some(i + d)]).flatten();
             let (j, known) = near.filter_map(|j| Some((j, most.get(j).copied().flatten()?))).next()?;
-            let change = magnitudes::of_difference(phasors(i), phasors(j));
+            let change = abs_sums::of_difference(phasors(i), phasors(j));
             let own = Most { half_peak_to_peak: known.half_peak_to_peak + change, middle: known.middle + change };
             let able = metric.at_most(speeds.rpm[i], own.half_peak_to_peak * rises[i], own.middle * rises[i]);
             (able < wanted).then_some(own)

@@ -1,6 +1,6 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
-use super::memory::Remembers;
+use super::checkpoint::Remembers;
 use super::{Optimum, Problem, Role, minimax, search, survey};
 use crate::objective::{Limit, holds};
 use crate::response::{ResponseError, Work};

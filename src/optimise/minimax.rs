@@ -6,8 +6,8 @@
 
 use super::curvature::{lagrangian, same_peak, update};
 use super::problem::ROW_SHARE;
-use super::stop::{DECREASE, Stop, Verdict, Weight};
 use super::subproblem::{Line, Step, solve};
+use super::termination::{DECREASE, Stop, Verdict, Weight};
 use super::{Problem, Row, Rows};
 use crate::response::{ResponseError, Work};
 use nalgebra::{DMatrix, DVector};

@@ -1,7 +1,7 @@
 //! A design problem as optimisers see it: rows of peaks, each with its value and gradient.
 
+use super::checkpoint::{self, Remembers};
 use super::load_case::LoadCase;
-use super::memory::{self, Remembers};
 use super::variables::Space;
 use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
@@ -139,7 +139,7 @@ impl Problem<'_> {
         let Some(Remembers { memory, .. }) = self.memory else { return search(work) };
         let load_cases: Vec<_> = self.load_cases.iter().map(|s| (s.condition, s.cylinder, s.deviation)).collect();
         let key = (own, &self.space, self.objectives, self.weights, self.limits, load_cases);
-        let (found, spent) = memory::remembered(Some(memory), &key, || {
+        let (found, spent) = checkpoint::remembered(Some(memory), &key, || {
             let mut spent = Work::default();
             search(&mut spent).map(|found| (found, spent))
         })?;
@@ -151,7 +151,7 @@ impl Problem<'_> {
     pub(super) fn tell(&self, point: &[f64], rows: &Rows) {
         if let Some(Remembers { memory, search: Some(search) }) = self.memory {
             let (value, excess) = (rows.objective(), rows.excess());
-            memory.found(&memory::Found { search, value, excess, design: self.space.named(point) });
+            memory.found(&checkpoint::Found { search, value, excess, design: self.space.named(point) });
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::curvature::lagrangian;
 use super::minimax::Outcome;
-use super::stop::Stop;
+use super::termination::Stop;
 use super::{Problem, Row};
 use crate::response::Work;
 use nalgebra::{DMatrix, DVector};

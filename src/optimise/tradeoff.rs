@@ -4,9 +4,9 @@
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
 use super::Problem;
-use super::levels::{Level, SAME, distinct, gaps, middle};
+use super::adaptive_levels::{Level, SAME, distinct, gaps, middle};
+use super::checkpoint::Remembers;
 use super::load_case::largest;
-use super::memory::Remembers;
 use super::minimax::{self, Outcome};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;

@@ -13,7 +13,7 @@ mod page;
 mod parquet;
 pub mod plot;
 mod reason;
-pub(crate) mod record;
+pub(crate) mod results_json;
 mod summary;
 mod taken;
 pub mod text;
@@ -60,7 +60,8 @@ pub(crate) fn write_run(
         response.and(margin)
     };
     let plots = || plot::run(study, results, folder, written);
-    let rest = || (write_tables(study, results, folder), record::write(study, inputs, results, folder), page::prepared(study, results));
+    let rest =
+        || (write_tables(study, results, folder), results_json::write(study, inputs, results, folder), page::prepared(study, results));
     let (large, (plots, (tables, record, prepared))) = rayon::join(large, || rayon::join(plots, rest));
     tables.and(large).and(plots).and(record)?;
     page::write((study, inputs), results, &prepared, folder)

@@ -1,6 +1,6 @@
 //! What `summary.json` tells of a run besides its files: nothing that differs from run to run.
 
-use super::record;
+use super::results_json;
 use crate::analysis::{OptimumResult, Results};
 use crate::input::{InputFile, Study};
 use serde_json::{Map, Value, json};
@@ -37,9 +37,9 @@ fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> Value {
         "starts_that_agree": o.optimum.agreeing(),
         "evaluations": work.evaluations,
         "evaluations_without_finite_response": work.unbounded_evaluations,
-        "judged": record::judged(study, results, &o.design),
+        "judged": results_json::judged(study, results, &o.design),
     });
-    let verdicts = record::verdicts(results, &o.design);
+    let verdicts = results_json::verdicts(results, &o.design);
     if let (Value::Object(map), false) = (&mut told, verdicts.is_empty()) {
         map.insert("verdicts".into(), json!(verdicts));
     }

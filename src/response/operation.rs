@@ -4,7 +4,7 @@
 //! (R dP/dT < 1), and from cold the lowest one is reached. Three are possible where heating moves the ring's resonance into an order. Strain: that at which the material's own twist makes it, one
 //! for all orders of a speed. Where a material follows both, the power at each temperature is that at its lowest strain.
 
-use super::open_law::{Followed, OpenLaw};
+use super::host_receptance::{Followed, OpenLaw};
 use super::{Direct, Hosts, Quantity, ResponseError};
 use crate::absorber::{Law, Material, Mounted, Thermal, at_strain, at_temperature};
 use crate::numerics::C64;

@@ -4,7 +4,7 @@ use crate::engine::forces::{Moment, unit_forces};
 use crate::engine::pressure::{sample_angle, samples};
 use crate::engine::{Geometry, Pressure};
 use crate::numerics::elementary::Elementary;
-use crate::numerics::nearest;
+use crate::numerics::table_lookup;
 use crate::units::{DEG_PER_RAD, RAD_PER_S_PER_RPM};
 
 /// Every so many samples of the pressure: one degree.
@@ -60,7 +60,7 @@ fn pressure_at(pressure: &Pressure, geometry: &Geometry, (strokes, cylinders): (
     if speeds.len() == 1 {
         return trace(0);
     }
-    let (i, fraction) = nearest::interval(speeds, within);
+    let (i, fraction) = table_lookup::interval(speeds, within);
     trace(i).iter().zip(trace(i + 1)).map(|(a, b)| a + (b - a) * fraction).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
 
 use super::figure::{Axis, Curve, Figure, ORDER, Panel, SPEED, curve};
-use crate::analysis::audit::{critical_speeds, largest_resonance, strongest_orders};
+use crate::analysis::model_check::{critical_speeds, largest_resonance, strongest_orders};
 use crate::drivetrain::System;
 use crate::input::Study;
 use crate::numerics::C64;

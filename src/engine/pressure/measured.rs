@@ -3,7 +3,7 @@
 use super::sampling::{SAMPLE_DEG, samples};
 use crate::engine::Load;
 use crate::engine::load::between;
-use crate::numerics::nearest;
+use crate::numerics::table_lookup;
 
 /// Traces over a whole cycle at one or more speeds, linear in between samples.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,7 +68,7 @@ impl Measured {
         (0..samples(strokes))
             .map(|j| {
                 let deg = angle[0] + (j as f64 * SAMPLE_DEG - angle[0]).rem_euclid(cycle);
-                let (i, fraction) = nearest::interval(&angle, deg);
+                let (i, fraction) = table_lookup::interval(&angle, deg);
                 pressure[i] + fraction * (pressure[i + 1] - pressure[i])
             })
             .collect()

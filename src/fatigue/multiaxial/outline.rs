@@ -7,7 +7,7 @@ use super::bound::Within;
 use super::papadopoulos;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::smallest_ball_from;
-use crate::numerics::extents::{extents, range};
+use crate::numerics::projections::{extents, range};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 

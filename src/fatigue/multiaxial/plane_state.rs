@@ -8,8 +8,8 @@ use super::criterion::Path;
 use super::largest_shear::{LargestShear, largest_shear};
 use super::papadopoulos;
 use crate::numerics::enclosing::{smallest_ball, smallest_ball_from};
-use crate::numerics::extents::range;
 use crate::numerics::hull::hull;
+use crate::numerics::projections::range;
 use std::cell::OnceCell;
 
 /// A path over the cycle, Pa. What asks for its corners only finds them first.

@@ -1,6 +1,6 @@
 //! The crank's dimensions in an engine file.
 
-use super::word::{word, words};
+use super::keyword::{word, words};
 use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::input::error::At;
 use schemars::{JsonSchema, Schema, SchemaGenerator};

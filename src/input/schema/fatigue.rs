@@ -1,6 +1,6 @@
 //! The fatigue table of a study.
 
-use super::word::{word, words};
+use super::keyword::{word, words};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::endurance::RELIABILITIES;
 use crate::input::error::At;

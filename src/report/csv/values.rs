@@ -12,7 +12,7 @@ use crate::report::files::{Folder, WriteError};
 pub fn values(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let mut table = Table::new(&["design", "condition", "measure", "value", "unit", "where", "order", "speed_rpm"]);
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
-        for v in crate::report::record::values(study, results, d) {
+        for v in crate::report::results_json::values(study, results, d) {
             table.row_of([
                 d.name.as_str(),
                 v.condition,

@@ -2,8 +2,8 @@
 
 use super::numbers::{digits, list};
 use crate::analysis::Results;
-use crate::analysis::audit::strongest_orders;
 use crate::analysis::curves::holzer;
+use crate::analysis::model_check::strongest_orders;
 use crate::input::Study;
 use crate::report::plot::campbell::MOST_ORDERS;
 use crate::units::HZ_PER_RPM;

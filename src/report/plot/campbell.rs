@@ -3,7 +3,7 @@
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
-use crate::analysis::audit::strongest_orders;
+use crate::analysis::model_check::strongest_orders;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};

@@ -2,7 +2,7 @@
 
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
-use crate::analysis::choice::Strategy;
+use crate::analysis::method_selection::Strategy;
 use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::speed_accuracy::{Point, Search, SpeedAccuracy};

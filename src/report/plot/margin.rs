@@ -3,7 +3,7 @@
 use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::Results;
-use crate::analysis::diagram::{Diagram, Instant};
+use crate::analysis::crank_diagram::{Diagram, Instant};
 use crate::crankshaft::loads::InPlanes;
 use crate::input::Study;
 use crate::report::files::{Folder, WriteError};

@@ -1,7 +1,7 @@
 //! What is printed of a chart.
 
 use super::table::table;
-use crate::analysis::choice::Considered;
+use crate::analysis::method_selection::Considered;
 use crate::benchmark::energy::Balance;
 use crate::benchmark::evolution::{Evolution, Round};
 use crate::benchmark::growth::{Growth, SIZES};

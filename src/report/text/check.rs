@@ -5,7 +5,7 @@ use super::plausibility::{implausible, placeholders};
 use super::robust::tolerances;
 use super::table::{significant, table};
 use crate::absorber::{Host, Mounted};
-use crate::analysis::{audit, plausibility, reciprocating};
+use crate::analysis::{model_check, plausibility, reciprocating};
 use crate::drivetrain::System;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
@@ -167,7 +167,7 @@ fn moving_masses(study: &Study, excitation: &Excitation) -> String {
 }
 
 fn modes(study: &Study, excitation: &Excitation) -> String {
-    let critical = audit::critical_speeds(study, &excitation.orders);
+    let critical = model_check::critical_speeds(study, &excitation.orders);
     let rows: Vec<Vec<String>> = study
         .modes
         .elastic()
@@ -210,14 +210,14 @@ fn pressure(study: &Study, excitation: &Excitation) -> String {
         .audit
         .iter()
         .map(|a| {
-            let friction = audit::implied_friction(study, a);
+            let friction = model_check::implied_friction(study, a);
             let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
             vec![
                 format!("{}", a.speed_rpm),
                 format!("{:.2}", a.indicated_mean_pressure / PA_PER_BAR),
                 format!("{:.1}", a.peak_pressure / PA_PER_BAR),
                 format!("{:.1}", a.mean_torque),
-                format!("{:.1}", audit::power(a.mean_torque, a.speed_rpm) / W_PER_KW),
+                format!("{:.1}", model_check::power(a.mean_torque, a.speed_rpm) / W_PER_KW),
                 dash(a.brake_torque.map(|t| format!("{t:.1}"))),
                 dash(friction.map(|f| format!("{:.1}", f.0))),
                 dash(friction.map(|f| format!("{:.2}", f.1 / PA_PER_BAR))),
@@ -226,7 +226,7 @@ fn pressure(study: &Study, excitation: &Excitation) -> String {
         .collect();
     let header = ["rpm", "indicated/bar", "peak/bar", "order 0/N m", "power/kW", "brake/N m", "friction/N m", "friction/bar"];
     let mut text = format!("Excitation, per speed of the pressure table:\n{}", table(&header, &rows));
-    if excitation.audit.iter().any(|a| audit::implied_friction(study, a).is_some_and(|f| f.0 < -NEGLIGIBLE * a.mean_torque.abs())) {
+    if excitation.audit.iter().any(|a| model_check::implied_friction(study, a).is_some_and(|f| f.0 < -NEGLIGIBLE * a.mean_torque.abs())) {
         text.push_str(
             "  The friction is negative: the pressure delivers less than the brake torque. With `pressure_scale` below one the cycle is a\n  \
              reconstruction of the torque orders, not of the work.\n",

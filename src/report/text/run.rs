@@ -1,16 +1,16 @@
 //! What a run prints: designs, optima, conditions, summary.
 
+use super::buildability::parameters;
 use super::certificate::certificate;
 use super::judged::{sentence, value_of};
 use super::limits::{barred, limits};
 use super::margin::factor;
 use super::materials::temperatures;
-use super::parameters::parameters;
 use super::robust::during;
 use super::table::{dash, keyed, significant};
 use super::verdict::{clause, of_design};
-use crate::analysis::choice::{Choice, Strategy};
 use crate::analysis::judged::Basis;
+use crate::analysis::method_selection::{Choice, Strategy};
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Peak, Place, holds};

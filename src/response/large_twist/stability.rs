@@ -9,7 +9,7 @@ use super::balance::{Balance, Steady};
 use super::in_time::{InTime, Rows, mean_slopes};
 use crate::absorber::Reaction;
 use crate::numerics::matrix_exponential::matrix_exponential;
-use crate::numerics::product::{ROWS, multiply, product};
+use crate::numerics::matrix_product::{ROWS, multiply, product};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;

@@ -4,7 +4,7 @@ use super::speed_table::At;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::numerics::C64;
 use crate::numerics::extremes::Most;
-use crate::numerics::screen::Screen;
+use crate::numerics::lazy_extremes::Screen;
 use crate::numerics::synthesis::Extremes;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};

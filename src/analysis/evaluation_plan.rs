@@ -7,7 +7,7 @@ use crate::response::{Quantity, ResponseError, Work};
 
 /// What to evaluate.
 #[derive(Debug)]
-pub struct Wanted<'a> {
+pub struct EvaluationPlan<'a> {
     /// Reported twist.
     pub twist: Quantity,
     /// Reported station.
@@ -24,7 +24,7 @@ pub struct Wanted<'a> {
     pub held: &'a [Condition],
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> EvaluationPlan<'a> {
     /// What a study asks; `margins` as it judges the crank.
     pub(crate) fn new(study: &'a Study, margins: &'a [Measure]) -> Self {
         Self {
@@ -56,7 +56,7 @@ pub fn shafts(finder: &PeakFinder) -> Vec<Quantity> {
 }
 
 /// Objective, and each limited measure over its limit.
-pub(crate) fn asked(peaks: &mut DesignPeaks, wanted: &Wanted, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
+pub(crate) fn asked(peaks: &mut DesignPeaks, wanted: &EvaluationPlan, work: &mut Work) -> Result<(f64, Vec<f64>), ResponseError> {
     let mut largest = |m: &Measure| Ok(peaks.peak(m, work)?.map_or(0.0, |p| p.value));
     let limits = wanted.limits.iter().map(|l| Ok(largest(&l.of.measure)? / l.limit)).collect::<Result<_, _>>()?;
     Ok((largest(wanted.objective)?, limits))

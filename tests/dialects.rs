@@ -293,6 +293,9 @@ fn traces_of_other_countries() {
     assert!(found.iter().all(|peak| (peak - 61.0).abs() < 1e-3), "{found:?}");
     for (head, more, words) in [
         ("Winkel [°KW];Druck [bar(ü)]", "", "pressures are absolute"),
+        ("Winkel [°KW];Überdruck [bar]", "", "pressures are absolute"),
+        ("Angle [deg];Gauge pressure [bar]", "", "pressures are absolute"),
+        ("Kurbelwinkel nach UT [°];Druck [bar]", "", "expected angles from the firing (top) dead centre"),
         ("Winkel [°KW];Druck [mPa]", "", "did you mean `MPa`?"),
         (
             "Winkel [°KW];Saugrohrdruck [bar];Zylinderdruck [bar]",
@@ -304,6 +307,8 @@ fn traces_of_other_countries() {
         let (code, _, told) = hartog(place.path(), &["import", "c.csv", "no", "--throws", "crank", "--trace", "2000=t.csv"]);
         assert!(code == 2 && told.contains(words), "{head}: {told}");
     }
+    let (code, _, told) = hartog(place.path(), &["import", "c.csv", "no", "--throws", "crank", "--trace", "2.000=t.csv"]);
+    assert!(code == 2 && told.contains("may be grouped thousands"), "{told}");
 }
 
 /// Mistakes of files that are not what a command takes say what mends them: a path of Windows in double quotes, a table in place of a study, an engine or a material, an empty `size`, an empty file.

@@ -2,7 +2,7 @@
 
 use crate::support::{Kind, assert_close, on, one_throw, study, system, three_values, uniform_chain};
 use hartog::absorber::Mounted;
-use hartog::analysis::{evaluate::evaluate, evaluation_plan::Wanted};
+use hartog::analysis::{evaluate::evaluate, evaluation_plan::EvaluationPlan};
 use hartog::drivetrain::System;
 use hartog::engine::Excitation;
 use hartog::input::Study;
@@ -139,7 +139,7 @@ fn numbers(sys: &System, design: &[Mounted], (low, high, step): (f64, f64, f64))
     let each = quantities.iter().flat_map(|q| [measure(*q, Over::Synthesis), measure(*q, Over::Orders)]);
     let mut list: Vec<f64> = each.map(|m| finder.peak(design, &m, &mut Work::default()).expect("damped").expect("excited").value).collect();
     let measure = measure(twist, Over::Synthesis);
-    let wanted = Wanted { twist, hub: 0, objective: &measure, limits: &[], margins: &[], conditions: vec![], held: &[] };
+    let wanted = EvaluationPlan { twist, hub: 0, objective: &measure, limits: &[], margins: &[], conditions: vec![], held: &[] };
     let whole = evaluate(std::slice::from_ref(&finder), "d", design, &wanted, &mut Work::default()).expect("damped");
     list.extend([whole.power, whole.torque.map(|p| p.value), whole.ring_twist].into_iter().flatten());
     list

@@ -34,7 +34,7 @@ impl<'a> EvaluationPlan<'a> {
             limits: &study.limits,
             margins,
             conditions: study.conditions.iter().copied().chain([Condition::InOperation]).collect(),
-            held: study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions),
+            held: study.held(),
         }
     }
 

@@ -63,7 +63,7 @@ impl Judged {
 impl Results {
     /// Conditions that a design is judged in: those that an optimum is to hold in, and in operation; one that changes nothing is firing.
     fn judged_in(&self, d: &DesignResult) -> Vec<Basis> {
-        let held = self.study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+        let held = self.study.held();
         let changes = |c: Condition| d.conditions.iter().any(|own| own.condition == c);
         let mut list = Vec::new();
         for c in held.iter().copied().chain(Some(Condition::InOperation).filter(|c| changes(*c))) {
@@ -112,7 +112,7 @@ impl Results {
         if let Some(first) = self.judged(&o.design).filter(|_| o.objective == 0) {
             return first;
         }
-        let held = self.study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+        let held = self.study.held();
         let worst_of: Vec<Basis> = held.iter().map(|c| Basis::In(*c)).collect();
         // its active peak says where it is reached
         let row = o.optimum.outcome.rows.rows.iter().position(|r| !r.role.is_limit());

@@ -64,11 +64,8 @@ impl Study {
     pub fn evaluate(&self, name: &str, absorbers: Vec<Mounted>) -> Result<DesignResult, RunError> {
         self.mounted(&absorbers).map_err(|error| RunError { what: name.to_owned(), error })?;
         let (mut study, _) = calibrate(self, &Silent)?;
-        (study.optimise, study.front) = (None, None);
-        study.more_objectives.clear();
-        study.combined = None;
+        study.leave_searches_out();
         study.catalogues.clear();
-        study.robust = None;
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
     }

@@ -43,8 +43,7 @@ pub fn report(arguments: &Arguments) -> u8 {
     study.front = None;
     study.torque_in_conditions = true;
     if !arguments.optima {
-        (study.optimise, study.robust) = (None, None);
-        study.more_objectives.clear();
+        study.leave_searches_out();
     }
     if matches!(study.engine.source, Source::Cylinder { .. }) && !study.conditions.contains(&Condition::Misfire) {
         study.conditions.push(Condition::Misfire);

@@ -1,43 +1,57 @@
 //! The guide: how to use the program, in chapters, in the order of use. It is text only.
 
-#[doc = include_str!("first_study.md")]
+/// See `src/guide/first_study.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("first_study.md"))]
 pub mod first_study {}
 
-#[doc = include_str!("reading_results.md")]
+/// See `src/guide/reading_results.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("reading_results.md"))]
 pub mod reading_results {}
 
-#[doc = include_str!("own_engine.md")]
+/// See `src/guide/own_engine.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("own_engine.md"))]
 pub mod own_engine {}
 
-#[doc = include_str!("absorbers_and_materials.md")]
+/// See `src/guide/absorbers_and_materials.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("absorbers_and_materials.md"))]
 pub mod absorbers_and_materials {}
 
-#[doc = include_str!("measures_and_limits.md")]
+/// See `src/guide/measures_and_limits.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("measures_and_limits.md"))]
 pub mod measures_and_limits {}
 
-#[doc = include_str!("crank_and_fatigue.md")]
+/// See `src/guide/crank_and_fatigue.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("crank_and_fatigue.md"))]
 pub mod crank_and_fatigue {}
 
-#[doc = include_str!("sizing.md")]
+/// See `src/guide/sizing.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("sizing.md"))]
 pub mod sizing {}
 
-#[doc = include_str!("tolerances_and_survival.md")]
+/// See `src/guide/tolerances_and_survival.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("tolerances_and_survival.md"))]
 pub mod tolerances_and_survival {}
 
-#[doc = include_str!("outputs.md")]
+/// See `src/guide/outputs.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("outputs.md"))]
 pub mod outputs {}
 
-#[doc = include_str!("other_programs.md")]
+/// See `src/guide/other_programs.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("other_programs.md"))]
 pub mod other_programs {}
 
-#[doc = include_str!("from_rust.md")]
+/// See `src/guide/from_rust.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("from_rust.md"))]
 pub mod from_rust {}
 
-#[doc = include_str!("how_it_works.md")]
+/// See `src/guide/how_it_works.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("how_it_works.md"))]
 pub mod how_it_works {}
 
-#[doc = include_str!("references.md")]
+/// See `src/guide/references.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("references.md"))]
 pub mod references {}
 
-#[doc = include_str!("contributing.md")]
+/// See `src/guide/contributing.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("contributing.md"))]
 pub mod contributing {}

@@ -21,7 +21,22 @@ pub(super) fn of_grammar(text: &str, span: &Range<usize>, message: &str) -> (Str
         let help = (!key.is_empty()).then(|| format!("`hartog keys {key}` lists them"));
         return (if is_empty { "found an empty table, expected one choice in it".into() } else { message }, help);
     }
+    let before_mistake = span.start.saturating_sub(at(span.start)) + 1;
+    let help = help.or_else(|| comma_in_brackets(line, before_mistake));
     (message, help)
+}
+
+/// A comma between digits, within brackets and before a mistake in a line: it separates values or keys there, where a point may have been meant.
+fn comma_in_brackets(line: &str, before: usize) -> Option<String> {
+    let digit = |c: char| c.is_ascii_digit();
+    line.match_indices(',').take_while(|(i, _)| *i <= before).find_map(|(i, _)| {
+        let (left, right) = (&line[..i], &line[i + 1..]);
+        let whole = &left[left.trim_end_matches(digit).len()..];
+        let decimals = &right[..right.len() - right.trim_start_matches(digit).len()];
+        let begins = left[..left.len() - whole.len()].trim_end_matches([' ', '-', '+']).ends_with(['=', '[', ',']);
+        let is_meant = begins && left.contains(['{', '[']) && !whole.is_empty() && !decimals.is_empty();
+        is_meant.then(|| format!("the comma of `{whole},{decimals}` separates two entries; a number has a point: `{whole}.{decimals}`"))
+    })
 }
 
 /// How a path of Windows is written.

@@ -5,7 +5,7 @@ use super::invariants::Invariants;
 use super::largest_shear::LargestShear;
 use super::papadopoulos;
 use super::plane::Plane;
-use super::search::{self, EvaluationPlan, Found, Grid};
+use super::search::{self, Found, Grid, Wanted};
 
 /// Fatigue limits of a material, Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -234,7 +234,7 @@ pub fn evaluate(history: &History, limits: &Limits, criteria: &[Criterion], grid
     let findley = if criteria.contains(&Criterion::Findley) { Criterion::Findley.weight(limits)? } else { 0.0 };
     let dang_van = Criterion::DangVanPlane.weight(limits)?;
     let wanted = |c: &[Criterion]| criteria.iter().any(|w| c.contains(w));
-    let wanted = EvaluationPlan {
+    let wanted = Wanted {
         shear: wanted(&[Criterion::Matake, Criterion::McDiarmid, Criterion::DangVanThesis]),
         findley: wanted(&[Criterion::Findley]).then_some(findley),
         dang_van: wanted(&[Criterion::DangVanPlane]).then_some(dang_van),

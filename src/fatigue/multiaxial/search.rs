@@ -27,7 +27,7 @@ impl Default for Grid {
 
 /// What is searched for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EvaluationPlan {
+pub struct Wanted {
     /// The largest shear amplitude.
     pub shear: bool,
     /// The largest shear amplitude with so many times the largest normal stress.
@@ -121,9 +121,9 @@ fn every(step: f64) -> Vec<Plane> {
 }
 
 /// Finds what is wanted.
-pub fn search(history: &History, wanted: &EvaluationPlan, grid: Grid) -> Found {
+pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
     let none = Found { shear: None, findley: None, dang_van: None };
-    if *wanted == (EvaluationPlan { shear: false, findley: None, dang_van: None }) {
+    if *wanted == (Wanted { shear: false, findley: None, dang_van: None }) {
         return none;
     }
     let p = history.hydrostatic();

@@ -1,7 +1,7 @@
 //! Pressure over the angle of the crank, a file a speed: a column of angles and one of pressures, with units in the header.
 
 use super::sheet::Sheet;
-use super::unit::{ANGLE, PRESSURE, Units, factor, known, parts};
+use super::unit::{ANGLE, PRESSURE, SURROUNDINGS, Units, factor, known, parts};
 use super::words::{is_angle, is_pressure};
 use crate::input::error::InputError;
 use crate::input::tables::fault;
@@ -37,6 +37,7 @@ pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError
         if angle.0 == pressure.0 {
             return Err(sheet.lacks(PRESSURE.1));
         }
+        meant(&sheet, angle.0, pressure.0)?;
         let cell = |(row, cells): &(u64, Vec<String>), column: usize| {
             let value = sheet.number(*row, column, &cells[column])?;
             value.ok_or_else(|| sheet.at(*row, column, "found an empty cell, expected a number".into()))
@@ -63,6 +64,28 @@ pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError
         found.traces.push((*speed, pressures));
     }
     Ok(found)
+}
+
+/// Refuses pressures above that of the surroundings and angles from the other dead centre, where heads say so.
+fn meant(sheet: &Sheet, angle: usize, pressure: usize) -> Result<(), InputError> {
+    const GAUGE: [&str; 7] = ["uberdruck", "ueberdruck", "relativ", "gauge", "manometr", "surpression", "sobrepress"];
+    const BOTTOM: [&str; 4] = ["ut", "bdc", "pmb", "pmi"];
+    let head = |column: usize| &sheet.heads()[column];
+    let words = parts(head(pressure)).0;
+    if GAUGE.iter().any(|word| words.contains(word)) {
+        let message = format!("found `{}`, expected absolute pressures", head(pressure).trim());
+        return Err(sheet.at_head_with_help(pressure, message, SURROUNDINGS.into()));
+    }
+    let lower = head(angle).to_lowercase();
+    if lower.split(|c: char| !c.is_alphanumeric()).any(|word| BOTTOM.contains(&word)) {
+        let message = format!("found `{}`, expected angles from the firing (top) dead centre", head(angle).trim());
+        return Err(sheet.at_head_with_help(
+            angle,
+            message,
+            "from the bottom dead centre before compression they are 180 degrees more".into(),
+        ));
+    }
+    Ok(())
 }
 
 /// The column whose head has such words, with the factor of its unit: of several the only one with a unit of the kind.

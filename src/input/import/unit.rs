@@ -130,6 +130,9 @@ fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static str)> {
     PAIRS.into_iter().find(|p| unit.trim_start().starts_with(p.0))
 }
 
+/// What mends a gauge pressure.
+pub(super) const SURROUNDINGS: &str = "pressures are absolute: add that of the surroundings, 1.013 bar or 14.7 psi";
+
 /// The factor of a column, from the unit in its head.
 ///
 /// # Errors
@@ -153,9 +156,7 @@ pub(super) fn factor(sheet: &Sheet, column: usize, (units, example): (Units, &st
                 format!("did you mean `{}`? `{found}` is another power of ten than `{other}`", unit.trim().replacen(found, other, 1));
             sheet.at_head_with_help(column, message, help)
         }
-        None if gauge => {
-            sheet.at_head_with_help(column, message, "pressures are absolute: add that of the surroundings, 1.013 bar or 14.7 psi".into())
-        }
+        None if gauge => sheet.at_head_with_help(column, message, SURROUNDINGS.into()),
         None => sheet.at_head(column, message),
     })
 }

@@ -95,6 +95,8 @@ pub struct Study {
     pub limits: Vec<LimitSpec>,
     /// What to optimise.
     pub optimise: Option<OptimiseSpec>,
+    /// Conditions in which designs are to hold their limits where nothing is searched for: those of a search that was left out.
+    pub held_without_search: Vec<Condition>,
     /// Tolerances that designs are judged, and optima of the main size sought, within.
     pub robust: Option<RobustSpec>,
     /// Front to follow.
@@ -124,6 +126,18 @@ pub struct Study {
 }
 
 impl Study {
+    /// Conditions in which designs are to be good and to hold their limits.
+    pub(crate) fn held(&self) -> &[Condition] {
+        self.optimise.as_ref().map_or(&self.held_without_search, |o| &o.conditions)
+    }
+
+    /// Leaves searches out; designs are judged in the same conditions as before.
+    pub(crate) fn leave_searches_out(&mut self) {
+        self.held_without_search = self.held().to_vec();
+        (self.optimise, self.front, self.robust, self.combined) = (None, None, None, None);
+        self.more_objectives.clear();
+    }
+
     /// The objectives of the study, the first before the others.
     pub(crate) fn objectives(&self) -> impl Iterator<Item = &MeasureSpec> {
         std::iter::once(&self.objective).chain(&self.more_objectives)

@@ -283,6 +283,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         combined,
         limits,
         optimise,
+        held_without_search: vec![crate::objective::Condition::Firing],
         robust,
         front,
         conditions,

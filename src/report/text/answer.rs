@@ -163,10 +163,15 @@ fn surveyed(s: &Survey) -> String {
     format!(", {} over all bounds: {found}", s.designs)
 }
 
-/// What is absurd of a design.
+/// What is absurd of a design, and what its state in operation leaves out.
 fn about(results: &Results, d: &DesignResult) -> Vec<String> {
     let (found, of) = of_design(results, d);
-    found.iter().map(|v| format!("  verdict: {}", clause(v, of, &d.absorbers))).collect()
+    let warm = results.heat.iter().find(|h| h.design == d.name && d.absorbers.len() > 1);
+    let alone = warm.map(|h| {
+        let number = h.absorber + 1;
+        format!("  in operation absorber {number} alone follows its heat; the others stay at the reference of their material")
+    });
+    found.iter().map(|v| format!("  verdict: {}", clause(v, of, &d.absorbers))).chain(alone).collect()
 }
 
 /// What makes other optima than the best one useless, a line each: why a run ends with the exit code of a failure.
@@ -186,6 +191,8 @@ fn failures(study: &Study, results: &Results) -> String {
 /// What else was found: other objectives, fronts, catalogues, limits that given designs break.
 fn notes(study: &Study, results: &Results) -> String {
     let mut text = String::new();
+    let named = results.best_optimum(false).map(|o| &o.design).or_else(|| results.best_given());
+    named.into_iter().flat_map(|d| barred(study, d)).for_each(|line| text.extend([line.as_str(), "\n"]));
     for (i, objective) in study.objectives().enumerate().skip(1) {
         let all = results.optima.iter().filter(|o| o.objective == i && o.main);
         if let Some(o) = all.min_by(|a, b| a.optimum.value().total_cmp(&b.optimum.value())) {
@@ -202,7 +209,5 @@ fn notes(study: &Study, results: &Results) -> String {
             text.push_str(&format!("Limit {}: broken by the given {}.\n", limit.words, broken.join(", ")));
         }
     }
-    let named = results.best_optimum(false).map(|o| &o.design).or_else(|| results.best_given());
-    named.into_iter().flat_map(|d| barred(study, d)).for_each(|line| text.extend([line.as_str(), "\n"]));
     if text.is_empty() { text } else { format!("\n{text}") }
 }

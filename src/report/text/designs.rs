@@ -69,7 +69,13 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult, (others, judge
         row.push(dash(own.as_ref().map(|j| significant(in_unit(study, j.value), 5))));
         row.push(dash(own.filter(|j| !j.is_reference()).map(|j| word(j.reached_in))));
     }
+    row.extend((!study.limits.is_empty()).then(|| held(d)));
     row
+}
+
+/// Whether a design holds its limits, in a word.
+fn held(d: &DesignResult) -> String {
+    if d.within_limits() { "hold" } else { "FAIL" }.into()
 }
 
 /// The table of designs and optima.
@@ -85,6 +91,7 @@ pub fn designs(study: &Study, results: &Results) -> String {
     if judged {
         header.extend([if is_other(study) { study.objective.column.as_str() } else { column }, "worst in"]);
     }
+    header.extend((!study.limits.is_empty()).then_some("limits"));
     let mut rows = Vec::new();
     for d in all() {
         rows.push(design_row(study, results, d, (&others, judged)));
@@ -137,7 +144,7 @@ pub(super) fn narrow(study: &Study, results: &Results, most: usize) -> String {
             row.push(dash(own.filter(|j| !j.is_reference()).map(|j| word(j.reached_in))));
         }
         if limited {
-            row.push(if d.within_limits() { "hold" } else { "FAIL" }.into());
+            row.push(held(d));
         }
         row.extend([
             dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),

@@ -76,7 +76,7 @@ fn bases(results: &Results) -> Vec<Basis> {
             all.push(basis);
         }
     }
-    let held = results.study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+    let held = results.study.held();
     let place = |b: &Basis| match b {
         Basis::In(c) => held.iter().position(|own| own == c).unwrap_or(held.len()),
         Basis::OwnAmplitude | Basis::Tolerances => held.len() + 1,

@@ -22,7 +22,7 @@ fn value(limit: &LimitSpec, inside: f64) -> String {
 pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     let in_operation = o.design.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
-    let held = study.optimise.as_ref().map_or(1, |o| o.conditions.len()) + in_operation;
+    let held = study.held().len() + in_operation;
     let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
     for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
@@ -46,7 +46,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     lines
 }
 
-/// A line for each range of speed that a rule bars for a design.
+/// A line for each range of speed that a rule bars for a design, those that the rule does not allow first.
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
         let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
@@ -71,7 +71,9 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
             100.0 * b.ratio
         )
     };
-    d.barred.iter().map(line).chain(d.still_broken.iter().map(outside)).collect()
+    let mut ranges: Vec<&BarredRange> = d.barred.iter().collect();
+    ranges.sort_by_key(|b| b.allowed);
+    ranges.into_iter().map(line).chain(d.still_broken.iter().map(outside)).collect()
 }
 
 /// Which limits were not held together, how near a design comes, and what loosening one would take.

@@ -11,11 +11,11 @@ pub(crate) fn placeholders(study: &Study) -> String {
     let mut text = String::new();
     for group in study.placeholders.chunk_by(|a, b| a.file == b.file) {
         let file = group[0].file.display();
-        let _ = writeln!(
-            text,
-            "warning: these {} values of {file} are those of an example, not of your engine; put in your own, and delete their names from `placeholder` there:",
-            group.len()
-        );
+        let (these, own) = match group.len() {
+            1 => ("this value".to_owned(), "is that of an example, not of your engine; put in your own, and delete its name"),
+            n => (format!("these {n} values"), "are those of an example, not of your engine; put in your own, and delete their names"),
+        };
+        let _ = writeln!(text, "warning: {these} of {file} {own} from `placeholder` there:");
         for p in group {
             let _ = writeln!(text, "  {} = {}", p.key, p.value);
         }

@@ -141,7 +141,7 @@ pub(super) fn fronts(study: &Study, results: &Results) -> String {
 /// What the run found, in sentences.
 pub(crate) fn summary(study: &Study, results: &Results) -> String {
     let mut text = fronts(study, results);
-    let held = study.optimise.as_ref().map_or(&[Condition::Firing][..], |o| &o.conditions);
+    let held = study.held();
     for (i, limit) in study.limits.iter().enumerate() {
         let broken = |d: &&DesignResult| !holds(d.limits[i]);
         let size = |d: &DesignResult| match limit.of.unit {

@@ -2,7 +2,7 @@
 //! neighbouring intervals. Poles tell where: farther from all of them the response is smooth, and its values show its tops.
 
 use super::peak_search::PeakFinder;
-use super::speeds::Speeds;
+use super::speeds::{SMOOTH, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::C64;
 use crate::response::{Quantity, ResponseError, Work};
@@ -31,13 +31,13 @@ pub(super) fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
 
 impl PeakFinder<'_> {
     /// Speeds and phasors with more of them where a sharp resonance may hide a peak that `can_matter`: by an index of a speed and how far the phasors of the sum are off straight lines up to the next,
-    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `widest`: half the range at an index, or more. Nothing where no more are needed.
+    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `smooth`: see [`SMOOTH`]; `widest`: half the range at an index, or more. Nothing where no more are needed.
     pub(super) fn resolved(
         &self,
         design: &[Mounted],
         quantity: Quantity,
         (speeds, sweep): (&Speeds, &[C64]),
-        (widest, can_matter): (impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
+        (smooth, widest, can_matter): (f64, impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
         work: &mut Work,
     ) -> Result<Option<(Speeds, Vec<C64>)>, ResponseError> {
         if speeds.sharp.is_empty() {
@@ -49,7 +49,7 @@ impl PeakFinder<'_> {
             if !can_matter(i, RISE * widest(i).max(widest(i + 1))) {
                 return 1;
             }
-            let near = orders_near(speeds, i);
+            let near = orders_near(speeds, i, smooth);
             if near.is_empty() {
                 return 1;
             }
@@ -59,7 +59,7 @@ impl PeakFinder<'_> {
             }
             let size: f64 = sweep[i * orders..(i + 1) * orders].iter().map(|y| y.norm()).sum();
             let matters = |n: &usize| bends[*n] * near.len() as f64 > HIDDEN * size;
-            speeds.parts_for(i, speeds.sharp_near(i).filter(|s| matters(&s.order)))
+            speeds.parts_for(i, smooth, speeds.sharp_near(i, smooth).filter(|s| matters(&s.order)))
         };
         let parts: Vec<usize> = (0..speeds.rpm.len().saturating_sub(1)).map(needed).collect();
         if parts.iter().all(|p| *p < 2) {
@@ -90,12 +90,13 @@ pub(super) fn resolved_values(
         if most(higher) < wanted {
             return 1;
         }
-        let near: Vec<(usize, f64)> = orders_near(speeds, i).into_iter().filter(|n| orders.contains(n)).map(|n| (n, rise(i, n))).collect();
+        let near: Vec<(usize, f64)> =
+            orders_near(speeds, i, SMOOTH).into_iter().filter(|n| orders.contains(n)).map(|n| (n, rise(i, n))).collect();
         if near.is_empty() || higher + near.iter().map(|n| n.1).sum::<f64>() < wanted {
             return 1;
         }
         let matters = |order: usize| near.iter().any(|(n, rise)| *n == order && *rise > HIDDEN * wanted);
-        speeds.parts_for(i, speeds.sharp_near(i).filter(|s| matters(s.order)))
+        speeds.parts_for(i, SMOOTH, speeds.sharp_near(i, SMOOTH).filter(|s| matters(s.order)))
     };
     let parts: Vec<usize> = (0..values.len().saturating_sub(1)).map(needed).collect();
     if parts.iter().all(|p| *p < 2) {
@@ -107,8 +108,8 @@ pub(super) fn resolved_values(
 }
 
 /// Orders that meet a sharp resonance near the speeds from an index to the next, each once.
-fn orders_near(speeds: &Speeds, i: usize) -> Vec<usize> {
-    let mut near: Vec<usize> = speeds.sharp_near(i).map(|s| s.order).collect();
+fn orders_near(speeds: &Speeds, i: usize, smooth: f64) -> Vec<usize> {
+    let mut near: Vec<usize> = speeds.sharp_near(i, smooth).map(|s| s.order).collect();
     near.sort_unstable();
     near.dedup();
     near

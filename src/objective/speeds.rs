@@ -25,8 +25,10 @@ const MOST_MODES: usize = 24;
 const FULL_MODES: usize = 64;
 /// Damping ratios below this are rounding of zero.
 const UNDAMPED: f64 = 1e-10;
-/// What is this many times as far from its nearest resonance as speeds are from each other (its half-width counts) is smooth between them.
-const SMOOTH: f64 = 8.0;
+/// What is this many times as far from its nearest resonance as speeds are from each other (its half-width counts) is smooth between them: of amplitudes and half ranges,
+pub(super) const SMOOTH: f64 = 4.0;
+/// and of margins, which follow bending besides.
+pub(super) const SMOOTH_OF_MARGINS: f64 = 8.0;
 /// Parts that one distance between speeds is cut into, at most.
 const MOST_PARTS: usize = 16;
 
@@ -100,7 +102,7 @@ impl Resonances {
             let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
             let step = step_at(&grid.speed_rpm, speed);
             let half_width = damping * speed;
-            let near = SMOOTH * step;
+            let near = SMOOTH_OF_MARGINS * step;
             if half_width < near && (low - near..=high + near).contains(&speed) {
                 sharp.push(Sharp { order: n, speed_rpm: speed, half_width });
             }
@@ -238,20 +240,20 @@ impl Speeds {
         }
     }
 
-    /// Sharp resonances that are near the speeds from index `i` to the next.
-    pub(super) fn sharp_near(&self, i: usize) -> impl Iterator<Item = &Sharp> {
+    /// Sharp resonances that are near the speeds from index `i` to the next, by what is smooth.
+    pub(super) fn sharp_near(&self, i: usize, smooth: f64) -> impl Iterator<Item = &Sharp> {
         let (low, high) = (self.rpm[i], self.rpm[i + 1]);
-        let near = SMOOTH * (high - low);
+        let near = smooth * (high - low);
         let first = self.sharp.partition_point(|s| s.speed_rpm < low - near);
         let within = self.sharp[first..].iter().take_while(move |s| s.speed_rpm <= high + near);
         within.filter(move |s| s.distance((low, high)) < near)
     }
 
     /// Into how many parts the speeds from index `i` to the next must be cut for these resonances to be smooth in each.
-    pub(super) fn parts_for<'s>(&self, i: usize, resonances: impl Iterator<Item = &'s Sharp>) -> usize {
+    pub(super) fn parts_for<'s>(&self, i: usize, smooth: f64, resonances: impl Iterator<Item = &'s Sharp>) -> usize {
         let interval = (self.rpm[i], self.rpm[i + 1]);
         let nearest = resonances.map(|s| s.distance(interval)).fold(f64::INFINITY, f64::min);
-        (SMOOTH * (interval.1 - interval.0) / nearest).ceil().min(MOST_PARTS as f64) as usize
+        (smooth * (interval.1 - interval.0) / nearest).ceil().min(MOST_PARTS as f64) as usize
     }
 
     /// Speeds with those after each index cut into so many equal parts (zero or one: as they are), and the speeds that come in, rpm; no resonance counts as sharp any more.

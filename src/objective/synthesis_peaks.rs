@@ -6,7 +6,7 @@ use super::peak::{Peak, Place};
 use super::peak_search::{Found, LEVEL, PeakFinder};
 use super::peak_tracking::{Branches, OnBranch, Peaked};
 use super::point_metric::PointMetric;
-use super::speeds::Speeds;
+use super::speeds::{SMOOTH, SMOOTH_OF_MARGINS, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::extremes::{Most, Precision};
 use crate::numerics::lazy_extremes::Screen;
@@ -127,8 +127,9 @@ impl PeakFinder<'_> {
         let wanted = found.keep * found.best.max(known.top);
         let can_matter = |i: usize, bend: f64| Self::may_reach(metric, speeds, &known, (i, bend), wanted);
         let widest = |i: usize| known.most[i].half_peak_to_peak;
+        let smooth = if matches!(over, Over::Margin(_)) { SMOOTH_OF_MARGINS } else { SMOOTH };
         if known.top > 0.0
-            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), (widest, can_matter), work)?
+            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), (smooth, widest, can_matter), work)?
         {
             return self.synthesised(design, (quantity, over, metric), (&speeds, &sweep), found, work);
         }

@@ -40,7 +40,7 @@ fn speed_and_file(text: &str) -> Result<(f64, PathBuf), String> {
     let grouped = |speed: &str| speed.split_once(['.', ',']).is_some_and(|(whole, rest)| whole.len() <= 3 && rest.len() == 3);
     if let Some((speed, _)) = text.split_once('=').filter(|(speed, _)| grouped(speed.trim())) {
         let own = speed.trim();
-        return Err(format!("`{own}` may be grouped thousands: write {} or {own}0", own.replace(['.', ','], "")));
+        return Err(format!("`{own}` may be grouped thousands: write {} or {}0", own.replace(['.', ','], ""), own.replace(',', ".")));
     }
     let found = text.split_once('=').and_then(|(speed, file)| Some((speed.trim().parse::<f64>().ok()?, PathBuf::from(file))));
     found.filter(|f| (1.0..=1e5).contains(&f.0)).ok_or_else(|| "expected a speed in rpm and a file, such as 2000=trace.csv".into())

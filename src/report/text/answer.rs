@@ -20,11 +20,14 @@ const LINES: usize = 37;
 /// Rows of the table of designs are left out down to this number before anything else is.
 const LEAST_ROWS: usize = 4;
 
-/// The answer, in at most [`LINES`] lines.
+/// The answer, in at most [`LINES`] lines unless the absorbers and limits of the design alone take more.
 pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: &Results) -> String {
     let head = head(study, calibration);
     let found = found(study, results);
     let notes = notes(study, results);
+    if is_wide() {
+        return format!("{head}\n{found}\n{}{notes}", designs(study, results));
+    }
     let lines = |parts: &[&str]| parts.iter().map(|p| wrapped(p).lines().count()).sum::<usize>();
     // two empty lines stand between the parts
     let taken = lines(&[&head, &found]) + 2;
@@ -33,9 +36,6 @@ pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: 
     if notes.lines().count() > most {
         let kept: Vec<&str> = notes.lines().take(most.saturating_sub(1)).collect();
         notes = format!("{}\n  … more: --verbose\n", kept.join("\n"));
-    }
-    if is_wide() {
-        return format!("{head}\n{found}\n{}{notes}", designs(study, results));
     }
     let mut rows = results.designs.len() + results.optima.len();
     let mut table = narrow(study, results, rows);
@@ -159,7 +159,11 @@ fn certificate(o: &OptimumResult) -> String {
 }
 
 fn surveyed(s: &Survey) -> String {
-    let found = if s.better { "it was found from one of them" } else { "none that was followed led lower" };
+    let found = match s.followed {
+        _ if s.better => "it was found from one of them",
+        0 => "none of them is lower within the limits",
+        _ => "none of them is lower within the limits, nor what those that were followed led to",
+    };
     format!(", {} over all bounds: {found}", s.designs)
 }
 

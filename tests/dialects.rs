@@ -162,6 +162,23 @@ fn heads_and_units_of_four_languages() {
     }
 }
 
+/// A column of numbers beside one of words tells rows apart and names no station; alone it names them.
+#[test]
+fn stations_are_named_by_words() {
+    let place = tempfile::tempdir().expect("a folder");
+    let names = |head: &str, throw: &str| {
+        let rows = ["hub;0,01;300000", "crank;0,02;900000", "wheel;0,9;"];
+        let rows: Vec<String> = rows.iter().enumerate().map(|(i, row)| format!("{};{row}", i + 1)).collect();
+        written(place.path(), "c.csv", format!("{head}\n{}\n", rows.join("\n")));
+        let (code, _, told) = hartog(place.path(), &["import", "c.csv", throw, "--throws", throw]);
+        assert_eq!(code, 0, "{told}");
+        let study = hartog::input::read(&place.path().join(throw).join("study.toml")).unwrap_or_else(|e| panic!("{e}"));
+        study.chain.stations.into_iter().map(|s| s.name).collect::<Vec<_>>()
+    };
+    assert_eq!(names("Stelle;Bezeichnung;J [kg m2];k [N m/rad]", "crank"), ["hub", "crank", "wheel"]);
+    assert_eq!(names("Stelle;Bemerkung;J [kg m2];k [N m/rad]", "2"), ["1", "2", "3"]);
+}
+
 /// Numbers with grouped thousands are read where one reading is possible, by themselves or by the rest of the table, and else refused with both readings; nothing is guessed. A remark names what the
 /// rest of the table has told.
 #[test]
@@ -179,6 +196,10 @@ fn grouped_thousands_are_read_or_refused() {
             && told.contains("`300.000` in row 2 is read as 300000: the point groups thousands in `1.234,5` (row 4)"),
         "{found:?} {told}"
     );
+    // so does the comma of another number where semicolons separate columns
+    let (found, told) = read("300000", "300.000");
+    let words = "`300.000` in row 2 is read as 300000: the point is no decimal sign where the comma is one, in `0,01` (row 2)";
+    assert!(is_chain(&found) && told.contains(words), "{found:?} {told}");
     let (found, told) = imported(CHAIN.replace("0,01", "1").replace("0,02", "1").replace("0,9;", "1,234;"));
     let words = "`1,234` in row 4 is read as 1.234: the comma separates decimals where semicolons separate columns";
     assert!(found[2][0] == 1.234 && told.contains(words), "{found:?} {told}");
@@ -189,9 +210,9 @@ fn grouped_thousands_are_read_or_refused() {
     let place = tempfile::tempdir().expect("a folder");
     for (text, place_of, both) in [
         (
-            CHAIN.replace("300000", "300.000"),
+            CHAIN.replace("0,01", "1").replace("0,02", "1").replace("0,9;", "1;").replace("300000", "300.000"),
             "row 2, column `k [N m/rad]`",
-            "found `300.000`, expected a number that can be read in one way: this is 300000 or 300.000 beside `0,01` in row 2",
+            "found `300.000`, expected a number that can be read in one way: this is 300000 or 300.000",
         ),
         (
             CHAIN.replace(',', ".").replace("300000", "300,000"),

@@ -196,7 +196,7 @@ fn values_of_the_example_are_named_until_they_are_confirmed() {
         "geometry.rod_rotating_fraction = 0.667",
         "layout.in_line.firing_order = [1]",
         "pressure.wiebe.boost_bar = 1.5",
-        "damping.fraction_of_critical = 0.02",
+        "damping.dynamic_magnifier = 25",
         "strokes = 4",
         "reciprocating_inertia = \"none\"",
         "speed_rpm = { from = 800,",

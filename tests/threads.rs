@@ -8,7 +8,8 @@ use std::fs;
 fn threads_change_nothing() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse = [
-        ("step = 10", "step = 40"),
+        ("step = 10", "step = 100"),
+        ("order_limit = 12", "order_limit = 6"),
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "each = [0.076]"),
         ("points = 100", "points = 5"),
         ("seed = 1", "seed = 1\nrandom_starts = 0"),
@@ -33,7 +34,8 @@ fn threads_change_nothing() {
 fn threads_change_nothing_in_materials() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse = [
-        ("step = 20", "step = 200"),
+        ("step = 20", "step = 400"),
+        ("order_limit = 12", "order_limit = 6"),
         ("[optimise]\n", "[optimise]\nrandom_starts = 0\n"),
         (r#"types = ["fractional_zener", "carreau", "spring_pack"]"#, r#"types = ["fractional_zener", "carreau"]"#),
     ];

@@ -64,7 +64,7 @@ fn long_chain(stations: usize, orders: usize, shape: Shape) -> System {
 }
 
 /// Sizes of the growth curves: stations, orders, speeds; the others stay at 8, 24 and 200.
-const STATIONS: [usize; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+const STATIONS: [usize; 7] = [8, 16, 32, 64, 128, 256, 512];
 const ORDERS: [usize; 5] = [6, 12, 24, 48, 96];
 const COUNTS: [usize; 5] = [50, 100, 200, 400, 800];
 /// Chains longer than this are not given to methods whose cost grows faster than the chain.

@@ -56,6 +56,11 @@ const EVALUATIONS: u64 = 150;
 /// A design of the box: objective and worst excess; nothing where it is certainly far above the optimum, or has no finite response.
 type Judged = Option<(f64, f64)>;
 
+/// A place where a grid crosses a limit is followed where its objective is estimated below that of the optimum times this: between two points of the grid there may be ripples.
+const NEAR_THE_OPTIMUM: f64 = 1.02;
+/// Most such places.
+const MOST_CROSSINGS: usize = 8;
+
 /// Points of the box: a grid whose last coordinate changes fastest, or ends and random points.
 struct Points {
     list: Vec<Vec<f64>>,
@@ -152,24 +157,33 @@ pub(crate) fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Sur
     let mut chosen = chosen(&points, &judged);
     chosen.retain(|i| !leads_there(i));
     chosen.truncate(if points.grid.is_some() { MOST_FOLLOWED } else { MOST_OF_RANDOM });
+    let known = optimum.outcome.clone();
+    let mut starts: Vec<(Vec<f64>, Judged)> = chosen.iter().map(|i| (points.list[*i].clone(), judged[*i])).collect();
+    if holds {
+        let along = points.grid.map_or(1.0, |g| g.1 as f64 - 1.0);
+        let step: Vec<f64> = problem.space.bounds().iter().map(|(low, high)| (high - low) / along).collect();
+        let beside = |w: &[f64], other: &[f64]| w.iter().zip(other).zip(&step).all(|((a, b), step)| (a - b).abs() < *step);
+        let mut crossings = crossings(&points, &judged, optimum.value() * NEAR_THE_OPTIMUM);
+        crossings.retain(|w| !beside(w, at) && !starts.iter().any(|s| beside(w, &s.0)));
+        starts.extend(crossings.into_iter().take(MOST_CROSSINGS).map(|w| (w, None)));
+    }
     let mut survey = Survey {
         designs: points.list.len(),
         per_coordinate: points.grid.map(|g| g.1),
         above: judged.iter().filter(|j| j.is_none()).count(),
         within_limits: judged.iter().flatten().filter(within).count(),
-        followed: chosen.len(),
+        followed: starts.len(),
         better: false,
     };
-    let known = optimum.outcome.clone();
-    let follow = |i: &usize| {
+    let follow = |(point, judged): &(Vec<f64>, Judged)| {
         let mut work = Work::default();
-        (followed(problem, (&points.list[*i], judged[*i]), &known, &mut work), work)
+        (followed(problem, (point, *judged), &known, &mut work), work)
     };
     let lowest = (0..judged.len()).filter_map(|i| Some((judged[i]?.0, i))).reduce(|a, b| if b.0 < a.0 { b } else { a });
     let from = lowest.map_or_else(|| known.point.clone(), |l| points.list[l.1].clone());
     let mut work = Work::default();
     let (ends, tightened): (Vec<(Vec<Outcome>, Work)>, _) =
-        rayon::join(|| chosen.par_iter().map(follow).collect(), || tightened(problem, &from, &mut work));
+        rayon::join(|| starts.par_iter().map(follow).collect(), || tightened(problem, &from, &mut work));
     optimum.stages.minimax += work;
     for (outcomes, work) in ends {
         optimum.stages.minimax += work;
@@ -216,6 +230,26 @@ fn chosen(points: &Points, judged: &[Judged]) -> Vec<usize> {
     let mut seen = std::collections::BTreeSet::new();
     list.retain(|i| seen.insert(*i));
     list
+}
+
+/// Where lines of a grid cross the limits at an objective that is estimated below a value, the lowest first; of those that leave one point of the grid only the lowest.
+fn crossings(points: &Points, judged: &[Judged], below: f64) -> Vec<Vec<f64>> {
+    let crossing = |i: usize, j: usize| -> Option<(f64, usize, Vec<f64>)> {
+        let ((inside, held), (outside, broken)) = (judged[i]?, judged[j]?);
+        if held > HELD || broken <= HELD {
+            return None;
+        }
+        let share = (-held / (broken - held)).clamp(0.0, 1.0);
+        let value = inside + share * (outside - inside);
+        let between = || points.list[i].iter().zip(&points.list[j]).map(|(a, b)| a + share * (b - a)).collect();
+        (value < below).then(|| (value, i, between()))
+    };
+    let pairs = (0..judged.len()).flat_map(|i| points.beside(i).into_iter().map(move |j| (i, j)));
+    let mut list: Vec<(f64, usize, Vec<f64>)> = pairs.filter_map(|(i, j)| crossing(i, j)).collect();
+    list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut seen = std::collections::BTreeSet::new();
+    list.retain(|one| seen.insert(one.1));
+    list.into_iter().map(|one| one.2).collect()
 }
 
 /// Where a design leads: the minimax method's end, from where the limits hold if it does not hold them; and the design itself, if it is better than the known optimum and that end is not.

@@ -34,12 +34,12 @@ impl<'a> Reduced<'a> {
         let shapes = system.modes.shapes.columns(0, kept);
         let viscous = shapes.transpose() * &bodies.damping * shapes;
         let hysteretic = shapes.transpose() * &bodies.hysteresis * shapes;
-        let n = system.chain.len();
-        let mut residual = DMatrix::zeros(n, n);
-        for mode in kept..system.modes.omega.len() {
-            let shape = system.modes.shapes.column(mode);
-            residual += shape * shape.transpose() / (system.modes.omega[mode] * system.modes.omega[mode]);
+        let rest = system.modes.shapes.columns(kept, system.modes.omega.len() - kept);
+        let mut flexible = rest.into_owned();
+        for (mut shape, omega) in flexible.column_iter_mut().zip(&system.modes.omega[kept..]) {
+            shape /= omega * omega;
         }
+        let residual = flexible * rest.transpose();
         Self { system, grid, kept, viscous, hysteretic, residual }
     }
 

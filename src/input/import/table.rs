@@ -59,14 +59,22 @@ fn check_line(sheet: &Sheet, columns: &[Column], stations: &[FoundStation]) -> R
 /// What the columns hold, and those that are left out.
 fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
     let (mut columns, mut left_out): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
+    let role_of = |head: &str| {
+        let (words, unit) = parts(head);
+        Role::of(&words, unit.as_deref())
+    };
+    // beside a column of words, one of numbers tells rows apart and names nothing
+    let numbers = |i: usize| sheet.rows().iter().all(|(_, cells)| cells[i].parse::<f64>().is_ok());
+    let is_name = |i: &usize| role_of(&sheet.heads()[*i]) == Some(Role::Name);
+    let named = (0..sheet.heads().len()).filter(is_name).find(|i| !numbers(*i));
     for (i, head) in sheet.heads().iter().enumerate().filter(|h| !h.1.is_empty()) {
         let (words, unit) = parts(head);
-        let Some(role) = Role::of(&words, unit.as_deref()) else {
+        let Some(role) = role_of(head) else {
             let hint = if is_damping(&words) { ", which does not say whether it is to the next station or to ground" } else { "" };
             left_out.push(format!("column `{head}`{hint}"));
             continue;
         };
-        match columns.iter().any(|c| c.0 == role) {
+        match columns.iter().any(|c| c.0 == role) || role == Role::Name && named.is_some_and(|own| own != i) {
             // a number of the row beside its name
             true if role == Role::Name => left_out.push(format!("column `{head}`")),
             true => return Err(sheet.at_head(i, format!("found a second column like `{}`, expected one", role.example()))),

@@ -130,7 +130,9 @@ impl Convention {
         let other = if sign == ',' { '.' } else { ',' };
         let (own, its) = (index(sign), index(other));
         let [decimal, group] = [&self.decimal, &self.group].map(|list| [list[own].is_some(), list[its].is_some()]);
-        let is_group = group[0] && !decimal[0];
+        // where commas are decimal signs, and semicolons or tabs separate columns, points are none
+        let by_commas = self.delimiter != Some(',') && sign == '.' && decimal[1] && !group[1];
+        let is_group = (group[0] || by_commas) && !decimal[0];
         let is_decimal = !group[0] && !decimal[1] && (decimal[0] || group[1]);
         // semicolons separate columns where commas are decimal signs
         let by_delimiter = self.delimiter == Some(';') && sign == ',' && !group[0] && !decimal[1];
@@ -149,7 +151,10 @@ impl Convention {
                 (true, Some((other, seen)), _) => (cell.replace(sign, ""), format!("groups thousands in `{seen}` (row {other})")),
                 (false, _, Some((other, seen))) => (cell.replace(sign, "."), format!("separates decimals in `{seen}` (row {other})")),
                 (false, ..) => (cell.replace(sign, "."), "separates decimals where semicolons separate columns".to_owned()),
-                (true, None, _) => return None,
+                (true, None, _) => {
+                    let (other, seen) = self.decimal[index(',')].as_ref()?;
+                    (cell.replace(sign, ""), format!("is no decimal sign where the comma is one, in `{seen}` (row {other})"))
+                }
             };
             Some(format!("`{cell}` in row {row} is read as {value}: the {} {because}", named(sign)))
         };

@@ -178,7 +178,9 @@ pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<L
     let layout = Layout { rods_per_throw, firing_deg, bank_angle_deg: bank_angle_deg.or(opposed), split_pin_deg };
     if let (Some(throw), Some(bank)) = (layout.misplaced_throw(), bank) {
         let pair = layout.firing_on_throw(throw);
-        check.wrong(
+        let split = (pair[1] - pair[0] - bank.get_ref()).rem_euclid(360.0);
+        let split = if split > 180.0 { split - 360.0 } else { split };
+        check.wrong_with_help(
             firing,
             format!(
                 "found cylinders {} and {} of throw {} firing at {} and {} degrees, expected {} degrees between them{} (up to whole turns)",
@@ -190,6 +192,7 @@ pub(super) fn layout(check: &mut Check, raw: &RawLayout, cycle: f64) -> Option<L
                 bank.get_ref(),
                 if split_pin_deg == 0.0 { String::new() } else { format!(", either way, and {split_pin_deg} of the split pins") }
             ),
+            format!("where this throw has two pins, the second {split} degrees behind the first, `split_pin_deg = {split}` beside `bank_angle_deg` says so"),
         );
         return None;
     }

@@ -170,7 +170,7 @@ fn stiffness_of_rubber(check: &mut Check, at: &At<RawTemperatureLaw>, law: Tempe
         check.wrong_with_help(
             at,
             format!("found {what}, for `{}`, whose stiffness is the same at every frequency, expected it with {of}: {}", declaration.name, shifted()),
-            "`exponential = { per_k = …, reference_c = …, between_c = […] }` is the share by which a stiffness falls per kelvin, as catalogues give it",
+            "a ring of rubber with such a law is `fractional_zener` or `fractional_kelvin`; for `rubber`, `exponential = { per_k = …, reference_c = …, between_c = […] }` is the share by which a stiffness falls per kelvin, as catalogues give it",
         );
     }
 }

@@ -120,7 +120,7 @@ impl Example {
         };
         let chain: &[&str] = match &self.chain {
             None => &["station"],
-            Some(_) if self.assumes_damping() => &["damping.fraction_of_critical"],
+            Some(_) if self.assumes_damping() => &["damping.dynamic_magnifier"],
             Some(_) => &[],
         };
         ["strokes"].iter().chain(cylinder).chain(layout).chain(gas).chain(chain).copied().collect()
@@ -169,7 +169,7 @@ impl Example {
         let _ = write!(text, "\n{}\n{gas}", self.layout());
         text += match &self.chain {
             Some(_) if self.assumes_damping() => {
-                "\n[damping]                        # of the whole chain: an assumption, as what was imported says nothing of it\nfraction_of_critical = 0.02      # of the first mode\n"
+                "\n[damping]                        # of the whole chain: an assumption, as what was imported says nothing of it\ndynamic_magnifier = 25           # of every shaft: its loss factor is 1/25\n"
             }
             _ => {
                 "\n# [damping]                      # of the whole chain, instead of that of the stations below\n# fraction_of_critical = 0.02    # of the first mode\n"

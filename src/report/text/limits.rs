@@ -42,7 +42,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
         };
         lines.push(format!("  limit: {}: {verdict} ({found}{worst}{costs})", limit.words));
     }
-    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c)));
+    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, &o.design.limits)));
     lines
 }
 
@@ -76,8 +76,8 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     ranges.into_iter().map(line).chain(d.still_broken.iter().map(outside)).collect()
 }
 
-/// Which limits were not held together, how near a design comes, and what loosening one would take.
-fn conflict(study: &Study, c: &Conflict) -> Vec<String> {
+/// Which limits were not held together, how near a design comes, which others it breaks, and what loosening one would take.
+fn conflict(study: &Study, c: &Conflict, nearest: &[f64]) -> Vec<String> {
     let words = |i: usize| format!("`{}`", study.limits[i].words);
     let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
     let of = study.limits.len();
@@ -96,6 +96,8 @@ fn conflict(study: &Study, c: &Conflict) -> Vec<String> {
     if of == 1 {
         return lines;
     }
+    let others = (0..of).filter(|i| !holds(nearest[*i]) && c.parties.iter().all(|p| p.limit != *i));
+    lines.extend(others.map(|i| format!("    that design breaks {}, too", words(i))));
     for party in &c.parties {
         let limit = &study.limits[party.limit];
         lines.push(match party.loosened {

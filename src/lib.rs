@@ -74,10 +74,14 @@
 //! Sources are listed in [`guide::references`].
 
 #![deny(missing_docs)]
+// what only the program asks for
+#![cfg_attr(not(feature = "program"), allow(dead_code, unused_imports))]
 
 pub mod absorber;
 pub mod analysis;
+#[cfg(feature = "program")]
 pub mod benchmark;
+#[cfg(feature = "program")]
 pub mod cli;
 pub mod crankshaft;
 pub mod drivetrain;
@@ -88,11 +92,13 @@ pub mod input;
 pub mod numerics;
 pub mod objective;
 pub mod optimise;
+#[cfg(feature = "program")]
 pub mod report;
 pub mod response;
 pub mod sizing;
 pub mod units;
+#[cfg(feature = "program")]
 pub mod validation;
 
 pub use analysis::{Results, RunError};
-pub use input::{InputError, Study};
+pub use input::{InputError, PartsError, Study};

@@ -173,7 +173,7 @@ fn evolution_finds_nothing_below_a_front() {
     s.optimise.as_mut().expect("[optimise]").absorbers[0].types.truncate(1);
     s.more_objectives.clear();
     s.fatigue = None;
-    s.front = Some(FrontSpec::OverInertia((0..12).map(|i| 0.01 * 1.25_f64.powi(i)).collect()));
+    s.front = Some(FrontSpec::OverInertia((0..6).map(|i| 0.01 * 1.5_f64.powi(i)).collect()));
     let found = hartog::benchmark::evolution::measure(&s).expect("damped");
     assert_eq!(found.len(), 1);
     for round in &found[0].rounds {

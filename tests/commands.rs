@@ -86,7 +86,8 @@ fn failing_limit_is_exit_code_one() {
     let limit = "[[constraint]]\nvibratory_torque = { max_n_m = 500 }\n\n[optimise]";
     let changes = [
         ("[optimise]", limit),
-        ("step = 10", "step = 40"),
+        ("step = 10", "step = 200"),
+        ("order_limit = 12", "order_limit = 6"),
         ("seed = 1", "seed = 1\nrandom_starts = 0"),
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"),
         ("[pareto]\npoints = 100\nagainst.ring_inertia_kg_m2 = [0.0038, 0.152]", ""),

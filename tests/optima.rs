@@ -100,8 +100,13 @@ fn optima_of_the_six() {
 #[test]
 fn free_ring_inertia_finds_the_lowest_point_of_the_front() {
     let (a, b) = (0.02, 0.152);
-    let free = run(&only("villalva_i6_thesis", &TUNED, Size::Between(a, b)));
-    let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![a]));
+    let coarse = |size| {
+        let mut s = only("villalva_i6_thesis", &TUNED, size);
+        s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
+        s
+    };
+    let free = run(&coarse(Size::Between(a, b)));
+    let mut s = coarse(Size::Each(vec![a]));
     s.front = Some(FrontSpec::OverInertia((0..24).map(|i| a * (b / a).powf(f64::from(i) / 23.0)).collect()));
     let front = run(&s);
     let lowest = front.fronts[0].front.points.iter().map(|p| p.value).fold(f64::INFINITY, f64::min);
@@ -175,6 +180,7 @@ fn no_peak_hides_between_grid_speeds() {
 #[test]
 fn limits_bind() {
     let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.076]));
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
     let free = run(&s);
     let torque = Measure::new((0..7).map(Quantity::ShaftTorque).collect(), Over::Synthesis);
     let unlimited = free.optima[0].design.torque.expect("shafts").value;

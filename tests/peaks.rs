@@ -327,7 +327,7 @@ fn short_ranges_hide_no_resonance() {
     for (name, lowest, width) in
         [("villalva_i6_thesis", 600.0, 200.0), ("villalva_i6_thesis", 2400.0, 150.0), ("villalva_v10_thesis", 5000.0, 400.0)]
     {
-        for _ in 0..40 {
+        for _ in 0..25 {
             let ring = 0.08 * 10f64.powf(random.random_range(-2.0..0.0));
             let order = random.random_range(1.0..9.0);
             let omega: f64 = order * (lowest + random.random_range(-0.05..1.05) * width) * std::f64::consts::PI / 30.0;

@@ -116,6 +116,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let mut optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
+    super::searches::show_best_size(&mut optima);
     let bare = searches.bare();
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &optima, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;

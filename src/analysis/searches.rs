@@ -378,3 +378,16 @@ fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<
         }
     }
 }
+
+/// Shows the best size of those that a study lists, too, where it is not the first: what answers its question has curves, margins and conditions.
+pub(super) fn show_best_size(optima: &mut [OptimumResult]) {
+    let asked = optima.iter_mut().filter(|o| o.objective == 0 && !o.robust);
+    let order = |o: &OptimumResult| (!o.design.within_limits(), o.design.objective.unwrap_or(f64::INFINITY));
+    let lower = |a: &OptimumResult, b: &OptimumResult| {
+        let (a, b) = (order(a), order(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    };
+    if let Some(best) = asked.min_by(|a, b| lower(a, b)) {
+        best.main = true;
+    }
+}

@@ -92,6 +92,8 @@ pub fn run(arguments: &Arguments) -> u8 {
         say("\n`hartog keys KEY` tells what a key is, with an example.\n");
         return DONE;
     };
+    // as it stands in a file: a limit is an objective with a bound
+    let wanted = &wanted.trim_end_matches('.').replace("constraint.", "objective.");
     // a key of this name, or all that have it in their path
     let mut found: Vec<&Key> = all.iter().filter(|k| k.name() == wanted || k.path == *wanted).collect();
     if found.is_empty() {

@@ -3,9 +3,8 @@
 use super::exit::{DONE, FAILED, fail, paths, say, say_raw, say_to_error};
 use super::place::chosen;
 use super::supervised_run::{Watched, end_at_interrupt};
-use crate::analysis::plausibility;
-use crate::analysis::{Calibration, Progress, Results, Timing};
-use crate::input::{self, Study};
+use crate::analysis::{Progress, Results, Timing};
+use crate::input;
 use crate::report::{Job, Journal, Names, about, csv, results_json, text};
 use crate::response::Work;
 use std::path::PathBuf;
@@ -102,7 +101,7 @@ pub fn run(arguments: &Arguments) -> u8 {
         return fail(&error);
     }
     if !arguments.quiet {
-        notes(study, &results);
+        text::notes(study, &results).iter().for_each(|line| say_to_error(line));
     }
     if let Some(reason) = journal.failure() {
         say_to_error(&format!(
@@ -113,7 +112,7 @@ pub fn run(arguments: &Arguments) -> u8 {
         say_raw(&results_json::text(study, &inputs, &results));
     }
     if arguments.verbose {
-        print(study, calibration, &results);
+        say(&text::whole(study, calibration, &results));
         say(&costs(&results, &timing));
     } else if arguments.tells() {
         say(&text::answer(study, calibration, &results));
@@ -124,47 +123,6 @@ pub fn run(arguments: &Arguments) -> u8 {
         say(&format!("\n{files} files in {path} after {total:.1} s: open {} there first{all}\n", crate::report::PAGE));
     }
     if results.limits_hold() { DONE } else { FAILED }
-}
-
-/// What a user is to know of the inputs: placeholders, how files were read, what is unlikely.
-fn notes(study: &Study, results: &Results) {
-    let placeholders = text::placeholders(study);
-    if !placeholders.is_empty() {
-        say_to_error(&placeholders);
-    }
-    study.remarks.iter().for_each(|sentence| say_to_error(&format!("note: {sentence}")));
-    for sentence in text::implausible(&plausibility::implausible(study, &results.system.excitation.audit)) {
-        say_to_error(&format!("warning: {sentence}"));
-    }
-}
-
-fn print(study: &Study, calibration: Option<&Calibration>, results: &Results) {
-    let chain = study.modes.frequencies_hz();
-    let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
-    say(&format!("{}: natural frequencies {} Hz\n", study.engine.name, frequencies.join(", ")));
-    say(&format!("{}\n", text::reciprocating(study).map_or_else(String::new, |line| format!("  {line}\n"))));
-    if let Some(calibration) = calibration {
-        say(&format!("{}\n", text::calibration::calibration(study, calibration)));
-    }
-    say(&text::designs(study, results));
-    let sections = [
-        text::margin::margins(study, results),
-        text::duty(results),
-        text::life(results),
-        text::catalogue(study, results),
-        text::simplest(study, results),
-        text::made_of(results),
-        text::heat(results),
-        text::strain(results),
-        text::large_twist(study, results),
-        text::conditions(study, results),
-        text::robust(study, results),
-    ];
-    sections.iter().filter(|section| !section.is_empty()).for_each(|section| say(&format!("\n{section}")));
-    for optimum in results.optima.iter().filter(|o| o.main) {
-        say(&format!("\n{}", text::optimum(study, results, optimum)));
-    }
-    say(&format!("\n{}", text::summary(study, results)));
 }
 
 /// What the run took.

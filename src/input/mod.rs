@@ -24,7 +24,7 @@ pub use published::Published;
 pub use schema::json::FileKind;
 pub(crate) use validation::RETUNED;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, Placeholder,
+    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, PartsError, Placeholder,
     Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
 };
 pub(crate) use wording::closest;

@@ -56,10 +56,16 @@ const EVALUATIONS: u64 = 150;
 /// A design of the box: objective and worst excess; nothing where it is certainly far above the optimum, or has no finite response.
 type Judged = Option<(f64, f64)>;
 
-/// A place where a grid crosses a limit is followed where its objective is estimated below that of the optimum times this: between two points of the grid there may be ripples.
+/// Limits are looked along where the objective is estimated below that of the optimum times this: between two points of a grid there may be ripples,
 const NEAR_THE_OPTIMUM: f64 = 1.02;
-/// Most such places.
-const MOST_CROSSINGS: usize = 8;
+/// at so many points to a step of the grid;
+const BETWEEN_LINES: usize = 8;
+/// from a line of the grid to the next they move on by no more steps than this.
+const STEEPEST: f64 = 2.0;
+/// Weight of the excess over a limit beside it, where the objective hardly changes with what holds the limit.
+const WEIGHT_ALONG_LIMITS: f64 = 0.2;
+/// Most places that are followed of those.
+const MOST_ALONG_LIMITS: usize = 8;
 
 /// Points of the box: a grid whose last coordinate changes fastest, or ends and random points.
 struct Points {
@@ -159,13 +165,15 @@ pub(crate) fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Sur
     chosen.truncate(if points.grid.is_some() { MOST_FOLLOWED } else { MOST_OF_RANDOM });
     let known = optimum.outcome.clone();
     let mut starts: Vec<(Vec<f64>, Judged)> = chosen.iter().map(|i| (points.list[*i].clone(), judged[*i])).collect();
-    if holds {
-        let along = points.grid.map_or(1.0, |g| g.1 as f64 - 1.0);
-        let step: Vec<f64> = problem.space.bounds().iter().map(|(low, high)| (high - low) / along).collect();
-        let beside = |w: &[f64], other: &[f64]| w.iter().zip(other).zip(&step).all(|((a, b), step)| (a - b).abs() < *step);
-        let mut crossings = crossings(&points, &judged, optimum.value() * NEAR_THE_OPTIMUM);
-        crossings.retain(|w| !beside(w, at) && !starts.iter().any(|s| beside(w, &s.0)));
-        starts.extend(crossings.into_iter().take(MOST_CROSSINGS).map(|w| (w, None)));
+    if let Some((2, n)) = points.grid.filter(|_| holds) {
+        let step: Vec<f64> = problem.space.bounds().iter().map(|(low, high)| (high - low) / (n - 1) as f64).collect();
+        let below = optimum.value() * NEAR_THE_OPTIMUM;
+        let mut along = along_limits(&points, &judged, below);
+        along.retain(|w| w.iter().zip(at).zip(&step).any(|((a, b), step)| (a - b).abs() >= *step));
+        let of_limits: Vec<(Judged, Work)> = along.par_iter().map(judge).collect();
+        of_limits.iter().for_each(|j| optimum.stages.search += j.1);
+        let of_limits: Vec<Judged> = of_limits.into_iter().map(|j| j.0).collect();
+        starts.extend(lowest_along_limits(along, &of_limits, (below, &step)).into_iter().map(|w| (w, None)));
     }
     let mut survey = Survey {
         designs: points.list.len(),
@@ -232,24 +240,66 @@ fn chosen(points: &Points, judged: &[Judged]) -> Vec<usize> {
     list
 }
 
-/// Where lines of a grid cross the limits at an objective that is estimated below a value, the lowest first; of those that leave one point of the grid only the lowest.
-fn crossings(points: &Points, judged: &[Judged], below: f64) -> Vec<Vec<f64>> {
-    let crossing = |i: usize, j: usize| -> Option<(f64, usize, Vec<f64>)> {
-        let ((inside, held), (outside, broken)) = (judged[i]?, judged[j]?);
-        if held > HELD || broken <= HELD {
-            return None;
+/// A place where a line of a grid crosses the limits: which line it is, whether limits are held before it, about where on the line, and the lower objective of the points beside it.
+#[derive(Debug, Clone, Copy)]
+struct Crossing {
+    line: usize,
+    held_before: bool,
+    at: f64,
+    value: f64,
+}
+
+/// Points along the limits of two coordinates, between neighbouring lines of the grid that cross them, [`BETWEEN_LINES`] to a step: where the objective is estimated below a value at one of their ends.
+fn along_limits(points: &Points, judged: &[Judged], below: f64) -> Vec<Vec<f64>> {
+    let Some((2, n)) = points.grid else { return Vec::new() };
+    let mut list = Vec::new();
+    for axis in 0..2 {
+        let index = |line: usize, place: usize| if axis == 0 { place * n + line } else { line * n + place };
+        let crossing = |line: usize, place: usize| -> Option<Crossing> {
+            let (a, b) = (judged[index(line, place)]?, judged[index(line, place + 1)]?);
+            let held_before = a.1 <= HELD;
+            if held_before == (b.1 <= HELD) {
+                return None;
+            }
+            // what holds all limits does not say by how much: the two points beyond tell where they are met
+            let (beyond, own) = if held_before { (place.checked_add(2), b.1) } else { (place.checked_sub(1), a.1) };
+            let farther = beyond.filter(|p| *p < n).and_then(|p| judged[index(line, p)]).map(|j| j.1).filter(|e| e.is_finite() && *e > own);
+            let back = farther.map_or(0.5, |e| (own / (e - own)).min(1.0));
+            let share = if held_before { 1.0 - back } else { back };
+            Some(Crossing { line, held_before, at: place as f64 + share, value: a.0.min(b.0) })
+        };
+        let of_line = |line: usize| (0..n - 1).filter_map(move |place| crossing(line, place));
+        let coordinates = |line: f64, at: f64| -> Vec<f64> {
+            let (first, last) = (&points.list[0], &points.list[n * n - 1]);
+            let share = if axis == 0 { [at, line] } else { [line, at] }.map(|x| x / (n - 1) as f64);
+            (0..2).map(|i| first[i] + (last[i] - first[i]) * share[i]).collect()
+        };
+        for one in (0..n - 1).flat_map(of_line) {
+            let beside = of_line(one.line + 1).filter(|c| c.held_before == one.held_before && (c.at - one.at).abs() <= STEEPEST);
+            let Some(next) = beside.min_by(|a, b| (a.at - one.at).abs().total_cmp(&(b.at - one.at).abs())) else { continue };
+            if one.value.min(next.value) < below {
+                let part = |k: usize| k as f64 / BETWEEN_LINES as f64;
+                list.extend((0..=BETWEEN_LINES).map(|k| coordinates(one.line as f64 + part(k), one.at + part(k) * (next.at - one.at))));
+            }
         }
-        let share = (-held / (broken - held)).clamp(0.0, 1.0);
-        let value = inside + share * (outside - inside);
-        let between = || points.list[i].iter().zip(&points.list[j]).map(|(a, b)| a + share * (b - a)).collect();
-        (value < below).then(|| (value, i, between()))
-    };
-    let pairs = (0..judged.len()).flat_map(|i| points.beside(i).into_iter().map(move |j| (i, j)));
-    let mut list: Vec<(f64, usize, Vec<f64>)> = pairs.filter_map(|(i, j)| crossing(i, j)).collect();
-    list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut seen = std::collections::BTreeSet::new();
-    list.retain(|one| seen.insert(one.1));
-    list.into_iter().map(|one| one.2).collect()
+    }
+    list
+}
+
+/// Where limits are crossed at the lowest objective, the lowest first, none within half a step of the grid of another.
+fn lowest_along_limits(list: Vec<Vec<f64>>, judged: &[Judged], (below, step): (f64, &[f64])) -> Vec<Vec<f64>> {
+    let near = |j: &Judged| j.filter(|(value, excess)| *value < below && *excess < FAR_BEYOND);
+    let weighted = |j: &Judged| near(j).map(|(value, excess)| value * (1.0 + WEIGHT_ALONG_LIMITS * excess));
+    let mut all: Vec<(f64, Vec<f64>)> = judged.iter().zip(list).filter_map(|(j, w)| Some((weighted(j)?, w))).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut kept: Vec<Vec<f64>> = Vec::new();
+    for (_, w) in all {
+        let near = |other: &Vec<f64>| w.iter().zip(other).zip(step).all(|((a, b), step)| (a - b).abs() < 0.5 * step);
+        if kept.len() < MOST_ALONG_LIMITS && !kept.iter().any(near) {
+            kept.push(w);
+        }
+    }
+    kept
 }
 
 /// Where a design leads: the minimax method's end, from where the limits hold if it does not hold them; and the design itself, if it is better than the known optimum and that end is not.

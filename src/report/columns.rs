@@ -138,3 +138,14 @@ pub(super) fn unit(column: &str) -> Option<&'static str> {
     let name = if name.len() < column.len() { name.strip_suffix('_').unwrap_or(column) } else { column };
     UNITS.iter().find(|(end, _)| name.ends_with(end)).map(|(_, unit)| *unit)
 }
+
+/// The name of a column in words, with its unit behind a comma.
+pub(super) fn heading(column: &str) -> String {
+    let Some(unit) = unit(column) else { return column.replace('_', " ") };
+    let number = &column[column.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
+    let name = column.strip_suffix(number).unwrap_or(column).trim_end_matches('_');
+    let words = UNITS.iter().find(|(end, _)| name.ends_with(end)).map_or(name, |(end, _)| &name[..name.len() - end.len()]);
+    let words = if words.is_empty() { name } else { words };
+    let of = if number.is_empty() { String::new() } else { format!(" of absorber {number}") };
+    format!("{}{of}, {unit}", words.replace('_', " ").trim())
+}

@@ -1,5 +1,6 @@
 //! Results as text, tables and plots: the only place that writes files.
 
+mod captions;
 mod columns;
 pub mod csv;
 pub(crate) mod example;

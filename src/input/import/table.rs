@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::unit::{factor, parts, units};
-use super::words::{Role, is_damping};
+use super::words::{Role, is_damping, is_ratio};
 use super::{FoundChain, FoundStation};
 use crate::input::error::InputError;
 use crate::input::letters::fault;
@@ -70,7 +70,11 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
     for (i, head) in sheet.heads().iter().enumerate().filter(|h| !h.1.is_empty()) {
         let (words, unit) = parts(head);
         let Some(role) = role_of(head) else {
-            let hint = if is_damping(&words) { ", which does not say whether it is to the next station or to ground" } else { "" };
+            let hint = match () {
+                () if is_damping(&words) => ", which does not say whether it is to the next station or to ground",
+                () if is_ratio(&words) => ": all is read as of one speed, and a gear has to be put in by `gear_ratio_to_next`",
+                () => "",
+            };
             left_out.push(format!("column `{head}`{hint}"));
             continue;
         };

@@ -63,6 +63,11 @@ pub(super) fn is_damping(words: &str) -> bool {
     DAMPING.iter().any(|w| words.contains(w))
 }
 
+/// Whether a (folded) head names the ratio of a gear.
+pub(super) fn is_ratio(words: &str) -> bool {
+    ["ratio", "ubersetzung", "uebersetzung", "rapport", "relacao", "transmiss"].iter().any(|w| words.contains(w))
+}
+
 impl Role {
     /// By the (folded) words of a head, without its unit.
     pub(super) fn of(words: &str, unit: Option<&str>) -> Option<Self> {

@@ -154,7 +154,7 @@ pub(crate) struct RawV {
     /// Angle between the banks.
     #[schemars(extend("minimum" = 0, "maximum" = 180, "examples" = [90]))]
     pub bank_angle_deg: At<f64>,
-    /// Angle between the two pins of a throw.
+    /// By how much the second pin of a throw trails the first: positive where the second cylinder fires that much later than the bank angle says.
     #[schemars(extend("minimum" = -180, "maximum" = 180, "default" = 0, "examples" = [18]))]
     pub split_pin_deg: Option<At<f64>>,
     /// Cylinders in the order they fire; 2t-1 and 2t are on throw t.
@@ -302,7 +302,7 @@ pub(crate) struct RawStation {
     /// Damping of the shaft to the next station.
     #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [10]))]
     pub damping_to_next_n_m_s_per_rad: Option<At<f64>>,
-    /// Loss factor of the shaft to the next station.
+    /// Loss factor of the shaft or coupling to the next station: the relative damping psi of its maker over 2 pi. That of `damping.dynamic_magnifier` is added to it.
     #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.01]))]
     pub loss_factor_to_next: Option<At<f64>>,
     /// Stiffness to ground.

@@ -80,7 +80,13 @@ pub(crate) fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>
     let known = |key: &String| ["name", "type"].contains(&key.as_str()) || of_material(key) || TYPES.iter().any(|t| t.index(key).is_some());
     if let Some(column) = table.header.iter().position(|key| !known(key)) {
         let found = format!("found column `{}`, expected `name`, `type` and parameters of types", shown(&table.header[column]));
-        return Err(table.at_head(column, found));
+        let mut keys: Vec<String> = Vec::new();
+        for key in TYPES.iter().flat_map(|t| t.parameters).map(|p| format!("`{}`", p.key)) {
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        return Err(table.at_head_with_help(column, found, format!("parameters, in these units: {}", keys.join(", "))));
     }
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {

@@ -18,6 +18,9 @@ use crate::input::schema::study::RawMethod;
 use crate::objective::Condition;
 use crate::response::Quantity;
 
+/// Largest relative error of a peak in a search, where a study says nothing.
+pub(super) const DEFAULT_TOLERANCE: f64 = 1e-3;
+
 /// How responses are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ResponseMethod {

@@ -284,7 +284,10 @@ pub(super) fn geometry(check: &mut Check, at: &At<RawGeometry>) -> Option<Geomet
 fn amplitude(check: &mut Check, at: &At<RawAmplitude>, (declaration, geometry): (&Declaration, Option<Geometry>)) -> Kraus {
     let RawAmplitude::Kraus(raw) = at.get_ref();
     if declaration.index(STIFFNESS.key).is_none_or(|i| declaration.parameters[i].follows == Follows::Nothing) {
-        let found = format!("found how rubber follows its strain, expected it with a type that is rubber: `{}` is not", declaration.name);
+        let found = format!(
+            "found how the stiffness of filled rubber follows its strain, expected it with `type.rubber`, not with `{}`",
+            declaration.name
+        );
         check.wrong(at, found);
     }
     if geometry.is_none() {
@@ -337,7 +340,8 @@ fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) 
     let (low, high) = law.range();
     for (t, at) in [(air, &raw.air_c), (hub, &raw.hub_c), (limit, &raw.limit_c)] {
         if !(low..=high).contains(&t) {
-            check.wrong(at, format!("found {t} °C outside the range of the material's law of temperature, {low:.1} to {high} °C"));
+            let words = format!("found {t} °C outside the range of the material's law of temperature, {low:.1} to {high} °C");
+            check.wrong_with_help(at, words, "a law says nothing of temperatures beyond its range (`between_c` of `temperature.exponential`): a lower temperature here, or a law that was measured farther");
         }
     }
     Some(Cooling { air, hub, to_air, to_hub: check.not_negative(&raw.to_hub_w_per_k), limit })

@@ -18,6 +18,7 @@ mod material_states;
 mod measures;
 mod named;
 mod optimise;
+mod parts;
 mod placeholders;
 mod published;
 mod ranges;
@@ -31,12 +32,14 @@ use absorbers::Reaches;
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use catalogue::CatalogueSpec;
 pub(crate) use catalogue::RETUNED;
+use checked_study::DEFAULT_TOLERANCE;
 pub use checked_study::{Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};
 pub use inputs::Input;
 pub use load::DutyPoint;
 use material_states::Temperatures;
 use measures::{Context, Judged};
+pub use parts::PartsError;
 use ranges::MOST_POINTS;
 pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 
@@ -60,9 +63,6 @@ use crate::engine::{Engine, Excitation, Order, Source as TorqueSource};
 use crate::response::Quantity;
 use crate::units::HZ_PER_RPM;
 use std::path::Path;
-
-/// Largest relative error of a peak in a search, where a study says nothing.
-const DEFAULT_TOLERANCE: f64 = 1e-3;
 
 /// The files of a study as they are read.
 pub(super) struct Files<'a> {

@@ -39,6 +39,9 @@ impl OptimiseSpec {
     }
 }
 
+/// How many starts are random where a study says nothing.
+pub(super) const RANDOM_STARTS: usize = 4;
+
 /// A front.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FrontSpec {
@@ -127,7 +130,7 @@ pub(crate) fn resolve(
         x.unsigned_abs()
     };
     let seed = whole(raw.seed.as_ref(), 1, i64::MAX, check);
-    let random_starts = whole(raw.random_starts.as_ref(), 4, 1000, check) as usize;
+    let random_starts = whole(raw.random_starts.as_ref(), RANDOM_STARTS as i64, 1000, check) as usize;
     let list = raw.absorber.get_ref();
     if list.is_empty() {
         check.wrong(&raw.absorber, "found no [[optimise.absorber]], expected at least one");

@@ -6,13 +6,13 @@ use crate::input::Study;
 use crate::objective::holds;
 use crate::report::files::{Folder, WriteError};
 
-/// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, of a limit with factors over speed as if the factor were one; multiplier: per cent
+/// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, empty where the limit of a rule changes with speed; used: share of the limit at the worst speed; multiplier: per cent
 /// of the objective that one per cent more of the limit would bring, of optima.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let mut table = Table::new(&["design", "measure", "where", "value", "limit", "unit", "held", "multiplier"]);
+    let mut table = Table::new(&["design", "measure", "where", "value", "limit", "unit", "used_percent", "held", "multiplier"]);
     let mut put = |d: &DesignResult, prices: Option<&[f64]>| {
         for (i, (limit, ratio)) in study.limits.iter().zip(&d.limits).enumerate() {
             let unit = limit.of.unit;
@@ -20,9 +20,10 @@ pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 d.name.clone(),
                 limit.of.key.to_owned(),
                 limit.of.place.clone(),
-                optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite())),
+                optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite() && limit.of.measure.within.factors.is_empty())),
                 number(unit.shown(limit.limit)),
                 unit.symbol().to_owned(),
+                optional(Some(100.0 * unit.ratio(*ratio)).filter(|v| v.is_finite())),
                 holds(*ratio).to_string(),
                 optional(prices.map(|p| p[i])),
             ]);

@@ -75,7 +75,7 @@ impl Example {
         let (first, last) = self
             .chain
             .as_ref()
-            .map_or(("pulley".into(), "flywheel".into()), |c| (c.stations[0].name.clone(), c.stations[c.stations.len() - 1].name.clone()));
+            .map_or(("pulley".into(), "flywheel".into()), |c| (c.stations[0].name.clone(), behind_throws(c).name.clone()));
         // of an engine of one's own no absorber is known
         let optional = if self.chain.is_some() { "# " } else { "" };
         let text = text.replace("@PLACEHOLDER@\n", &placeholders::list(&self.assumed_in_study()));
@@ -177,6 +177,13 @@ impl Example {
         };
         text + &self.chain.as_ref().map_or_else(|| stations::sample(self.throws()), stations::found)
     }
+}
+
+/// The station behind the last throw, as a rule the flywheel: the twist up to it is that of the crank, and not of what is coupled to it.
+fn behind_throws(chain: &crate::input::FoundChain) -> &FoundStation {
+    let last = chain.stations.len() - 1;
+    let throw = chain.stations.iter().rposition(|s| !s.throws.is_empty()).unwrap_or(last);
+    &chain.stations[(throw + 1).min(last)]
 }
 
 /// Compression and expansion with a rise at dead centre, twice: 800 and 4000 rpm.

@@ -37,15 +37,20 @@ pub(super) fn found(chain: &FoundChain) -> String {
         if !throws.is_empty() {
             let _ = writeln!(text, "throws = {throws:?}");
         }
-        let _ = writeln!(text, "inertia_kg_m2 = {inertia}");
+        let _ = writeln!(text, "inertia_kg_m2 = {}", fourteen_digits(*inertia));
         let others = [
             ("stiffness_to_next_n_m_per_rad", stiffness_to_next),
             ("damping_to_next_n_m_s_per_rad", damping_to_next),
             ("damping_to_ground_n_m_s_per_rad", damping_to_ground),
         ];
         for (key, value) in others.iter().filter(|o| *o.1 > 0.0) {
-            let _ = writeln!(text, "{key} = {value}");
+            let _ = writeln!(text, "{key} = {}", fourteen_digits(**value));
         }
     }
     text
+}
+
+/// Fourteen significant digits: what a change of units adds behind them is rounding.
+fn fourteen_digits(x: f64) -> f64 {
+    format!("{x:.13e}").parse().unwrap_or(x)
 }

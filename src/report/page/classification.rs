@@ -4,6 +4,7 @@ use super::parts::{conditions, limits, model, page, parameters, picture, provena
 use super::question::{judged_cells, judged_heads};
 use crate::analysis::Results;
 use crate::analysis::classification::{ABOVE, Classification};
+use crate::analysis::curves::HolzerRow;
 use crate::input::{InputFile, Study};
 use crate::report::files::{Folder, WriteError};
 use crate::report::names::CLASSIFICATION;
@@ -42,7 +43,7 @@ fn holzer(c: &Classification) -> Markup {
         p class="soft" { "For an angle of one at the largest station; the last sum is what the eigensolver leaves." }
         @for mode in 1..=modes {
             @let own = || c.holzer.iter().filter(|r| r.mode == mode);
-            h3 { "Mode " (mode) ", " (own().next().map_or_else(String::new, |r| short(r.frequency_hz))) " Hz, " (nodes(own().map(|r| r.angle))) }
+            h3 { "Mode " (mode) ", " (own().next().map_or_else(String::new, |r| short(r.frequency_hz))) " Hz, " (nodes(own())) }
             div class="scroll" { table {
                 thead { tr { th { "station" } th { "J, kg m²" } th { "Θ" } th { "J ω² Θ, N m" } th { "Σ, N m" } th { "k, N m/rad" } th { "Σ/k" } } }
                 tbody { @for r in own() { tr { td { (r.station) } td { (short(r.inertia)) } td { (format!("{:.5}", r.angle)) } td { (format!("{:.4e}", r.torque)) } td { (format!("{:.4e}", r.sum)) } td { (short(r.stiffness)) } td { (format!("{:.5}", r.twist)) } } } }
@@ -51,10 +52,9 @@ fn holzer(c: &Classification) -> Markup {
     }
 }
 
-/// How often neighbours swing against each other.
-fn nodes(angles: impl Iterator<Item = f64>) -> String {
-    let angles: Vec<f64> = angles.collect();
-    match angles.windows(2).filter(|w| w[0] * w[1] < 0.0).count() {
+/// How many links have a place without motion, seen from the shaft of their station: through a gear that reverses neighbours turn in opposite directions without one.
+fn nodes<'r>(rows: impl Iterator<Item = &'r HolzerRow>) -> String {
+    match rows.filter(|r| r.angle * (r.angle - r.twist) < 0.0).count() {
         1 => "one node".into(),
         n => format!("{n} nodes"),
     }

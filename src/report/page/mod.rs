@@ -8,6 +8,7 @@ mod modes;
 mod numbers;
 mod parts;
 mod question;
+mod tables;
 
 pub(crate) use classification::write as write_classification;
 pub(crate) use folder::write as write_folder;
@@ -20,15 +21,20 @@ use crate::report::text::judged::is_apart;
 use crate::report::text::{dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{Markup, PreEscaped, html};
-use parts::{TABLES, conditions, limits, model, page, parameters, picture, provenance, value_of};
+use parts::{TABLES, conditions, findings, limits, model, page, parameters, picture, provenance, value_of};
 use question::{judged_cells, judged_heads, question, verdicts};
 
 const SCRIPT: &str = include_str!("page.js");
+
+/// Tables that the page draws, and that of times, which is written after it.
+const DRAWN: [&str; 3] = ["response", "margin", "timing"];
 
 /// What takes long of the page and asks for no plots.
 pub(crate) struct Prepared {
     /// What its script draws from.
     data: String,
+    /// What was found, in words.
+    findings: Markup,
     /// What the model is.
     model: Markup,
 }
@@ -41,7 +47,7 @@ fn embedded(data: &serde_json::Value) -> String {
 
 /// That of a run.
 pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
-    Prepared { data: embedded(&data::data(study, results)), model: model(study) }
+    Prepared { data: embedded(&data::data(study, results)), findings: findings(study, results), model: model(study) }
 }
 
 /// Writes the page about its data; plots of the run are taken from the folder.
@@ -68,6 +74,8 @@ fn body((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &P
         (modes::modes())
         (certificates(study, results))
         (conditions(results))
+        (prepared.findings)
+        (tables::tables(folder, &DRAWN))
         (prepared.model)
         (plots(study, results, folder))
         (provenance(study, inputs, results))

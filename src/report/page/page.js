@@ -1,10 +1,10 @@
 const data = JSON.parse(document.getElementById("data").textContent);
-const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#3a8fc4", "#000000", "#7a3db8"];
+const colours = [0, 1, 2, 3, 4, 5, 6, 7].map(i => "var(--c" + i + ")");
 const dashes = ["", "6 3", "2 2", "8 3 2 3"];
 const names = data.designs.map(d => d.name);
 const style = name => { const i = names.indexOf(name); return { colour: colours[i % colours.length], dash: dashes[Math.floor(i / colours.length) % dashes.length] }; };
 const chosen = new Set(data.chosen);
-const svg = (tag, attributes, parent) => { const e = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const k in attributes) e.setAttribute(k, attributes[k]); if (parent) parent.appendChild(e); return e; };
+const svg = (tag, attributes, parent) => { const e = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const k in attributes) if (String(attributes[k]).startsWith("var(")) e.style.setProperty(k, attributes[k]); else e.setAttribute(k, attributes[k]); if (parent) parent.appendChild(e); return e; };
 const short = x => x === null || x === undefined ? "–" : x === 0 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : String(Number(x.toPrecision(4)));
 
 function ticks(low, high, log, most = 6) {
@@ -34,7 +34,7 @@ class Chart {
   value(px) { return this.x0 + (px - 70) / (this.right - 70) * (this.x1 - this.x0); }
   px(x) { return 70 + (this.right - 70) * (x - this.x0) / (this.x1 - this.x0); }
   py(y) { const f = this.log ? Math.log(y / this.y0) / Math.log(this.y1 / this.y0) : (y - this.y0) / (this.y1 - this.y0); return 350 - 330 * f; }
-  show(series, vertical) { this.series = series; if (vertical) this.vertical = vertical; this.draw(); }
+  show(series, vertical, unit) { this.series = series; this.unit = unit; if (vertical) { this.vertical = vertical; this.svg.setAttribute("aria-label", vertical); } this.draw(); }
   // What each curve is; given designs on a front tell their names themselves.
   tellSeries() {
     this.legend.replaceChildren(...this.series.filter(s => !s.quiet && (s.line || !s.points)).map(s => {
@@ -57,22 +57,29 @@ class Chart {
     if (!ys.length) return;
     this.y1 = Math.max(...ys) * 1.05 || 1; this.y0 = this.log ? Math.max(Math.min(...ys) * 0.9, this.y1 * 1e-6) : Math.min(0, ...ys);
     const least = Math.min(...ys); if (this.room && least > 0.3 * this.y1) this.y0 = least - 0.08 * (this.y1 - least);
-    for (const x of ticks(this.x0, this.x1, false, this.width < 600 ? 3 : 6)) { svg("line", { x1: this.px(x), x2: this.px(x), y1: 20, y2: 350, stroke: "#e3e7eb" }, this.svg); svg("text", { x: this.px(x), y: 367, "text-anchor": "middle" }, this.svg).textContent = short(x); }
-    for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: this.right, y1: this.py(y), y2: this.py(y), stroke: "#e3e7eb" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
+    if (this.stations) {
+      const step = Math.ceil(this.stations.length / (this.width < 600 ? 8 : 16));
+      this.stations.forEach((name, i) => { if (i % step) return; const x = this.px(i + 1); svg("line", { x1: x, x2: x, y1: 20, y2: 350, stroke: "var(--grid)" }, this.svg); svg("text", { x, y: 364, "text-anchor": "end", transform: "rotate(-25 " + x + " 364)" }, this.svg).textContent = name.length > 15 ? name.slice(0, 14) + "…" : name; });
+    } else for (const x of ticks(this.x0, this.x1, false, this.width < 600 ? 3 : 6)) { svg("line", { x1: this.px(x), x2: this.px(x), y1: 20, y2: 350, stroke: "var(--grid)" }, this.svg); svg("text", { x: this.px(x), y: 367, "text-anchor": "middle" }, this.svg).textContent = short(x); }
+    for (const y of ticks(this.y0, this.y1, this.log)) { svg("line", { x1: 70, x2: this.right, y1: this.py(y), y2: this.py(y), stroke: "var(--grid)" }, this.svg); svg("text", { x: 64, y: this.py(y) + 4, "text-anchor": "end" }, this.svg).textContent = short(y); }
     svg("text", { x: (70 + this.right) / 2, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
     svg("text", { x: 14, y: 185, "text-anchor": "middle", transform: "rotate(-90 14 185)" }, this.svg).textContent = this.vertical;
-    if (this.band) { const [a, b] = this.band.map(x => Math.min(this.right, Math.max(70, this.px(x)))); svg("rect", { x: a, width: b - a, y: 20, height: 330, fill: "#0072b2", opacity: 0.07 }, this.svg); }
+    if (this.band) { const [a, b] = this.band.map(x => Math.min(this.right, Math.max(70, this.px(x)))); svg("rect", { x: a, width: b - a, y: 20, height: 330, fill: "var(--c0)", opacity: 0.07 }, this.svg); }
     const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); svg("rect", { x: 70, y: 10, width: this.right - 70, height: 340 }, clip);
     const inner = svg("g", { "clip-path": "url(#" + this.box.id + "-clip)" }, this.svg);
+    const ends = [];
     for (const s of this.series) {
-      if (s.points) { s.x.forEach((x, i) => { const c = svg("circle", { cx: this.px(x), cy: this.py(s.y[i]), r: s.size || 4, fill: s.hollow && s.hollow[i] ? "#fff" : s.colour, stroke: s.colour, "stroke-width": 1.5 }, inner); if (s.click) { c.style.cursor = "pointer"; c.addEventListener("click", () => s.click(i)); } }); if (!s.line) continue; }
+      if (s.points) { s.x.forEach((x, i) => { const c = svg("circle", { cx: this.px(x), cy: this.py(s.y[i]), r: s.size || 4, fill: s.hollow && s.hollow[i] ? "var(--back)" : s.colour, stroke: s.colour, "stroke-width": 1.5 }, inner); if (s.click) { c.style.cursor = "pointer"; c.addEventListener("click", () => s.click(i)); } }); if (!s.line) continue; }
       let path = "", pen = false;
       s.x.forEach((x, i) => { const y = s.y[i]; if (y === null || this.log && y <= 0) { pen = false; return; } path += (pen ? "L" : "M") + this.px(x).toFixed(2) + " " + this.py(y).toFixed(2); pen = true; });
       svg("path", { d: path, fill: "none", stroke: s.colour, "stroke-width": s.thin ? 0.8 : 1.8, "stroke-dasharray": s.dash || "" }, inner);
       const last = s.x.length - 1, ex = this.px(s.x[last]), ey = this.py(s.y[last]);
-      if (s.end && ex > 70 && ex <= this.right + 1 && ey >= 10 && ey <= 351) svg("text", { x: ex + 3, y: ey + 3 }, this.svg).textContent = s.end;
+      // labels that would cover another are left out
+      const free = s.end && ex > 70 && ex <= this.right + 1 && ey >= 10 && ey <= 351 && !ends.some(([x, y]) => Math.abs(x - ex) < 8 + 7 * s.end.length && Math.abs(y - ey) < 12);
+      if (free) ends.push([ex, ey]);
+      if (free) svg("text", { x: ex + 3, y: ey + 3 }, this.svg).textContent = s.end;
     }
-    this.mark = svg("line", { y1: 20, y2: 350, stroke: "#57606a", "stroke-dasharray": "3 3", visibility: "hidden" }, this.svg);
+    this.mark = svg("line", { y1: 20, y2: 350, stroke: "var(--soft)", "stroke-dasharray": "3 3", visibility: "hidden" }, this.svg);
   }
   hover(e) { const [px, py] = this.at(e); this.tell(px, py); }
   tell(px, py) {
@@ -87,14 +94,15 @@ class Chart {
     const x = this.value(px);
     this.mark.setAttribute("x1", px); this.mark.setAttribute("x2", px); this.mark.setAttribute("visibility", "visible");
     const near = s => s.x.reduce((b, v, i) => Math.abs(v - x) < Math.abs(s.x[b] - x) ? i : b, 0);
-    this.read.textContent = this.series.length ? short(this.series[0].x[near(this.series[0])]) + " rpm: " + this.series.map(s => s.name + " " + short(s.y[near(s)])).join(", ") : "";
+    this.read.textContent = this.series.length ? short(this.series[0].x[near(this.series[0])]) + " rpm: " + this.series.map(s => s.name + " " + short(s.y[near(s)]) + (this.unit ? " " + this.unit : "")).join(", ") : "";
   }
 }
 
 const response = new Chart("response", "speed, rpm", "");
 const margin = new Chart("margin", "speed, rpm", "safety factor");
 const campbell = new Chart("campbell", "speed, rpm", "frequency, Hz");
-const shape = new Chart("shape", "station", "relative angle");
+const shape = new Chart("shape", "", "relative angle");
+shape.stations = data.modes.stations;
 const front = new Chart("front", "", "");
 front.room = true;
 const by = id => document.getElementById(id);
@@ -113,7 +121,7 @@ function showResponse() {
   }
   const label = known.label + ", " + unit + (order !== "all" && quantity === first ? ", order " + data.orders[Number(order)] : "");
   response.log = by("log").checked;
-  response.show(list, label);
+  response.show(list, label, unit);
 }
 function showMargin() {
   if (!margin.box) return;
@@ -139,11 +147,11 @@ function showFront() {
 function showCampbell() {
   const modes = data.modes, low = Math.min(...data.speeds), high = Math.max(...data.speeds), right = 1.03 * high;
   const reached = Math.max(0, ...modes.orders.map(o => o.hz_per_rpm)) * high;
-  const systems = [{ name: "chain alone", frequencies: modes.chain, colour: "#57606a", dash: "" }];
+  const systems = [{ name: "chain alone", frequencies: modes.chain, colour: "var(--soft)", dash: "" }];
   for (const name of names.filter(n => chosen.has(n) && modes.designs[n])) systems.push({ name, frequencies: modes.designs[name], ...style(name) });
   for (const s of systems) s.frequencies = s.frequencies.filter(f => f <= reached);
   const top = 1.05 * Math.max(...systems.flatMap(s => s.frequencies), modes.chain[0] || 1), list = [];
-  for (const o of modes.orders) { const end = Math.min(right, top / o.hz_per_rpm); list.push({ name: "order " + o.name, quiet: true, thin: true, end: o.name, x: [0, end], y: [0, end * o.hz_per_rpm], colour: "#8c959f" }); }
+  for (const o of modes.orders) { const end = Math.min(right, top / o.hz_per_rpm); list.push({ name: "order " + o.name, quiet: true, thin: true, end: o.name, x: [0, end], y: [0, end * o.hz_per_rpm], colour: "var(--edge)" }); }
   for (const s of systems) {
     s.frequencies.forEach((f, i) => list.push({ name: s.name, quiet: i > 0, x: [0, right], y: [f, f], colour: s.colour, dash: s.dash }));
     const met = modes.orders.flatMap(o => s.frequencies.map((f, mode) => ({ order: o.name, f, mode, speed: f / o.hz_per_rpm }))).filter(m => m.speed >= low && m.speed <= high);
@@ -155,7 +163,7 @@ function showCampbell() {
 function showShape() {
   const mode = data.modes.shapes[Number(by("mode").value)];
   if (!mode) return;
-  shape.show([{ name: short(mode.hz) + " Hz", points: true, line: data.modes.row, x: mode.angles.map((_, i) => i + 1), y: mode.angles, colour: "#57606a", tell: i => data.modes.stations[i] + ": " + short(mode.angles[i]) }]);
+  shape.show([{ name: short(mode.hz) + " Hz", points: true, line: data.modes.row, x: mode.angles.map((_, i) => i + 1), y: mode.angles, colour: "var(--soft)", tell: i => data.modes.stations[i] + ": " + short(mode.angles[i]) }]);
 }
 // Columns of angles in the unit chosen.
 function showUnits() {

@@ -5,7 +5,7 @@ use crate::analysis::{DesignResult, Results};
 use crate::input::{InputFile, MeasureSpec, Study};
 use crate::objective::holds;
 use crate::report::files::Folder;
-use crate::report::text::{check, dash, short, width};
+use crate::report::text::{check, dash, notes, short, whole, width};
 use crate::units::DEG_PER_RAD;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -57,7 +57,7 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
         div class="scroll" { table class="sorts" {
             thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                tr { td { (d.name) } td class="words" { (l.words) } td { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } td { (format!("{:.1}", 100.0 * l.of.unit.ratio(*ratio))) }
+                tr { td { (d.name) } td class="words" { (l.words) } td { @if l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { (format!("{:.1}", 100.0 * l.of.unit.ratio(*ratio))) }
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
@@ -84,6 +84,20 @@ pub(super) fn model(study: &Study) -> Markup {
         h2 { "The model" }
         p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
         div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study)))) } }
+    }
+}
+
+/// What is to be known of the inputs, and what was found, as `hartog run --verbose` prints it.
+pub(super) fn findings(study: &Study, results: &Results) -> Markup {
+    let notes = width::for_a_file(|| notes(study, results));
+    html! {
+        @if !notes.is_empty() {
+            h2 { "Notes and warnings" }
+            ul { @for line in &notes { li { (line) } } }
+        }
+        h2 { "What was found, in words" }
+        p class="soft" { "As `hartog run --verbose` prints it: margins, duty, catalogue, materials, heat, strain, conditions, tolerances, certificates with sensitivities and prices, limits and barred ranges." }
+        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&whole(study, results.calibration.as_ref(), results)))) } }
     }
 }
 

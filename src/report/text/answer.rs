@@ -67,7 +67,8 @@ fn found(study: &Study, results: &Results) -> String {
     let named = |d: &DesignResult| format!("{}: {of} {}", d.name, judged(d));
     match (results.best_optimum(false), results.best_given()) {
         (Some(o), given) => {
-            put(named(&o.design));
+            let nearest = if o.conflict.is_some() { "No design was found that holds all limits; nearest to them is " } else { "" };
+            put(format!("{nearest}{}", named(&o.design)));
             parameters(study, &o.design).into_iter().for_each(&mut put);
             put(format!("  {}", savings(study, results, &o.design, given)));
             put(format!("  {}", certificate(o)));
@@ -138,7 +139,8 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
     if let Some(best) = given
         && let Some((words, value)) = results.judged(best).and_then(|j| against(j.value))
     {
-        parts.push(format!("{words} the best given design, {} ({value})", best.name));
+        let fails = if best.within_limits() { "" } else { ", which breaks limits" };
+        parts.push(format!("{words} the best given design, {} ({value}{fails})", best.name));
     }
     if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
 }
@@ -210,7 +212,7 @@ fn notes(study: &Study, results: &Results) -> String {
     for (i, limit) in study.limits.iter().enumerate() {
         let broken: Vec<&str> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| d.name.as_str()).collect();
         if !broken.is_empty() {
-            text.push_str(&format!("Limit {}: broken by the given {}.\n", limit.words, broken.join(", ")));
+            text.push_str(&format!("Limit {}: broken by {}.\n", limit.words, broken.join(", ")));
         }
     }
     if text.is_empty() { text } else { format!("\n{text}") }

@@ -28,6 +28,7 @@ mod sizing;
 mod strain;
 mod table;
 pub(crate) mod verdict;
+mod whole;
 pub mod width;
 pub(crate) use answer::answer;
 pub(crate) use buildability::bounds;
@@ -49,6 +50,7 @@ pub(crate) use sizing::{rounds, sizing};
 pub(crate) use strain::strain;
 pub(crate) use table::dash;
 pub use table::table;
+pub(crate) use whole::{notes, whole};
 
 /// A value with four significant digits.
 pub(crate) fn short(x: f64) -> String {

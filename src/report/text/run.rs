@@ -152,7 +152,7 @@ pub(crate) fn summary(study: &Study, results: &Results) -> String {
         };
         let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("{} ({})", d.name, size(d))).collect();
         if !list.is_empty() {
-            let _ = writeln!(text, "Limit {}: broken by the given {}.", limit.words, list.join(", "));
+            let _ = writeln!(text, "Limit {}: broken by {}.", limit.words, list.join(", "));
         }
     }
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {

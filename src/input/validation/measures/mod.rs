@@ -7,6 +7,7 @@ mod of_chain;
 
 pub(crate) use context::{Context, Judged, default_twist};
 
+use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
@@ -60,8 +61,13 @@ fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
 
 /// The twist that is reported where a study names none.
 fn reported_twist(of: Context) -> MeasureSpec {
-    let quantity = default_twist(of.chain, of.hub);
-    let name = |i: usize| of.chain.stations[i].name.as_str();
+    twist_spec(of.chain, of.hub)
+}
+
+/// The twist from a hub through a chain.
+pub(super) fn twist_spec(chain: &Chain, hub: usize) -> MeasureSpec {
+    let quantity = default_twist(chain, hub);
+    let name = |i: usize| chain.stations[i].name.as_str();
     let place = match quantity {
         Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
         Quantity::ShaftTorque(_) | Quantity::RingTwist(_) | Quantity::Acceleration(_) => String::new(),

@@ -297,6 +297,20 @@ fn of_type(speeds: &str, absorber: &str, more: &str) -> String {
     )
 }
 
+/// Of sizes that a study lists, the best answers its question, whichever comes first: it is the answer of the terminal and of the page, and its response is drawn.
+#[test]
+fn the_best_of_the_sizes_answers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let absorber = "types = [\"viscous\"]\nsize.ring_inertia_kg_m2.each = [0.01, 0.08, 0.02]";
+    let out = folder.path().join("out");
+    let said = run(&written(folder.path(), &of_type("from = 1600, to = 2600, step = 100", absorber, "")), &out);
+    assert!(unbroken(&said).contains(" optimum_viscous_0.08: peak twist"), "{said}");
+    let page = std::fs::read_to_string(out.join("report.html")).expect("a page");
+    assert!(answers(&page).iter().any(|a| a.contains("optimum_viscous_0.08: ")), "{:?}", answers(&page));
+    let response = std::fs::read_to_string(out.join("response.csv")).expect("a table");
+    assert!(response.contains("optimum_viscous_0.08,") && !response.contains("optimum_viscous_0.02,"));
+}
+
 /// Absurd optima are called that in the first table of the terminal and of the page, in `results.json` and in `summary.json`: a damper that is worse than none where a resonance is drawn into the speeds (against
 /// the value of the design without absorber, which the study does not have), a ring too small to do anything, rubber of no modulus. One that is none of it has no verdict in any file.
 #[test]

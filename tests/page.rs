@@ -208,3 +208,55 @@ fn a_page_is_whole() {
     assert_eq!((text.matches("</script>").count(), text.matches("<script").count()), (2, 2));
     assert!(text.contains("class=\"answer\""));
 }
+
+/// The cells of a table of a page.
+fn cells<'p>(page: &'p str, id: &str) -> Vec<Vec<&'p str>> {
+    let from = page.find(&format!("id=\"{id}\"")).unwrap_or_else(|| panic!("no {id}"));
+    let body = page[from..].split("<tbody>").nth(1).and_then(|b| b.split("</tbody>").next()).expect("a body");
+    let cells = |row: &'p str| row.split("<td>").skip(1).map(|c| c.split("</td>").next().expect("an end")).collect();
+    body.split("<tr>").skip(1).map(cells).collect()
+}
+
+/// Every table of a run stands on its page, number for number to four digits, with its caption in the words of the guide; what `--verbose` prints is there, too. The tables of curves are drawn instead.
+#[test]
+fn a_page_holds_every_table() {
+    let guide = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/guide/outputs.md")).expect("a guide");
+    let guide = guide.replace('`', "");
+    for study in ["studies/villalva_i6_life.toml", "studies/den_hartog.toml"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let page = std::fs::read_to_string(page_of(study, folder.path())).expect("a page");
+        let mut numbers = 0;
+        for path in std::fs::read_dir(folder.path()).expect("a folder").map(|e| e.expect("an entry").path()) {
+            let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            if path.extension().is_none_or(|e| e != "csv") || ["response", "margin", "timing"].contains(&stem.as_str()) {
+                continue;
+            }
+            let mut table = csv::Reader::from_path(&path).expect("a table");
+            let rows: Vec<csv::StringRecord> = table.records().map(|r| r.expect("a row")).collect();
+            let shown = cells(&page, &format!("table_{stem}"));
+            assert_eq!(shown.len(), rows.len(), "{stem}");
+            for (shown, row) in shown.iter().zip(&rows) {
+                assert_eq!(shown.len(), row.len(), "{stem}");
+                for (own, cell) in shown.iter().zip(row) {
+                    match (own.parse::<f64>(), cell.parse::<f64>()) {
+                        (Ok(a), Ok(b)) => {
+                            numbers += 1;
+                            assert!((a - b).abs() <= 5.1e-4 * b.abs(), "{stem}: {own} for {cell}");
+                        }
+                        _ => assert_eq!(
+                            own.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").replace("&quot;", "\""),
+                            cell,
+                            "{stem}"
+                        ),
+                    }
+                }
+            }
+            let caption = page.split(&format!(" ({stem}.csv, ")).next().and_then(|p| p.rsplit("<b>").next()).expect("a caption");
+            let caption = caption.trim_end_matches("</b>");
+            let words: String = caption.chars().take(1).flat_map(char::to_lowercase).chain(caption.chars().skip(1)).collect();
+            assert!(guide.contains(&words) && words.len() > 10, "{stem}: {words}");
+        }
+        assert!(numbers > 50, "{numbers}");
+        assert!(page.contains("What was found, in words") && page.contains("first-order"), "{study}");
+    }
+}

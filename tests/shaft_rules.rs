@@ -202,3 +202,36 @@ fn rated_speeds_of_geared_shafts() {
     let low = of("rated_shaft_speed_rpm = 40,").expect_err("below the study");
     assert!(low.contains("found 40 rpm, 100 rpm of the crankshaft, expected a rated speed"), "{low}");
 }
+
+/// Law: mode m of a line of shafts has m nodes, seen at one speed; a gear that reverses makes neighbours turn in opposite directions without a node between them. The page for a classification society counts them so.
+#[test]
+fn nodes_beside_a_gear_that_reverses() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let station = |name: &str, inertia: f64, more: &str| format!("[[station]]\nname = \"{name}\"\ninertia_kg_m2 = {inertia}\n{more}\n");
+    let engine = [
+        "name = \"geared\"\nstrokes = 2\n[layout.in_line]\nfiring_order = [1]\nfiring_deg = [0]\n[pressure.harmonics]\nfile = \"h.csv\"\n"
+            .to_owned(),
+        station("a", 1.0, "throws = [1]\ndamping_to_ground_n_m_s_per_rad = 5\nstiffness_to_next_n_m_per_rad = 1e5"),
+        station("b", 1.0, "gear_ratio_to_next = -2.5\nstiffness_to_next_n_m_per_rad = 1e8"),
+        station("c", 1.0, "stiffness_to_next_n_m_per_rad = 1e6"),
+        station("d", 8.0, ""),
+    ];
+    for (name, text) in [
+        ("h.csv", "order,amplitude_n_m,phase_deg\n1,100,0\n2,50,0\n".to_owned()),
+        ("engine.toml", engine.concat()),
+        (
+            "study.toml",
+            "engine = \"engine.toml\"\norder_limit = 2\n[speed_rpm]\nfrom = 500\nto = 1500\nstep = 100\n[[design]]\nname = \"none\"\n"
+                .to_owned(),
+        ),
+    ] {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    let out = folder.path().join("out");
+    crate::support::hartog().arg("report").arg(folder.path().join("study.toml")).arg("--out").arg(&out).assert().code(0);
+    let page = std::fs::read_to_string(out.join("classification.html")).expect("a page");
+    for (mode, nodes) in [(1, "one node"), (2, "2 nodes")] {
+        let head = page.split(&format!("<h3>Mode {mode}, ")).nth(1).and_then(|p| p.split("</h3>").next()).expect("a mode");
+        assert!(head.ends_with(nodes), "mode {mode}: {head}");
+    }
+}

@@ -236,7 +236,8 @@ fn conditions_in_tables_and_no_stale_plots() {
 fn compare_holds_the_conditions_of_the_optimum() {
     let folder = tempfile::tempdir().expect("folder");
     let changes = [
-        ("step = 10", "step = 40"),
+        ("step = 10", "step = 100"),
+        ("order_limit = 12", "order_limit = 6"),
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "fixed = 0.076"),
         ("[pareto]\npoints = 100\nagainst.ring_inertia_kg_m2 = [0.0038, 0.152]", ""),
         ("seed = 1", "seed = 1\nrandom_starts = 0\nconditions = [\"misfire\"]"),

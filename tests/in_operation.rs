@@ -167,6 +167,7 @@ fn temperature_as_a_measure() {
 fn a_search_within_a_temperature() {
     let mut s = crate::support::study("villalva_i6_materials");
     s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
+    s.order_limit = 6.0;
     (s.designs, s.front) = (Vec::new(), None);
     s.conditions.clear();
     let optimise = s.optimise.as_mut().expect("optimises");

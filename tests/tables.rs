@@ -293,3 +293,34 @@ fn examples_of_the_guide_read_every_table() {
     let missing: Vec<_> = tables.iter().filter(|t| !examples.iter().any(|e| e.contains(t.as_str()))).collect();
     assert!(missing.is_empty(), "no example: {missing:?}");
 }
+
+/// Law: a stiffness that falls by 0.6 % a kelvin is exp(0.3) times as large 50 K below its reference, and the frequency of the ring on its held hub the root of that; the loss factor falls as the stiffness does. `values.csv` tells all three, cold,
+/// hot and in the reference, to rounding.
+#[test]
+fn a_ring_cold_and_hot() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let study = format!(
+        "engine = {engine:?}\norder_limit = 6\nspeed_rpm = {{ from = 1600, to = 2600, step = 200 }}\nconditions = [\"cold\", \"hot\"]\n\
+         temperatures = {{ cold_c = -30, hot_c = 120 }}\n[[design]]\nname = \"rubber\"\n[[design.absorber]]\non.station = \"pulley\"\n\
+         type.rubber = {{ ring_inertia_kg_m2 = 0.05, stiffness_n_m_per_rad = 5e4, loss_factor = 0.2 }}\n\
+         material.temperature.exponential = {{ per_k = 0.006, reference_c = 20, between_c = [-40, 130] }}\n"
+    );
+    let path = folder.path().join("study.toml");
+    std::fs::write(&path, study).expect("written");
+    let out = folder.path().join("out");
+    assert!(hartog(&["run", &path.to_string_lossy(), "--quiet", "--out", &out.to_string_lossy()]).status.success());
+    let values = rows(&out, "values.csv");
+    let value = |condition: &str, measure: &str| -> f64 {
+        let row = values.iter().find(|r| r["condition"] == condition && r["measure"] == measure).expect(measure);
+        row["value"].parse().expect("a number")
+    };
+    for (condition, kelvin) in [("firing", 0.0), ("cold", -50.0), ("hot", 100.0)] {
+        let factor = f64::exp(-0.006 * kelvin);
+        let stiffness = 5e4 * factor;
+        assert!((value(condition, "stiffness_at_own_frequency") / stiffness - 1.0).abs() < 1e-12, "{condition}");
+        let hz = (stiffness / 0.05).sqrt() / std::f64::consts::TAU;
+        assert!((value(condition, "own_frequency") / hz - 1.0).abs() < 1e-9, "{condition}");
+        assert!((value(condition, "loss_factor_at_own_frequency") / (0.2 * factor) - 1.0).abs() < 1e-12, "{condition}");
+    }
+}

@@ -62,6 +62,7 @@ pub use life::{LifeAt, LifeOverDuty};
 pub use margins::{MarginSweep, SmallestMargin};
 pub use progress::{Progress, RunError, Silent};
 pub use required_material::MadeOf;
+pub(crate) use required_material::over_states;
 pub use results::{Beside, FrontResult, OptimumResult, Results, RowCase, TradeoffResult};
 pub use robust::{Percentile, RobustOfDesign, Worst};
 pub use run::run;

@@ -3,6 +3,7 @@
 use crate::absorber::parameter::DAMPING;
 use crate::absorber::{Absorber, Operating};
 use crate::drivetrain::natural;
+use crate::objective::Condition;
 use crate::units::HZ_PER_RAD_PER_S;
 
 /// Of an absorber whose geometry is given.
@@ -18,21 +19,49 @@ pub struct MadeOf {
     pub strain: f64,
 }
 
+/// A ring on its held hub: what a maker measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OnHeldHub {
+    /// Own frequency, Hz.
+    pub frequency_hz: f64,
+    /// Real part of the dynamic stiffness there, N m/rad.
+    pub stiffness: f64,
+    /// Imaginary over real part there.
+    pub loss_factor: f64,
+}
+
+/// Where damping is the whole of it the ring has no frequency that matters.
+fn is_oil(absorber: &Absorber) -> bool {
+    absorber.value(crate::absorber::parameter::STIFFNESS.key).is_none_or(|k| k == 0.0)
+}
+
+/// The ring of an absorber at its own frequency; nothing where it has none.
+fn at_own_frequency(absorber: &Absorber) -> Option<OnHeldHub> {
+    let law = absorber.law().filter(|_| !is_oil(absorber))?;
+    let omega = natural::own(law.as_ref())?;
+    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+    Some(OnHeldHub { frequency_hz: omega * HZ_PER_RAD_PER_S, stiffness: s.re, loss_factor: s.im / s.re })
+}
+
+/// The same in the reference of its material, and in the state of each of these conditions that has one; nothing where its material has no states.
+pub(crate) fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Condition>) -> Vec<(Condition, OnHeldHub)> {
+    let states = conditions.filter_map(|c| Some((c, absorber.in_state(c.material()?)?)));
+    let mut list: Vec<(Condition, OnHeldHub)> = states.filter_map(|(c, own)| Some((c, at_own_frequency(&own)?))).collect();
+    if let Some(own) = at_own_frequency(absorber).filter(|_| !list.is_empty()) {
+        list.insert(0, (Condition::Firing, own));
+    }
+    list
+}
+
 /// Nothing where no geometry is given.
 pub(crate) fn made_of(absorber: &Absorber, ring_twist: f64) -> Option<MadeOf> {
     let law = absorber.law()?;
     let geometry = law.material()?.geometry?;
     let factor = geometry.factor();
-    let at_own = |omega: f64| {
-        let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
-        (omega * HZ_PER_RAD_PER_S, s.re / factor, s.im / s.re)
-    };
-    // where damping is the whole of it the ring has no frequency that matters
-    let is_oil = absorber.value(crate::absorber::parameter::STIFFNESS.key).is_none_or(|k| k == 0.0);
     Some(MadeOf {
         factor,
-        rubber: natural::own(law.as_ref()).filter(|_| !is_oil).map(at_own),
-        viscosity: absorber.value(DAMPING.key).filter(|_| is_oil).map(|c| c / factor),
+        rubber: at_own_frequency(absorber).map(|own| (own.frequency_hz, own.stiffness / factor, own.loss_factor)),
+        viscosity: absorber.value(DAMPING.key).filter(|_| is_oil(absorber)).map(|c| c / factor),
         strain: geometry.strain_per_twist() * ring_twist,
     })
 }

@@ -55,7 +55,7 @@ impl Condition {
     }
 
     /// The state of the materials that it is.
-    fn material(self) -> Option<State> {
+    pub(crate) fn material(self) -> Option<State> {
         match self {
             Self::Cold => Some(State::Cold),
             Self::Hot => Some(State::Hot),

@@ -91,7 +91,7 @@ pub(crate) struct RawArrhenius {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawExponential {
-    /// Share beta by which the stiffness falls per kelvin: it is multiplied by exp(-beta (T - reference_c)). A loss factor stays as it is.
+    /// Share beta by which stiffness and loss factor of `rubber` fall per kelvin: both are multiplied by exp(-beta (T - reference_c)), as makers of couplings state it. Of other types the factor acts on damping and relaxation time.
     #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
     pub per_k: At<f64>,
     /// Temperature that the values of the law are given for.

@@ -1,6 +1,6 @@
 //! What is known of a design, a value at a time.
 
-use crate::analysis::{DesignResult, Results};
+use crate::analysis::{DesignResult, Results, over_states};
 use crate::input::Study;
 use crate::objective::{Condition, Peak};
 use crate::response::Quantity;
@@ -81,6 +81,14 @@ pub(crate) fn values(study: &Study, results: &Results, d: &DesignResult) -> Vec<
         all.put(firing.name(), "ring_twist", (Some(load.ring_twist * DEG_PER_RAD), "deg"), place());
         all.put(firing.name(), "implied_loss_factor", (m.absorber.implied_loss_factor().map(|l| l.0), "1"), place());
         all.put(firing.name(), "strain", (load.made_of.map(|m| 100.0 * m.strain), "%"), place());
+    }
+    for (i, m) in d.absorbers.iter().enumerate() {
+        for (condition, own) in over_states(&m.absorber, d.conditions.iter().map(|c| c.condition)) {
+            let place = || Quantity::RingTwist(i).place(&results.system.chain);
+            all.put(condition.name(), "own_frequency", (Some(own.frequency_hz), "Hz"), place());
+            all.put(condition.name(), "stiffness_at_own_frequency", (Some(own.stiffness), "N m/rad"), place());
+            all.put(condition.name(), "loss_factor_at_own_frequency", (Some(own.loss_factor), "1"), place());
+        }
     }
     for life in results.duty.iter().filter(|o| o.design == d.name).flat_map(|o| &o.lives) {
         let hours = Some(life.hours()).filter(|h| h.is_finite());

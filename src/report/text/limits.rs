@@ -23,8 +23,10 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     let in_operation = o.design.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
     let held = study.held().len() + in_operation;
-    let worst = if held > 1 { ", in the worst condition it is to hold in" } else { "" };
-    for ((limit, ratio), price) in study.limits.iter().zip(&o.design.limits).zip(&o.prices) {
+    for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
+        let reached = o.design.conditions.iter().find(|c| c.limits.get(i).is_some_and(|own| *own >= ratio * (1.0 - 1e-9)));
+        let worst_in = reached.map_or(Condition::Firing, |c| c.condition).name().replace('_', " ");
+        let worst = if held > 1 { format!(", worst in {worst_in}") } else { String::new() };
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit.is_inverse() { "less" } else { "more" };

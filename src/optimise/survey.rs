@@ -1,7 +1,7 @@
 //! Optima under limits. What holds them may fall apart (a stiff lossy part, a soft part, a nearly locked part), and starts that agree may all lie in one of the parts: the whole box is looked over.
 //!
 //! With one or two coordinates a grid covers the box; with more, its ends and random points. Designs whose objective is certainly far above that of the optimum are left out by its value at a few
-//! speeds; of the others, those that are lowest among their neighbours are followed, by more than one weight of the limits, and by the limits alone. From the optimum without limits the limits are tightened
+//! speeds; of the others, those that are lowest among their neighbours are followed, by more than one weight of the limits, and by the limits alone; between lines of a grid of two coordinates the limits themselves are looked along, for ripples of the objective. From the optimum without limits the limits are tightened
 //! step by step besides.
 
 use super::minimax::{self, Outcome};

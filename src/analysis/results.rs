@@ -34,7 +34,7 @@ pub struct OptimumResult {
     pub natures: Vec<Option<Nature>>,
     /// Load case of each row.
     pub load_cases: Vec<RowCase>,
-    /// Whether it is the main size of its type.
+    /// Whether it is the main size of its type, or the best of all sizes: it has curves, margins and conditions.
     pub main: bool,
     /// Name of its family: that of the optimum by the study's first objective.
     pub family: String,

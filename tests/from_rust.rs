@@ -49,6 +49,9 @@ fn parts_that_do_not_belong_together() {
     let other = again("den_hartog").expect("parts");
     assert_eq!(other.engine.source, read.engine.source);
     assert!(other.with_search(7, &TUNED, 0.1).expect_err("no station").to_string().contains("on station 7"));
+    let given = hartog::absorber::types::TYPES.iter().find(|t| t.name == "hardening").expect("a type");
+    let searched = again("den_hartog").expect("parts").with_search(0, given, 0.1).expect_err("of large twist");
+    assert!(searched.to_string().contains("search for `hardening`"), "{searched}");
     let no_ring = again("den_hartog").expect("parts").with_search(0, &TUNED, 0.0).expect_err("no ring");
     assert!(no_ring.to_string().contains("ring of 0 kg m²"), "{no_ring}");
 }

@@ -256,6 +256,7 @@ fn a_page_holds_every_table() {
             let words: String = caption.chars().take(1).flat_map(char::to_lowercase).chain(caption.chars().skip(1)).collect();
             assert!(guide.contains(&words) && words.len() > 10, "{stem}: {words}");
         }
+        assert!(page.contains("<th>ring inertia, kg m²</th>") && page.contains("<th>stiffness, N m/rad</th>"), "{study}: units of heads");
         assert!(numbers > 50, "{numbers}");
         assert!(page.contains("What was found, in words") && page.contains("first-order"), "{study}");
     }

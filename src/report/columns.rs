@@ -131,21 +131,30 @@ pub(super) fn kind(table: &str, column: &str) -> Kind {
     }
 }
 
+/// The name of a column and the number behind it, of parameters of one absorber of several; the digit of a unit (`_kg_m2`) is none.
+fn numbered(column: &str) -> (&str, Option<&str>) {
+    let name = column.trim_end_matches(|c: char| c.is_ascii_digit());
+    match name.strip_suffix('_') {
+        Some(own) if name.len() < column.len() => (own, Some(&column[name.len()..])),
+        _ => (column, None),
+    }
+}
+
+/// The end of the name of a column of numbers that tells its unit, and the unit.
+fn ending(name: &str) -> Option<(&'static str, &'static str)> {
+    UNITS.iter().find(|(end, _)| name.ends_with(end)).copied()
+}
+
 /// The unit of a column of numbers, as its name says it; `None` of what has no unit or has it in another column.
 pub(super) fn unit(column: &str) -> Option<&'static str> {
-    // parameters of one absorber of several end with its number
-    let name = column.trim_end_matches(|c: char| c.is_ascii_digit());
-    let name = if name.len() < column.len() { name.strip_suffix('_').unwrap_or(column) } else { column };
-    UNITS.iter().find(|(end, _)| name.ends_with(end)).map(|(_, unit)| *unit)
+    ending(numbered(column).0).map(|found| found.1)
 }
 
 /// The name of a column in words, with its unit behind a comma.
 pub(super) fn heading(column: &str) -> String {
-    let Some(unit) = unit(column) else { return column.replace('_', " ") };
-    let number = &column[column.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
-    let name = column.strip_suffix(number).unwrap_or(column).trim_end_matches('_');
-    let words = UNITS.iter().find(|(end, _)| name.ends_with(end)).map_or(name, |(end, _)| &name[..name.len() - end.len()]);
-    let words = if words.is_empty() { name } else { words };
-    let of = if number.is_empty() { String::new() } else { format!(" of absorber {number}") };
-    format!("{}{of}, {unit}", words.replace('_', " ").trim())
+    let (name, number) = numbered(column);
+    let Some((end, unit)) = ending(name) else { return column.replace('_', " ") };
+    let words = name.strip_suffix(end).filter(|words| !words.is_empty()).unwrap_or(name).replace('_', " ");
+    let of = number.map_or_else(String::new, |n| format!(" of absorber {n}"));
+    format!("{words}{of}, {unit}")
 }

@@ -5,6 +5,7 @@ use super::family::{AbsorberSpec, Size};
 use super::material_states::Temperatures;
 use super::measures::{default_twist, twist_spec};
 use super::optimise::OptimiseSpec;
+use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Host};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
@@ -34,9 +35,12 @@ pub enum PartsError {
     #[error("{0}")]
     Engine(&'static str),
     /// Speeds or orders that are none.
-    #[error("found no ascending, finite speeds above zero and order limit of at least a half, expected both")]
+    #[error("found no ascending, finite speeds above zero and order limit from 0.5 to 200, expected both")]
     Range,
-    /// A station, type or size of an absorber that is none.
+    /// A type that no search can take.
+    #[error("found a search for `{0}`, whose law is of large twist, expected another type: it may be given")]
+    GivenOnly(&'static str),
+    /// A station or size of an absorber that is none.
     #[error(
         "found an absorber on station {station} with a ring of {ring_inertia} kg m², expected a station of the chain and an inertia above zero"
     )]
@@ -55,12 +59,12 @@ impl Study {
     /// `speeds_rpm`: ascending, rpm, the grid between which peaks are refined; `order_limit`: the highest order.
     ///
     /// # Errors
-    /// [`PartsError`] where the parts do not belong together or have no finite response.
+    /// [`PartsError`] where the parts do not belong together; the pressure is taken as it is.
     pub fn from_parts(engine: Engine, chain: Chain, speeds_rpm: Vec<f64>, order_limit: f64) -> Result<Self, PartsError> {
         check_engine(&engine)?;
         check_chain(&chain, &engine)?;
         let ascending = speeds_rpm.windows(2).all(|w| w[0] < w[1]) && speeds_rpm.first().is_some_and(|s| *s > 0.0);
-        if !ascending || !speeds_rpm.iter().all(|s| s.is_finite()) || !(0.5..=1000.0).contains(&order_limit) {
+        if !ascending || !speeds_rpm.iter().all(|s| s.is_finite()) || !(0.5..=200.0).contains(&order_limit) {
             return Err(PartsError::Range);
         }
         let table = match &engine.source {
@@ -111,10 +115,13 @@ impl Study {
     /// The same with a search for the best absorber of a type and size on a station: all its other parameters are free within wide bounds. The twist is from that station to the last.
     ///
     /// # Errors
-    /// [`PartsError::Absorber`] where there is no such station or ring.
+    /// [`PartsError::Absorber`] where there is no such station or ring, [`PartsError::GivenOnly`] of a type whose law is of large twist.
     pub fn with_search(mut self, station: usize, kind: &'static Declaration, ring_inertia: f64) -> Result<Self, PartsError> {
         if station >= self.chain.len() || !ring_inertia.is_finite() || ring_inertia <= 0.0 {
             return Err(PartsError::Absorber { station, ring_inertia: ring_inertia.to_string() });
+        }
+        if GIVEN_ONLY.contains(&kind) {
+            return Err(PartsError::GivenOnly(kind.name));
         }
         let absorber = AbsorberSpec {
             on: Host::Station(station),
@@ -157,7 +164,8 @@ fn check_engine(engine: &Engine) -> Result<(), PartsError> {
     }
     if let Source::Cylinder { geometry, .. } = &engine.source {
         let crank = &geometry.slider_crank;
-        let sizes = [geometry.bore, crank.crank_radius, crank.rod_length, geometry.piston_mass, geometry.rod_mass];
+        let rod = geometry.rod_rotating_fraction();
+        let sizes = [geometry.bore, crank.crank_radius, crank.rod_length, geometry.piston_mass, geometry.rod_mass, rod, 1.0 - rod];
         if !sizes.iter().all(|x| x.is_finite() && *x >= 0.0) || geometry.bore == 0.0 || crank.rod_length <= crank.crank_radius {
             return Err(PartsError::Engine(
                 "found a bore, stroke, rod or mass that no engine has, expected them positive and the rod longer than the crank radius",

@@ -74,5 +74,6 @@ mod tables;
 mod threads;
 mod trees;
 mod unit_load_bounds;
+mod units_of_keys;
 mod unseen_peaks;
 mod versions;

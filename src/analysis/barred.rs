@@ -6,7 +6,8 @@ use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
 use crate::input::LimitSpec;
 use crate::objective::in_operation::absorbers;
-use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds, is_same_speed};
+use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds};
+use crate::response::grid::is_same_speed;
 use crate::response::{ResponseError, Work};
 
 /// A barred range.

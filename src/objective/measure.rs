@@ -2,6 +2,7 @@
 
 use crate::engine::Order;
 use crate::response::Quantity;
+use crate::response::grid::SAME_SPEED;
 
 /// How a measure comes from its quantities.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -53,14 +54,6 @@ pub enum Property {
         /// Hz.
         high: f64,
     },
-}
-
-/// Share by which speeds may differ and be the same: rounding of corners that are products, and of speeds that are sums of steps.
-const SAME_SPEED: f64 = 1e-9;
-
-/// Whether two speeds differ by rounding only.
-pub(crate) fn is_same_speed(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME_SPEED * a.abs().max(b.abs())
 }
 
 /// A range with speeds at its ends that differ from them by rounding.

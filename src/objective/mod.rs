@@ -31,7 +31,7 @@ pub(crate) use damage::Sheared;
 pub(crate) use design_cache::Shared;
 pub(crate) use design_peaks::DesignPeaks;
 pub use duty::DutyLoad;
-pub(crate) use measure::{HELD, holds, is_same_speed};
+pub(crate) use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};
 pub(crate) use peak_search::Asked;

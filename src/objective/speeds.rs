@@ -1,6 +1,6 @@
 //! Speeds at which a design is evaluated: those of the study, and more where a resonance is too narrow for them.
 
-use super::measure::{is_same_speed, with_its_ends};
+use super::measure::with_its_ends;
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::drivetrain::natural::{Basis, depends_on_speed, is_constant};
@@ -8,6 +8,7 @@ use crate::engine::Order;
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::response::Grid;
+use crate::response::grid::is_same_speed;
 use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
 
 /// A resonance whose half-width is less than this many grid steps is narrow: grid values alone might miss it.

@@ -4,8 +4,8 @@ use crate::support::{assert_close, study, system};
 use hartog::absorber::{Absorber, Host, Mounted, RUBBER, TUNED};
 use hartog::input::{LimitSpec, MeasureSpec, Study};
 use hartog::numerics::C64;
-use hartog::objective::{DutyLoad, Measure, Over, PeakFinder, Property, Within};
-use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
+use hartog::objective::{DutyLoad, Measure, Over, PeakFinder, Property, STATISTICS, Within};
+use hartog::response::{Direct, Grid, Method, Quantity, Rate, Response, Work};
 
 const ENGINES: [&str; 2] = ["villalva_i6_thesis", "villalva_v10_thesis"];
 
@@ -49,8 +49,10 @@ fn measures(study: &Study, rings: usize) -> Vec<Measure> {
         Measure::new(all(), Over::Power),
         Measure::new(vec![Quantity::RingTwist(rings - 1)], Over::Power),
         Measure::new(vec![study.twist], Over::Order(order)),
-        Measure::new(vec![Quantity::Acceleration(1)], Over::Synthesis),
-        Measure::new(vec![Quantity::Acceleration(0)], Over::Orders),
+        Measure::new(vec![Quantity::Motion(1, Rate::Acceleration)], Over::Synthesis),
+        Measure::new(vec![Quantity::Motion(0, Rate::Acceleration)], Over::Orders),
+        Measure::new(vec![study.twist], Over::Statistic(STATISTICS[0])),
+        Measure::new(vec![Quantity::Motion(0, Rate::Acceleration)], Over::Statistic(STATISTICS[0])),
         Measure::new(vec![study.twist], Over::Mean),
         Measure::new(all(), Over::Mean),
         Measure::new(all(), Over::MeanPower),
@@ -60,7 +62,8 @@ fn measures(study: &Study, rings: usize) -> Vec<Measure> {
     ];
     for quantities in [vec![study.twist], vec![Quantity::ShaftTorque(2)], all()] {
         list.push(Measure { quantities: quantities.clone(), over: Over::Synthesis, within: within.clone() });
-        list.push(Measure { quantities, over: Over::Orders, within: within.clone() });
+        list.push(Measure { quantities: quantities.clone(), over: Over::Orders, within: within.clone() });
+        list.push(Measure { quantities, over: Over::Statistic(STATISTICS[0]), within: within.clone() });
     }
     list.push(Measure { quantities: all(), over: Over::Power, within });
     list
@@ -113,6 +116,12 @@ fn values_of_measures_equal_a_fine_sweep() {
             let direct = Direct::new(finder.system, &grid);
             let orders = finder.system.orders();
             let design = &designs()[1];
+            // samples of the cycle: more than twice its harmonics, so that a mean square of them is exact
+            let harmonics = &finder.system.excitation.harmonics;
+            let samples = 2 * harmonics[orders - 1] + 2;
+            let angle = |i: u32, h: u32| std::f64::consts::TAU * f64::from(i * h) / f64::from(samples);
+            let turns: Vec<Vec<C64>> =
+                (0..samples).map(|i| harmonics.iter().map(|h| C64::from_polar(1.0, angle(i, *h))).collect()).collect();
             for measure in measures(&s, design.len()) {
                 if matches!(measure.over, Over::Mean | Over::MeanPower | Over::Property(_)) {
                     continue;
@@ -128,6 +137,10 @@ fn values_of_measures_equal_a_fine_sweep() {
                         let value = match measure.over {
                             Over::Synthesis => finder.synthesis(y)[0],
                             Over::Orders => y.iter().map(|y| y.norm()).fold(0.0, f64::max),
+                            Over::Statistic(_) => {
+                                let sample = |turn: &Vec<C64>| y.iter().zip(turn).map(|(y, t)| (y * t).re).sum::<f64>().powi(2);
+                                (turns.iter().map(sample).sum::<f64>() / turns.len() as f64).sqrt()
+                            }
                             Over::Order(o) => (0..orders).filter(|n| order(*n) == o).map(|n| y[n].norm()).sum(),
                             _ => {
                                 let Quantity::RingTwist(r) = quantity else { panic!("a ring") };

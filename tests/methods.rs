@@ -7,7 +7,7 @@ use hartog::benchmark::methods::Candidate;
 use hartog::benchmark::scenarios::scenarios;
 use hartog::drivetrain::System;
 use hartog::numerics::I;
-use hartog::response::{Grid, Newmark, Quantity, Response, Work};
+use hartog::response::{Grid, Newmark, Quantity, Rate, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
 
 /// Law: every integrator errs by the square of its step. Den Hartog's two masses at 180 and 360 steps a cycle.
@@ -113,7 +113,8 @@ fn accelerations_are_second_derivatives() {
             let mut out = Vec::new();
             method.sweep(&scenario.design, quantity, &mut out, &mut Work::default()).ok().map(|()| out)
         };
-        let (Some(angles), Some(found)) = (sweep(Quantity::Twist { from: 0, to: None }), sweep(Quantity::Acceleration(0))) else {
+        let (Some(angles), Some(found)) = (sweep(Quantity::Twist { from: 0, to: None }), sweep(Quantity::Motion(0, Rate::Acceleration)))
+        else {
             continue;
         };
         answered += 1;

@@ -111,6 +111,7 @@ pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 
             let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
             index.map_or(0.0, own)
         }
+        Over::Statistic(s) => work.chunks(system.orders()).map(|y| (s.0.value)(y)).fold(0.0, f64::max),
         Over::Synthesis
         | Over::Mean
         | Over::AtDuty(_)

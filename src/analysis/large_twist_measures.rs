@@ -54,7 +54,7 @@ impl<'a> Told<'a> {
     pub fn new(measure: &'a Measure, index: usize, system: &System, quantities: &mut Vec<Quantity>) -> Option<Self> {
         let own = Quantity::RingTwist(index);
         let harmonic = match measure.over {
-            Over::Synthesis | Over::Orders => None,
+            Over::Synthesis | Over::Orders | Over::Statistic(_) => None,
             Over::Order(order) => {
                 let excitation = &system.excitation;
                 let known = excitation.orders.iter().position(|o| *o == order)?;
@@ -102,6 +102,7 @@ impl<'a> Told<'a> {
             (Over::Power, _) => steady.power,
             (Over::Synthesis, Some(i)) => synthesiser.extremes(&steady.quantities[*i]).half_peak_to_peak,
             (Over::Synthesis, None) => largest_from_rest(synthesiser, steady),
+            (Over::Statistic(s), place) => (s.0.value)(place.map_or(&steady.twist, |i| &steady.quantities[i])),
             (_, Some(i)) => single(&steady.quantities[*i]),
             (_, None) => single(&steady.twist),
         };

@@ -1,6 +1,7 @@
 //! A measure as a study names it: with its unit, and its names in tables and titles.
 
 use crate::objective::{Limit, Measure};
+use crate::response::Rate;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
 
 /// Unit a measure is reported in.
@@ -8,8 +9,8 @@ use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
 pub enum UnitOf {
     /// Degrees (rad inside).
     Angle,
-    /// rad/s².
-    Acceleration,
+    /// rad/s or rad/s².
+    Motion(Rate),
     /// N m.
     Torque,
     /// Nominal shear stress of a section, MPa (N m inside).
@@ -55,7 +56,7 @@ impl UnitOf {
             Self::Strain { per_twist } => 100.0 * value * per_twist,
             Self::SpringStress { per_twist } => value * per_twist / PA_PER_MPA,
             Self::PowerPerArea { area } => value / area,
-            Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => value,
+            Self::Motion(_) | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => value,
             Self::Margin | Self::Life => 1.0 / value,
         }
     }
@@ -68,7 +69,7 @@ impl UnitOf {
             Self::Strain { per_twist } => 0.01 * shown / per_twist,
             Self::SpringStress { per_twist } => shown * PA_PER_MPA / per_twist,
             Self::PowerPerArea { area } => shown * area,
-            Self::Acceleration | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => shown,
+            Self::Motion(_) | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => shown,
             Self::Margin | Self::Life => 1.0 / shown,
         }
     }
@@ -87,7 +88,7 @@ impl UnitOf {
     pub(crate) fn suffix(self) -> &'static str {
         match self {
             Self::Angle => "°",
-            Self::Acceleration => " rad/s²",
+            Self::Motion(rate) => rate.suffix(),
             Self::Torque => " N m",
             Self::Stress { .. } | Self::SpringStress { .. } => " MPa",
             Self::Strain { .. } => " %",
@@ -104,7 +105,7 @@ impl UnitOf {
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Angle => "deg",
-            Self::Acceleration => "rad/s2",
+            Self::Motion(rate) => rate.unit(),
             Self::Torque => "N m",
             Self::Stress { .. } | Self::SpringStress { .. } => "MPa",
             Self::Strain { .. } => "%",

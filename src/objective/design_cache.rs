@@ -33,7 +33,8 @@ pub(super) struct Swept {
 impl Shared {
     /// For measures that will be asked for: what they need is swept at once.
     pub fn of<'m>(measures: impl Iterator<Item = &'m Measure>) -> Self {
-        let swept = |m: &&Measure| matches!(m.over, Over::Synthesis | Over::Margin(_) | Over::Power) && !m.within.has_kinks();
+        let swept =
+            |m: &&Measure| matches!(m.over, Over::Synthesis | Over::Margin(_) | Over::Statistic(_) | Over::Power) && !m.within.has_kinks();
         let mut together: Vec<Quantity> = Vec::new();
         for quantity in measures.filter(swept).flat_map(|m| &m.quantities) {
             if !together.contains(quantity) {

@@ -57,6 +57,7 @@ impl PeakFinder<'_> {
                 list
             }
             Over::Orders | Over::Order(_) => each(absorbers, |index| self.order_gradient((design, index), peak, work))?,
+            Over::Statistic(statistic) => self.statistic_gradients((design, absorbers), statistic, peak, work)?,
             Over::Temperature => each(absorbers, |index| self.temperature_gradient((design, index), measure, peak, work))?,
             Over::AtDuty(point) => each(absorbers, |index| self.at_duty_gradient((design, index), peak, point, work))?,
             Over::Mean | Over::MeanPower => each(absorbers, |index| self.mean_gradient((design, index), measure, peak.quantity, work))?,

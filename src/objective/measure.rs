@@ -1,5 +1,6 @@
 //! Measures of a design: what objectives, limits and fronts are made of.
 
+use super::statistic::Statistic;
 use crate::engine::Order;
 use crate::response::Quantity;
 use crate::response::grid::SAME_SPEED;
@@ -13,6 +14,8 @@ pub enum Over {
     Orders,
     /// One order; nothing where the torque has none of it.
     Order(Order),
+    /// A number made of the magnitudes of all orders.
+    Statistic(Statistic),
     /// Share of the crank's strength that is used, all orders together: the inverse of its margin by a criterion of the study (an index).
     Margin(usize),
     /// Mean power dissipated in the absorbers whose ring twists are the quantities, together, W.
@@ -35,6 +38,19 @@ impl Over {
     /// Whether it asks for the points of a duty.
     pub(crate) fn asks_for_duty(self) -> bool {
         matches!(self, Self::Mean | Self::MeanPower | Self::Damage)
+    }
+
+    /// In words before what it is of, and before its column.
+    pub(crate) fn names(self) -> (String, String) {
+        match self {
+            Self::Orders => ("largest order of ".into(), "peak_order_".into()),
+            Self::Order(order) => (format!("order {order} of "), format!("peak_order_{order}_")),
+            Self::Statistic(Statistic(row)) => (format!("peak {} ", row.label), format!("peak_{}_", row.name)),
+            Self::Property(_) | Self::Damage => (String::new(), String::new()),
+            Self::Mean | Self::MeanPower => ("mean over the duty of ".into(), "mean_".into()),
+            Self::AtDuty(_) => ("mean over the duty of ".into(), "peak_mean_".into()),
+            Self::Synthesis | Self::Margin(_) | Self::Power | Self::Temperature => ("peak ".into(), "peak_".into()),
+        }
     }
 }
 

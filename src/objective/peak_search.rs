@@ -196,6 +196,15 @@ impl<'a> PeakFinder<'a> {
                     }
                 }
             }
+            Over::Statistic(statistic) => {
+                let swept = self.swept(design, measure, &speeds, shared, work)?;
+                for (quantity, sweep) in measure.quantities.iter().zip(&swept) {
+                    for (part, speeds) in &parts {
+                        let sweep = &sweep[part.start * orders..part.end * orders];
+                        self.statistics(design, (*quantity, measure, statistic), (speeds, sweep), &mut found, work)?;
+                    }
+                }
+            }
             Over::Power => {
                 let twists = self.swept(design, measure, &speeds, shared, work)?;
                 let mut of =

@@ -1,11 +1,10 @@
 //! Peaks of the mean power that absorbers dissipate, over speed.
 
 use super::design_cache::Sweep;
-use super::local_maxima;
 use super::measure::{Measure, Over};
-use super::peak::{Peak, Place};
+use super::peak::Peak;
 use super::peak_search::{Found, PeakFinder};
-use super::sharp_resonances::{RISE, RISE_OF_SQUARES, bend, resolved_values};
+use super::sharp_resonances::{RISE, RISE_OF_SQUARES, bend};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
 use crate::numerics::ZERO;
@@ -68,34 +67,15 @@ impl PeakFinder<'_> {
             };
             measure.absorbers().zip(twists).map(own).sum::<f64>() * measure.within.weight(speeds.rpm[i])
         };
-        let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);
-        let can_matter = (0..orders, |value| (1.0 + RISE_OF_SQUARES) * value, rise);
-        let finer = resolved_values((speeds, &values), wanted, can_matter, |speed| value_at(speed, work))?;
-        let (speeds, values) = finer.as_ref().map_or((speeds, &values), |f| (&f.0, &f.1));
-        let known = found.peaks.iter().map(|peak| peak.value).chain(values.iter().copied()).fold(0.0, f64::max);
-        let top = known.max(found.best);
-        for candidate in local_maxima::maxima(&speeds.rpm, values) {
-            if candidate.value < LEAST_SHARE * found.keep * known {
-                break;
-            }
-            let wanted = found.keep * found.best.max(top);
-            let smooth = if self.refine && candidate.may_reach(wanted, speeds.is_narrow(candidate.index)) {
-                local_maxima::smooth_top(candidate.index, speeds, values, |speed| value_at(speed, work))?
-            } else {
-                None
-            };
-            let peak = match smooth {
-                Some(speed_rpm) => Some((speed_rpm, Place::Interior)),
-                None => self.refined((design, quantity), candidate, speeds, wanted, value_at, work)?,
-            };
-            let Some((speed_rpm, place)) = peak else { continue };
+        let peak_at = |speed_rpm: f64, place, work: &mut Work| {
             let by_order = self.powers_at(design, measure, speed_rpm, work)?;
             let (order, order_value) = by_order.iter().enumerate().fold((0, 0.0), |m, (n, p)| if *p > m.1 { (n, *p) } else { m });
             let weight = measure.within.weight(speed_rpm);
             let value = by_order.iter().sum::<f64>() * weight;
-            found.put(Peak { value, weight, over: Over::Power, speed_rpm, order, order_value, quantity, extremes: None, place });
-        }
-        Ok(())
+            Ok(Peak { value, weight, over: Over::Power, speed_rpm, order, order_value, quantity, extremes: None, place })
+        };
+        let rises = (RISE_OF_SQUARES, rise);
+        self.smooth_peaks((design, quantity), (speeds, &values), (LEAST_SHARE, rises), (value_at, peak_at), found, work)
     }
 
     /// Frequency of an order at a speed.

@@ -74,6 +74,7 @@ impl<'a> PeakFinder<'a> {
                 let y = self.direct.order_at(design, peak.quantity, peak.order, peak.speed_rpm, work)?;
                 Ok(peak.weight * y.norm())
             }
+            Over::Statistic(statistic) => Ok(peak.weight * self.statistic_at((design, peak.quantity), statistic, peak.speed_rpm, work)?.0),
             _ => Ok(0.0),
         }
     }
@@ -89,7 +90,9 @@ impl<'a> PeakFinder<'a> {
         work: &mut Work,
     ) -> Result<Option<f64>, ResponseError> {
         match peak.over {
-            Over::Synthesis | Over::Margin(_) | Over::Orders | Over::Order(_) => Ok(Some(self.at_least(design, (measure, peak), work)?)),
+            Over::Synthesis | Over::Margin(_) | Over::Orders | Over::Order(_) | Over::Statistic(_) => {
+                Ok(Some(self.at_least(design, (measure, peak), work)?))
+            }
             Over::Power => Ok(Some(self.powers_at(design, measure, peak.speed_rpm, work)?.iter().sum::<f64>() * peak.weight)),
             _ => Ok(None),
         }

@@ -66,8 +66,8 @@ impl Response for ClosedForm<'_> {
         let y = match quantity {
             Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * q * denominator * system.chain.link(s).of(shape),
             Quantity::RingTwist(_) => z.map_or(ZERO, |(_, phi)| q * phi * condensed.rings[0].twist),
-            Quantity::Twist { .. } | Quantity::Acceleration(_) => {
-                q * denominator * quantity.difference(&system.chain).map_or(0.0, |twist| twist.of(shape)) * quantity.per_angle(omega)
+            Quantity::Twist { .. } | Quantity::Motion(..) => {
+                quantity.of_angle(q * denominator * quantity.difference(&system.chain).map_or(0.0, |twist| twist.of(shape)), omega)
             }
         };
         if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(excited, speed_rpm)) }

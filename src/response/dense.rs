@@ -62,7 +62,7 @@ impl Response for Dense<'_> {
         let omega = self.system.excitation.orders[order].omega(speed_rpm);
         Ok(match quantity {
             Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, omega),
-            _ => twist * quantity.per_angle(omega),
+            _ => quantity.of_angle(twist, omega),
         })
     }
 }

@@ -220,8 +220,8 @@ impl<'a> Factored<'a> {
             Quantity::Twist { from, to: Some(to) } if self.stiff => {
                 self.system.chain.path(from, to).into_iter().map(|(shaft, weight)| self.shaft_twist(shaft, x) * weight).sum()
             }
-            Quantity::Twist { .. } | Quantity::Acceleration(_) => {
-                quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)) * quantity.per_angle(self.omega)
+            Quantity::Twist { .. } | Quantity::Motion(..) => {
+                quantity.of_angle(quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)), self.omega)
             }
             Quantity::ShaftTorque(s) if self.stiff => self.with_torques().map_or(ZERO, |all| all.torque(s, x)),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),

@@ -89,7 +89,7 @@ impl Response for Holzer<'_> {
         }
         let y = match quantity {
             Quantity::Twist { from, to } => theta[from] - to.map_or(ZERO, |to| theta[to]),
-            Quantity::Acceleration(station) => theta[station] * quantity.per_angle(omega),
+            Quantity::Motion(station, rate) => rate.of(theta[station], omega),
             Quantity::ShaftTorque(s) => chain.shaft_stiffness(s, omega) * (theta[s] - theta[s + 1]),
             Quantity::RingTwist(r) => {
                 let ring = &condensed.rings[r];

@@ -47,7 +47,7 @@ pub use method::Response;
 pub use method_enum::Method;
 pub use modal::Modal;
 pub use newmark::Newmark;
-pub use quantity::Quantity;
+pub use quantity::{Quantity, Rate};
 pub(crate) use quasi_static::{Unamplified, quasi_static};
 pub use receptance::Receptance;
 pub(crate) use reduced::Reduced;

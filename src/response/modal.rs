@@ -78,7 +78,7 @@ impl<'a> Modal<'a> {
         if let Quantity::ShaftTorque(s) = quantity {
             y *= self.system.chain.shaft_stiffness(s, omega);
         }
-        y *= quantity.per_angle(omega);
+        y = quantity.of_angle(y, omega);
         if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(excited, speed_rpm)) }
     }
 }

@@ -1,8 +1,8 @@
 //! Quantities of several points that are solved together.
 
-use super::Quantity;
 use super::batch::Block;
 use super::lane::{LANES, Lane};
+use super::{Quantity, Rate};
 use crate::drivetrain::Chain;
 
 /// What a quantity is made of, in a block of points.
@@ -11,7 +11,7 @@ pub(super) enum Output {
     /// Of a station.
     Angle(usize),
     /// Of a station.
-    Acceleration(usize),
+    Motion(usize, Rate),
     /// Twists of links that follow each other.
     Row(std::ops::Range<usize>),
     /// Twists of links with their weights.
@@ -31,7 +31,7 @@ impl Output {
             Quantity::Twist { from, to: Some(to) } => Self::Path(chain.path(from, to)),
             Quantity::ShaftTorque(s) => Self::Torque(s),
             Quantity::RingTwist(a) => Self::Ring(a),
-            Quantity::Acceleration(station) => Self::Acceleration(station),
+            Quantity::Motion(station, rate) => Self::Motion(station, rate),
         }
     }
 
@@ -47,9 +47,9 @@ impl Output {
                 torque
             }
             Self::Ring(a) => block.ring[*a],
-            Self::Acceleration(station) => {
+            Self::Motion(station, rate) => {
                 let mut angle = block.x[*station];
-                (0..LANES).for_each(|l| angle.set(l, angle.get(l) * -(block.omega[l] * block.omega[l])));
+                (0..LANES).for_each(|l| angle.set(l, rate.of(angle.get(l), block.omega[l])));
                 angle
             }
         }

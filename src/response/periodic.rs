@@ -125,7 +125,7 @@ impl Motion {
         };
         let outputs: Vec<f64> = self.states.iter().map(output).collect();
         let mut found = Analyser::new(outputs.len(), &system.excitation.harmonics).analyse(&outputs);
-        found.iter_mut().zip(&system.excitation.orders).for_each(|(y, order)| *y *= quantity.per_angle(order.omega(speed_rpm)));
+        found.iter_mut().zip(&system.excitation.orders).for_each(|(y, order)| *y = quantity.of_angle(*y, order.omega(speed_rpm)));
         if found.iter().all(|y| y.is_finite()) { Ok(found) } else { Err(ResponseError::unbounded(system.excitation.orders[0], speed_rpm)) }
     }
 

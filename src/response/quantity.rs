@@ -1,6 +1,7 @@
 //! What a response is asked for.
 
 use crate::drivetrain::{Chain, Difference};
+use crate::numerics::C64;
 
 /// A quantity that is linear in the angles, at a frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -17,8 +18,38 @@ pub enum Quantity {
     ShaftTorque(usize),
     /// Angle of the ring of an absorber (index in the design) less that of its hub, rad.
     RingTwist(usize),
-    /// Angular acceleration of a station, rad/s².
-    Acceleration(usize),
+    /// Angular velocity or acceleration of a station, rad/s or rad/s².
+    Motion(usize, Rate),
+}
+
+/// A derivative of an angle by time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+pub enum Rate {
+    /// The second, rad/s².
+    Acceleration,
+}
+
+impl Rate {
+    /// Of an angle that oscillates at omega: -omega² of it.
+    pub(crate) fn of(self, angle: C64, omega: f64) -> C64 {
+        match self {
+            Self::Acceleration => angle * -(omega * omega),
+        }
+    }
+
+    /// Behind a number.
+    pub(crate) fn suffix(self) -> &'static str {
+        match self {
+            Self::Acceleration => " rad/s²",
+        }
+    }
+
+    /// As tables write it.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Self::Acceleration => "rad/s2",
+        }
+    }
 }
 
 impl Quantity {
@@ -28,7 +59,7 @@ impl Quantity {
             Self::Twist { from, to: None } => Some(Difference { from, to: None, scale: 1.0 }),
             Self::Twist { from, to: Some(to) } => Some(chain.between(from, to)),
             Self::ShaftTorque(shaft) => Some(chain.link(shaft)),
-            Self::Acceleration(from) => Some(Difference { from, to: None, scale: 1.0 }),
+            Self::Motion(from, _) => Some(Difference { from, to: None, scale: 1.0 }),
             Self::RingTwist(_) => None,
         }
     }
@@ -38,14 +69,14 @@ impl Quantity {
         let name = |station: usize| chain.stations[station].name.as_str();
         match self {
             Self::Twist { from, to: Some(to) } => format!("{} to {}", name(from), name(to)),
-            Self::Twist { from, to: None } | Self::Acceleration(from) => name(from).to_owned(),
+            Self::Twist { from, to: None } | Self::Motion(from, _) => name(from).to_owned(),
             Self::ShaftTorque(shaft) => chain.shaft_name(shaft),
             Self::RingTwist(i) => format!("absorber {}", i + 1),
         }
     }
 
-    /// What it is times the angles of its difference, but for the stiffness of a shaft: -omega² of an acceleration.
-    pub(crate) fn per_angle(self, omega: f64) -> f64 {
-        if matches!(self, Self::Acceleration(_)) { -omega * omega } else { 1.0 }
+    /// What it is of the angles of its difference that oscillate at omega, but for the stiffness of a shaft.
+    pub(crate) fn of_angle(self, angle: C64, omega: f64) -> C64 {
+        if let Self::Motion(_, rate) = self { rate.of(angle, omega) } else { angle }
     }
 }

@@ -97,8 +97,8 @@ impl Response for Reduced<'_> {
         let q = if design.is_empty() { base } else { hubs.lu().solve(&base).ok_or_else(unbounded)? };
         let theta = |station: usize| (0..z.len()).fold(under_torque(station), |sum, k| sum - under_hub(station, k) * z[k].numerator * q[k]);
         let y = match quantity {
-            Quantity::Twist { .. } | Quantity::Acceleration(_) => {
-                quantity.difference(&system.chain).map_or(ZERO, |twist| twist.of(theta)) * quantity.per_angle(omega)
+            Quantity::Twist { .. } | Quantity::Motion(..) => {
+                quantity.of_angle(quantity.difference(&system.chain).map_or(ZERO, |twist| twist.of(theta)), omega)
             }
             Quantity::ShaftTorque(s) => system.chain.shaft_stiffness(s, omega) * system.chain.link(s).of(theta),
             Quantity::RingTwist(r) => q[condensed.rings[r].hub] * condensed.rings[r].twist,

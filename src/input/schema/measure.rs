@@ -1,17 +1,56 @@
 //! Measures as typed: in `[[objective]]`, `[[constraint]]` and `[pareto]` alike. What belongs to one of them only (a limit) is looked at later.
 
 use super::fatigue::RawCriterion;
+use super::keyword::{word, words};
 use crate::input::error::At;
-use schemars::JsonSchema;
-use serde::Deserialize;
+use crate::objective::{STATISTICS, Statistic};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 
-#[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+/// What of the orders a measure is of.
+#[derive(Debug, Default, Clone, Copy)]
 pub(crate) enum RawOver {
     #[default]
     Synthesis,
     Orders,
     Duty,
+    Statistic(Statistic),
+}
+
+impl RawOver {
+    fn all() -> impl Iterator<Item = Self> {
+        [Self::Synthesis, Self::Orders, Self::Duty].into_iter().chain(STATISTICS.map(Self::Statistic))
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Synthesis => "synthesis",
+            Self::Orders => "orders",
+            Self::Duty => "duty",
+            Self::Statistic(Statistic(row)) => row.name,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for RawOver {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        word(deserializer, Self::all(), Self::name)
+    }
+}
+
+impl JsonSchema for RawOver {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "RawOver".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        words(Self::all(), Self::name)
+    }
 }
 
 #[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
@@ -64,66 +103,62 @@ macro_rules! over_speed {
     };
 }
 
-over_speed!(RawTwist {
+/// A measure of the orders of a quantity: with what is made of them between its own keys and its limit.
+macro_rules! of_orders {
+    ($(#[$meta:meta])* $name:ident { $($own:tt)* } limited { $($limit:tt)* }) => {
+        over_speed!($(#[$meta])* $name {
+            $($own)*
+            /// Over the sum of orders, the largest order, the root mean square, or the mean over the duty.
+            #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
+            over: Option<RawOver>,
+            /// One order only.
+            #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
+            order: Option<At<f64>>,
+            $($limit)*
+        });
+    };
+}
+
+of_orders!(RawTwist {
     /// The first station.
     #[schemars(extend("examples" = ["pulley"]))]
     from: At<String>,
     /// The second station, or `ground`.
     #[schemars(extend("examples" = ["flywheel"]))]
     to: At<String>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
-over_speed!(RawAmplitude {
+of_orders!(RawAmplitude {
     /// The station.
     #[schemars(extend("examples" = ["pulley"]))]
     station: At<String>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
-over_speed!(RawAcceleration {
+of_orders!(RawAcceleration {
     /// The station.
     #[schemars(extend("examples" = ["pulley"]))]
     station: At<String>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2000]))]
     max_rad_per_s2: Option<At<f64>>,
 });
-over_speed!(#[derive(Default)] RawTorque {
+of_orders!(#[derive(Default)] RawTorque {
     /// The station before the shaft; without it the largest of all shafts.
     #[schemars(extend("examples" = ["throw_3"]))]
     shaft: Option<At<String>>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [900]))]
     max_n_m: Option<At<f64>>,
 });
-over_speed!(RawStress {
+of_orders!(RawStress {
     /// The station before the shaft.
     #[schemars(extend("examples" = ["throw_6"]))]
     shaft: At<String>,
@@ -133,12 +168,7 @@ over_speed!(RawStress {
     /// Inner diameter of its section.
     #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
     inner_diameter_mm: Option<At<f64>>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [40]))]
     max_mpa: Option<At<f64>>,
@@ -149,21 +179,16 @@ over_speed!(RawStress {
     #[schemars(extend("examples" = [{"rated_speed_rpm": 2500, "tensile_strength_mpa": 900, "engine": "four_stroke_in_line"}]))]
     korean_register_crank: Option<At<RawKrCrank>>,
 });
-over_speed!(#[derive(Default)] RawRingTwist {
+of_orders!(#[derive(Default)] RawRingTwist {
     /// The absorber by its number; without it the largest of all.
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: Option<At<i64>>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
     max_deg: Option<At<f64>>,
 });
-over_speed!(RawStrain {
+of_orders!(RawStrain {
     /// The absorber by its number.
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
@@ -173,12 +198,7 @@ over_speed!(RawStrain {
     /// Its thickness.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
     thickness_mm: At<f64>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
     max_percent: Option<At<f64>>,
@@ -208,19 +228,14 @@ over_speed!(RawPowerPerArea {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5000]))]
     max_w_per_m2: Option<At<f64>>,
 });
-over_speed!(RawSpringStress {
+of_orders!(RawSpringStress {
     /// The absorber by its number.
     #[schemars(extend("minimum" = 1, "examples" = [1]))]
     absorber: At<i64>,
     /// Stress of the springs per twist of the ring, from their drawing.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [180]))]
     mpa_per_deg: At<f64>,
-    /// Over the sum of orders, the largest order, or the mean over the duty.
-    #[schemars(extend("default" = "synthesis", "examples" = ["orders"]))]
-    over: Option<RawOver>,
-    /// One order only.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "examples" = [6]))]
-    order: Option<At<f64>>,
+} limited {
     /// Largest value allowed.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [400]))]
     max_mpa: Option<At<f64>>,

@@ -51,7 +51,7 @@ impl Values<'_> {
         let (factor, unit) = match peak.quantity {
             Quantity::Twist { .. } | Quantity::RingTwist(_) => (DEG_PER_RAD, "deg"),
             Quantity::ShaftTorque(_) => (1.0, "N m"),
-            Quantity::Acceleration(_) => (1.0, "rad/s2"),
+            Quantity::Motion(_, rate) => (1.0, rate.unit()),
         };
         let before = self.list.len();
         self.put(condition.name(), measure, (Some(peak.value * factor), unit), peak.quantity.place(&self.results.system.chain));

@@ -132,6 +132,7 @@ impl<'a> Context<'a> {
                 RawOver::Synthesis => Over::Synthesis,
                 RawOver::Orders => Over::Orders,
                 RawOver::Duty => Over::Mean,
+                RawOver::Statistic(statistic) => Over::Statistic(statistic),
             };
         };
         if over.is_some() {

@@ -70,7 +70,7 @@ pub(super) fn twist_spec(chain: &Chain, hub: usize) -> MeasureSpec {
     let name = |i: usize| chain.stations[i].name.as_str();
     let place = match quantity {
         Quantity::Twist { from, to } => format!("{} to {}", name(from), to.map_or("ground", name)),
-        Quantity::ShaftTorque(_) | Quantity::RingTwist(_) | Quantity::Acceleration(_) => String::new(),
+        Quantity::ShaftTorque(_) | Quantity::RingTwist(_) | Quantity::Motion(..) => String::new(),
     };
     let names = Names { key: "peak_twist", column: "twist_deg", word: "twist", what: "twist", place };
     spec(names, (vec![quantity], Over::Synthesis, Within::default()), UnitOf::Angle)

@@ -38,14 +38,7 @@ pub(super) struct Names {
 /// A measure with its names.
 pub(super) fn spec(names: Names, (quantities, over, within): (Vec<Quantity>, Over, Within), unit: UnitOf) -> MeasureSpec {
     let Names { key, column, word, what, place } = names;
-    let (prefix, by) = match over {
-        Over::Orders => ("largest order of ".to_owned(), "order_".to_owned()),
-        Over::Order(order) => (format!("order {order} of "), format!("order_{order}_")),
-        Over::Property(_) | Over::Damage => (String::new(), String::new()),
-        Over::Mean | Over::AtDuty(_) | Over::MeanPower => ("mean over the duty of ".to_owned(), "mean_".to_owned()),
-        Over::Synthesis | Over::Margin(_) | Over::Power | Over::Temperature => ("peak ".to_owned(), String::new()),
-    };
-    let head = if matches!(over, Over::Mean | Over::MeanPower | Over::Damage | Over::Property(_)) { "" } else { "peak_" };
+    let (prefix, head) = over.names();
     let of = if place.is_empty() { what.to_owned() } else { format!("{what} {place}") };
     let ranges: Vec<String> = within.ranges.iter().map(|(a, b)| format!("{a} to {b} rpm")).collect();
     let at = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(" and ")) };
@@ -53,10 +46,10 @@ pub(super) fn spec(names: Names, (quantities, over, within): (Vec<Quantity>, Ove
         measure: Measure { quantities, over, within },
         key,
         place: format!("{place}{at}"),
-        column: format!("{head}{by}{column}"),
+        column: format!("{head}{column}"),
         label: format!("{prefix}{of}{at}"),
         unit,
         is_twist: key == "peak_twist",
-        word: format!("{by}{word}"),
+        word: format!("{}{word}", head.trim_start_matches("peak_")),
     }
 }

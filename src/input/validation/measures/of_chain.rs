@@ -13,7 +13,7 @@ use crate::input::schema::measure::{
 };
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
-use crate::response::Quantity;
+use crate::response::{Quantity, Rate};
 use crate::units::{M_PER_MM, PA_PER_MPA};
 use std::f64::consts::PI;
 
@@ -95,8 +95,8 @@ pub(super) fn acceleration<'r>(check: &mut Check, a: &'r RawAcceleration, of: Co
     let over = of.over(check, a.over, a.order.as_ref());
     let place = format!("of {}", of.chain.stations[at].name);
     let names = Names { key: "acceleration", column: "acceleration_rad_per_s2", word: "acceleration", what: "angular acceleration", place };
-    let parts = (vec![Quantity::Acceleration(at)], over, of.within(check, a.within()));
-    Some(Resolved { spec: spec(names, parts, UnitOf::Acceleration), bound: Bound::Most(a.max_rad_per_s2.as_ref()) })
+    let parts = (vec![Quantity::Motion(at, Rate::Acceleration)], over, of.within(check, a.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Motion(Rate::Acceleration)), bound: Bound::Most(a.max_rad_per_s2.as_ref()) })
 }
 
 pub(super) fn vibratory_torque<'r, T>(check: &mut Check, t: &'r RawTorque, at: &At<T>, of: Context) -> Option<Resolved<'r>> {

@@ -218,6 +218,7 @@ impl Grammar<'_> {
         match self.random.random_range(0..6) {
             0 => format!("hub_amplitude = {{ station = \"{from}\"{over} }}"),
             1 => "vibratory_torque = {}".into(),
+            2 if self.one_in(2) => format!("velocity = {{ station = \"{from}\", over = \"rms\" }}"),
             2 => format!("acceleration = {{ station = \"{from}\" }}"),
             _ => format!("peak_twist = {{ from = \"{from}\", to = \"{}\"{over} }}", stations[stations.len() - 1]),
         }

@@ -51,6 +51,7 @@ fn measures(study: &Study, rings: usize) -> Vec<Measure> {
         Measure::new(vec![study.twist], Over::Order(order)),
         Measure::new(vec![Quantity::Motion(1, Rate::Acceleration)], Over::Synthesis),
         Measure::new(vec![Quantity::Motion(0, Rate::Acceleration)], Over::Orders),
+        Measure::new(vec![Quantity::Motion(2, Rate::Velocity)], Over::Synthesis),
         Measure::new(vec![study.twist], Over::Statistic(STATISTICS[0])),
         Measure::new(vec![Quantity::Motion(0, Rate::Acceleration)], Over::Statistic(STATISTICS[0])),
         Measure::new(vec![study.twist], Over::Mean),

@@ -6,6 +6,7 @@ use hartog::benchmark::energy::balances;
 use hartog::benchmark::methods::Candidate;
 use hartog::benchmark::scenarios::scenarios;
 use hartog::drivetrain::System;
+use hartog::numerics::C64;
 use hartog::numerics::I;
 use hartog::response::{Grid, Newmark, Quantity, Rate, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
@@ -101,29 +102,33 @@ fn energy_put_in_is_dissipated() {
     assert!(balances.len() >= 36, "{}", balances.len());
 }
 
-/// Law: an acceleration is minus the square of the frequency times the angle, by every method that answers.
+/// Law: a velocity is i times the frequency times the angle, an acceleration minus the square of the frequency times it, by every method that answers.
 #[test]
-fn accelerations_are_second_derivatives() {
+fn rates_are_derivatives_of_angles() {
     let scenario = scenarios().into_iter().find(|s| s.name.starts_with("Den Hartog")).expect("a scenario");
     let grid = Grid::new(&scenario.speeds, &[]);
     let mut answered = 0;
-    for cell in scenario.cells() {
-        let sweep = |quantity| {
-            let method = cell.candidate.build(&scenario.system, &grid, &scenario.design, quantity)?;
-            let mut out = Vec::new();
-            method.sweep(&scenario.design, quantity, &mut out, &mut Work::default()).ok().map(|()| out)
-        };
-        let (Some(angles), Some(found)) = (sweep(Quantity::Twist { from: 0, to: None }), sweep(Quantity::Motion(0, Rate::Acceleration)))
-        else {
-            continue;
-        };
-        answered += 1;
-        for (i, (angle, found)) in angles.iter().zip(&found).enumerate() {
-            let orders = scenario.system.orders();
-            let omega = scenario.system.excitation.orders[i % orders].omega(scenario.speeds[i / orders]);
-            let expected = angle * -(omega * omega);
-            assert_close((found - expected).norm(), 0.0, 0.0, 1e-9 * expected.norm(), &cell.candidate.label());
+    for rate in [Rate::Velocity, Rate::Acceleration] {
+        for cell in scenario.cells() {
+            let sweep = |quantity| {
+                let method = cell.candidate.build(&scenario.system, &grid, &scenario.design, quantity)?;
+                let mut out = Vec::new();
+                method.sweep(&scenario.design, quantity, &mut out, &mut Work::default()).ok().map(|()| out)
+            };
+            let (Some(angles), Some(found)) = (sweep(Quantity::Twist { from: 0, to: None }), sweep(Quantity::Motion(0, rate))) else {
+                continue;
+            };
+            answered += 1;
+            for (i, (angle, found)) in angles.iter().zip(&found).enumerate() {
+                let orders = scenario.system.orders();
+                let omega = scenario.system.excitation.orders[i % orders].omega(scenario.speeds[i / orders]);
+                let expected = match rate {
+                    Rate::Velocity => angle * C64::new(0.0, omega),
+                    Rate::Acceleration => angle * -(omega * omega),
+                };
+                assert_close((found - expected).norm(), 0.0, 0.0, 1e-9 * expected.norm(), &cell.candidate.label());
+            }
         }
     }
-    assert!(answered >= 8, "{answered} methods");
+    assert!(answered >= 16, "{answered} methods");
 }

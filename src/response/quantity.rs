@@ -25,14 +25,17 @@ pub enum Quantity {
 /// A derivative of an angle by time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum Rate {
+    /// The first, rad/s.
+    Velocity,
     /// The second, rad/s².
     Acceleration,
 }
 
 impl Rate {
-    /// Of an angle that oscillates at omega: -omega² of it.
+    /// Of an angle that oscillates at omega: i omega or -omega² times it.
     pub(crate) fn of(self, angle: C64, omega: f64) -> C64 {
         match self {
+            Self::Velocity => angle * C64::new(0.0, omega),
             Self::Acceleration => angle * -(omega * omega),
         }
     }
@@ -40,6 +43,7 @@ impl Rate {
     /// Behind a number.
     pub(crate) fn suffix(self) -> &'static str {
         match self {
+            Self::Velocity => " rad/s",
             Self::Acceleration => " rad/s²",
         }
     }
@@ -47,6 +51,7 @@ impl Rate {
     /// As tables write it.
     pub(crate) fn unit(self) -> &'static str {
         match self {
+            Self::Velocity => "rad/s",
             Self::Acceleration => "rad/s2",
         }
     }

@@ -140,6 +140,15 @@ of_orders!(RawAmplitude {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.4]))]
     max_deg: Option<At<f64>>,
 });
+of_orders!(RawVelocity {
+    /// The station.
+    #[schemars(extend("examples" = ["pulley"]))]
+    station: At<String>,
+} limited {
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [10]))]
+    max_rad_per_s: Option<At<f64>>,
+});
 of_orders!(RawAcceleration {
     /// The station.
     #[schemars(extend("examples" = ["pulley"]))]
@@ -346,6 +355,8 @@ pub(crate) enum RawMeasure {
     PeakTwist(RawTwist),
     /// Amplitude of a station.
     HubAmplitude(RawAmplitude),
+    /// Angular velocity of a station about its mean.
+    Velocity(RawVelocity),
     /// Angular acceleration of a station.
     Acceleration(RawAcceleration),
     /// Vibratory torque of a shaft.

@@ -41,6 +41,7 @@ fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
     match raw.get_ref() {
         RawMeasure::PeakTwist(m) => of_chain::peak_twist(check, m, of),
         RawMeasure::HubAmplitude(m) => of_chain::hub_amplitude(check, m, of),
+        RawMeasure::Velocity(m) => of_chain::velocity(check, m, of),
         RawMeasure::Acceleration(m) => of_chain::acceleration(check, m, of),
         RawMeasure::VibratoryTorque(m) => of_chain::vibratory_torque(check, m, raw, of),
         RawMeasure::ShaftStress(m) => of_chain::shaft_stress(check, m, of),

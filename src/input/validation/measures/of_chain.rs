@@ -9,7 +9,7 @@ use crate::input::error::{At, Check};
 use crate::input::measure::{MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
 use crate::input::schema::measure::{
-    RawAcceleration, RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist,
+    RawAcceleration, RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist, RawVelocity,
 };
 use crate::input::validation::named::station;
 use crate::objective::{Over, Property, Within};
@@ -88,6 +88,15 @@ pub(super) fn hub_amplitude<'r>(check: &mut Check, a: &'r RawAmplitude, of: Cont
         spec: spec(names, (quantities, over, of.within(check, a.within())), UnitOf::Angle),
         bound: Bound::Most(a.max_deg.as_ref()),
     })
+}
+
+pub(super) fn velocity<'r>(check: &mut Check, a: &'r RawVelocity, of: Context) -> Option<Resolved<'r>> {
+    let at = station(check, of.chain, &a.station)?;
+    let over = of.over(check, a.over, a.order.as_ref());
+    let place = format!("of {}", of.chain.stations[at].name);
+    let names = Names { key: "velocity", column: "velocity_rad_per_s", word: "velocity", what: "angular velocity", place };
+    let parts = (vec![Quantity::Motion(at, Rate::Velocity)], over, of.within(check, a.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Motion(Rate::Velocity)), bound: Bound::Most(a.max_rad_per_s.as_ref()) })
 }
 
 pub(super) fn acceleration<'r>(check: &mut Check, a: &'r RawAcceleration, of: Context) -> Option<Resolved<'r>> {

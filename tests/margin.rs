@@ -123,7 +123,7 @@ fn gradients_of_margins() {
         let case = Case::new(short(name));
         for (measure, criterion) in margins::measures(&case.study).iter().zip(&case.margin.criteria) {
             // peaks of Dang Van's sum on ridges are found again for a slightly other design
-            let on_ridges = *criterion == MarginCriterion::Multiaxial(Multiaxial::DangVanMesoscopic);
+            let on_ridges = *criterion == MarginCriterion::Multiaxial(Multiaxial::DANG_VAN_MESOSCOPIC);
             let tolerance = if on_ridges { 0.05 } else { 2e-3 };
             for _ in 0..4 {
                 let design = random_absorber(&mut random, name);

@@ -26,7 +26,7 @@ fn hemisphere(step_deg: f64) -> impl Iterator<Item = Plane> {
 /// Factors by planes every `step` degrees (azimuth by `step` over the sine of the other angle): Matake's and McDiarmid's plane with the largest shear, Dang Van, Findley.
 fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
     let weight = |c: Criterion| c.weight(&STEEL).expect("a constant");
-    let (k_findley, k_dv) = (weight(Criterion::Findley), weight(Criterion::DangVanPlane));
+    let (k_findley, k_dv) = (weight(Criterion::FINDLEY), weight(Criterion::DANG_VAN_PLANE));
     let p = history.hydrostatic();
     let mut scratch = Scratch::default();
     let (mut shear, mut normal, mut dang_van, mut findley) = (0.0, f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY);
@@ -41,8 +41,8 @@ fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
     let p_max = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let t = STEEL.torsion;
     [
-        t / (shear + weight(Criterion::Matake) * normal),
-        t / (shear + weight(Criterion::McDiarmid) * normal),
+        t / (shear + weight(Criterion::MATAKE) * normal),
+        t / (shear + weight(Criterion::MCDIARMID) * normal),
         t / (shear + k_dv * p_max),
         t / dang_van,
         t * (1.0 + k_findley * k_findley).sqrt() / findley,
@@ -50,7 +50,7 @@ fn brute_force(history: &History, step_deg: f64) -> [f64; 5] {
 }
 
 const ON_PLANES: [Criterion; 5] =
-    [Criterion::Matake, Criterion::McDiarmid, Criterion::DangVanThesis, Criterion::DangVanPlane, Criterion::Findley];
+    [Criterion::MATAKE, Criterion::MCDIARMID, Criterion::DANG_VAN_THESIS, Criterion::DANG_VAN_PLANE, Criterion::FINDLEY];
 
 /// Critical planes of harmonic and of wild histories against a brute-force search in steps of half a degree: shear amplitudes and sums to 1e-3. The normal stress on the plane of the
 /// largest shear (Matake, McDiarmid) depends on which of nearly level planes wins: those two are compared where the search agrees on the plane's shear to 1e-4.
@@ -88,7 +88,7 @@ fn harmonic_histories_against_a_tenth_of_a_degree() {
         for (v, brute) in verdicts.iter().zip(brute) {
             let off = v.safety_factor / brute - 1.0;
             println!("phase {phase:.1}: {} {off:e}, {}", v.criterion.name(), v.note);
-            let larger_normal = matches!(v.criterion, Criterion::Matake | Criterion::McDiarmid) && !v.note.is_empty() && off < 0.0;
+            let larger_normal = [Criterion::MATAKE, Criterion::MCDIARMID].contains(&v.criterion) && !v.note.is_empty() && off < 0.0;
             assert!(larger_normal || off.abs() < 1e-3, "{} at phase {phase}: {off:e}", v.criterion.name());
         }
     });
@@ -233,7 +233,7 @@ fn circles_of_smooth_paths() {
         assert!(farthest <= circle.radius * (1.0 + 1e-12), "case {case}: a sample outside");
         if case % 100 == 0 {
             let history = History::new(normal.iter().zip(&shear).map(|(s, t)| [*s, 0.0, 0.0, *t, 0.0, 0.0]));
-            let (verdicts, _) = evaluate(&history, &STEEL, &[Criterion::DangVanMesoscopic], Grid::default()).expect("defined");
+            let (verdicts, _) = evaluate(&history, &STEEL, &[Criterion::DANG_VAN_MESOSCOPIC], Grid::default()).expect("defined");
             let k = 3.0 * STEEL.torsion / STEEL.bending - 1.5;
             let tresca = |(s, t): (&f64, &f64)| {
                 let (s0, t0) = (s - circle.centre[0], t - circle.centre[1]);
@@ -272,4 +272,4 @@ fn bounded_by_outline(what: &str, (normal, shear): (&[f64], &[f64]), circle: &Ci
 }
 
 /// Criteria whose bounds ask for what an outline says.
-const SUMS: [Criterion; 4] = [Criterion::Crossland, Criterion::Sines, Criterion::DangVanMesoscopic, Criterion::Papadopoulos];
+const SUMS: [Criterion; 4] = [Criterion::CROSSLAND, Criterion::SINES, Criterion::DANG_VAN_MESOSCOPIC, Criterion::PAPADOPOULOS];

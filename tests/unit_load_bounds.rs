@@ -62,9 +62,13 @@ fn bounds_lose_no_point() {
     let synthesiser = Synthesiser::new(harmonics);
     let mut random = Xoshiro256PlusPlus::seed_from_u64(47);
     for (criteria, count, cases) in [
-        (&[Multiaxial::Sines, Multiaxial::Crossland, Multiaxial::KakunoKawada, Multiaxial::KakunoKawadaConsistent][..], 80, 12),
-        (&[Multiaxial::DangVanMesoscopic, Multiaxial::Papadopoulos][..], 40, 6),
-        (&[Multiaxial::Matake, Multiaxial::McDiarmid, Multiaxial::DangVanThesis, Multiaxial::DangVanPlane, Multiaxial::Findley][..], 4, 2),
+        (&[Multiaxial::SINES, Multiaxial::CROSSLAND, Multiaxial::KAKUNO_KAWADA, Multiaxial::KAKUNO_KAWADA_CONSISTENT][..], 80, 12),
+        (&[Multiaxial::DANG_VAN_MESOSCOPIC, Multiaxial::PAPADOPOULOS][..], 40, 6),
+        (
+            &[Multiaxial::MATAKE, Multiaxial::MCDIARMID, Multiaxial::DANG_VAN_THESIS, Multiaxial::DANG_VAN_PLANE, Multiaxial::FINDLEY][..],
+            4,
+            2,
+        ),
     ] {
         let fillets = vec![fillet("pin", Some(2), points(&mut random, count))];
         let spec = judged_at(&base, criteria.iter().map(|c| MarginCriterion::Multiaxial(*c)).collect(), fillets);
@@ -97,11 +101,11 @@ fn bounds_spare_most_points() {
     let count = 600;
     let fillets = vec![fillet("pin", Some(0), points(&mut random, count))];
     for (criterion, most) in [
-        (Multiaxial::Crossland, 2.0),
-        (Multiaxial::Sines, 20.0),
-        (Multiaxial::KakunoKawadaConsistent, 20.0),
-        (Multiaxial::DangVanMesoscopic, 6.0),
-        (Multiaxial::Papadopoulos, 2.0),
+        (Multiaxial::CROSSLAND, 2.0),
+        (Multiaxial::SINES, 20.0),
+        (Multiaxial::KAKUNO_KAWADA_CONSISTENT, 20.0),
+        (Multiaxial::DANG_VAN_MESOSCOPIC, 6.0),
+        (Multiaxial::PAPADOPOULOS, 2.0),
     ] {
         study.fatigue = Some(judged_at(&study, vec![MarginCriterion::Multiaxial(criterion)], fillets.clone()));
         let results = run(&study, &Silent).expect("finite");
@@ -121,7 +125,7 @@ fn many_points_are_told_by_the_worst() {
     let all = points(&mut random, 200);
     let run_with = |fillets: Vec<FilletSpec>| {
         let mut own = study.clone();
-        own.fatigue = Some(judged_at(&study, vec![MarginCriterion::Multiaxial(Multiaxial::Crossland)], fillets));
+        own.fatigue = Some(judged_at(&study, vec![MarginCriterion::Multiaxial(Multiaxial::CROSSLAND)], fillets));
         run(&own, &Silent).expect("finite")
     };
     let whole = run_with(vec![fillet("pin", None, all.clone())]);

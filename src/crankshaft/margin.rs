@@ -102,10 +102,9 @@ impl Margin {
         matches!(self.criteria[criterion], MarginCriterion::Multiaxial(_))
     }
 
-    /// Whether the share that is used has ridges: Dang Van's sums take distances to the centre of a ball, which moves abruptly.
+    /// Whether the share that is used has ridges.
     pub(crate) fn has_ridges(&self, criterion: usize) -> bool {
-        let by = self.criteria[criterion];
-        [multiaxial::Criterion::DangVanPlane, multiaxial::Criterion::DangVanMesoscopic].map(MarginCriterion::Multiaxial).contains(&by)
+        matches!(self.criteria[criterion], MarginCriterion::Multiaxial(c) if c.has_ridges())
     }
 
     /// Whether a location is judged by a criterion.

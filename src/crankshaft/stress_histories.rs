@@ -12,7 +12,7 @@ use super::web_paths::WebPath;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::outline::{self, Row};
 use crate::fatigue::multiaxial::plane_state::Points;
-use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Undefined, evaluate};
+use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Shear, Undefined, evaluate};
 use crate::numerics::C64;
 use crate::numerics::periodic_sums::PeriodicSums;
 use std::cell::OnceCell;
@@ -153,12 +153,12 @@ impl Histories {
 
     /// Whether a criterion asks for a search of the planes of a path, which serves others, too.
     pub(super) fn is_searched(criterion: Criterion, path: &Path) -> bool {
-        criterion.searches_planes() || (matches!(path, Path::General(_)) && criterion.is_of_planes())
+        criterion.searches_planes() || (matches!(path, Path::General(_)) && criterion.shear() == Shear::Planes)
     }
 
     /// The equivalent shear stresses of a plane state, Pa.
     fn of_plane_state(&self, criteria: &[Criterion], state: &PlaneState) -> Result<Vec<f64>, Undefined> {
-        let known = criteria.iter().map(|c| c.by_invariants(state, &self.limits)).collect::<Result<Vec<_>, _>>()?;
+        let known = criteria.iter().map(|c| c.stress(state, &self.limits)).collect::<Result<Vec<_>, _>>()?;
         let unknown: Vec<Criterion> = criteria.iter().zip(&known).filter(|c| c.1.is_none()).map(|c| *c.0).collect();
         let mut found = Vec::new();
         if !unknown.is_empty() {

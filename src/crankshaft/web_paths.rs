@@ -6,7 +6,7 @@ use super::unit_loads::UnitLoads;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::tresca;
-use crate::fatigue::multiaxial::{Criterion, History, papadopoulos};
+use crate::fatigue::multiaxial::{Criterion, History, Shear, papadopoulos};
 use std::cell::OnceCell;
 
 /// Steps of the centre of a ball towards the point farthest from it, of this share over their number \[Badoiu & Clarkson 2003\]: its radius is then within two per cent of the smallest one.
@@ -75,7 +75,7 @@ impl WebPath {
     pub fn within(&self, criterion: Criterion, point: &UnitPoint) -> Within {
         let apart = self.path.apart(point.lengths.into_iter());
         let mut within = UNBOUNDED;
-        if criterion == Criterion::Papadopoulos {
+        if criterion.shear() == Shear::Mean {
             within.mean_shear = self.mean_shear(point) + apart;
         } else {
             within.sqrt_j2_amplitude = self.ball(point).radius() + apart;
@@ -89,10 +89,10 @@ impl WebPath {
         let apart = self.path.apart(point.lengths.into_iter());
         let tensors = [units.moment, units.tangential, units.shear, units.torque];
         let mut within = UNBOUNDED;
-        if criterion == Criterion::Papadopoulos {
+        if criterion.shear() == Shear::Mean {
             let corner = |k: usize| -> [f64; 6] { std::array::from_fn(|c| (0..4).map(|l| tensors[l][c] * self.path.corners[l][k]).sum()) };
             within.mean_shear = papadopoulos::mean_shear(&History::new((0..self.len()).map(corner))) + apart;
-        } else if criterion.is_of_planes() {
+        } else if criterion.shear() == Shear::Planes {
             within.shear = self.tresca(&tensors, point, &self.ball(point)) + apart;
         } else {
             return None;

@@ -52,12 +52,12 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
     let weight = |c: Criterion| c.weight(l).ok();
     let (j2, amplitude, mean) = (h.sqrt_j2_amplitude, h.hydrostatic_amplitude, h.hydrostatic_mean);
     let stress = match which {
-        0 => h.shear_amplitude? + weight(Criterion::Matake)? * h.normal_max?,
-        1 => h.shear_amplitude? + weight(Criterion::McDiarmid)? * h.normal_max?,
+        0 => h.shear_amplitude? + weight(Criterion::MATAKE)? * h.normal_max?,
+        1 => h.shear_amplitude? + weight(Criterion::MCDIARMID)? * h.normal_max?,
         2 => return dang_van(printed, h, l),
-        3 => j2 + weight(Criterion::Sines)? * mean,
-        4 => j2 + weight(Criterion::Crossland)? * (amplitude + mean),
-        _ => j2 + weight(Criterion::KakunoKawada)? * amplitude + weight(Criterion::Sines)? * mean,
+        3 => j2 + weight(Criterion::SINES)? * mean,
+        4 => j2 + weight(Criterion::CROSSLAND)? * (amplitude + mean),
+        _ => j2 + weight(Criterion::KAKUNO_KAWADA)? * amplitude + weight(Criterion::SINES)? * mean,
     };
     if stress <= 0.0 {
         return Some((None, Kind::Multiaxial, Role::Unexplained, "from the printed stresses it never fails".into()));
@@ -75,7 +75,7 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
 
 /// Dang Van's factor beside its bounds; the nearer bound where it lies outside.
 fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Found> {
-    let (shear, k) = (h.shear_amplitude?, Criterion::DangVanPlane.weight(l).ok()?);
+    let (shear, k) = (h.shear_amplitude?, Criterion::DANG_VAN_PLANE.weight(l).ok()?);
     let at = |p: f64| if shear + k * p > 0.0 { l.torsion / (shear + k * p) } else { f64::INFINITY };
     let least = at(h.hydrostatic_mean + h.hydrostatic_amplitude);
     let most = at(h.hydrostatic_mean - h.hydrostatic_amplitude);

@@ -1,5 +1,6 @@
-//! The criteria, and the verdict of each on a history.
+//! What a criterion is made of, and the verdict of criteria on a history.
 
+use super::bound::Within;
 use super::history::History;
 use super::invariants::Invariants;
 use super::largest_shear::LargestShear;
@@ -27,31 +28,66 @@ impl Limits {
     }
 }
 
-/// A criterion.
+/// What bounds the amplitude of its shear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Criterion {
-    /// Plane of the largest shear amplitude; its normal stress.
-    Matake,
-    /// The same plane; less weight on the normal stress.
-    McDiarmid,
-    /// Largest shear amplitude; largest hydrostatic stress, not necessarily at the same time.
-    DangVanThesis,
-    /// Shear and hydrostatic stress at the same time, plane by plane.
-    DangVanPlane,
-    /// Tresca stress of the mesoscopic deviator and hydrostatic stress at the same time.
-    DangVanMesoscopic,
-    /// Mean hydrostatic stress.
-    Sines,
-    /// Largest hydrostatic stress.
-    Crossland,
-    /// Amplitude and mean of the hydrostatic stress, constants as printed.
-    KakunoKawada,
-    /// The same with the constant that its own calibration asks for.
-    KakunoKawadaConsistent,
-    /// Largest combination over all planes.
+pub(crate) enum Shear {
+    /// The ball round the path of the deviator.
+    Ball,
+    /// The circles of planes.
+    Planes,
+    /// The mean over planes and directions.
+    Mean,
+}
+
+/// The critical plane that it asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Critical {
+    /// None.
+    None,
+    /// That of the largest shear amplitude.
+    Shear,
+    /// That of Findley's sum, with so many times the normal stress.
     Findley,
-    /// Mean of the resolved shear amplitude over all planes and directions.
-    Papadopoulos,
+    /// That of Dang Van's sum, with so many times the hydrostatic stress.
+    DangVan,
+}
+
+/// What a criterion is made of.
+pub(crate) struct Row {
+    /// Its word in studies and tables.
+    pub name: &'static str,
+    /// k: weight of the normal or hydrostatic stress.
+    pub weight: fn(&Limits) -> Result<f64, Undefined>,
+    /// What bounds the amplitude of its shear.
+    pub shear: Shear,
+    /// The plane that it asks for.
+    pub critical: Critical,
+    /// Whether it asks for the normal stress on a plane.
+    pub normal: bool,
+    /// Whether its peaks over speed may sit on ridges: where it takes distances to the centre of a ball or circle, which moves abruptly.
+    pub ridges: bool,
+    /// The equivalent shear stress of a path with k, Pa; `None` of a path whose planes are to be searched first.
+    pub stress: fn(&dyn Path, f64, &Limits) -> Option<f64>,
+    /// At least that of every history within some ranges.
+    pub bound: fn(&Within, f64, &Limits) -> f64,
+}
+
+/// A criterion: a row of [`Criterion::ALL`].
+#[derive(Clone, Copy)]
+pub struct Criterion(pub(super) &'static Row);
+
+impl PartialEq for Criterion {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.name == other.0.name
+    }
+}
+
+impl Eq for Criterion {}
+
+impl std::fmt::Debug for Criterion {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(self.0.name)
+    }
 }
 
 /// No constant for these limits.
@@ -84,56 +120,34 @@ pub struct Verdict {
 }
 
 impl Criterion {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; 11] = [
-        Self::Matake,
-        Self::McDiarmid,
-        Self::DangVanThesis,
-        Self::DangVanPlane,
-        Self::DangVanMesoscopic,
-        Self::Sines,
-        Self::Crossland,
-        Self::KakunoKawada,
-        Self::KakunoKawadaConsistent,
-        Self::Findley,
-        Self::Papadopoulos,
-    ];
-
     /// The word in tables.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Matake => "matake",
-            Self::McDiarmid => "mcdiarmid",
-            Self::DangVanThesis => "dang_van_thesis",
-            Self::DangVanPlane => "dang_van_plane",
-            Self::DangVanMesoscopic => "dang_van_mesoscopic",
-            Self::Sines => "sines",
-            Self::Crossland => "crossland",
-            Self::KakunoKawada => "kakuno_kawada",
-            Self::KakunoKawadaConsistent => "kakuno_kawada_consistent",
-            Self::Findley => "findley",
-            Self::Papadopoulos => "papadopoulos",
-        }
+        self.0.name
     }
 
     /// Whether what it asks of a plane state is found from the corners of its hull only, not from all samples.
     pub(crate) fn asks_for_corners(self) -> bool {
-        !matches!(self, Self::DangVanMesoscopic | Self::Sines | Self::Crossland | Self::KakunoKawada | Self::KakunoKawadaConsistent)
+        self.0.shear != Shear::Ball
     }
 
     /// Whether it asks for a search of all planes even of a plane state.
     pub(crate) fn searches_planes(self) -> bool {
-        matches!(self, Self::DangVanPlane | Self::Findley)
+        matches!(self.0.critical, Critical::Findley | Critical::DangVan)
     }
 
-    /// Whether it asks for the shear amplitude of planes.
-    pub(crate) fn is_of_planes(self) -> bool {
-        matches!(self, Self::Matake | Self::McDiarmid | Self::Findley | Self::DangVanThesis | Self::DangVanPlane)
+    /// What bounds the amplitude of its shear.
+    pub(crate) fn shear(self) -> Shear {
+        self.0.shear
     }
 
     /// Whether it asks for the normal stress on a plane.
     pub(crate) fn asks_for_normal_stress(self) -> bool {
-        matches!(self, Self::Matake | Self::McDiarmid | Self::Findley)
+        self.0.normal
+    }
+
+    /// Whether its peaks over speed may sit on ridges.
+    pub(crate) fn has_ridges(self) -> bool {
+        self.0.ridges
     }
 
     /// Weight of the normal or hydrostatic stress (of its amplitude, for Kakuno and Kawada).
@@ -141,26 +155,23 @@ impl Criterion {
     /// # Errors
     /// [`Undefined`] where the limits leave no constant.
     pub fn weight(self, l: &Limits) -> Result<f64, Undefined> {
-        let (f, t, f0) = (l.bending, l.torsion, l.repeated_bending);
-        let root = 3f64.sqrt();
-        Ok(match self {
-            Self::Matake => 2.0 * t / f - 1.0,
-            Self::McDiarmid => t / (2.0 * l.tensile),
-            Self::DangVanThesis | Self::DangVanPlane | Self::DangVanMesoscopic => 3.0 * t / f - 1.5,
-            Self::Sines => 3.0 * t / f0 - root,
-            Self::Crossland | Self::KakunoKawada | Self::KakunoKawadaConsistent | Self::Papadopoulos => 3.0 * t / f - root,
-            Self::Findley => {
-                let d = 2.0 * t - f;
-                if !(0.0..f).contains(&d) {
-                    return Err(Undefined {
-                        criterion: self.name(),
-                        expected: "of at least half, and less than the whole, of",
-                        ratio: t / f,
-                    });
-                }
-                d / (f * f - d * d).sqrt()
-            }
-        })
+        (self.0.weight)(l)
+    }
+
+    /// The equivalent shear stress of a path, Pa; nothing by a criterion that asks for a search of planes.
+    ///
+    /// # Errors
+    /// [`Undefined`] where the limits leave no constant.
+    pub(crate) fn stress(self, path: &dyn Path, l: &Limits) -> Result<Option<f64>, Undefined> {
+        Ok((self.0.stress)(path, self.weight(l)?, l))
+    }
+
+    /// At least the share of the strength (the inverse of the safety factor) that a history within some ranges uses; not negative.
+    ///
+    /// # Errors
+    /// [`Undefined`] where the limits leave no constant.
+    pub fn at_most(self, within: &Within, l: &Limits) -> Result<f64, Undefined> {
+        Ok((self.0.bound)(within, self.weight(l)?, l).max(0.0) / l.torsion)
     }
 }
 
@@ -174,54 +185,45 @@ pub trait Path {
     fn mesoscopic(&self, k: f64) -> f64;
     /// Mean resolved shear over all planes and directions.
     fn mean_shear(&self) -> f64;
-    /// What the plane of the largest shear bears, where it is known without a search of all planes.
+    /// What the plane of the largest shear bears, where it is known.
     fn largest_shear(&self) -> Option<LargestShear>;
-}
-
-impl Path for (&History, &Invariants) {
-    fn sqrt_j2_amplitude(&self) -> f64 {
-        self.1.sqrt_j2_amplitude
-    }
-
-    fn hydrostatic(&self) -> (f64, f64) {
-        (self.1.hydrostatic_mean - self.1.hydrostatic_amplitude, self.1.hydrostatic_max())
-    }
-
-    fn mesoscopic(&self, k: f64) -> f64 {
-        self.1.mesoscopic(self.0, k)
-    }
-
-    fn mean_shear(&self) -> f64 {
-        papadopoulos::mean_shear(self.0)
-    }
-
-    fn largest_shear(&self) -> Option<LargestShear> {
+    /// Critical planes, where they have been searched.
+    fn searched(&self) -> Option<&Found> {
         None
     }
 }
 
-impl Criterion {
-    /// The equivalent shear stress of a path, Pa; nothing by a criterion that asks for a search of planes.
-    ///
-    /// # Errors
-    /// [`Undefined`] where the limits leave no constant.
-    pub(crate) fn by_invariants(self, path: &impl Path, l: &Limits) -> Result<Option<f64>, Undefined> {
-        let k = self.weight(l)?;
-        let (low, high) = path.hydrostatic();
-        let (amplitude, mean) = (0.5 * (high - low), 0.5 * (high + low));
-        Ok(Some(match self {
-            Self::DangVanMesoscopic => path.mesoscopic(k),
-            Self::Sines => path.sqrt_j2_amplitude() + k * mean,
-            Self::Crossland => path.sqrt_j2_amplitude() + k * high,
-            Self::KakunoKawada => path.sqrt_j2_amplitude() + k * amplitude + Self::Sines.weight(l)? * mean,
-            Self::KakunoKawadaConsistent => {
-                path.sqrt_j2_amplitude() + k * amplitude + (3.0 * l.torsion / l.repeated_bending - 3.0 * l.torsion / l.bending) * mean
-            }
-            Self::Papadopoulos => path.mean_shear() + k * high,
-            Self::Matake | Self::McDiarmid => return Ok(path.largest_shear().map(|s| s.amplitude + k * s.normal_max)),
-            Self::DangVanThesis => return Ok(path.largest_shear().map(|s| s.amplitude + k * high)),
-            Self::DangVanPlane | Self::Findley => return Ok(None),
-        }))
+/// A history whose planes have been searched.
+struct Searched<'a> {
+    history: &'a History,
+    invariants: &'a Invariants,
+    found: &'a Found,
+}
+
+impl Path for Searched<'_> {
+    fn sqrt_j2_amplitude(&self) -> f64 {
+        self.invariants.sqrt_j2_amplitude
+    }
+
+    fn hydrostatic(&self) -> (f64, f64) {
+        let i = self.invariants;
+        (i.hydrostatic_mean - i.hydrostatic_amplitude, i.hydrostatic_max())
+    }
+
+    fn mesoscopic(&self, k: f64) -> f64 {
+        self.invariants.mesoscopic(self.history, k)
+    }
+
+    fn mean_shear(&self) -> f64 {
+        papadopoulos::mean_shear(self.history)
+    }
+
+    fn largest_shear(&self) -> Option<LargestShear> {
+        self.found.shear.as_ref().map(|s| LargestShear { amplitude: s.shear_amplitude, normal_max: s.normal_max })
+    }
+
+    fn searched(&self) -> Option<&Found> {
+        Some(self.found)
     }
 }
 
@@ -231,41 +233,29 @@ impl Criterion {
 /// [`Undefined`] where the limits leave no constant for one of them.
 pub fn evaluate(history: &History, limits: &Limits, criteria: &[Criterion], grid: Grid) -> Result<(Vec<Verdict>, Invariants), Undefined> {
     let invariants = Invariants::by(history, grid.deviator);
-    let findley = if criteria.contains(&Criterion::Findley) { Criterion::Findley.weight(limits)? } else { 0.0 };
-    let dang_van = Criterion::DangVanPlane.weight(limits)?;
-    let wanted = |c: &[Criterion]| criteria.iter().any(|w| c.contains(w));
-    let wanted = Wanted {
-        shear: wanted(&[Criterion::Matake, Criterion::McDiarmid, Criterion::DangVanThesis]),
-        findley: wanted(&[Criterion::Findley]).then_some(findley),
-        dang_van: wanted(&[Criterion::DangVanPlane]).then_some(dang_van),
-    };
+    let asking = |critical: Critical| criteria.iter().find(|c| c.0.critical == critical);
+    let weight = |critical: Critical| asking(critical).map(|c| c.weight(limits)).transpose();
+    let wanted =
+        Wanted { shear: asking(Critical::Shear).is_some(), findley: weight(Critical::Findley)?, dang_van: weight(Critical::DangVan)? };
     let found = search::search(history, &wanted, grid);
-    let mut verdicts = Vec::new();
-    for &criterion in criteria {
-        verdicts.push(verdict(criterion, history, limits, &invariants, &found)?);
-    }
-    Ok((verdicts, invariants))
-}
-
-fn verdict(criterion: Criterion, history: &History, l: &Limits, i: &Invariants, found: &Found) -> Result<Verdict, Undefined> {
-    let k = criterion.weight(l)?;
-    let (stress, at) = match criterion {
-        Criterion::Matake | Criterion::McDiarmid => {
-            (found.shear.as_ref().map_or(0.0, |s| s.shear_amplitude + k * s.normal_max), found.shear.as_ref())
-        }
-        Criterion::DangVanThesis => {
-            (found.shear.as_ref().map_or(0.0, |s| s.shear_amplitude + k * i.hydrostatic_max()), found.shear.as_ref())
-        }
-        Criterion::DangVanPlane => (found.dang_van.as_ref().map_or(0.0, |s| s.value), found.dang_van.as_ref()),
-        Criterion::Findley => (found.findley.as_ref().map_or(0.0, |s| s.value) / (1.0 + k * k).sqrt(), found.findley.as_ref()),
-        _ => (criterion.by_invariants(&(history, i), l)?.unwrap_or(0.0), None),
+    let path = Searched { history, invariants: &invariants, found: &found };
+    let verdict = |criterion: &Criterion| -> Result<Verdict, Undefined> {
+        let stress = criterion.stress(&path, limits)?.unwrap_or(0.0);
+        let at = match criterion.0.critical {
+            Critical::None => None,
+            Critical::Shear => found.shear.as_ref(),
+            Critical::Findley => found.findley.as_ref(),
+            Critical::DangVan => found.dang_van.as_ref(),
+        };
+        Ok(Verdict {
+            criterion: *criterion,
+            safety_factor: if stress > 0.0 { limits.torsion / stress } else { f64::INFINITY },
+            plane: at.map(|a| a.plane),
+            shear_amplitude: at.map(|a| a.shear_amplitude),
+            normal_max: at.map(|a| a.normal_max),
+            note: at.map_or_else(String::new, |a| a.note.clone()),
+        })
     };
-    Ok(Verdict {
-        criterion,
-        safety_factor: if stress > 0.0 { l.torsion / stress } else { f64::INFINITY },
-        plane: at.map(|a| a.plane),
-        shear_amplitude: at.map(|a| a.shear_amplitude),
-        normal_max: at.map(|a| a.normal_max),
-        note: at.map_or_else(String::new, |a| a.note.clone()),
-    })
+    let verdicts = criteria.iter().map(verdict).collect::<Result<Vec<_>, _>>()?;
+    Ok((verdicts, invariants))
 }

@@ -22,6 +22,7 @@
 //! Out of phase, criteria of the critical plane and of the invariants disagree by up to some ten per cent.
 pub mod bound;
 pub mod climb;
+mod criteria;
 pub mod criterion;
 pub mod history;
 pub mod invariants;
@@ -31,6 +32,7 @@ pub mod papadopoulos;
 pub mod plane;
 pub mod plane_state;
 pub mod search;
+pub(crate) use criterion::Shear;
 pub use criterion::{Criterion, Limits, Undefined, Verdict, evaluate};
 pub use history::History;
 pub use plane::Plane;

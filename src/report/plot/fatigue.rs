@@ -22,10 +22,10 @@ pub(crate) fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Resul
         let titled = canvas::titled(area, &format!("point {}: the smallest factor of all points", point.name))?;
         let (upper, right) = titled.split_vertically(px(370));
         let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
-        if let Some(v) = of(Criterion::Matake) {
+        if let Some(v) = of(Criterion::MATAKE) {
             shear_path(&left, point, v)?;
         }
-        if let Some(v) = of(Criterion::DangVanPlane) {
+        if let Some(v) = of(Criterion::DANG_VAN_PLANE) {
             dang_van(&middle, point, v, limits)?;
         }
         factors(&right, &result.verdicts)
@@ -69,7 +69,7 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
 }
 
 fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) -> Drawn {
-    let (Some(plane), Ok(weight)) = (v.plane, Criterion::DangVanPlane.weight(limits)) else { return Ok(()) };
+    let (Some(plane), Ok(weight)) = (v.plane, Criterion::DANG_VAN_PLANE.weight(limits)) else { return Ok(()) };
     let mut scratch = Scratch::default();
     let circle = scratch.circle(&point.history, &plane);
     let [x, y] = scratch.path();

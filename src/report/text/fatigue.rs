@@ -30,7 +30,7 @@ pub(crate) fn summary(summary: &Summary, limits: &Limits) -> String {
     let header = ["criterion", "worst point", "factor", "theta/°", "phi/°", "shear/MPa", "normal/MPa", "next"];
     let mut text = aligned(&header, &rows, |c| c < 2 || c == 7);
     text.push_str("  plane: normal (sin phi cos theta, sin phi sin theta, cos phi); shear: amplitude; normal: largest\n");
-    if let Ok(k) = Criterion::Crossland.weight(limits)
+    if let Ok(k) = Criterion::CROSSLAND.weight(limits)
         && k.abs() < SMALL
     {
         let _ = writeln!(

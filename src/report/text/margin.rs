@@ -80,7 +80,7 @@ fn multiaxial(fatigue: &FatigueSpec, all: &[&DesignResult]) -> String {
         ratios.sort_by(f64::total_cmp);
         let (Some(low), Some(high)) = (ratios.first(), ratios.last()) else { continue };
         let constant = word.weight(limits).ok().filter(|k| k.abs() < LITTLE);
-        let constant = constant.filter(|_| matches!(word, Multiaxial::Crossland | Multiaxial::Papadopoulos));
+        let constant = constant.filter(|_| [Multiaxial::CROSSLAND, Multiaxial::PAPADOPOULOS].contains(word));
         if c == 0 && constant.is_none() {
             continue;
         }

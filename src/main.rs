@@ -43,7 +43,7 @@ enum Command {
     Compare(compare::Arguments),
     /// Plot what lies behind a design: pressure, forces, torque, bearings, crank loads, balance, modes, shafts, motions.
     Curves(curves::Arguments),
-    /// Judge stress histories by eleven multiaxial fatigue criteria.
+    /// Judge stress histories by multiaxial fatigue criteria.
     Fatigue(fatigue::Arguments),
     /// Fit the law of a type of absorber to measured stiffness over frequency and temperature, with standard errors.
     Fit(fit::Arguments),

@@ -63,7 +63,8 @@ fn calibration_gives_one() {
     let torsion = bending_and_torsion((0.0, 0.0), (0.0, STEEL.torsion), 0.0);
     let bending = bending_and_torsion((0.0, 0.0), (STEEL.bending, 0.0), 0.0);
     let repeated = bending_and_torsion((STEEL.repeated_bending, 0.0), (STEEL.repeated_bending, 0.0), 0.0);
-    for c in Criterion::ALL {
+    // that of Carpinteri and Spagnoli is calibrated with neither: below
+    for c in Criterion::ALL.into_iter().filter(|c| *c != Criterion::CARPINTERI_SPAGNOLI) {
         assert_close(factor(&torsion, c, &STEEL), 1.0, 1e-3, 0.0, &format!("{} in torsion", c.name()));
         if ![Criterion::SINES, Criterion::MCDIARMID].contains(&c) {
             assert_close(factor(&bending, c, &STEEL), 1.0, 1e-3, 0.0, &format!("{} in bending", c.name()));
@@ -74,6 +75,50 @@ fn calibration_gives_one() {
     }
     let printed = factor(&repeated, Criterion::KAKUNO_KAWADA, &STEEL);
     assert!((printed - 1.0).abs() > 0.02, "the printed constant misses its own calibration: {printed}");
+}
+
+/// Closed forms by \[Carpinteri & Spagnoli 2001\]: with d = 3/2 (1 - (t/f)²) 45° the plane bears of a bending stress s the amplitudes s cos² d and s sin d cos d, of a torsion T those of T cos 2d and T sin 2d;
+/// both limits are met exactly where t/f is 1/sqrt 3, and within 6 % between 1/sqrt 3 and 0.8 in bending. A mean stress in bending counts f/R times.
+#[test]
+fn carpinteri_and_spagnoli_in_bending_and_torsion() {
+    for ratio in [1.0 / 3f64.sqrt(), 0.625, 0.7, 0.8, 1.0] {
+        let steel = Limits { torsion: ratio * STEEL.bending, ..STEEL };
+        let d: f64 = 1.5 * (1.0 - ratio * ratio) * FRAC_PI_2 / 2.0;
+        let of = |normal: f64, shear: f64| (normal.powi(2) + (shear / ratio).powi(2)).sqrt() / steel.bending;
+        let (s, mean, t) = (0.6 * steel.bending, 100e6, 0.5 * steel.torsion);
+        let bending = of((s + steel.bending / steel.tensile * mean) * d.cos().powi(2), s * d.sin() * d.cos());
+        let found = factor(&bending_and_torsion((mean, 0.0), (s, 0.0), 0.0), Criterion::CARPINTERI_SPAGNOLI, &steel);
+        assert_close(found, 1.0 / bending, 1e-9, 0.0, &format!("bending, {ratio}"));
+        let torsion = of(t * (2.0 * d).cos(), t * (2.0 * d).sin());
+        let found = factor(&bending_and_torsion((0.0, 0.0), (0.0, t), 0.0), Criterion::CARPINTERI_SPAGNOLI, &steel);
+        assert_close(found, 1.0 / torsion, 1e-9, 0.0, &format!("torsion, {ratio}"));
+    }
+}
+
+/// Source: tests of Nishihara and Kawamoto on hard steel (f = 313.9 MPa, t = 196.2 MPa, R = 704 MPa) as \[Papadopoulos et al. 1997\] list them: amplitudes of bending and torsion (MPa) at the endurance limit by their phase
+/// (degrees). Papadopoulos' criterion is within 6.2 %, as printed there; that of Carpinteri and Spagnoli within 12 %.
+#[test]
+fn endurance_limits_of_hard_steel() {
+    let steel = Limits { tensile: 704e6, bending: 313.9e6, torsion: 196.2e6, repeated_bending: Limits::goodman_repeated(313.9e6, 704e6) };
+    let tests = [
+        (138.1, 167.1, 0.0),
+        (140.4, 169.9, 30.0),
+        (145.7, 176.3, 60.0),
+        (150.2, 181.7, 90.0),
+        (245.3, 122.6, 0.0),
+        (249.7, 124.8, 30.0),
+        (252.4, 126.2, 60.0),
+        (258.0, 129.0, 90.0),
+        (299.1, 62.8, 0.0),
+        (304.5, 63.9, 90.0),
+    ];
+    for (bending, torsion, phase) in tests {
+        let history = bending_and_torsion((0.0, 0.0), (bending * 1e6, torsion * 1e6), f64::to_radians(phase));
+        for (criterion, tolerance) in [(Criterion::PAPADOPOULOS, 0.065), (Criterion::CARPINTERI_SPAGNOLI, 0.12)] {
+            let found = factor(&history, criterion, &steel);
+            assert!((found - 1.0).abs() < tolerance, "{bending}, {torsion}, {phase}°, {}: {found}", criterion.name());
+        }
+    }
 }
 
 /// Source: \[Minucci 2010\] Tables 6.3 and 6.7 with his printed scalars (sqrt(J2)_a, hydrostatic amplitude and mean, MPa), t = 0.577 f and f0 by Goodman: Sines, Crossland and

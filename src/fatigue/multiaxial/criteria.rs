@@ -1,11 +1,12 @@
 //! The criteria, one row each: constant, equivalent shear stress, and a bound of it. Formulas and sources stand in the table of this room's first page.
 
 use super::bound::{Within, pressed, round};
+use super::carpinteri;
 use super::criterion::{Criterion, Critical, Limits, Path, Row, Shear, Undefined};
 
 impl Criterion {
     /// All of them, in the order of tables.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::MATAKE,
         Self::MCDIARMID,
         Self::DANG_VAN_THESIS,
@@ -17,6 +18,7 @@ impl Criterion {
         Self::KAKUNO_KAWADA_CONSISTENT,
         Self::FINDLEY,
         Self::PAPADOPOULOS,
+        Self::CARPINTERI_SPAGNOLI,
     ];
 
     /// Plane of the largest shear amplitude; its normal stress.
@@ -131,6 +133,18 @@ impl Criterion {
         ridges: false,
         stress: |path, k, _| Some(path.mean_shear() + k * path.hydrostatic().1),
         bound: |w, k, _| w.mean_shear + pressed(w, k),
+    });
+
+    /// Plane at an angle from the largest principal stress of the cycle; its normal and shear stress.
+    pub const CARPINTERI_SPAGNOLI: Self = Self(&Row {
+        name: "carpinteri_spagnoli",
+        weight: |l| Ok(l.bending / l.tensile),
+        shear: Shear::Planes,
+        critical: Critical::Told(carpinteri::critical),
+        normal: true,
+        ridges: false,
+        stress: |_, _, _| None,
+        bound: |w, _, l| carpinteri::combined((w.normal, w.normal), w.shear, l),
     });
 }
 

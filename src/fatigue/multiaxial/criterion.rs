@@ -40,7 +40,7 @@ pub(crate) enum Shear {
 }
 
 /// The critical plane that it asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) enum Critical {
     /// None.
     None,
@@ -50,6 +50,8 @@ pub(crate) enum Critical {
     Findley,
     /// That of Dang Van's sum, with so many times the hydrostatic stress.
     DangVan,
+    /// One that the path itself tells, with the equivalent shear stress on it.
+    Told(fn(&History, &Limits) -> search::Critical),
 }
 
 /// What a criterion is made of.
@@ -233,20 +235,27 @@ impl Path for Searched<'_> {
 /// [`Undefined`] where the limits leave no constant for one of them.
 pub fn evaluate(history: &History, limits: &Limits, criteria: &[Criterion], grid: Grid) -> Result<(Vec<Verdict>, Invariants), Undefined> {
     let invariants = Invariants::by(history, grid.deviator);
-    let asking = |critical: Critical| criteria.iter().find(|c| c.0.critical == critical);
-    let weight = |critical: Critical| asking(critical).map(|c| c.weight(limits)).transpose();
-    let wanted =
-        Wanted { shear: asking(Critical::Shear).is_some(), findley: weight(Critical::Findley)?, dang_van: weight(Critical::DangVan)? };
+    let weight = |asks: fn(Critical) -> bool| criteria.iter().find(|c| asks(c.0.critical)).map(|c| c.weight(limits)).transpose();
+    let wanted = Wanted {
+        shear: weight(|c| matches!(c, Critical::Shear))?.is_some(),
+        findley: weight(|c| matches!(c, Critical::Findley))?,
+        dang_van: weight(|c| matches!(c, Critical::DangVan))?,
+    };
     let found = search::search(history, &wanted, grid);
     let path = Searched { history, invariants: &invariants, found: &found };
     let verdict = |criterion: &Criterion| -> Result<Verdict, Undefined> {
-        let stress = criterion.stress(&path, limits)?.unwrap_or(0.0);
+        let told;
         let at = match criterion.0.critical {
             Critical::None => None,
+            Critical::Told(critical) => {
+                told = critical(history, limits);
+                Some(&told)
+            }
             Critical::Shear => found.shear.as_ref(),
             Critical::Findley => found.findley.as_ref(),
             Critical::DangVan => found.dang_van.as_ref(),
         };
+        let stress = criterion.stress(&path, limits)?.or_else(|| at.map(|a| a.value)).unwrap_or(0.0);
         Ok(Verdict {
             criterion: *criterion,
             safety_factor: if stress > 0.0 { limits.torsion / stress } else { f64::INFINITY },

@@ -18,9 +18,11 @@
 //! | Crossland | sqrt(J2)_a + k p_max | k = 3 t/f - sqrt 3: near zero for t = 0.577 f, so that mean stress hardly counts |
 //! | Kakuno-Kawada | sqrt(J2)_a + k p_a + l p_m | k of Crossland; l = 3 t/f0 - sqrt 3 as printed; consistent with repeated bending l = 3 t/f0 - 3 t/f |
 //! | Papadopoulos | sqrt(5 <T_a²>) + k p_max, T_a over all planes and directions | k = 3 t/f - sqrt 3 |
+//! | Carpinteri-Spagnoli | t/f sqrt((N_a + k N_m)² + (f/t)² C_a²) on a plane whose normal is 3/2 (1 - (t/f)²) 45° from the largest principal stress of the cycle | k = f/tensile strength |
 //!
 //! Out of phase, criteria of the critical plane and of the invariants disagree by up to some ten per cent.
 pub mod bound;
+mod carpinteri;
 pub mod climb;
 mod criteria;
 pub mod criterion;

@@ -1,0 +1,64 @@
+//! The critical plane of \[Carpinteri & Spagnoli 2001\] as \[Carpinteri et al. 2011\] take it: its normal lies at an angle from the direction of the largest principal stress at the instant when that is
+//! largest over the cycle, towards the direction of the smallest. The angle is 45° for torsion limits of 1/sqrt 3 of the bending limit, where shear decides, and none for equal limits, where cracks open by
+//! normal stress.
+
+use super::criterion::Limits;
+use super::history::History;
+use super::plane::{Plane, Scratch, resolved};
+use super::search::Critical;
+use crate::numerics::elementary::Elementary;
+use nalgebra::Matrix3;
+use std::f64::consts::FRAC_PI_4;
+
+/// Instants whose largest principal stress is less by no more than this share count alike: the plane that is used more decides.
+const ALIKE: f64 = 1e-9;
+
+/// Angle between the normal of the plane and the direction of the largest principal stress, rad: 3/2 (1 - (t/f)²) 45°, from none to 45° outside the limits it is made for.
+pub(super) fn angle(l: &Limits) -> f64 {
+    (1.5 * (1.0 - (l.torsion / l.bending).powi(2))).clamp(0.0, 1.0) * FRAC_PI_4
+}
+
+/// Largest and smallest principal stress with their directions.
+fn principal([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> (f64, [[f64; 3]; 2]) {
+    let found = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigen();
+    let (mut most, mut least) = (0, 0);
+    for i in 1..3 {
+        most = if found.eigenvalues[i] > found.eigenvalues[most] { i } else { most };
+        least = if found.eigenvalues[i] <= found.eigenvalues[least] { i } else { least };
+    }
+    let direction = |i: usize| [0, 1, 2].map(|d| found.eigenvectors[(d, i)]);
+    (found.eigenvalues[most], [direction(most), direction(least)])
+}
+
+/// The plane with its equivalent shear stress, Pa: t/f times sqrt((N_a + f N_m/R)² + (f/t)² C_a²) with amplitude N_a and mean N_m of the normal stress and amplitude C_a of the shear stress there, tensile
+/// strength R. A mean pressure takes nothing off. Of several planes the one that is used most.
+pub(super) fn critical(history: &History, l: &Limits) -> Critical {
+    let all: Vec<(f64, [[f64; 3]; 2])> = (0..history.len()).map(|j| principal(history.tensor(j))).collect();
+    let top = all.iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max);
+    let (sine, cosine) = angle(l).sine_cosine();
+    let mut scratch = Scratch::default();
+    let mut of = |normal: [f64; 3]| {
+        let plane = Plane::of(normal);
+        let n = plane.normal();
+        let (low, high) = history.range(&resolved(&n, &n));
+        let shear_amplitude = scratch.circle(history, &plane).radius;
+        let value = combined((0.5 * (high - low), 0.5 * (high + low)), shear_amplitude, l);
+        Critical { plane, value, shear_amplitude, normal_max: high, note: String::new() }
+    };
+    let mut most: Option<Critical> = None;
+    for (_, [first, third]) in all.iter().filter(|p| p.0 >= top - ALIKE * top.abs()) {
+        for side in [sine, -sine] {
+            let found = of([0, 1, 2].map(|d| cosine * first[d] + side * third[d]));
+            if most.as_ref().is_none_or(|m| found.value > m.value) {
+                most = Some(found);
+            }
+        }
+    }
+    most.unwrap_or_else(|| of([1.0, 0.0, 0.0]))
+}
+
+/// Of amplitude and mean of the normal stress, and amplitude of the shear stress.
+pub(super) fn combined((amplitude, mean): (f64, f64), shear: f64, l: &Limits) -> f64 {
+    let normal = amplitude + l.bending * mean.max(0.0) / l.tensile;
+    (l.torsion / l.bending * normal).hypotenuse(shear)
+}

@@ -1,9 +1,11 @@
 //! The systems of a study: its engine firing, misfiring, and with cylinders that burn unequally.
 
 use crate::drivetrain::System;
+use crate::engine::excitation::MotoredChange;
 use crate::engine::{Excitation, Order};
 use crate::input::Study;
 use crate::numerics::C64;
+use crate::objective::condition::Burning;
 use crate::objective::{Condition, PeakFinder};
 
 /// A sum of torques below this share of one of them is rounding.
@@ -14,18 +16,17 @@ const LOUD: f64 = 1e-6;
 /// The engine as it should be, then, where the study asks for it, with each cylinder misfiring and with its scatter of combustion.
 pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
     let engine = &study.engine;
-    let asked = |condition| study.conditions.contains(&condition);
-    let mut unlike = Vec::new();
-    if (asked(Condition::Misfire) || asked(Condition::UnequalCylinders))
-        && let Some(change) = excitation.motored_change(engine)
-    {
-        if asked(Condition::Misfire) {
-            unlike.extend((0..engine.layout.firing_deg.len()).map(|cylinder| excitation.misfiring(engine, cylinder, &change)));
+    let asked = |burning: &Burning| study.conditions.iter().any(|c| c.burning() == *burning);
+    let burnings: Vec<Burning> = [Burning::AllButOne, Burning::Unequally].into_iter().filter(asked).collect();
+    let change = if burnings.is_empty() { None } else { excitation.motored_change(engine) };
+    let of = |(burning, change): (Burning, &MotoredChange)| match (burning, &study.scatter) {
+        (Burning::AllButOne, _) => {
+            (0..engine.layout.firing_deg.len()).map(|cylinder| excitation.misfiring(engine, cylinder, change)).collect()
         }
-        if let Some(scatter) = study.scatter.as_ref().filter(|_| asked(Condition::UnequalCylinders)) {
-            unlike.push(excitation.unequal(engine, scatter, &change));
-        }
-    }
+        (Burning::Unequally, Some(scatter)) => vec![excitation.unequal(engine, scatter, change)],
+        (Burning::Alike, _) | (Burning::Unequally, None) => Vec::new(),
+    };
+    let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(of).collect();
     let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
     std::iter::once(excitation).chain(unlike).map(with).collect()
 }

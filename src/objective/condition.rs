@@ -27,52 +27,83 @@ pub enum Condition {
     AbsorberLost,
 }
 
+/// How the cylinders burn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Burning {
+    /// All alike.
+    Alike,
+    /// All but one, each of them in turn.
+    AllButOne,
+    /// As unequally as the study says.
+    Unequally,
+}
+
+/// What becomes of the absorbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Absorbers {
+    AsGiven,
+    InState(State),
+    InOperation,
+    Locked,
+    Lost,
+}
+
 impl Condition {
+    /// Those that a study may name, in the order of its words; in operation an absorber is where its material says how.
+    pub(crate) const NAMED: [Self; 8] =
+        [Self::Firing, Self::Misfire, Self::UnequalCylinders, Self::Cold, Self::Hot, Self::Aged, Self::AbsorberLocked, Self::AbsorberLost];
+
+    /// Its word, how the cylinders burn, and what becomes of the absorbers.
+    fn row(self) -> (&'static str, Burning, Absorbers) {
+        match self {
+            Self::Firing => ("firing", Burning::Alike, Absorbers::AsGiven),
+            Self::Misfire => ("misfire", Burning::AllButOne, Absorbers::AsGiven),
+            Self::UnequalCylinders => ("unequal_cylinders", Burning::Unequally, Absorbers::AsGiven),
+            Self::Cold => ("cold", Burning::Alike, Absorbers::InState(State::Cold)),
+            Self::Hot => ("hot", Burning::Alike, Absorbers::InState(State::Hot)),
+            Self::Aged => ("aged", Burning::Alike, Absorbers::InState(State::Aged)),
+            Self::InOperation => ("in_operation", Burning::Alike, Absorbers::InOperation),
+            Self::AbsorberLocked => ("absorber_locked", Burning::Alike, Absorbers::Locked),
+            Self::AbsorberLost => ("absorber_lost", Burning::Alike, Absorbers::Lost),
+        }
+    }
+
     /// The word used in studies, columns and file names.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Firing => "firing",
-            Self::Misfire => "misfire",
-            Self::UnequalCylinders => "unequal_cylinders",
-            Self::Cold => "cold",
-            Self::Hot => "hot",
-            Self::Aged => "aged",
-            Self::InOperation => "in_operation",
-            Self::AbsorberLocked => "absorber_locked",
-            Self::AbsorberLost => "absorber_lost",
-        }
+        self.row().0
+    }
+
+    /// How the cylinders burn.
+    pub(crate) fn burning(self) -> Burning {
+        self.row().1
+    }
+
+    /// Whether an absorber works in it.
+    pub(crate) fn has_absorbers(self) -> bool {
+        !matches!(self.row().2, Absorbers::Locked | Absorbers::Lost)
     }
 
     /// The engine of this condition is one whose units are like these.
     pub(crate) fn is_with(self, units: Units) -> bool {
-        match self {
-            Self::Misfire => matches!(units, Units::Misfiring(_)),
-            Self::UnequalCylinders => units == Units::Unequal,
-            Self::Firing | Self::Cold | Self::Hot | Self::Aged | Self::InOperation | Self::AbsorberLocked | Self::AbsorberLost => {
-                units == Units::Equal
-            }
+        match self.burning() {
+            Burning::Alike => units == Units::Equal,
+            Burning::AllButOne => matches!(units, Units::Misfiring(_)),
+            Burning::Unequally => units == Units::Unequal,
         }
     }
 
     /// The state of the materials that it is.
     pub(crate) fn material(self) -> Option<State> {
-        match self {
-            Self::Cold => Some(State::Cold),
-            Self::Hot => Some(State::Hot),
-            Self::Aged => Some(State::Aged),
-            _ => None,
-        }
+        if let Absorbers::InState(state) = self.row().2 { Some(state) } else { None }
     }
 
     /// Whether it makes no difference to a design: there are no absorbers, or none whose material it changes.
     pub(crate) fn changes_nothing(self, design: &[Mounted]) -> bool {
-        match self {
-            Self::Firing | Self::Misfire | Self::UnequalCylinders => false,
-            Self::AbsorberLocked | Self::AbsorberLost => design.is_empty(),
-            Self::InOperation => !design.iter().any(|m| m.absorber.follows_motion()),
-            Self::Cold | Self::Hot | Self::Aged => {
-                self.material().is_some_and(|state| design.iter().all(|m| m.absorber.in_state(state).is_none()))
-            }
+        match self.row().2 {
+            Absorbers::AsGiven => false,
+            Absorbers::Locked | Absorbers::Lost => design.is_empty(),
+            Absorbers::InOperation => !design.iter().any(|m| m.absorber.follows_motion()),
+            Absorbers::InState(state) => design.iter().all(|m| m.absorber.in_state(state).is_none()),
         }
     }
 
@@ -83,14 +114,15 @@ impl Condition {
             Host::Station(_) => locked(m, 0.0),
             Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },
         };
-        match self {
-            Self::Firing | Self::Misfire | Self::UnequalCylinders | Self::InOperation => design.to_vec(),
-            Self::Cold | Self::Hot | Self::Aged => {
-                let state = |m: &Mounted| self.material().and_then(|state| m.absorber.in_state(state));
-                design.iter().map(|m| state(m).map_or_else(|| m.clone(), |absorber| Mounted { absorber, ..m.clone() })).collect()
+        match self.row().2 {
+            Absorbers::AsGiven | Absorbers::InOperation => design.to_vec(),
+            Absorbers::InState(state) => {
+                let changed =
+                    |m: &Mounted| Mounted { absorber: m.absorber.in_state(state).unwrap_or_else(|| m.absorber.clone()), ..m.clone() };
+                design.iter().map(changed).collect()
             }
-            Self::AbsorberLocked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
-            Self::AbsorberLost => design.iter().map(lost).collect(),
+            Absorbers::Locked => design.iter().map(|m| locked(m, m.absorber.ring_inertia())).collect(),
+            Absorbers::Lost => design.iter().map(lost).collect(),
         }
     }
 }

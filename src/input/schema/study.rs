@@ -3,13 +3,16 @@
 use super::absorber::{RawAbsorber, RawOptimised};
 use super::catalogue::RawCatalogue;
 use super::fatigue::RawFatigue;
+use super::keyword::{word, words};
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
 use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
 use crate::input::error::At;
-use schemars::JsonSchema;
-use serde::Deserialize;
+use crate::objective::Condition;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -83,17 +86,26 @@ pub(crate) struct RawStudy {
     pub fatigue: Option<At<RawFatigue>>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum RawCondition {
-    Firing,
-    Misfire,
-    UnequalCylinders,
-    Cold,
-    Hot,
-    Aged,
-    AbsorberLocked,
-    AbsorberLost,
+/// A condition by its word: the words are those of the conditions themselves.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RawCondition(pub Condition);
+
+impl<'de> Deserialize<'de> for RawCondition {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        word(deserializer, Condition::NAMED, Condition::name).map(Self)
+    }
+}
+
+impl JsonSchema for RawCondition {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "Condition".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        words(Condition::NAMED, Condition::name)
+    }
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -94,11 +94,12 @@ fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatu
         });
     }
     for raw in conditions(study) {
-        let (word, given, followed, key) = match raw.get_ref() {
-            RawCondition::Cold => ("cold", temperatures.cold.is_some(), warms, "temperature"),
-            RawCondition::Hot => ("hot", temperatures.hot.is_some(), warms, "temperature"),
-            RawCondition::Aged => ("aged", true, ages, "ageing"),
-            _ => continue,
+        let word = raw.get_ref().0.name();
+        let (given, followed, key) = match raw.get_ref().0.material() {
+            Some(State::Cold) => (temperatures.cold.is_some(), warms, "temperature"),
+            Some(State::Hot) => (temperatures.hot.is_some(), warms, "temperature"),
+            Some(State::Aged) => (true, ages, "ageing"),
+            None => continue,
         };
         if !given {
             check.wrong(raw, format!("found condition `{word}` without its temperature, expected `temperatures = {{ {word}_c = … }}`"));

@@ -54,12 +54,13 @@ use super::measure::MeasureSpec;
 use super::published::Published;
 use super::schema::engine::RawEngine;
 use super::schema::fatigue::RawCrankPressure;
-use super::schema::study::{RawCondition, RawStudy};
+use super::schema::study::RawStudy;
 use super::tables::Reach;
 use crate::absorber::mounted::station_of;
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Excitation, Order, Source as TorqueSource};
+use crate::objective::condition::Burning;
 use crate::response::Quantity;
 use crate::units::HZ_PER_RPM;
 use std::path::Path;
@@ -242,7 +243,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         balanced: &Context::balanced(&designs, optimise.as_ref()),
         lives: &Context::lives(&designs, optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
-        unequal: material_states::conditions(study).any(|c| matches!(c.get_ref(), RawCondition::Misfire | RawCondition::UnequalCylinders)),
+        unequal: material_states::conditions(study).any(|c| c.get_ref().0.burning() != Burning::Alike),
     };
     let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);

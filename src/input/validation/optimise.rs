@@ -11,6 +11,7 @@ use crate::input::measure::MeasureSpec;
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
+use crate::objective::condition::Burning;
 
 /// More optima than this are a mistake in the file: each takes a search of its own.
 const MOST_OPTIMA: usize = 1000;
@@ -63,18 +64,9 @@ pub(super) type ByWord<'a> = &'a dyn Fn(&mut Check, &At<Vec<At<String>>>) -> Opt
 pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &Engine) -> Vec<Condition> {
     let mut conditions = Vec::new();
     for raw in list.get_ref() {
-        let condition = match raw.get_ref() {
-            RawCondition::Firing => Condition::Firing,
-            RawCondition::Misfire => Condition::Misfire,
-            RawCondition::UnequalCylinders => Condition::UnequalCylinders,
-            RawCondition::Cold => Condition::Cold,
-            RawCondition::Hot => Condition::Hot,
-            RawCondition::Aged => Condition::Aged,
-            RawCondition::AbsorberLocked => Condition::AbsorberLocked,
-            RawCondition::AbsorberLost => Condition::AbsorberLost,
-        };
+        let condition = raw.get_ref().0;
         let name = condition.name();
-        if matches!(condition, Condition::Misfire | Condition::UnequalCylinders) && matches!(engine.source, Source::Harmonics(_)) {
+        if condition.burning() != Burning::Alike && matches!(engine.source, Source::Harmonics(_)) {
             check.wrong(raw, format!("found `{name}` with torque harmonics of whole throws, expected it with a cylinder pressure only"));
         }
         if conditions.contains(&condition) {
@@ -83,10 +75,8 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
         conditions.push(condition);
     }
     if conditions.is_empty() {
-        check.wrong(
-            list,
-            "found an empty list, expected at least one condition: firing, misfire, unequal_cylinders, cold, hot, aged, absorber_locked, absorber_lost",
-        );
+        let all = Condition::NAMED.map(Condition::name).join(", ");
+        check.wrong(list, format!("found an empty list, expected at least one condition: {all}"));
     }
     conditions
 }
@@ -96,7 +86,7 @@ pub(super) fn scatter(check: &mut Check, study: &RawStudy, engine: &Engine, cond
     let is_used = conditions.contains(&Condition::UnequalCylinders);
     let Some(raw) = &study.scatter else {
         let lists = study.conditions.iter().chain(study.optimise.iter().flat_map(|o| &o.conditions));
-        if let Some(unequal) = lists.flat_map(|l| l.get_ref()).find(|c| *c.get_ref() == RawCondition::UnequalCylinders) {
+        if let Some(unequal) = lists.flat_map(|l| l.get_ref()).find(|c| c.get_ref().0 == Condition::UnequalCylinders) {
             check.wrong(unequal, "found `unequal_cylinders` without [scatter], expected a share for each cylinder in `combustion` there");
         }
         return None;
@@ -146,9 +136,10 @@ pub(crate) fn resolve(
     }
     let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
     if let Some(list) = &raw.conditions
-        && conditions.iter().all(|c| matches!(c, Condition::AbsorberLocked | Condition::AbsorberLost))
+        && !conditions.iter().any(|c| c.has_absorbers())
     {
-        check.wrong(list, "found no condition in which an absorber works, expected one of `firing`, `misfire`, `unequal_cylinders`, `cold`, `hot` and `aged` among them");
+        let working: Vec<String> = Condition::NAMED.iter().filter(|c| c.has_absorbers()).map(|c| format!("`{}`", c.name())).collect();
+        check.wrong(list, format!("found no condition in which an absorber works, expected one of {} among them", working.join(", ")));
     }
     let in_operation = raw.in_operation.unwrap_or(false);
     Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions, in_operation })

@@ -1,36 +1,10 @@
 //! What the tables hold, in the words in which `guide/outputs.md` tells of their files.
 
-/// Stems of names of files, and what is in them.
-const CAPTIONS: [(&str, &str); 28] = [
-    (
-        "designs",
-        "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
-    ),
-    (
-        "absorbers",
-        "one row for each absorber of every design: where it sits, its type, every parameter, heat, ring twist, the loss factor that spring and damper imply; modulus or viscosity, and strain, where its shape is given",
-    ),
-    ("values", "one row for each value of every design: condition, measure, value, unit, place, order, speed"),
-    ("pareto", "the best absorber for each ring inertia"),
-    (
-        "optima",
-        "one row for each optimum: value, first- and second-order conditions, agreement of starts, other local optima, designs looked at elsewhere and near it",
-    ),
-    (
-        "sensitivities",
-        "one row for each measure and parameter of every optimum: relative change, and how far (up to 50 %) the parameter may drift before a limit breaks",
-    ),
-    ("limits", "one row for each limit of every design: value, whether it holds, and what one per cent more of it would bring"),
-    ("barred", "one row for each range of speed that a society's rule bars for a design that breaks its limit"),
-    ("front", "fronts of any two measures"),
-    ("duty", "twist, torque and heat of each design at the points of the duty"),
-    ("life", "cycles of strain and damage of absorbers at the points of the duty"),
-    ("strain", "the self-consistent strain of filled rubber at every speed, by each of the two rules"),
-    ("catalogue", "every absorber of the study's catalogues, the best first"),
-    ("robust", "designs within the tolerances of the study"),
+use super::run_tables::RUN_TABLES;
+
+/// Stems of names of files that no row of [`RUN_TABLES`] is for, and what is in them.
+const CAPTIONS: [(&str, &str); 12] = [
     ("tolerance_band", "designs within the tolerances of the study"),
-    ("heat", "temperatures of absorbers in balance of heat at every speed, stable or not"),
-    ("large_twist", "steady motions of designs with an absorber whose twist is not small, stable or not"),
     ("calibration", "fitted inputs with standard errors"),
     ("margin", "cycle of stress and safety factor of the crank for each design, speed, fillet and criterion"),
     ("response", "amplitude and phase of each order, and half peak-to-peak of all together, against speed"),
@@ -46,7 +20,8 @@ const CAPTIONS: [(&str, &str); 28] = [
 
 /// The caption of a table by the stem of its name; that stem in words where there is none.
 pub(super) fn caption(stem: &str) -> String {
-    let known = CAPTIONS.iter().find(|c| c.0 == stem).map(|c| c.1.to_owned());
-    let words = known.unwrap_or_else(|| stem.replace('_', " "));
+    let of_runs = RUN_TABLES.iter().map(|t| (t.stem, t.about));
+    let known = of_runs.chain(CAPTIONS).find(|c| c.0 == stem);
+    let words = known.map_or_else(|| stem.replace('_', " "), |c| c.1.to_owned());
     words.chars().take(1).flat_map(char::to_uppercase).chain(words.chars().skip(1)).collect()
 }

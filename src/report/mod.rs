@@ -15,6 +15,7 @@ mod parquet;
 pub mod plot;
 mod reason;
 pub(crate) mod results_json;
+mod run_tables;
 mod summary;
 mod taken;
 pub mod text;
@@ -25,6 +26,8 @@ pub(crate) use journal::Journal;
 pub(crate) use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
 pub(crate) use page::write_folder;
 pub(crate) use summary::{about, about_inputs};
+
+use run_tables::RUN_TABLES;
 
 use crate::analysis::classification::Classification;
 use crate::analysis::curves::{Figure, HolzerRow};
@@ -70,30 +73,7 @@ pub(crate) fn write_run(
 
 /// Writes the tables of a run but the large ones.
 fn write_tables(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    csv::designs(study, results, folder)?;
-    csv::values(study, results, folder)?;
-    csv::catalogue(study, results, folder)?;
-    csv::absorbers(results, folder)?;
-    csv::duty(results, folder)?;
-    csv::life(results, folder)?;
-    csv::heat(results, folder)?;
-    csv::strain(results, folder)?;
-    csv::large_twist(results, folder)?;
-    csv::robust(study, results, folder)?;
-    if !study.limits.is_empty() {
-        csv::limits(study, results, folder)?;
-    }
-    if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
-        csv::barred(study, results, folder)?;
-    }
-    if !results.optima.is_empty() {
-        csv::optima(study, results, folder)?;
-        csv::sensitivities(results, folder)?;
-    }
-    if !results.fronts.is_empty() {
-        csv::pareto(study, results, folder)?;
-    }
-    if results.tradeoffs.is_empty() { Ok(()) } else { csv::front(study, results, folder) }
+    RUN_TABLES.iter().filter(|t| (t.asked)(study)).try_for_each(|t| (t.write)(study, results, folder))
 }
 
 /// Writes a calibration, where there is one.

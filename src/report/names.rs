@@ -2,7 +2,7 @@
 
 use super::formats::Format;
 use super::manifest::{JOURNAL, SUMMARY};
-use crate::absorber::{Material, Mounted};
+use super::run_tables::{RUN_TABLES, has_large_twist, materials};
 use crate::input::{FrontSpec, RETUNED, Study};
 
 /// Name of the page of a folder.
@@ -58,6 +58,10 @@ impl Names {
         if asked { self.both(stems) } else { self }
     }
 
+    fn plots_if(self, asked: bool, stems: &[&str]) -> Self {
+        if asked { self.plots(stems) } else { self }
+    }
+
     fn tables_if(self, asked: bool, stems: &[&str]) -> Self {
         if asked { self.tables(stems) } else { self }
     }
@@ -74,22 +78,14 @@ impl Names {
 
     /// Those of `hartog run`.
     pub(crate) fn of_run(study: &Study) -> Self {
-        let own = |of: &dyn Fn(&Material) -> bool| materials(study, of);
+        let asked = RUN_TABLES.iter().filter(|t| (t.asked)(study)).map(|t| t.stem);
         let mut names = Self::of("run", &[PAGE, RESULTS, UNFINISHED])
-            .tables(&["values", "absorbers", "response", "timing"])
-            .both(&["designs"])
-            .plots(&["campbell", "excitation"])
+            .tables(&asked.collect::<Vec<_>>())
+            .tables(&["response", "timing"])
+            .plots(&["designs", "campbell", "excitation"])
             .each_design(study)
-            .tables_if(study.optimise.is_some(), &["optima", "sensitivities"])
-            .tables_if(!study.limits.is_empty(), &["limits"])
-            .tables_if(study.limits.iter().any(|l| l.rated_rpm.is_some()), &["barred"])
-            .tables_if(!study.catalogues.is_empty(), &["catalogue"])
-            .tables_if(!study.duty.is_empty(), &["duty"])
-            .tables_if(!study.duty.is_empty() && own(&|m| m.life.is_some()), &["life"])
-            .tables_if(own(&|m| m.amplitude.is_some()), &["strain"])
-            .both_if(own(&|m| m.thermal.is_some()), &["heat"])
-            .both_if(has_large_twist(study), &["large_twist"])
-            .tables_if(study.robust.is_some(), &["robust"])
+            .plots_if(materials(study, &|m| m.thermal.is_some()), &["heat"])
+            .plots_if(has_large_twist(study), &["large_twist"])
             .both_if(study.robust.is_some(), &["tolerance_band"])
             .both_if(study.calibrate.is_some(), &["calibration"])
             .both_if(study.fatigue.is_some(), &["margin"]);
@@ -97,11 +93,11 @@ impl Names {
             names = names.plots(&["crank"]);
         }
         match &study.front {
-            Some(FrontSpec::OverInertia(_)) => names.both(&["pareto"]),
+            Some(FrontSpec::OverInertia(_)) => names.plots(&["pareto"]),
             Some(FrontSpec::Of { measures, .. }) => {
                 let words = || measures.iter().map(|m| &m.word);
                 names.plots.extend(words().flat_map(|a| words().map(move |b| format!("front_{a}_{b}"))));
-                names.tables(&["front"])
+                names
             }
             None => names,
         }
@@ -175,20 +171,4 @@ fn fits(stem: &str, known: &str) -> bool {
         (_, Some(begin)) => stem.strip_prefix(begin).is_some_and(|number| number.parse::<f64>().is_ok()),
         _ => stem == known,
     }
-}
-
-/// Absorbers that are given or sold.
-fn given(study: &Study) -> impl Iterator<Item = &Mounted> {
-    study.designs.iter().chain(study.catalogues.iter().flat_map(|c| &c.designs)).flat_map(|d| &d.absorbers)
-}
-
-/// Whether some absorber may be of such a material; of optima each that has one counts.
-fn materials(study: &Study, of: &dyn Fn(&Material) -> bool) -> bool {
-    let found = study.optimise.iter().flat_map(|o| &o.absorbers).any(|a| !a.materials.is_empty());
-    found || given(study).filter_map(|m| m.absorber.law()?.material()).any(of)
-}
-
-/// Whether the twist of some absorber is not small.
-fn has_large_twist(study: &Study) -> bool {
-    given(study).filter_map(|m| m.absorber.law()).any(|law| law.large_twist().is_some())
 }

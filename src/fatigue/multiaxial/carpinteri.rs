@@ -8,33 +8,41 @@ use super::plane::{Plane, Scratch, resolved};
 use super::search::Critical;
 use crate::numerics::elementary::Elementary;
 use nalgebra::Matrix3;
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Instants whose largest principal stress is less by no more than this share count alike: the plane that is used more decides.
 const ALIKE: f64 = 1e-9;
+/// Directions of a turn: the value is off by less than 2e-4 between them.
+const ROUND: usize = 180;
 
 /// Angle between the normal of the plane and the direction of the largest principal stress, rad: 3/2 (1 - (t/f)²) 45°, from none to 45° outside the limits it is made for.
 pub(super) fn angle(l: &Limits) -> f64 {
     (1.5 * (1.0 - (l.torsion / l.bending).powi(2))).clamp(0.0, 1.0) * FRAC_PI_4
 }
 
-/// Largest and smallest principal stress with their directions.
-fn principal([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> (f64, [[f64; 3]; 2]) {
+/// Principal stresses with their directions, the largest first.
+fn principal([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> [(f64, [f64; 3]); 3] {
     let found = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigen();
-    let (mut most, mut least) = (0, 0);
-    for i in 1..3 {
-        most = if found.eigenvalues[i] > found.eigenvalues[most] { i } else { most };
-        least = if found.eigenvalues[i] <= found.eigenvalues[least] { i } else { least };
-    }
-    let direction = |i: usize| [0, 1, 2].map(|d| found.eigenvectors[(d, i)]);
-    (found.eigenvalues[most], [direction(most), direction(least)])
+    let mut all = [0, 1, 2].map(|i| (found.eigenvalues[i], [0, 1, 2].map(|d| found.eigenvectors[(d, i)])));
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all
+}
+
+/// Directions that the normal may lean towards: that of the smallest principal stress, either way; all round where the two smaller ones are level, as in bending alone.
+fn towards([(most, _), (middle, second), (least, third)]: &[(f64, [f64; 3]); 3]) -> Vec<[f64; 3]> {
+    let count = if middle - least <= ALIKE * (most - least) { ROUND } else { 2 };
+    let direction = |i: usize| {
+        let (sine, cosine) = (2.0 * PI * i as f64 / count as f64).sine_cosine();
+        [0, 1, 2].map(|d| cosine * third[d] + if count > 2 { sine * second[d] } else { 0.0 })
+    };
+    (0..count).map(direction).collect()
 }
 
 /// The plane with its equivalent shear stress, Pa: t/f times sqrt((N_a + f N_m/R)² + (f/t)² C_a²) with amplitude N_a and mean N_m of the normal stress and amplitude C_a of the shear stress there, tensile
 /// strength R. A mean pressure takes nothing off. Of several planes the one that is used most.
 pub(super) fn critical(history: &History, l: &Limits) -> Critical {
-    let all: Vec<(f64, [[f64; 3]; 2])> = (0..history.len()).map(|j| principal(history.tensor(j))).collect();
-    let top = all.iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max);
+    let all: Vec<[(f64, [f64; 3]); 3]> = (0..history.len()).map(|j| principal(history.tensor(j))).collect();
+    let top = all.iter().map(|p| p[0].0).fold(f64::NEG_INFINITY, f64::max);
     let (sine, cosine) = angle(l).sine_cosine();
     let mut scratch = Scratch::default();
     let mut of = |normal: [f64; 3]| {
@@ -45,10 +53,13 @@ pub(super) fn critical(history: &History, l: &Limits) -> Critical {
         let value = combined((0.5 * (high - low), 0.5 * (high + low)), shear_amplitude, l);
         Critical { plane, value, shear_amplitude, normal_max: high, note: String::new() }
     };
+    let mut instants: Vec<&[(f64, [f64; 3]); 3]> = all.iter().filter(|p| p[0].0 >= top - ALIKE * top.abs()).collect();
+    // a stress that stands still is one
+    instants.dedup();
     let mut most: Option<Critical> = None;
-    for (_, [first, third]) in all.iter().filter(|p| p.0 >= top - ALIKE * top.abs()) {
-        for side in [sine, -sine] {
-            let found = of([0, 1, 2].map(|d| cosine * first[d] + side * third[d]));
+    for stresses in instants {
+        for direction in towards(stresses) {
+            let found = of([0, 1, 2].map(|d| cosine * stresses[0].1[d] + sine * direction[d]));
             if most.as_ref().is_none_or(|m| found.value > m.value) {
                 most = Some(found);
             }

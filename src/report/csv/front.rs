@@ -12,6 +12,9 @@ use crate::report::files::{Folder, WriteError};
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn front(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    if results.tradeoffs.is_empty() {
+        return Ok(());
+    }
     let Some(FrontSpec::Of { measures, .. }) = &study.front else { return Ok(()) };
     let points = || results.tradeoffs.iter().flat_map(|t| &t.families).flat_map(|f| &f.1.points);
     let most = points().map(|p| p.design.len()).max().unwrap_or(0);

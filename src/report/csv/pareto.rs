@@ -11,6 +11,9 @@ use crate::report::files::{Folder, WriteError};
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    if results.fronts.is_empty() {
+        return Ok(());
+    }
     let mut header = vec![
         "absorber",
         "ring_inertia_kg_m2",

@@ -10,6 +10,9 @@ use crate::report::files::{Folder, WriteError};
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn sensitivities(results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    if results.optima.is_empty() {
+        return Ok(());
+    }
     let mut table = Table::new(&[
         "design",
         "measure",

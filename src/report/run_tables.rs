@@ -1,0 +1,139 @@
+//! The tables of a run, one row each; those of hundreds of thousands of rows (`response.csv`, `margin.csv`) are written beside them.
+
+use super::csv;
+use super::files::{Folder, WriteError};
+use crate::absorber::{Material, Mounted};
+use crate::analysis::Results;
+use crate::input::{FrontSpec, Study};
+
+/// A table of a run.
+pub(super) struct RunTable {
+    /// Its name without the ending.
+    pub stem: &'static str,
+    /// What is in it: its caption on the page, and what `guide/outputs.md` says of it.
+    pub about: &'static str,
+    /// Whether a run of a study may write it: such a file of an earlier run gives way.
+    pub asked: fn(&Study) -> bool,
+    /// Writes it; no file where there is nothing to tell.
+    pub write: fn(&Study, &Results, &Folder) -> Result<(), WriteError>,
+}
+
+/// All of them, in the order in which the page shows them.
+pub(super) const RUN_TABLES: [RunTable; 16] = [
+    RunTable {
+        stem: "designs",
+        about: "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
+        asked: always,
+        write: |s, r, f| csv::designs(s, r, f),
+    },
+    RunTable {
+        stem: "values",
+        about: "one row for each value of every design: condition, measure, value, unit, place, order, speed",
+        asked: always,
+        write: |s, r, f| csv::values(s, r, f),
+    },
+    RunTable {
+        stem: "catalogue",
+        about: "every absorber of the study's catalogues, the best first",
+        asked: |s| !s.catalogues.is_empty(),
+        write: |s, r, f| csv::catalogue(s, r, f),
+    },
+    RunTable {
+        stem: "absorbers",
+        about: "one row for each absorber of every design: where it sits, its type, every parameter, heat, ring twist, the loss factor that spring and damper imply; modulus or viscosity, and strain, where its shape is given",
+        asked: always,
+        write: |_, r, f| csv::absorbers(r, f),
+    },
+    RunTable {
+        stem: "duty",
+        about: "twist, torque and heat of each design at the points of the duty",
+        asked: |s| !s.duty.is_empty(),
+        write: |_, r, f| csv::duty(r, f),
+    },
+    RunTable {
+        stem: "life",
+        about: "cycles of strain and damage of absorbers at the points of the duty",
+        asked: |s| !s.duty.is_empty() && materials(s, &|m| m.life.is_some()),
+        write: |_, r, f| csv::life(r, f),
+    },
+    RunTable {
+        stem: "heat",
+        about: "temperatures of absorbers in balance of heat at every speed, stable or not",
+        asked: |s| materials(s, &|m| m.thermal.is_some()),
+        write: |_, r, f| csv::heat(r, f),
+    },
+    RunTable {
+        stem: "strain",
+        about: "the self-consistent strain of filled rubber at every speed, by each of the two rules",
+        asked: |s| materials(s, &|m| m.amplitude.is_some()),
+        write: |_, r, f| csv::strain(r, f),
+    },
+    RunTable {
+        stem: "large_twist",
+        about: "steady motions of designs with an absorber whose twist is not small, stable or not",
+        asked: has_large_twist,
+        write: |_, r, f| csv::large_twist(r, f),
+    },
+    RunTable {
+        stem: "robust",
+        about: "designs within the tolerances of the study",
+        asked: |s| s.robust.is_some(),
+        write: |s, r, f| csv::robust(s, r, f),
+    },
+    RunTable {
+        stem: "limits",
+        about: "one row for each limit of every design: value, whether it holds, and what one per cent more of it would bring",
+        asked: |s| !s.limits.is_empty(),
+        write: |s, r, f| csv::limits(s, r, f),
+    },
+    RunTable {
+        stem: "barred",
+        about: "one row for each range of speed that a society's rule bars for a design that breaks its limit",
+        asked: |s| s.limits.iter().any(|l| l.rated_rpm.is_some()),
+        write: |s, r, f| csv::barred(s, r, f),
+    },
+    RunTable {
+        stem: "optima",
+        about: "one row for each optimum: value, first- and second-order conditions, agreement of starts, other local optima, designs looked at elsewhere and near it",
+        asked: |s| s.optimise.is_some(),
+        write: |s, r, f| csv::optima(s, r, f),
+    },
+    RunTable {
+        stem: "sensitivities",
+        about: "one row for each measure and parameter of every optimum: relative change, and how far (up to 50 %) the parameter may drift before a limit breaks",
+        asked: |s| s.optimise.is_some(),
+        write: |_, r, f| csv::sensitivities(r, f),
+    },
+    RunTable {
+        stem: "pareto",
+        about: "the best absorber for each ring inertia",
+        asked: |s| matches!(s.front, Some(FrontSpec::OverInertia(_))),
+        write: |s, r, f| csv::pareto(s, r, f),
+    },
+    RunTable {
+        stem: "front",
+        about: "fronts of any two measures",
+        asked: |s| matches!(s.front, Some(FrontSpec::Of { .. })),
+        write: |s, r, f| csv::front(s, r, f),
+    },
+];
+
+fn always(_: &Study) -> bool {
+    true
+}
+
+/// Absorbers that are given or sold.
+fn given(study: &Study) -> impl Iterator<Item = &Mounted> {
+    study.designs.iter().chain(study.catalogues.iter().flat_map(|c| &c.designs)).flat_map(|d| &d.absorbers)
+}
+
+/// Whether some absorber may be of such a material; of optima each that has one counts.
+pub(super) fn materials(study: &Study, of: &dyn Fn(&Material) -> bool) -> bool {
+    let found = study.optimise.iter().flat_map(|o| &o.absorbers).any(|a| !a.materials.is_empty());
+    found || given(study).filter_map(|m| m.absorber.law()?.material()).any(of)
+}
+
+/// Whether the twist of some absorber is not small.
+pub(super) fn has_large_twist(study: &Study) -> bool {
+    given(study).filter_map(|m| m.absorber.law()).any(|law| law.large_twist().is_some())
+}

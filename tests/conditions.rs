@@ -83,6 +83,30 @@ fn unequal_cylinders_between_firing_and_misfire() {
     assert!((some - more).abs() > 1e-3 * more, "{some} {more}");
 }
 
+/// Theory: on the overrun every cylinder does what the one that misfires does: the response is that of cylinders which differ by all of their combustion, and the phasor of each throw is that of the firing engine with
+/// what each misfire changes of it added up.
+#[test]
+fn on_the_overrun_every_cylinder_misfires() {
+    let design = |condition: Condition, scatter: Option<Vec<f64>>| {
+        let mut s = study("villalva_v10_thesis");
+        (s.optimise, s.front, s.conditions, s.scatter) = (None, None, vec![condition], scatter);
+        (s.fatigue, s.calibrate) = (None, None);
+        s.designs.truncate(2);
+        analysis::run(&s, &Silent).expect("damped").designs.swap_remove(1)
+    };
+    let (overrun, unequal) = (design(Condition::Overrun, None), design(Condition::UnequalCylinders, Some(vec![-1.0; 10])));
+    assert_close(overrun.conditions[0].objective, unequal.conditions[0].objective, 1e-12, 0.0, "all motored");
+    assert!(overrun.conditions[0].objective < 0.9 * overrun.objective.expect("firing"), "compression alone shakes less");
+    let s = study("villalva_v10_thesis");
+    let firing = Excitation::new(&s.engine, s.order_limit);
+    let motored = firing.motored(&s.engine, &firing.motored_change(&s.engine).expect("a cylinder"));
+    for (throw, n) in (0..firing.throws()).flat_map(|t| (0..firing.orders.len()).map(move |n| (t, n))) {
+        let of = |e: &Excitation| e.throw_torque(throw, n, 6000.0);
+        let expected = (0..10).map(|c| of(&misfiring(&s, c)) - of(&firing)).fold(of(&firing), |sum, c| sum + c);
+        assert!((of(&motored) - expected).norm() < 1e-9 * of(&firing).norm().max(1.0), "{throw} {n}");
+    }
+}
+
 /// Theory: the torque of the whole engine has the orders at which all firing phases add up, multiples of 3 in the six and of 2.5 in the V10
 /// (but 10, where its banks cancel); with one cylinder misfiring every half order is there, as large as that cylinder's loss, whichever it is.
 #[test]

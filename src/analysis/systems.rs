@@ -1,4 +1,4 @@
-//! The systems of a study: its engine firing, misfiring, and with cylinders that burn unequally.
+//! The systems of a study: its engine firing, misfiring, with cylinders that burn unequally, and with none that burns.
 
 use crate::drivetrain::System;
 use crate::engine::excitation::MotoredChange;
@@ -17,13 +17,14 @@ const LOUD: f64 = 1e-6;
 pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
     let engine = &study.engine;
     let asked = |burning: &Burning| study.conditions.iter().any(|c| c.burning() == *burning);
-    let burnings: Vec<Burning> = [Burning::AllButOne, Burning::Unequally].into_iter().filter(asked).collect();
+    let burnings: Vec<Burning> = [Burning::AllButOne, Burning::Unequally, Burning::NotAtAll].into_iter().filter(asked).collect();
     let change = if burnings.is_empty() { None } else { excitation.motored_change(engine) };
     let of = |(burning, change): (Burning, &MotoredChange)| match (burning, &study.scatter) {
         (Burning::AllButOne, _) => {
             (0..engine.layout.firing_deg.len()).map(|cylinder| excitation.misfiring(engine, cylinder, change)).collect()
         }
         (Burning::Unequally, Some(scatter)) => vec![excitation.unequal(engine, scatter, change)],
+        (Burning::NotAtAll, _) => vec![excitation.motored(engine, change)],
         (Burning::Alike, _) | (Burning::Unequally, None) => Vec::new(),
     };
     let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(of).collect();

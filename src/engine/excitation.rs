@@ -32,6 +32,8 @@ pub enum Units {
     Misfiring(usize),
     /// Each burns with its own share.
     Unequal,
+    /// None burns.
+    Motored,
 }
 
 impl Units {
@@ -39,7 +41,7 @@ impl Units {
     pub fn misfiring(self) -> Option<usize> {
         match self {
             Self::Misfiring(cylinder) => Some(cylinder),
-            Self::Equal | Self::Unequal => None,
+            Self::Equal | Self::Unequal | Self::Motored => None,
         }
     }
 }
@@ -176,6 +178,12 @@ impl Excitation {
             Change { throw, torque }
         });
         Self { units: Units::Unequal, changes: changes.collect(), ..self.clone() }
+    }
+
+    /// The same engine with no cylinder burning: all compress and expand.
+    #[must_use]
+    pub fn motored(&self, engine: &Engine, change: &MotoredChange) -> Self {
+        Self { units: Units::Motored, ..self.unequal(engine, &vec![-1.0; engine.layout.firing_deg.len()], change) }
     }
 
     /// A share of the change from firing to motored, at the firing angle of a cylinder.

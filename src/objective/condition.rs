@@ -13,6 +13,8 @@ pub enum Condition {
     Misfire,
     /// The cylinders burn as unequally as the study says.
     UnequalCylinders,
+    /// No cylinder burns: the fuel is cut off.
+    Overrun,
     /// The materials of the absorbers are as cold as the study says.
     Cold,
     /// They are as hot as it says.
@@ -36,6 +38,8 @@ pub(crate) enum Burning {
     AllButOne,
     /// As unequally as the study says.
     Unequally,
+    /// None.
+    NotAtAll,
 }
 
 /// What becomes of the absorbers.
@@ -50,8 +54,17 @@ enum Absorbers {
 
 impl Condition {
     /// Those that a study may name, in the order of its words; in operation an absorber is where its material says how.
-    pub(crate) const NAMED: [Self; 8] =
-        [Self::Firing, Self::Misfire, Self::UnequalCylinders, Self::Cold, Self::Hot, Self::Aged, Self::AbsorberLocked, Self::AbsorberLost];
+    pub(crate) const NAMED: [Self; 9] = [
+        Self::Firing,
+        Self::Misfire,
+        Self::UnequalCylinders,
+        Self::Overrun,
+        Self::Cold,
+        Self::Hot,
+        Self::Aged,
+        Self::AbsorberLocked,
+        Self::AbsorberLost,
+    ];
 
     /// Its word, how the cylinders burn, and what becomes of the absorbers.
     fn row(self) -> (&'static str, Burning, Absorbers) {
@@ -59,6 +72,7 @@ impl Condition {
             Self::Firing => ("firing", Burning::Alike, Absorbers::AsGiven),
             Self::Misfire => ("misfire", Burning::AllButOne, Absorbers::AsGiven),
             Self::UnequalCylinders => ("unequal_cylinders", Burning::Unequally, Absorbers::AsGiven),
+            Self::Overrun => ("overrun", Burning::NotAtAll, Absorbers::AsGiven),
             Self::Cold => ("cold", Burning::Alike, Absorbers::InState(State::Cold)),
             Self::Hot => ("hot", Burning::Alike, Absorbers::InState(State::Hot)),
             Self::Aged => ("aged", Burning::Alike, Absorbers::InState(State::Aged)),
@@ -89,6 +103,7 @@ impl Condition {
             Burning::Alike => units == Units::Equal,
             Burning::AllButOne => matches!(units, Units::Misfiring(_)),
             Burning::Unequally => units == Units::Unequal,
+            Burning::NotAtAll => units == Units::Motored,
         }
     }
 

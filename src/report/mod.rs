@@ -10,6 +10,7 @@ pub(crate) mod journal;
 mod lines;
 mod manifest;
 mod names;
+mod names_of_commands;
 mod page;
 mod parquet;
 pub mod plot;

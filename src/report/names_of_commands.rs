@@ -1,0 +1,96 @@
+//! The names of the files of each command.
+
+use super::names::{CLASSIFICATION, Names, PAGE, RESULTS, UNFINISHED};
+use super::run_tables::{RUN_TABLES, has_large_twist, materials};
+use crate::input::{FrontSpec, RETUNED, Study};
+
+impl Names {
+    /// Plots of designs: those that are given, the best of catalogues, and optima.
+    fn each_design(mut self, study: &Study) -> Self {
+        let sold = study.catalogues.iter().flat_map(|c| &c.designs);
+        let sold = sold.flat_map(|d| [d.name.clone(), format!("{}{RETUNED}", d.name)]);
+        let given = study.designs.iter().map(|d| d.name.clone());
+        let found = study.optimise.iter().map(|_| "optimum_*".to_owned());
+        self.plots.extend(given.chain(sold).chain(found).map(|name| format!("response_{name}")));
+        self
+    }
+
+    /// Those of `hartog run`.
+    pub(crate) fn of_run(study: &Study) -> Self {
+        let asked = RUN_TABLES.iter().filter(|t| (t.asked)(study)).map(|t| t.stem);
+        let mut names = Self::of("run", &[PAGE, RESULTS, UNFINISHED])
+            .tables(&asked.collect::<Vec<_>>())
+            .tables(&["response", "timing"])
+            .plots(&["designs", "campbell", "excitation"])
+            .each_design(study)
+            .plots_if(materials(study, &|m| m.thermal.is_some()), &["heat"])
+            .plots_if(has_large_twist(study), &["large_twist"])
+            .both_if(study.robust.is_some(), &["tolerance_band"])
+            .both_if(study.calibrate.is_some(), &["calibration"])
+            .both_if(study.fatigue.is_some(), &["margin"]);
+        if study.fatigue.is_some() {
+            names = names.plots(&["crank"]);
+        }
+        match &study.front {
+            Some(FrontSpec::OverInertia(_)) => names.plots(&["pareto"]),
+            Some(FrontSpec::Of { measures, .. }) => {
+                let words = || measures.iter().map(|m| &m.word);
+                names.plots.extend(words().flat_map(|a| words().map(move |b| format!("front_{a}_{b}"))));
+                names
+            }
+            None => names,
+        }
+    }
+
+    /// Those of `hartog report`.
+    pub(crate) fn of_report(study: &Study) -> Self {
+        Self::of("report", &[CLASSIFICATION])
+            .tables(&["designs", "values", "absorbers", "response", "holzer", "vector_sums", "criticals", "shaft_torques"])
+            .tables_if(!study.limits.is_empty(), &["limits", "barred"])
+            .plots(&["campbell", "excitation"])
+            .each_design(study)
+    }
+
+    /// Those of `hartog compare` of a study.
+    pub(crate) fn of_comparison() -> Self {
+        Self::of("compare", &[PAGE]).both(&["comparison", "calibration"]).plots(&["orders"])
+    }
+
+    /// Those of `hartog compare` of a sizing file.
+    pub(crate) fn of_rounds() -> Self {
+        Self::of("compare", &[PAGE]).tables(&["sizing_comparison"])
+    }
+
+    /// Those of `hartog chart`.
+    pub(crate) fn of_chart() -> Self {
+        Self::of("chart", &[PAGE]).both(&["speed_accuracy"]).plots(&["models", "growth", "stability"])
+    }
+
+    /// Those of `hartog curves`.
+    pub(crate) fn of_curves(study: &Study) -> Self {
+        let shafts: Vec<String> = study.designs.iter().map(|d| format!("shaft_torque_{}", d.name)).collect();
+        Self::of("curves", &[PAGE])
+            .tables(&["holzer"])
+            .both(&["cylinder", "forces_#", "torque_#", "bearings_#", "crank_loads_#", "balance", "campbell", "modes"])
+            .both(&["phase_vectors", "spectrum", "histories", "absorber_chart"])
+            .both(&shafts.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
+    /// Those of `hartog fatigue`.
+    pub(crate) fn of_fatigue() -> Self {
+        Self::of("fatigue", &[PAGE]).both(&["fatigue"])
+    }
+
+    /// Those of `hartog fit`.
+    pub(crate) fn of_fit() -> Self {
+        Self::of("fit", &[PAGE]).both(&["fit"])
+    }
+
+    /// Those of `hartog size`.
+    pub(crate) fn of_size() -> Self {
+        Self::of("size", &[PAGE, "engine.toml", "study.toml", "pressure.csv"])
+            .tables(&["sizing", "sizing_comparison"])
+            .both(&["sizing_front", "sizing_forces_*", "sizing_moments_*"])
+            .plots(&["drawing"])
+    }
+}

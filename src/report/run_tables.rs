@@ -19,24 +19,30 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 16] = [
+pub(super) const RUN_TABLES: [RunTable; 17] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
         asked: always,
-        write: |s, r, f| csv::designs(s, r, f),
+        write: csv::designs,
     },
     RunTable {
         stem: "values",
         about: "one row for each value of every design: condition, measure, value, unit, place, order, speed",
         asked: always,
-        write: |s, r, f| csv::values(s, r, f),
+        write: csv::values,
+    },
+    RunTable {
+        stem: "order_peaks",
+        about: "the orders that matter to each quantity of a design, the largest first: largest amplitude at the speeds of the study, and that speed",
+        asked: always,
+        write: csv::order_peaks,
     },
     RunTable {
         stem: "catalogue",
         about: "every absorber of the study's catalogues, the best first",
         asked: |s| !s.catalogues.is_empty(),
-        write: |s, r, f| csv::catalogue(s, r, f),
+        write: csv::catalogue,
     },
     RunTable {
         stem: "absorbers",
@@ -74,29 +80,24 @@ pub(super) const RUN_TABLES: [RunTable; 16] = [
         asked: has_large_twist,
         write: |_, r, f| csv::large_twist(r, f),
     },
-    RunTable {
-        stem: "robust",
-        about: "designs within the tolerances of the study",
-        asked: |s| s.robust.is_some(),
-        write: |s, r, f| csv::robust(s, r, f),
-    },
+    RunTable { stem: "robust", about: "designs within the tolerances of the study", asked: |s| s.robust.is_some(), write: csv::robust },
     RunTable {
         stem: "limits",
         about: "one row for each limit of every design: value, whether it holds, and what one per cent more of it would bring",
         asked: |s| !s.limits.is_empty(),
-        write: |s, r, f| csv::limits(s, r, f),
+        write: csv::limits,
     },
     RunTable {
         stem: "barred",
         about: "one row for each range of speed that a society's rule bars for a design that breaks its limit",
         asked: |s| s.limits.iter().any(|l| l.rated_rpm.is_some()),
-        write: |s, r, f| csv::barred(s, r, f),
+        write: csv::barred,
     },
     RunTable {
         stem: "optima",
         about: "one row for each optimum: value, first- and second-order conditions, agreement of starts, other local optima, designs looked at elsewhere and near it",
         asked: |s| s.optimise.is_some(),
-        write: |s, r, f| csv::optima(s, r, f),
+        write: csv::optima,
     },
     RunTable {
         stem: "sensitivities",
@@ -108,13 +109,13 @@ pub(super) const RUN_TABLES: [RunTable; 16] = [
         stem: "pareto",
         about: "the best absorber for each ring inertia",
         asked: |s| matches!(s.front, Some(FrontSpec::OverInertia(_))),
-        write: |s, r, f| csv::pareto(s, r, f),
+        write: csv::pareto,
     },
     RunTable {
         stem: "front",
         about: "fronts of any two measures",
         asked: |s| matches!(s.front, Some(FrontSpec::Of { .. })),
-        write: |s, r, f| csv::front(s, r, f),
+        write: csv::front,
     },
 ];
 

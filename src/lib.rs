@@ -3,7 +3,7 @@
 //! ```
 //! use hartog::Study;
 //!
-//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! fn main() -> Result<(), hartog::Error> {
 //!     let results = Study::read("studies/den_hartog.toml")?.run()?;
 //!     let best = &results.optima[0];
 //!     println!("{}: {:.6}°", best.design.name, best.optimum.value().to_degrees());
@@ -100,5 +100,5 @@ pub mod units;
 #[cfg(feature = "program")]
 pub mod validation;
 
-pub use analysis::{Results, RunError};
+pub use analysis::{Error, Results, RunError};
 pub use input::{InputError, PartsError, Study};

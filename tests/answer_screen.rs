@@ -57,6 +57,36 @@ fn every_answer_fits_one_screen() {
     answers_fit_one_screen(&names.iter().map(String::as_str).collect::<Vec<_>>());
 }
 
+/// `check`, `compare` and `size` stand on such a screen, too; `--verbose` says more.
+#[test]
+fn other_commands_fit_one_screen() {
+    let printed = |arguments: &[&str]| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+        c.current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments);
+        if arguments[0] != "check" {
+            c.arg("--out").arg(folder.path().join("out"));
+        }
+        String::from_utf8(c.output().expect("runs").stdout).expect("text")
+    };
+    let studies = std::fs::read_dir("studies").expect("studies").map(|e| e.expect("an entry").path());
+    let studies = studies.filter(|p| p.extension().is_some_and(|e| e == "toml")).map(|p| p.to_string_lossy().into_owned());
+    let (sizings, studies): (Vec<String>, Vec<String>) = studies.partition(|p| p.contains("fialho"));
+    let commands = studies.iter().map(|s| vec!["check", s]).chain(sizings.iter().map(|s| vec!["size", s])).chain([vec!["compare"]]);
+    for command in commands {
+        let text = printed(&command);
+        let lines: Vec<&str> = text.lines().collect();
+        assert!((5..=40).contains(&lines.len()), "{command:?}: {} lines\n{text}", lines.len());
+        assert!(lines.iter().all(|l| l.chars().count() <= 100), "{command:?}:\n{text}");
+    }
+    let six = ["check", "studies/villalva_i6.toml"];
+    let said = unbroken(&printed(&six));
+    for words in ["natural frequencies (damping ratio): 220.45 Hz (0.0457)", "4.5 @ 2939", "objective: peak twist", "--verbose"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert!(printed(&[six.as_slice(), &["--verbose"]].concat()).lines().count() > 80);
+}
+
 /// The screen that the guide shows of the six is the one that its command prints, but for times and rounding in residuals; what the README shows is a part of it.
 #[test]
 fn the_guide_shows_the_answer() {

@@ -120,7 +120,7 @@ fn undamped_resonance_is_exit_code_two() {
 /// `check` prints the resolved model and audits the pressure.
 #[test]
 fn check_audits_the_engine() {
-    let output = hartog().args(["check", "studies/villalva_v10_thesis.toml"]).assert().code(0).get_output().stdout.clone();
+    let output = hartog().args(["check", "--verbose", "studies/villalva_v10_thesis.toml"]).assert().code(0).get_output().stdout.clone();
     let text = String::from_utf8_lossy(&output);
     for words in ["412.84", "1053.40", "9 at 144°", "friction/N m", "throw_5", "order 0/N m", "objective: peak twist pulley to flywheel"] {
         assert!(text.contains(words), "`{words}` in\n{text}");
@@ -157,7 +157,7 @@ fn output_folder_in_the_way() {
 #[test]
 fn compare_writes_a_page_an_engine() {
     let folder = tempfile::tempdir().expect("folder");
-    let output = hartog().args(["compare", "--out"]).arg(folder.path()).assert().code(0).get_output().stdout.clone();
+    let output = hartog().args(["compare", "--verbose", "--out"]).arg(folder.path()).assert().code(0).get_output().stdout.clone();
     let text = String::from_utf8_lossy(&output);
     for words in
         ["Best published: viscous_untuned", "Possible with the same ring", "Erratum", "Unexplained", "std. error", "correlation", "holds"]

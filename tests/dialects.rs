@@ -81,10 +81,15 @@ fn every_table_is_read_in_german() {
     }
     let material = ["--material", "material.toml"];
     let fatigue = [vec!["fatigue", "history.csv"], vec!["fatigue", "--unit-loads", "units.csv", "--loads", "loads.csv"]];
-    let commands = [vec!["check", "study.toml"], vec!["check", "second.toml"], vec!["check", "third.toml"], vec!["check", "fourth.toml"]]
-        .into_iter()
-        .chain(fatigue.into_iter().map(|command| [command, material.to_vec()].concat()))
-        .chain([vec!["fit", "damper.csv", "--type", "rubber", "--reference-c", "0"]]);
+    let commands = [
+        vec!["check", "--verbose", "study.toml"],
+        vec!["check", "--verbose", "second.toml"],
+        vec!["check", "--verbose", "third.toml"],
+        vec!["check", "--verbose", "fourth.toml"],
+    ]
+    .into_iter()
+    .chain(fatigue.into_iter().map(|command| [command, material.to_vec()].concat()))
+    .chain([vec!["fit", "damper.csv", "--type", "rubber", "--reference-c", "0"]]);
     for command in commands {
         let (expected, found) = (hartog(place.path(), &command), hartog(other.path(), &command));
         assert_eq!(expected.0, 0, "{command:?}: {}", expected.2);

@@ -185,7 +185,7 @@ fn words_for_what_has_no_number() {
     fs::write(folder.path().join("engine.toml"), head + &chain).expect("written");
     let design = "[[design]]\nname = \"d\"\n[[design.absorber]]\non.station = \"b\"\ntype.viscous = { ring_inertia_kg_m2 = 0.1, damping_n_m_s_per_rad = 1 }\n";
     fs::write(&path, format!("{speeds}{design}")).expect("written");
-    let found = hartog(&["check", &path]).code(0);
+    let found = hartog(&["check", "--verbose", &path]).code(0);
     let text = String::from_utf8_lossy(&found.get_output().stdout).into_owned();
     assert!(text.contains("does not move"), "{text}");
     #[cfg(unix)]

@@ -108,6 +108,16 @@ fn columns_have_one_type() {
     assert_eq!(of("designs", "design"), parquet::basic::Type::BYTE_ARRAY);
 }
 
+/// How many glyphs the page of a PDF shows.
+fn shown(pdf: &[u8]) -> usize {
+    let find = |from: usize, word: &[u8]| from + pdf[from..].windows(word.len()).position(|w| w == word).expect("a part of a PDF");
+    let begin = find(find(0, b"\n4 0 obj"), b"stream\n") + 7;
+    let mut content = String::new();
+    let mut decoder = flate2::read::ZlibDecoder::new(&pdf[begin..find(begin, b"\nendstream")]);
+    std::io::Read::read_to_string(&mut decoder, &mut content).expect("text");
+    content.matches(" Tj\n").count()
+}
+
 /// Every table but that of times as Parquet holds what its CSV holds, numbers as numbers and empty cells as nulls; every plot is a page of PDF of its printed width, 170 mm, with its words as text; files do
 /// not depend on the number of threads; a run that is not asked for them takes them away.
 #[test]
@@ -167,6 +177,17 @@ fn parquet_and_pdf_stand_beside_tables_and_plots() {
         let width = text.split("/MediaBox [0 0 ").nth(1).and_then(|t| t.split(' ').next()).and_then(|w| w.parse::<f64>().ok());
         assert!(bytes.starts_with(b"%PDF-") && text.contains("/Type /Font"), "{plot}: no page of PDF with text");
         assert_close(width.expect("a page"), 170.0 / 25.4 * 72.0, 1e-3, 0.0, plot);
+        // a glyph for every character of the picture's words
+        let svg = std::fs::read_to_string(folder.join(format!("{plot}.svg"))).expect("a picture");
+        let words = svg.split("<text").skip(1).map(|t| t.split_once('>').expect("a tag").1.split("</text>").next().expect("words").trim());
+        let characters: usize = words
+            .map(|w| {
+                // the font has one glyph for these letters
+                let plain = w.replace("&lt;", "<").replace("&gt;", ">").replace("&apos;", "'").replace("&amp;", "&");
+                plain.replace("ffi", "*").replace("ff", "*").replace("fi", "*").replace("fl", "*").chars().count()
+            })
+            .sum();
+        assert_eq!(shown(&bytes), characters, "{plot}");
     }
     run(folder, &[]);
     assert_eq!((names(folder, ".parquet").len(), names(folder, ".pdf").len()), (0, 0));

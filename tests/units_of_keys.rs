@@ -68,6 +68,10 @@ impl Case {
         }
         let step = &mut case.study["speed_rpm"].as_table_mut().expect("a table")["step"];
         *step = Value::Float(as_number(step) * if name.contains("villalva") { 10.0 } else { 1.0 });
+        // two criteria: strengths and stresses scale alike in the others
+        if let Some(fatigue) = case.study.get_mut("fatigue").and_then(Value::as_table_mut) {
+            fatigue.insert("criteria".into(), Value::from(vec!["goodman", "crossland"]));
+        }
         let pressures = [("geometry", None, "crankcase_pressure_bar"), ("pressure", Some("otto"), "inlet_pressure_bar")];
         for (outer, inner, key) in pressures {
             if let Some(table) = case.engine.get_mut(outer).and_then(|t| match inner {

@@ -60,7 +60,7 @@ pub use large_twist::{LargePoint, LargeTwistOfDesign};
 pub use large_twist_measures::AtLargeTwist;
 pub use life::{LifeAt, LifeOverDuty};
 pub use margins::{MarginSweep, SmallestMargin};
-pub use progress::{Progress, RunError, Silent};
+pub use progress::{Error, Progress, RunError, Silent};
 pub use required_material::MadeOf;
 pub(crate) use required_material::over_states;
 pub use results::{Beside, FrontResult, OptimumResult, Results, RowCase, TradeoffResult};

@@ -23,6 +23,21 @@ impl Progress for Silent {
     fn step(&self) {}
 }
 
+/// Whatever can go wrong between a file, or the parts of a study, and its results.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// Mistakes in input files.
+    #[error(transparent)]
+    Input(#[from] crate::input::InputError),
+    /// Parts that make no study.
+    #[error(transparent)]
+    Parts(#[from] crate::input::PartsError),
+    /// A response that does not exist.
+    #[error(transparent)]
+    Run(#[from] RunError),
+}
+
 /// A response that does not exist, and whose.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{what}: {error}")]

@@ -2,7 +2,7 @@
 
 use super::exit::{DONE, fail, say};
 use crate::input;
-use crate::report::text::check;
+use crate::report::text::{check, check_in_brief};
 use std::path::PathBuf;
 
 /// Arguments of `check`.
@@ -11,6 +11,9 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// Study file (TOML).
     pub study: PathBuf,
+    /// Print the chain station by station, every mode with its critical speeds, the excitation, and what the crank bears.
+    #[arg(long)]
+    pub verbose: bool,
 }
 
 /// Reads and checks a study, and prints the model it describes.
@@ -19,6 +22,6 @@ pub fn check(arguments: &Arguments) -> u8 {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
-    say(&check::model(&study));
+    say(&if arguments.verbose { check::model(&study) } else { check_in_brief(&study) });
     DONE
 }

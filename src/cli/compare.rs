@@ -31,6 +31,9 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+    /// Print every row, misprint and tolerance; the page of a study has them in any case.
+    #[arg(long)]
+    pub verbose: bool,
 }
 
 /// What is read for a page, and where that goes.
@@ -89,7 +92,7 @@ pub fn compare(arguments: &Arguments) -> u8 {
         (Ok(studies), Ok(sizings)) => (studies, sizings),
         (Err(code), _) | (_, Err(code)) => return code,
     };
-    let mut pages = Vec::new();
+    let (mut pages, alone) = (Vec::new(), jobs.studies.len() + jobs.sizings.len() == 1);
     for (job, folder) in jobs.studies.into_iter().zip(of_studies) {
         let about = about_inputs(&job.of.inputs);
         let bar = Bar::default();
@@ -105,11 +108,13 @@ pub fn compare(arguments: &Arguments) -> u8 {
         if let Err(error) = written.and_then(|()| folder.complete(&about)) {
             return fail(&error);
         }
-        say(&format!("{}\n\n{}  {}\n", page.study.engine.name, printed(&page), files(&folder)));
+        let brief = || text::comparison::brief(&page.study, &page.comparison, alone);
+        let told = if arguments.verbose { format!("\n{}", printed(&page)) } else { brief() };
+        say(&format!("{}\n{told}  {}\n", page.study.engine.name, files(&folder)));
         pages.push(page);
     }
     for ((study, of), folder) in jobs.sizings.iter().zip(&of_sizings) {
-        if let Err(code) = sizing(study, of, folder) {
+        if let Err(code) = sizing((study, of), folder, arguments.verbose || alone) {
             return code;
         }
     }
@@ -122,13 +127,14 @@ pub fn compare(arguments: &Arguments) -> u8 {
 }
 
 /// Prints and writes the rounds of sizing beside the printed ones.
-fn sizing(study: &SizingStudy, of: &Origin, folder: &Folder) -> Result<(), u8> {
+fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, whole: bool) -> Result<(), u8> {
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
     let title = format!("{}: published and computed", study.title);
     let written = write_rounds(&rows, folder).and_then(|()| write_folder(&title, || text::rounds(&rows), folder));
     written.and_then(|()| folder.complete(&about_inputs(&of.inputs))).map_err(|e| fail(&e))?;
-    say(&format!("{}\n\n{}  {}\n", study.title, text::rounds(&rows), files(folder)));
+    let told = if whole { format!("\n{}", text::rounds(&rows)) } else { text::rounds_in_brief(&rows) };
+    say(&format!("{}\n{told}  {}\n", study.title, files(folder)));
     Ok(())
 }
 

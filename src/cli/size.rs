@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+    /// Print the tables of dimensions, margins and masses; the page has them in any case.
+    #[arg(long)]
+    pub verbose: bool,
 }
 
 /// Sizes and writes.
@@ -55,7 +58,7 @@ pub fn size(arguments: &Arguments) -> u8 {
     if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }
-    say(&printed());
+    say(&if arguments.verbose { printed() } else { text::sizing_in_brief(&study, &results) });
     say(&files(&folder));
     if results.sized.last().short_of(&study.specification).is_empty() { DONE } else { FAILED }
 }

@@ -7,6 +7,7 @@ use crate::report::formats::Format;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
 use std::sync::{Arc, OnceLock};
 
@@ -26,6 +27,20 @@ const UNITS_PER_INCH: f32 = WIDTH as f32 / 0.17 * 0.0254;
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// What drawing may fail with.
 pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+/// Writes a title above what is left of an area, and returns that: the gap between both keeps the title off the frame.
+///
+/// # Errors
+/// Those of drawing.
+pub(crate) fn captioned<'a>(
+    area: &Area<'a>,
+    words: impl Into<String>,
+    style: TextStyle<'_>,
+) -> Result<Area<'a>, Box<dyn std::error::Error>> {
+    let middle = area.dim_in_pixel().0 / 2;
+    area.draw(&Text::new(words.into(), (middle as i32, px(5) as i32), style.pos(Pos::new(HPos::Center, VPos::Top))))?;
+    Ok(area.margin(px(20), 0, 0, 0))
+}
 
 /// Colours that the colour-blind can tell apart (after Okabe and Ito).
 pub(crate) const COLOURS: [RGBColor; 7] = [
@@ -121,6 +136,7 @@ macro_rules! log_axes {
             .configure_mesh()
             .x_desc($x)
             .y_desc($y)
+            .set_all_tick_mark_size($crate::report::plot::canvas::px(4))
             .axis_desc_style($crate::report::plot::canvas::text(14))
             .label_style($crate::report::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)
@@ -155,16 +171,18 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     let drawn = format!("width=\"{}\" height=\"{}\"", px(width), px(height));
     let svg = svg.replacen(&drawn, &format!("width=\"{width}\" height=\"{height}\""), 1);
     folder.write(&format!("{name}.svg"), svg.as_bytes())?;
-    let png = rendered(&svg).ok_or_else(|| failed("the picture could not be rendered".into()))?;
+    let tree = parsed(&svg).ok_or_else(|| failed("the picture could not be read".into()))?;
+    let png = rendered(&tree).ok_or_else(|| failed("the picture could not be rendered".into()))?;
     folder.write(&format!("{name}.png"), &png)?;
     if Format::Pdf.is_wanted() {
-        let page = pdf(&svg, UNITS_PER_INCH).ok_or_else(|| failed("the picture could not be written as PDF".into()))?;
+        let page = pdf(&tree, UNITS_PER_INCH).ok_or_else(|| failed("the picture could not be written as PDF".into()))?;
         folder.write(&format!("{name}.pdf"), &page)?;
     }
     Ok(())
 }
 
-fn rendered(svg: &str) -> Option<Vec<u8>> {
+/// A picture with its words laid out in the built-in font.
+fn parsed(svg: &str) -> Option<resvg::usvg::Tree> {
     static FONTS: OnceLock<Arc<resvg::usvg::fontdb::Database>> = OnceLock::new();
     let fonts = FONTS.get_or_init(|| {
         let mut fonts = resvg::usvg::fontdb::Database::new();
@@ -172,11 +190,14 @@ fn rendered(svg: &str) -> Option<Vec<u8>> {
         Arc::new(fonts)
     });
     let options = resvg::usvg::Options { fontdb: fonts.clone(), ..resvg::usvg::Options::default() };
-    let tree = resvg::usvg::Tree::from_str(svg, &options).ok()?;
+    resvg::usvg::Tree::from_str(svg, &options).ok()
+}
+
+fn rendered(tree: &resvg::usvg::Tree) -> Option<Vec<u8>> {
     let size = tree.size().to_int_size().scale_by(PNG_ZOOM)?;
     let mut pixels = resvg::tiny_skia::Pixmap::new(size.width(), size.height())?;
     pixels.fill(resvg::tiny_skia::Color::WHITE);
-    resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(PNG_ZOOM, PNG_ZOOM), &mut pixels.as_mut());
+    resvg::render(tree, resvg::tiny_skia::Transform::from_scale(PNG_ZOOM, PNG_ZOOM), &mut pixels.as_mut());
     encoded(&pixels)
 }
 
@@ -258,6 +279,7 @@ macro_rules! mesh {
             .y_desc($y)
             .x_labels($nx)
             .y_labels($ny)
+            .set_all_tick_mark_size($crate::report::plot::canvas::px(4))
             .axis_desc_style($crate::report::plot::canvas::text(14))
             .label_style($crate::report::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)

@@ -1,6 +1,6 @@
 //! Speed against accuracy, growth of cost, and the stability map.
 
-use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::method_selection::Strategy;
 use crate::benchmark::growth::{Growth, SIZES};
@@ -70,15 +70,11 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
     entries.push(Entry::new("cross: exact, as reported", Mark::Note));
     canvas::save(folder, "speed_accuracy", (WIDTH, 500 + legend::height(&entries, WIDTH)), |area| {
         let main = legend::below(area, &entries)?;
-        let mut chart = ChartBuilder::on(&main)
-            .caption(format!("{}: cost of one design against the error of its peak twist", study.engine.name), text(15))
-            .margin(px(8))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(68))
-            .build_cartesian_2d(
-                (x.0..x.1).log_scale().with_key_points(decades(x.0, x.1)),
-                (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
-            )?;
+        let own = captioned(&main, format!("{}: cost of one design against the error of its peak twist", study.engine.name), text(15))?;
+        let mut chart = ChartBuilder::on(&own).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(68)).build_cartesian_2d(
+            (x.0..x.1).log_scale().with_key_points(decades(x.0, x.1)),
+            (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
+        )?;
         canvas::log_axes!(chart, "seconds per design, one thread", "largest error of the peak over the probe designs", &|x| format!(
             "{x:.0e}"
         ));

@@ -1,6 +1,6 @@
 //! Computed against published amplitudes, before and after a calibration, and the orders of each design with the published points.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, PALE, Stroke, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, PALE, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Calibration, Results, Sweeps};
 use crate::engine::Order;
@@ -35,12 +35,9 @@ fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Pair], entries
     let (low, high) = (low / 1.3, high * 1.3);
     let ticks: Vec<f64> = canvas::ticks(low, high);
     let axis = || (low..high).log_scale().with_key_points(ticks.clone());
-    let mut chart = ChartBuilder::on(&main)
-        .caption(title, text(16))
-        .margin(px(8))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(62))
-        .build_cartesian_2d(axis(), axis())?;
+    let own = captioned(&main, title, text(16))?;
+    let mut chart =
+        ChartBuilder::on(&own).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(62)).build_cartesian_2d(axis(), axis())?;
     canvas::mesh!(chart, format!("published {what}"), format!("computed {what}"), 20, 20);
     canvas::curve(&mut chart, [(low, low), (high, high)], equal)?;
     for factor in [1.0 - LINES, 1.0 + LINES] {
@@ -145,8 +142,8 @@ fn one(
     published: impl Iterator<Item = (Order, f64, f64)>,
 ) -> Drawn {
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let mut chart = ChartBuilder::on(area)
-        .caption(sweep.design.replace('_', " "), text(14))
+    let own = captioned(area, sweep.design.replace('_', " "), text(14))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .margin_right(px(20))
         .x_label_area_size(px(40))

@@ -1,6 +1,6 @@
 //! A plot a figure: panels from top to bottom.
 
-use super::canvas::{self, Drawn, Stroke, WIDTH, line, px, text};
+use super::canvas::{self, Drawn, Stroke, WIDTH, captioned, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::curves::{Curve, Figure, Panel};
 use crate::report::files::{Folder, WriteError};
@@ -36,8 +36,8 @@ fn panel(area: &canvas::Area, panel: &Panel) -> Drawn {
     let left = legend::below(area, &entries(panel))?;
     let all = || panel.curves.iter().flat_map(|c| &c.points);
     let ((x0, x1), (y0, y1)) = (range(all().map(|p| p.0), 0.0), range(all().map(|p| p.1).chain([0.0, panel.y_top.unwrap_or(0.0)]), 0.05));
-    let mut chart = ChartBuilder::on(&left)
-        .caption(&panel.title, text(15))
+    let own = captioned(&left, &panel.title, text(15))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .margin_right(px(24))
         .x_label_area_size(px(40))

@@ -1,6 +1,6 @@
 //! Order spectrum of the excitation: torque of a throw, and what of it pushes the first mode.
 
-use super::canvas::{self, COLOURS, Drawn, WIDTH, fill, px, text};
+use super::canvas::{self, COLOURS, Drawn, WIDTH, captioned, fill, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
 use crate::input::Study;
@@ -18,12 +18,9 @@ fn bars(area: &canvas::Area, title: &str, orders: &[f64], series: &[(String, Vec
     let end = orders.last().copied().unwrap_or(1.0) + 1.0;
     // a single order is no wall
     let step = orders.windows(2).map(|w| w[1] - w[0]).fold(0.1 * end, f64::min);
-    let mut chart = ChartBuilder::on(&above)
-        .caption(title, text(15))
-        .margin(px(8))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(62))
-        .build_cartesian_2d(0.0..end, 0.0..top)?;
+    let own = captioned(&above, title, text(15))?;
+    let mut chart =
+        ChartBuilder::on(&own).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(62)).build_cartesian_2d(0.0..end, 0.0..top)?;
     canvas::mesh!(chart, "order", "amplitude / N m", 13, 6);
     let width = 0.8 * step / series.len() as f64;
     for (i, (_, values)) in series.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The worst point: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, captioned, fill, line, px, text};
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
@@ -51,8 +51,8 @@ fn shear_path(area: &canvas::Area, point: &Point, v: &Verdict) -> Drawn {
     let (width, height) = area.dim_in_pixel();
     let (width, height) = (f64::from(width - px(76)), f64::from(height - px(74)));
     let reach = [width, height].map(|side| 1.15 * radius * side / width.min(height));
-    let mut chart = ChartBuilder::on(area)
-        .caption("shear on the critical plane and its circle", text(14))
+    let own = captioned(area, "shear on the critical plane and its circle", text(14))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .x_label_area_size(px(40))
         .y_label_area_size(px(60))
@@ -82,12 +82,9 @@ fn dang_van(area: &canvas::Area, point: &Point, v: &Verdict, limits: &Limits) ->
     let (low, high) = ((low - room).min(0.0), (high + room).max(0.0));
     let limit = |p: f64| limits.torsion / PA_PER_MPA - weight * p;
     let top = canvas::round_up(1.05 * limit(low).max(ends(|p| p.1).1));
-    let mut chart = ChartBuilder::on(area)
-        .caption("Dang Van, plane: path and limit", text(14))
-        .margin(px(8))
-        .x_label_area_size(px(40))
-        .y_label_area_size(px(60))
-        .build_cartesian_2d(low..high, 0.0..top)?;
+    let own = captioned(area, "Dang Van, plane: path and limit", text(14))?;
+    let mut chart =
+        ChartBuilder::on(&own).margin(px(8)).x_label_area_size(px(40)).y_label_area_size(px(60)).build_cartesian_2d(low..high, 0.0..top)?;
     canvas::mesh!(chart, "hydrostatic stress / MPa", "mesoscopic shear / MPa", 6, 7);
     for piece in canvas::clipped([(low, limit(low)), (high, limit(high))].into_iter(), top) {
         chart.draw_series(LineSeries::new(piece.into_iter().filter(|p| p.1 >= 0.0), line(COLOURS[1], 18)))?;
@@ -100,8 +97,8 @@ fn factors(area: &canvas::Area, verdicts: &[Verdict]) -> Drawn {
     let finite = verdicts.iter().map(|v| v.safety_factor).filter(|f| f.is_finite());
     let top = canvas::round_up(1.15 * finite.fold(1.0, f64::max));
     let count = verdicts.len() as f64;
-    let mut chart = ChartBuilder::on(area)
-        .caption("factors of all criteria", text(14))
+    let own = captioned(area, "factors of all criteria", text(14))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .x_label_area_size(px(40))
         .y_label_area_size(px(165))

@@ -1,6 +1,6 @@
 //! Fronts of two measures, with given designs and the knee marked.
 
-use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::labels;
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, TradeoffResult};
@@ -72,8 +72,8 @@ fn one(study: &Study, t: &TradeoffResult, measures: [&MeasureSpec; 2], folder: &
     }
     canvas::save(folder, &name, (WIDTH, 440 + legend::height(&entries, WIDTH)), |area| {
         let main = legend::below(area, &entries)?;
-        let mut chart = ChartBuilder::on(&main)
-            .caption(format!("{}: what one costs the other", study.engine.name), text(16))
+        let own = captioned(&main, format!("{}: what one costs the other", study.engine.name), text(16))?;
+        let mut chart = ChartBuilder::on(&own)
             .margin(px(8))
             .margin_right(px(20))
             .x_label_area_size(px(44))

@@ -1,6 +1,6 @@
 //! Temperatures of absorbers in balance, over speed.
 
-use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{HeatOfDesign, Results};
 use crate::input::Study;
@@ -33,8 +33,8 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     }
     canvas::save(folder, "heat", (WIDTH, 400 + legend::height(&entries, WIDTH)), |area| {
         let main = legend::below(area, &entries)?;
-        let mut chart = ChartBuilder::on(&main)
-            .caption(format!("{}: temperature of the absorber in balance of heat", study.engine.name), text(16))
+        let own = captioned(&main, format!("{}: temperature of the absorber in balance of heat", study.engine.name), text(16))?;
+        let mut chart = ChartBuilder::on(&own)
             .margin(px(8))
             .x_label_area_size(px(44))
             .y_label_area_size(px(60))

@@ -1,6 +1,6 @@
 //! Margin of the crank over speed, and the loads along it.
 
-use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, line, px, text};
+use super::canvas::{self, COLOURS, Drawn, GREY, Stroke, WIDTH, captioned, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::crank_diagram::{Diagram, Instant};
@@ -60,8 +60,8 @@ fn panel(area: &canvas::Area, study: &Study, results: &Results, criterion: usize
     let (first, last) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
     let name = model.criteria[criterion].name();
-    let mut chart = ChartBuilder::on(area)
-        .caption(name.replace('_', " "), text(15))
+    let own = captioned(area, name.replace('_', " "), text(15))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .margin_right(px(20))
         .x_label_area_size(px(40))

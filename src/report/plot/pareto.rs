@@ -1,6 +1,6 @@
 //! Front of ring inertia against the objective, with the given designs marked.
 
-use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
+use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::labels;
 use super::legend::{self, Entry};
 use crate::absorber::TYPES;
@@ -57,8 +57,8 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     entries.extend(levels.iter().filter(|l| l.0.is_some()).map(|(_, label, stroke)| Entry::curve(*label, *stroke)));
     canvas::save(folder, "pareto", (WIDTH, 440 + legend::height(&entries, WIDTH)), |area| {
         let main = legend::below(area, &entries)?;
-        let mut chart = ChartBuilder::on(&main)
-            .caption(format!("{}: optimum against ring inertia", study.engine.name), text(16))
+        let own = captioned(&main, format!("{}: optimum against ring inertia", study.engine.name), text(16))?;
+        let mut chart = ChartBuilder::on(&own)
             .margin(px(8))
             .margin_right(px(20))
             .x_label_area_size(px(40))

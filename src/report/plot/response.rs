@@ -1,6 +1,6 @@
 //! Response over speed: one design with its main orders, and all designs together.
 
-use super::canvas::{self, Drawn, Stroke, WIDTH, line, px, text};
+use super::canvas::{self, Drawn, Stroke, WIDTH, captioned, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{QuantitySweep, Sweeps, Swept};
@@ -61,8 +61,8 @@ fn panel(area: &canvas::Area, (title, of): (&str, Swept), speeds: &[f64], curves
     let above = legend::below(area, &curves.iter().map(Curve::entry).collect::<Vec<_>>())?;
     let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
     let span = if last > first { first..last } else { first - 1.0..first + 1.0 };
-    let mut chart = ChartBuilder::on(&above)
-        .caption(title, text(15))
+    let own = captioned(&above, title, text(15))?;
+    let mut chart = ChartBuilder::on(&own)
         .margin(px(8))
         .margin_right(px(24))
         .x_label_area_size(px(40))

@@ -24,26 +24,31 @@ const NEGLIGIBLE: f64 = 1e-6;
 /// Below this share nothing but rounding is left.
 const CANCELS: f64 = 1e-9;
 
-/// Engine, chain, modes, pressure, crank, and what is to be computed.
-pub fn model(study: &Study) -> String {
-    let excitation = Excitation::new(&study.engine, study.order_limit);
+/// Placeholders, notes and warnings.
+pub(super) fn unlikely(study: &Study, excitation: &Excitation) -> String {
     let remarks: String = study.remarks.iter().map(|s| format!("note: {s}\n")).collect();
     let unlikely: String =
         implausible(&plausibility::implausible(study, &excitation.audit)).iter().map(|s| format!("warning: {s}\n")).collect();
-    let unlikely = placeholders(study) + &remarks + &unlikely;
+    placeholders(study) + &remarks + &unlikely
+}
+
+/// Engine, chain, modes, pressure, crank, and what is to be computed.
+pub fn model(study: &Study) -> String {
+    let excitation = Excitation::new(&study.engine, study.order_limit);
+    let unlikely = unlikely(study, &excitation);
     format!(
         "{}\n{}{}\n{}\n{}\n{}{}",
-        engine(study),
+        engine(study, true),
         chain(study),
         moving_masses(study, &excitation),
         modes(study, &excitation),
         pressure(study, &excitation) + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}")),
-        work(study, &excitation),
+        work(study, &excitation, usize::MAX),
         if unlikely.is_empty() { unlikely } else { format!("\n{unlikely}") }
     )
 }
 
-fn engine(study: &Study) -> String {
+pub(super) fn engine(study: &Study, in_full: bool) -> String {
     let e = &study.engine;
     let layout = match e.layout.bank_angle_deg {
         None => "in line".to_owned(),
@@ -70,7 +75,9 @@ fn engine(study: &Study) -> String {
                 1e3 * g.displacement(),
                 g.oscillating_mass()
             );
-            let _ = writeln!(text, "  {}", rod(g));
+            if in_full {
+                let _ = writeln!(text, "  {}", rod(g));
+            }
             let model = match pressure {
                 Pressure::Otto(o) => {
                     format!(
@@ -271,7 +278,7 @@ fn absorber(study: &Study, m: &Mounted) -> String {
     format!("{} on {}: {}", m.absorber.type_name(), host(study, m.on), values.join(", "))
 }
 
-fn work(study: &Study, excitation: &Excitation) -> String {
+pub(super) fn work(study: &Study, excitation: &Excitation, most: usize) -> String {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let method = match study.method {
         ResponseMethod::Direct => "direct".to_owned(),
@@ -285,7 +292,7 @@ fn work(study: &Study, excitation: &Excitation) -> String {
         study.order_limit,
         study.speeds_rpm.len()
     );
-    text.push_str(&designs(study));
+    text.push_str(&designs(study, most));
     text.push_str(&goals(study));
     if let Some(p) = &study.published {
         let _ = writeln!(
@@ -314,12 +321,15 @@ fn work(study: &Study, excitation: &Excitation) -> String {
     text
 }
 
-/// The given designs, a line each.
-fn designs(study: &Study) -> String {
+/// The given designs, a line each; those beyond so many are counted.
+fn designs(study: &Study, most: usize) -> String {
     let mut text = String::new();
-    for d in &study.designs {
+    for d in study.designs.iter().take(most) {
         let absorbers: Vec<String> = d.absorbers.iter().map(|m| absorber(study, m)).collect();
         let _ = writeln!(text, "  design {}: {}", d.name, if absorbers.is_empty() { "no absorber".into() } else { absorbers.join("; ") });
+    }
+    if study.designs.len() > most {
+        let _ = writeln!(text, "  and {} more designs", study.designs.len() - most);
     }
     text
 }

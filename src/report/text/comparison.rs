@@ -78,6 +78,28 @@ pub(crate) fn paragraph(study: &Study, c: &Comparison) -> String {
     parts.concat().iter().map(|line| format!("  {line}\n")).collect()
 }
 
+/// The same in few lines: how many numbers there are in each role, what is best and what is possible where that is `asked`, how good the predictions are, and what of the tolerances fails.
+pub(crate) fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
+    let count = |role: Role| c.entries.iter().filter(|e| e.role == role && !differs(e)).count();
+    let (predicted, calibrated, errata, unexplained) =
+        (count(Role::Predicted), count(Role::Calibrated), count(Role::Erratum), count(Role::Unexplained));
+    let other = c.entries.iter().filter(|e| differs(e)).count();
+    let numbers = format!(
+        "{} published numbers: {predicted} predicted, {calibrated} fitted to, {errata} errata, {unexplained} unexplained, {other} by other models \
+         or inputs, {} given.",
+        c.entries.len(),
+        count(Role::Given)
+    );
+    let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
+    let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
+    let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());
+    let more = if asked { [best(study, c), own_stresses(c), doubts(study, c)].concat() } else { Vec::new() };
+    let more = more.into_iter().filter(|line| !line.starts_with("Input differs"));
+    let held = Some(held).filter(|_| !c.verdict.checks.is_empty());
+    let lines = std::iter::once(numbers).chain(reproduced(study, c)).chain(more).chain(failing).chain(held);
+    lines.map(|line| format!("  {line}\n")).collect()
+}
+
 /// Deviations of predicted numbers of a kind, per cent.
 fn predicted(c: &Comparison, kind: Kind) -> impl Iterator<Item = f64> + '_ {
     c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted).filter_map(Entry::deviation_percent)

@@ -148,8 +148,50 @@ fn front(results: &SizingResults) -> String {
 const SHARPEST: f64 = 0.01;
 const ROUNDEST: f64 = 0.3;
 
-/// Dimensions, margins, masses, what is printed elsewhere, and the front.
-pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow]) -> String {
+/// How far the last of our rounds is from the printed ones, in a line.
+pub(crate) fn rounds_in_brief(rows: &[RoundRow]) -> String {
+    let last = rows.iter().map(|r| r.round).max().unwrap_or(0);
+    let mut off: Vec<f64> = rows.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()).collect();
+    off.sort_by(f64::total_cmp);
+    let (Some(middle), Some(worst)) = (off.get(off.len() / 2), off.last()) else { return String::new() };
+    format!("  {} numbers of round {last}: median {middle:.1} %, worst {worst:.1} % off.\n", off.len())
+}
+
+/// Last dimensions, smallest margin and masses in few lines, the front as a table.
+pub(crate) fn brief(study: &SizingStudy, results: &SizingResults) -> String {
+    let last = results.sized.last();
+    let dimensions: Vec<String> =
+        last.sizes.named().iter().map(|(name, m)| format!("{} {}", name.replace('_', " "), significant(m / M_PER_MM, 4))).collect();
+    let mut text = title(study, results);
+    _ = writeln!(text, "\n  dimensions, mm: {}", dimensions.join(", "));
+    let margin = |m: &Margin| m.fatigue.min(m.yielding);
+    if let Some(least) = last.margins.iter().min_by(|a, b| margin(a).total_cmp(&margin(b))) {
+        _ = writeln!(
+            text,
+            "  smallest margin {} ({}), {} against buckling; design factors {} and {}",
+            significant(margin(least), 4),
+            least.section.replace('_', " "),
+            significant(last.buckling_margin, 4),
+            study.specification.design_factor,
+            study.specification.buckling_factor
+        );
+    }
+    text += &short_of(study, results);
+    let [rod, throw] = [last.rod, last.throw].map(|b| significant(b.mass, 4));
+    _ = writeln!(
+        text,
+        "  masses, kg: rod {rod}, a throw {throw}, crank with its flywheel seat {}",
+        significant(crank_mass(study, &results.sized), 4)
+    );
+    for part in [by_response(results), front(results)].iter().filter(|p| !p.is_empty()) {
+        text += "\n";
+        text += part;
+    }
+    text + "\n"
+}
+
+/// The engine, warnings, and how many rounds it took.
+fn title(study: &SizingStudy, results: &SizingResults) -> String {
     let spec = &study.specification;
     let mut text = format!(
         "{}: {} cylinder{}, {:.1} cm³, bore {} mm, stroke {} mm, rod {} mm\n",
@@ -176,6 +218,12 @@ pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[
     }
     let rigid = results.sized.rounds.len() - results.by_response.as_ref().map_or(0, |r| r.rounds);
     _ = writeln!(text, "  {rigid} rounds until dimensions, masses and forces agree, the crank rigid in torsion");
+    text
+}
+
+/// Dimensions, margins, masses, what is printed elsewhere, and the front.
+pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow]) -> String {
+    let mut text = title(study, results);
     let parts = [dimensions(results), margins(study, results), bodies(study, results), by_response(results), front(results)];
     for part in parts.iter().filter(|p| !p.is_empty()) {
         text += "\n";

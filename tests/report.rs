@@ -199,7 +199,7 @@ fn panels(svg: &str) -> Vec<Panel> {
             let number = all.iter().filter(|d| !d.rotated && d.words.parse::<f64>().is_ok());
             number.min_by(|a, b| near(a.points[0]).total_cmp(&near(b.points[0]))).expect("a number").words.parse::<f64>().expect("a number")
         };
-        let short = |d: &&Drawn| (d.points[0].0 - d.points[1].0).abs() + (d.points[0].1 - d.points[1].1).abs() < 10.0;
+        let short = |d: &&Drawn| (d.points[0].0 - d.points[1].0).abs() + (d.points[0].1 - d.points[1].1).abs() < 50.0;
         let beside = lines().filter(short).filter(|d| d.points[0].1 == d.points[1].1 && d.points[1].0 == x && inside(d.points[0].1));
         let up: Vec<(f64, f64)> =
             beside.map(|d| d.points[0].1).map(|y| (y, text(&|p| (p.1 - y).abs() + if p.0 < x { 0.0 } else { 1e6 }))).collect();

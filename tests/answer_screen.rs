@@ -87,6 +87,31 @@ fn other_commands_fit_one_screen() {
     assert!(printed(&[six.as_slice(), &["--verbose"]].concat()).lines().count() > 80);
 }
 
+/// A limit is used most in one of the conditions that it is to hold in, not in another that the study lists for its table. At c77ed6f
+/// the torques were "worst in absorber locked" and "worst in misfire" here.
+#[test]
+fn a_limit_names_a_condition_that_it_is_held_to() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let told = |listed: &str, held: &str| {
+        let study = format!(
+            "engine = {engine:?}\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\nconditions = {listed}\n[[objective]]\n\
+             peak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[constraint]]\nvibratory_torque = {{ max_n_m = 4000 }}\n[optimise]\n\
+             conditions = {held}\nrandom_starts = 0\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\n\
+             size.ring_inertia_kg_m2.fixed = 0.076\n"
+        );
+        let path = folder.path().join("study.toml");
+        std::fs::write(&path, study).expect("written");
+        let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+        let output = c.arg("run").arg(&path).arg("--out").arg(folder.path().join("out")).output().expect("runs");
+        unbroken(&String::from_utf8(output.stdout).expect("text"))
+    };
+    let lost = told("[\"misfire\", \"absorber_locked\"]", "[\"firing\", \"absorber_lost\"]");
+    assert!(lost.contains("at most 4000 N m: holds (it is 3424 N m, worst in absorber lost)"), "{lost}");
+    let firing = told("[\"misfire\", \"overrun\"]", "[\"firing\", \"overrun\"]");
+    assert!(firing.contains("at most 4000 N m: holds (it is 2068 N m, worst in firing)"), "{firing}");
+}
+
 /// The screen that the guide shows of the six is the one that its command prints, but for times and rounding in residuals; what the README shows is a part of it.
 #[test]
 fn the_guide_shows_the_answer() {

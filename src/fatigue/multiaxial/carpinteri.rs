@@ -20,6 +20,22 @@ pub(super) fn angle(l: &Limits) -> f64 {
     (1.5 * (1.0 - (l.torsion / l.bending).powi(2))).clamp(0.0, 1.0) * FRAC_PI_4
 }
 
+/// Instants whose largest principal stress is less by no more than this share are looked at exactly: more than what [`largest`] may be off by.
+const NEAR: f64 = 1e-6;
+
+/// The largest principal stress by the angle of Lode, to 1e-8 where two principal stresses are level.
+fn largest([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
+    let p = (xx + yy + zz) / 3.0;
+    let (a, b, c) = (xx - p, yy - p, zz - p);
+    let j2 = 0.5 * (a * a + b * b + c * c) + xy * xy + yz * yz + zx * zx;
+    if j2 == 0.0 {
+        return p;
+    }
+    let j3 = a * (b * c - yz * yz) - xy * (xy * c - yz * zx) + zx * (xy * yz - b * zx);
+    let root = (j2 / 3.0).sqrt();
+    p + 2.0 * root * ((0.5 * j3 / root / root / root).clamp(-1.0, 1.0).arccosine() / 3.0).cosine()
+}
+
 /// Principal stresses with their directions, the largest first.
 fn principal([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> [(f64, [f64; 3]); 3] {
     let found = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz).symmetric_eigen();
@@ -41,7 +57,11 @@ fn towards([(most, _), (middle, second), (least, third)]: &[(f64, [f64; 3]); 3])
 /// The plane with its equivalent shear stress, Pa: t/f times sqrt((N_a + f N_m/R)² + (f/t)² C_a²) with amplitude N_a and mean N_m of the normal stress and amplitude C_a of the shear stress there, tensile
 /// strength R. A mean pressure takes nothing off. Of several planes the one that is used most.
 pub(super) fn critical(history: &History, l: &Limits) -> Critical {
-    let all: Vec<[(f64, [f64; 3]); 3]> = (0..history.len()).map(|j| principal(history.tensor(j))).collect();
+    let roughly: Vec<f64> = (0..history.len()).map(|j| largest(history.tensor(j))).collect();
+    let top = roughly.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let size = history.components.iter().flatten().fold(0.0, |m: f64, s| m.max(s.abs()));
+    let near = (0..history.len()).filter(|j| roughly[*j] >= top - NEAR * size);
+    let all: Vec<[(f64, [f64; 3]); 3]> = near.map(|j| principal(history.tensor(j))).collect();
     let top = all.iter().map(|p| p[0].0).fold(f64::NEG_INFINITY, f64::max);
     let (sine, cosine) = angle(l).sine_cosine();
     let mut scratch = Scratch::default();

@@ -143,7 +143,7 @@ impl Criterion {
         critical: Critical::Told(carpinteri::critical),
         normal: true,
         ridges: false,
-        stress: |_, _, _| None,
+        stress: |path, _, l| Some(carpinteri::critical(&path.history(), l).value),
         bound: |w, _, l| carpinteri::combined((w.normal, w.normal), w.shear, l),
     });
 }

@@ -7,6 +7,7 @@ use super::largest_shear::LargestShear;
 use super::papadopoulos;
 use super::plane::Plane;
 use super::search::{self, Found, Grid, Wanted};
+use std::borrow::Cow;
 
 /// Fatigue limits of a material, Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,6 +190,8 @@ pub trait Path {
     fn mean_shear(&self) -> f64;
     /// What the plane of the largest shear bears, where it is known.
     fn largest_shear(&self) -> Option<LargestShear>;
+    /// The stresses themselves; of a path that only its corners decide, those.
+    fn history(&self) -> Cow<'_, History>;
     /// Critical planes, where they have been searched.
     fn searched(&self) -> Option<&Found> {
         None
@@ -224,6 +227,10 @@ impl Path for Searched<'_> {
         self.found.shear.as_ref().map(|s| LargestShear { amplitude: s.shear_amplitude, normal_max: s.normal_max })
     }
 
+    fn history(&self) -> Cow<'_, History> {
+        Cow::Borrowed(self.history)
+    }
+
     fn searched(&self) -> Option<&Found> {
         Some(self.found)
     }
@@ -255,7 +262,8 @@ pub fn evaluate(history: &History, limits: &Limits, criteria: &[Criterion], grid
             Critical::Findley => found.findley.as_ref(),
             Critical::DangVan => found.dang_van.as_ref(),
         };
-        let stress = criterion.stress(&path, limits)?.or_else(|| at.map(|a| a.value)).unwrap_or(0.0);
+        let stress = if let Critical::Told(_) = criterion.0.critical { at.map(|a| a.value) } else { criterion.stress(&path, limits)? };
+        let stress = stress.unwrap_or(0.0);
         Ok(Verdict {
             criterion: *criterion,
             safety_factor: if stress > 0.0 { limits.torsion / stress } else { f64::INFINITY },

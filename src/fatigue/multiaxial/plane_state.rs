@@ -5,11 +5,13 @@
 //! corners of the convex hull.
 
 use super::criterion::Path;
+use super::history::History;
 use super::largest_shear::{LargestShear, largest_shear};
 use super::papadopoulos;
 use crate::numerics::enclosing::{smallest_ball, smallest_ball_from};
 use crate::numerics::hull::hull;
 use crate::numerics::projections::range;
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 /// A path over the cycle, Pa. What asks for its corners only finds them first.
@@ -88,6 +90,11 @@ impl PlaneState {
 }
 
 impl Path for PlaneState {
+    fn history(&self) -> Cow<'_, History> {
+        let Points { normal, shear } = self.corners();
+        Cow::Owned(History::plane_state(normal.clone(), shear.clone()))
+    }
+
     fn largest_shear(&self) -> Option<LargestShear> {
         Some(Self::largest_shear(self))
     }

@@ -8,7 +8,7 @@ use crate::report::files::{Folder, WriteError};
 /// Orders with less than this share of a quantity's largest are left out.
 const LEAST: f64 = 0.1;
 
-/// `order_peaks.csv`: of each order the largest amplitude at the speeds of the study, and that speed. Quantities of which only the sum is kept are not in it.
+/// `order_peaks.csv`: of each order the largest amplitude at the speeds of the study, and that speed. It has the quantities that every run keeps by order; shafts, rings and every station stand in `response.csv`.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.

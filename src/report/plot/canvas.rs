@@ -215,7 +215,8 @@ fn encoded(pixels: &resvg::tiny_skia::Pixmap) -> Option<Vec<u8>> {
 
 /// A number for an axis: no needless digits.
 pub(crate) fn tick(x: &f64) -> String {
-    let rounded = (x * 1e9).round() / 1e9;
+    // a zero has no sign
+    let rounded = (x * 1e9).round() / 1e9 + 0.0;
     format!("{rounded}")
 }
 

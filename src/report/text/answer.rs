@@ -10,7 +10,7 @@ use super::width::{is_wide, wrapped};
 use crate::absorber::{Host, Mounted};
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{Calibration, DesignResult, OptimumResult, Results};
-use crate::input::Study;
+use crate::input::{LimitSpec, Study};
 use crate::objective::holds;
 use crate::optimise::Survey;
 use crate::report::text::table::significant;
@@ -58,6 +58,19 @@ fn head(study: &Study, calibration: Option<&Calibration>) -> String {
     text
 }
 
+/// Lines on limits that are printed; of more those that fail come first.
+const MOST_LIMITS: usize = 8;
+
+/// Lines on limits, those that tell of a failure first where there are too many, and how many are left out.
+fn fewer(mut lines: Vec<String>) -> Vec<String> {
+    if lines.len() > MOST_LIMITS {
+        lines.sort_by_key(|line| !line.contains("FAILS"));
+        let more = lines.split_off(MOST_LIMITS).len();
+        lines.push(format!("  and {more} more lines on limits: --verbose prints them"));
+    }
+    lines
+}
+
 /// The best optimum with what it saves, its certificate and its limits; where nothing was searched, the best of the designs.
 fn found(study: &Study, results: &Results) -> String {
     let judged = |d: &DesignResult| results.judged(d).map_or_else(|| "no steady motion".into(), |j| sentence(study, &j));
@@ -75,16 +88,16 @@ fn found(study: &Study, results: &Results) -> String {
             if study.limits.is_empty() {
                 put("  the study has no limits".into());
             }
-            limits(study, o).into_iter().for_each(&mut put);
+            fewer(limits(study, o)).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
         }
         (None, Some(given)) => {
             put(format!("The study asks for no optimum. Best design: {}", named(given)));
             parameters(study, given).into_iter().for_each(&mut put);
             put(format!("  {}", savings(study, results, given, None)));
-            for (limit, ratio) in study.limits.iter().zip(&given.limits) {
-                put(format!("  limit: {}: {}", limit.words, if holds(*ratio) { "holds" } else { "FAILS" }));
-            }
+            let line =
+                |(limit, ratio): (&LimitSpec, &f64)| format!("  limit: {}: {}", limit.words, if holds(*ratio) { "holds" } else { "FAILS" });
+            fewer(study.limits.iter().zip(&given.limits).map(line).collect()).into_iter().for_each(&mut put);
             about(results, given).into_iter().for_each(&mut put);
         }
         (None, None) => {
@@ -209,11 +222,10 @@ fn notes(study: &Study, results: &Results) -> String {
     text.push_str(&failures(study, results));
     text.push_str(&best_of_catalogues(study, results));
     text.push_str(&fronts(study, results));
-    for (i, limit) in study.limits.iter().enumerate() {
-        let broken: Vec<&str> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| d.name.as_str()).collect();
-        if !broken.is_empty() {
-            text.push_str(&format!("Limit {}: broken by {}.\n", limit.words, broken.join(", ")));
-        }
-    }
+    let broken = |(i, limit): (usize, &LimitSpec)| {
+        let by: Vec<&str> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| d.name.as_str()).collect();
+        (!by.is_empty()).then(|| format!("Limit {}: broken by {}.", limit.words, by.join(", ")))
+    };
+    fewer(study.limits.iter().enumerate().filter_map(broken).collect()).iter().for_each(|line| text.extend([line.as_str(), "\n"]));
     if text.is_empty() { text } else { format!("\n{text}") }
 }

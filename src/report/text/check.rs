@@ -25,17 +25,17 @@ const NEGLIGIBLE: f64 = 1e-6;
 const CANCELS: f64 = 1e-9;
 
 /// Placeholders, notes and warnings.
-pub(super) fn unlikely(study: &Study, excitation: &Excitation) -> String {
+pub(super) fn unlikely(study: &Study, excitation: &Excitation, in_full: bool) -> String {
     let remarks: String = study.remarks.iter().map(|s| format!("note: {s}\n")).collect();
     let unlikely: String =
         implausible(&plausibility::implausible(study, &excitation.audit)).iter().map(|s| format!("warning: {s}\n")).collect();
-    placeholders(study) + &remarks + &unlikely
+    placeholders(study, in_full) + &remarks + &unlikely
 }
 
 /// Engine, chain, modes, pressure, crank, and what is to be computed.
 pub fn model(study: &Study) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
-    let unlikely = unlikely(study, &excitation);
+    let unlikely = unlikely(study, &excitation, true);
     format!(
         "{}\n{}{}\n{}\n{}\n{}{}",
         engine(study, true),
@@ -293,7 +293,7 @@ pub(super) fn work(study: &Study, excitation: &Excitation, most: usize) -> Strin
         study.speeds_rpm.len()
     );
     text.push_str(&designs(study, most));
-    text.push_str(&goals(study));
+    text.push_str(&goals(study, most));
     if let Some(p) = &study.published {
         let _ = writeln!(
             text,
@@ -335,7 +335,7 @@ fn designs(study: &Study, most: usize) -> String {
 }
 
 /// Objectives, conditions, limits, and what is to be optimised.
-fn goals(study: &Study) -> String {
+fn goals(study: &Study, most: usize) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "  objective: {}", study.objective.label);
     let conditions: Vec<String> = study.conditions.iter().map(|c| c.name().replace('_', " ")).collect();
@@ -362,8 +362,11 @@ fn goals(study: &Study) -> String {
             f.limits.map_or_else(String::new, |l| format!(", in torsion {} MPa", significant(l.torsion / PA_PER_MPA, 4)))
         );
     }
-    for limit in &study.limits {
+    for limit in study.limits.iter().take(most) {
         let _ = writeln!(text, "  limit: {}", limit.words);
+    }
+    if study.limits.len() > most {
+        let _ = writeln!(text, "  and {} more limits", study.limits.len() - most);
     }
     if let Some(o) = &study.optimise {
         for a in &o.absorbers {

@@ -62,7 +62,7 @@ pub(crate) fn check_in_brief(study: &Study) -> String {
             range(&|a| a.peak_pressure / PA_PER_BAR)
         );
     }
-    let unlikely = unlikely(study, &excitation);
+    let unlikely = unlikely(study, &excitation, false);
     let unlikely = if unlikely.is_empty() { unlikely } else { format!("\n{unlikely}") };
     format!(
         "{text}\n{}{unlikely}\n--verbose prints the chain station by station, every mode, the excitation and what the crank bears\n",

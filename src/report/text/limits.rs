@@ -18,15 +18,23 @@ fn value(limit: &LimitSpec, inside: f64) -> String {
     }
 }
 
+/// The condition in which a limit is used most, of those that it is to hold in; `None` where it is one of several that the table of conditions has not.
+fn worst_in(study: &Study, design: &DesignResult, limit: usize, ratio: f64) -> Option<Condition> {
+    let is_held = |c: Condition| study.held().contains(&c) || c == Condition::InOperation;
+    let told = design.conditions.iter().filter(|c| is_held(c.condition));
+    let mut reached = told.filter(|c| c.limits.get(limit).is_some_and(|own| (own / ratio - 1.0).abs() <= 1e-9));
+    let mut others = study.held().iter().filter(|h| design.conditions.iter().all(|c| c.condition != **h));
+    reached.next().map(|c| c.condition).or_else(|| others.next().copied().filter(|_| others.next().is_none()))
+}
+
 /// A line for each limit, then those that cannot hold together.
 pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     let in_operation = o.design.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
     let held = study.held().len() + in_operation;
     for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
-        let reached = o.design.conditions.iter().find(|c| c.limits.get(i).is_some_and(|own| *own >= ratio * (1.0 - 1e-9)));
-        let worst_in = reached.map_or(Condition::Firing, |c| c.condition).name().replace('_', " ");
-        let worst = if held > 1 { format!(", worst in {worst_in}") } else { String::new() };
+        let worst_in = worst_in(study, &o.design, i, *ratio).filter(|_| held > 1);
+        let worst = worst_in.map_or_else(String::new, |c| format!(", worst in {}", c.name().replace('_', " ")));
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit.is_inverse() { "less" } else { "more" };

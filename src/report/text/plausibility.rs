@@ -7,7 +7,7 @@ use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
 /// Values of an example that nobody has confirmed: a block for each file, empty without any.
-pub(crate) fn placeholders(study: &Study) -> String {
+pub(crate) fn placeholders(study: &Study, in_full: bool) -> String {
     let mut text = String::new();
     for group in study.placeholders.chunk_by(|a, b| a.file == b.file) {
         let file = group[0].file.display();
@@ -16,6 +16,11 @@ pub(crate) fn placeholders(study: &Study) -> String {
             n => (format!("these {n} values"), "are those of an example, not of your engine; put in your own, and delete their names"),
         };
         let _ = writeln!(text, "warning: {these} of {file} {own} from `placeholder` there:");
+        if !in_full {
+            let values: Vec<String> = group.iter().map(|p| format!("{} = {}", p.key, p.value)).collect();
+            let _ = writeln!(text, "  {}", values.join("; "));
+            continue;
+        }
         for p in group {
             let _ = writeln!(text, "  {} = {}", p.key, p.value);
         }

@@ -35,7 +35,7 @@ pub(crate) fn whole(study: &Study, fitted: Option<&Calibration>, results: &Resul
 
 /// What a user is to know of the inputs, a sentence each: placeholders, how files were read, what is unlikely.
 pub(crate) fn notes(study: &Study, results: &Results) -> Vec<String> {
-    let placeholders = super::placeholders(study);
+    let placeholders = super::placeholders(study, true);
     let mut list: Vec<String> = if placeholders.is_empty() { Vec::new() } else { vec![placeholders] };
     list.extend(study.remarks.iter().map(|sentence| format!("note: {sentence}")));
     let unlikely = super::implausible(&plausibility::implausible(study, &results.system.excitation.audit));

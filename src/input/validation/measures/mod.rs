@@ -12,7 +12,8 @@ use crate::input::error::{At, Check};
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
 use crate::input::schema::study::RawStudy;
-use crate::objective::{Over, Property, Within};
+use crate::objective::condition::Burning;
+use crate::objective::{Condition, Over, Property, Within};
 use crate::response::Quantity;
 use names::{Bound, Names, Resolved, spec};
 
@@ -26,8 +27,10 @@ fn measure<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
             check.wrong(raw, format!("found {what} over the duty in a study without one, expected its points as `duty = [...]`"));
         }
         if of.unequal {
+            let all = Condition::NAMED.iter().filter(|c| c.burning() != Burning::Alike).map(|c| format!("`{}`", c.name()));
+            let all: Vec<String> = all.collect();
             let expected = "expected one or the other: the duty is of cylinders that all fire";
-            check.wrong(raw, format!("found {what} over the duty beside `misfire` or `unequal_cylinders`, {expected}"));
+            check.wrong(raw, format!("found {what} over the duty beside a condition of {}, {expected}", all.join(", ")));
         }
         if measure.within != Within::default() {
             check.wrong(raw, "found speeds or a limit over speed beside `over = \"duty\"`, expected the points of the duty alone");

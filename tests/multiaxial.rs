@@ -95,8 +95,8 @@ fn carpinteri_and_spagnoli_in_bending_and_torsion() {
     }
 }
 
-/// Source: tests of Nishihara and Kawamoto on hard steel (f = 313.9 MPa, t = 196.2 MPa, R = 704 MPa) as \[Papadopoulos et al. 1997\] list them: amplitudes of bending and torsion (MPa) at the endurance limit by their phase
-/// (degrees). Papadopoulos' criterion is within 6.2 %, as printed there; that of Carpinteri and Spagnoli within 12 %.
+/// Source: tests of Nishihara and Kawamoto on hard steel (f = 313.9 MPa, t = 196.2 MPa, R = 704 MPa), amplitudes of bending and torsion (MPa) at the endurance limit by their phase (degrees), as papers on such criteria
+/// cite them after \[Papadopoulos et al. 1997\]; assumption: they were not read again in the source. Papadopoulos' criterion is within 6.5 %, that of Carpinteri and Spagnoli within 12 %.
 #[test]
 fn endurance_limits_of_hard_steel() {
     let steel = Limits { tensile: 704e6, bending: 313.9e6, torsion: 196.2e6, repeated_bending: Limits::goodman_repeated(313.9e6, 704e6) };

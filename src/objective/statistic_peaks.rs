@@ -57,8 +57,8 @@ impl PeakFinder<'_> {
         self.smooth_peaks((design, quantity), (speeds, &values), (LEAST_SHARE, (RISE, rise)), (value_at, peak_at), found, work)
     }
 
-    /// Local maxima of what is smooth over speed, by its values at known speeds. `least`: below this share of the largest known value none is refined; `most` and `rise`: the shares by which all orders together, and
-    /// by how much one of them, may raise a value between an index of a speed and the next.
+    /// Local maxima of what is smooth over speed, by its values at known speeds. `least`: below this share of the largest known value none is refined; `most`: the share by which all orders
+    /// together may raise a value between two speeds; `rise`: by how much one of them may, from an index of a speed to the next.
     pub(super) fn smooth_peaks(
         &self,
         of: (&[Mounted], Quantity),

@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Instants whose largest principal stress is less by no more than this share count alike: the plane that is used more decides.
 const ALIKE: f64 = 1e-9;
-/// Directions of a turn: the value is off by less than 2e-4 between them.
+/// Directions of a turn, 2° apart: a stress on the plane turns with twice the angle, 6e-4 within half a step.
 const ROUND: usize = 180;
 
 /// Angle between the normal of the plane and the direction of the largest principal stress, rad: 3/2 (1 - (t/f)²) 45°, from none to 45° outside the limits it is made for.
@@ -44,9 +44,15 @@ fn principal([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> [(f64, [f64; 3]); 3] {
     all
 }
 
+/// Whether the two smaller principal stresses are level.
+fn are_level([(most, _), (middle, _), (least, _)]: &[(f64, [f64; 3]); 3]) -> bool {
+    middle - least <= ALIKE * (most - least)
+}
+
 /// Directions that the normal may lean towards: that of the smallest principal stress, either way; all round where the two smaller ones are level, as in bending alone.
-fn towards([(most, _), (middle, second), (least, third)]: &[(f64, [f64; 3]); 3]) -> Vec<[f64; 3]> {
-    let count = if middle - least <= ALIKE * (most - least) { ROUND } else { 2 };
+fn towards(stresses: &[(f64, [f64; 3]); 3]) -> Vec<[f64; 3]> {
+    let [_, (_, second), (_, third)] = stresses;
+    let count = if are_level(stresses) { ROUND } else { 2 };
     let direction = |i: usize| {
         let (sine, cosine) = (2.0 * PI * i as f64 / count as f64).sine_cosine();
         [0, 1, 2].map(|d| cosine * third[d] + if count > 2 { sine * second[d] } else { 0.0 })
@@ -74,8 +80,8 @@ pub(super) fn critical(history: &History, l: &Limits) -> Critical {
         Critical { plane, value, shear_amplitude, normal_max: high, note: String::new() }
     };
     let mut instants: Vec<&[(f64, [f64; 3]); 3]> = all.iter().filter(|p| p[0].0 >= top - ALIKE * top.abs()).collect();
-    // a stress that stands still is one
-    instants.dedup();
+    // instants of the same directions, as those of a stress that only grows, are one
+    instants.dedup_by(|b, a| a.map(|s| s.1) == b.map(|s| s.1) && are_level(a) == are_level(b));
     let mut most: Option<Critical> = None;
     for stresses in instants {
         for direction in towards(stresses) {

@@ -1,11 +1,10 @@
 //! The crank's dimensions in an engine file.
 
-use super::keyword::{word, words};
+use super::keyword::by_word;
 use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::input::error::At;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -86,23 +85,7 @@ pub(crate) struct RawCrank {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RawFormula(pub ThrowFormula);
 
-impl<'de> Deserialize<'de> for RawFormula {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        word(deserializer, ThrowFormula::ALL, ThrowFormula::name).map(Self)
-    }
-}
-
-impl JsonSchema for RawFormula {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> Cow<'static, str> {
-        "Formula".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        words(ThrowFormula::ALL, ThrowFormula::name)
-    }
-}
+by_word!(RawFormula, "Formula", ThrowFormula::ALL, ThrowFormula::name, Self);
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -1,12 +1,11 @@
 //! The fatigue table of a study.
 
-use super::keyword::{word, words};
+use super::keyword::by_word;
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::endurance::RELIABILITIES;
 use crate::input::error::At;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -45,23 +44,7 @@ pub(crate) struct RawFatigue {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RawCriterion(pub MarginCriterion);
 
-impl<'de> Deserialize<'de> for RawCriterion {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        word(deserializer, MarginCriterion::all(), MarginCriterion::name).map(Self)
-    }
-}
-
-impl JsonSchema for RawCriterion {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> Cow<'static, str> {
-        "Criterion".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        words(MarginCriterion::all(), MarginCriterion::name)
-    }
-}
+by_word!(RawCriterion, "Criterion", MarginCriterion::all(), MarginCriterion::name, Self);
 
 /// Pressure that bends the crank.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]

@@ -38,3 +38,27 @@ impl<T: Copy> Visitor<'_> for Word<T> {
         })
     }
 }
+
+/// Reads a type by its word, and gives the schema its words: all values, the word of one, and what makes the type of it.
+macro_rules! by_word {
+    ($raw:ident, $title:literal, $all:expr, $name:expr, $into:expr) => {
+        impl<'de> serde::Deserialize<'de> for $raw {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                $crate::input::schema::keyword::word(deserializer, $all, $name).map($into)
+            }
+        }
+
+        impl schemars::JsonSchema for $raw {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $title.into()
+            }
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                $crate::input::schema::keyword::words($all, $name)
+            }
+        }
+    };
+}
+pub(super) use by_word;

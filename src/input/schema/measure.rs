@@ -1,12 +1,11 @@
 //! Measures as typed: in `[[objective]]`, `[[constraint]]` and `[pareto]` alike. What belongs to one of them only (a limit) is looked at later.
 
 use super::fatigue::RawCriterion;
-use super::keyword::{word, words};
+use super::keyword::by_word;
 use crate::input::error::At;
 use crate::objective::{STATISTICS, Statistic};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// What of the orders a measure is of.
 #[derive(Debug, Default, Clone, Copy)]
@@ -33,25 +32,7 @@ impl RawOver {
     }
 }
 
-impl<'de> Deserialize<'de> for RawOver {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        word(deserializer, Self::all(), Self::name)
-    }
-}
-
-impl JsonSchema for RawOver {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "RawOver".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        words(Self::all(), Self::name)
-    }
-}
+by_word!(RawOver, "RawOver", RawOver::all(), RawOver::name, std::convert::identity);
 
 #[derive(Debug, Default, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

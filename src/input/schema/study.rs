@@ -3,16 +3,15 @@
 use super::absorber::{RawAbsorber, RawOptimised};
 use super::catalogue::RawCatalogue;
 use super::fatigue::RawFatigue;
-use super::keyword::{word, words};
+use super::keyword::by_word;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
 use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
 use crate::input::error::At;
 use crate::objective::Condition;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -90,23 +89,7 @@ pub(crate) struct RawStudy {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RawCondition(pub Condition);
 
-impl<'de> Deserialize<'de> for RawCondition {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        word(deserializer, Condition::NAMED, Condition::name).map(Self)
-    }
-}
-
-impl JsonSchema for RawCondition {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> Cow<'static, str> {
-        "Condition".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        words(Condition::NAMED, Condition::name)
-    }
-}
+by_word!(RawCondition, "Condition", Condition::NAMED, Condition::name, Self);
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

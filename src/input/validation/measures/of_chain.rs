@@ -90,22 +90,31 @@ pub(super) fn hub_amplitude<'r>(check: &mut Check, a: &'r RawAmplitude, of: Cont
     })
 }
 
-pub(super) fn velocity<'r>(check: &mut Check, a: &'r RawVelocity, of: Context) -> Option<Resolved<'r>> {
-    let at = station(check, of.chain, &a.station)?;
-    let over = of.over(check, a.over, a.order.as_ref());
-    let place = format!("of {}", of.chain.stations[at].name);
-    let names = Names { key: "velocity", column: "velocity_rad_per_s", word: "velocity", what: "angular velocity", place };
-    let parts = (vec![Quantity::Motion(at, Rate::Velocity)], over, of.within(check, a.within()));
-    Some(Resolved { spec: spec(names, parts, UnitOf::Motion(Rate::Velocity)), bound: Bound::Most(a.max_rad_per_s.as_ref()) })
+pub(super) fn velocity<'r>(check: &mut Check, v: &'r RawVelocity, of: Context) -> Option<Resolved<'r>> {
+    let (over, within) = (of.over(check, v.over, v.order.as_ref()), of.within(check, v.within()));
+    let words = ("velocity", "velocity_rad_per_s", "angular velocity");
+    motion(check, &v.station, (Rate::Velocity, words), (over, within), v.max_rad_per_s.as_ref(), of)
 }
 
 pub(super) fn acceleration<'r>(check: &mut Check, a: &'r RawAcceleration, of: Context) -> Option<Resolved<'r>> {
-    let at = station(check, of.chain, &a.station)?;
-    let over = of.over(check, a.over, a.order.as_ref());
+    let (over, within) = (of.over(check, a.over, a.order.as_ref()), of.within(check, a.within()));
+    let words = ("acceleration", "acceleration_rad_per_s2", "angular acceleration");
+    motion(check, &a.station, (Rate::Acceleration, words), (over, within), a.max_rad_per_s2.as_ref(), of)
+}
+
+/// A rate of a station; `words`: its key and word, its column, what it is.
+fn motion<'r>(
+    check: &mut Check,
+    named: &At<String>,
+    (rate, (key, column, what)): (Rate, (&'static str, &'static str, &'static str)),
+    (over, within): (Over, Within),
+    most: Option<&'r At<f64>>,
+    of: Context,
+) -> Option<Resolved<'r>> {
+    let at = station(check, of.chain, named)?;
     let place = format!("of {}", of.chain.stations[at].name);
-    let names = Names { key: "acceleration", column: "acceleration_rad_per_s2", word: "acceleration", what: "angular acceleration", place };
-    let parts = (vec![Quantity::Motion(at, Rate::Acceleration)], over, of.within(check, a.within()));
-    Some(Resolved { spec: spec(names, parts, UnitOf::Motion(Rate::Acceleration)), bound: Bound::Most(a.max_rad_per_s2.as_ref()) })
+    let parts = (vec![Quantity::Motion(at, rate)], over, within);
+    Some(Resolved { spec: spec(Names { key, column, word: key, what, place }, parts, UnitOf::Motion(rate)), bound: Bound::Most(most) })
 }
 
 pub(super) fn vibratory_torque<'r, T>(check: &mut Check, t: &'r RawTorque, at: &At<T>, of: Context) -> Option<Resolved<'r>> {

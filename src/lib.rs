@@ -57,6 +57,7 @@
 //! | [`numerics`] | physics-free mathematics |
 //! | [`engine`] | kinematics, pressure, forces, orders, layout: the torque harmonics of a throw |
 //! | [`absorber`] | one file a type: its law, derivatives, parameters and closed-form optima; absorbers on stations and on each other |
+//! | [`rotor`] | a shaft in bending, torsion and axial motion, in axes that turn with it |
 //! | [`drivetrain`] | stations and shafts, their modes, natural frequencies with absorbers |
 //! | [`response`] | response methods, one file each, in frequency and in time; power |
 //! | [`fatigue`] | criteria of mean stress (Goodman and others), endurance factors, class rules, multiaxial criteria |
@@ -95,6 +96,7 @@ pub mod optimise;
 #[cfg(feature = "program")]
 pub mod report;
 pub mod response;
+pub mod rotor;
 pub mod sizing;
 pub mod units;
 #[cfg(feature = "program")]

@@ -55,8 +55,9 @@ pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
 
 fn systems(study: &Study) -> impl Iterator<Item = (DutyPoint, DutyLoad)> + '_ {
     study.duty.iter().filter_map(|point| {
-        let excitation = Excitation::new(&at_load(&study.engine, point)?, study.order_limit);
-        let system = System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+        let engine = at_load(&study.engine, point)?;
+        let excitation = study.with_radial(Excitation::new(&engine, study.order_limit), &engine);
+        let system = study.system(excitation);
         Some((*point, DutyLoad { share: point.share, speed_rpm: point.speed_rpm, system }))
     })
 }

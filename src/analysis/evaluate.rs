@@ -63,12 +63,12 @@ impl Classifier {
             .collect()
     }
 
-    /// What makes this peak of a design; `None` for a peak of another quantity.
+    /// What makes this peak of a design; `None` for a peak of another quantity, and on a flexible crank, which forces without torque bend, too.
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub(crate) fn nature(&self, finder: &PeakFinder, design: &[Mounted], peak: &Peak) -> Result<Option<Nature>, ResponseError> {
-        if peak.quantity != self.quantity || peak.place == Place::Nowhere {
+        if peak.quantity != self.quantity || peak.place == Place::Nowhere || finder.system.flexible.is_some() {
             return Ok(None);
         }
         let still = self.phasors(finder.system, peak.speed_rpm);

@@ -3,6 +3,7 @@
 use super::calibrate::Calibration;
 use super::catalogue::Ranked;
 use super::crank_diagram::Diagram;
+use super::crank_models::ByModel;
 use super::duty::DutyOfDesign;
 use super::equivalent_constants::SimplestLaw;
 use super::evaluate::{DesignResult, Nature};
@@ -165,6 +166,10 @@ pub struct Results {
     pub robust: Vec<RobustOfDesign>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
+    /// Given designs and main optima by other models of the crank, where the response is that of a flexible one.
+    pub crank_models: Vec<ByModel>,
+    /// Largest difference between chain and flexible crank that decided which is computed with, over the larger, where the study leaves that open.
+    pub crank_difference: Option<f64>,
     /// Times.
     pub timing: Vec<Timing>,
 }

@@ -3,6 +3,7 @@
 use super::catalogue;
 use super::catalogue_retuning::with_retuned;
 use super::crank_diagram::{self, Diagram};
+use super::crank_models;
 use super::duty::{self, DutyOfDesign};
 use super::equivalent_constants::{self, SimplestLaw};
 use super::evaluate::{self, DesignResult};
@@ -25,7 +26,6 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
-use crate::engine::Excitation;
 use crate::input::{DesignSpec, MeasureSpec, ResponseMethod, Study};
 use crate::objective::surrogate::Surrogate;
 use crate::objective::{Condition, Measure, Over, PeakFinder};
@@ -48,13 +48,17 @@ impl Study {
     /// As [`Study::run`].
     pub(crate) fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
         let mut clock = Clock::start();
-        let (study, calibration) = calibrate(self, progress)?;
+        let (mut study, calibration) = calibrate(self, progress)?;
         if calibration.is_some() {
             clock.lap("calibration", Work::default());
         }
+        let crank_difference = crank_models::choose(&mut study)?;
+        if crank_difference.is_some() {
+            clock.lap("choice of the crank", Work::default());
+        }
         let mut results = run(&study, progress)?;
         clock.timing.append(&mut results.timing);
-        Ok(Results { calibration, timing: clock.timing, ..results })
+        Ok(Results { calibration, crank_difference, timing: clock.timing, ..results })
     }
 
     /// The numbers of one design on this engine, by the study's calibrated inputs; its other designs and its searches are left out.
@@ -67,6 +71,7 @@ impl Study {
         study.leave_searches_out();
         study.catalogues.clear();
         study.designs = vec![DesignSpec { name: name.to_owned(), absorbers }];
+        crank_models::choose(&mut study)?;
         Ok(run(&study, &Silent)?.designs.swap_remove(0))
     }
 
@@ -88,8 +93,8 @@ impl Study {
 /// [`RunError`] where a design has no finite response.
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock::start();
-    let excitation = Excitation::new(&study.engine, study.order_limit);
-    let mut systems = systems(study, excitation);
+    let excitation = study.excitation();
+    let mut systems = systems(study, excitation, progress);
     let kinks: &[f64] = if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] };
     let grid = Grid::new(&study.speeds_rpm, kinks);
     clock.lap("excitation", Work::default());
@@ -126,6 +131,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
+    let crank_models = crank_models::by_models(study, &shown, (progress, &mut clock))?;
     large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
@@ -159,6 +165,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         large_twist,
         robust,
         appearing,
+        crank_models,
+        crank_difference: None,
         timing,
         system,
     })
@@ -190,7 +198,7 @@ fn modes(study: &Study, system: &System) -> Vec<Vec<EngineMode>> {
 /// Largest value of the objective if nothing resonated, where it is a twist.
 fn forced_floor(study: &Study, finder: &PeakFinder) -> Option<f64> {
     match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean => {
+        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean && finder.system.flexible.is_none() => {
             Some(evaluate::floor(finder, *q, study.objective.measure.over))
         }
         _ => None,

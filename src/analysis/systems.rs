@@ -1,5 +1,6 @@
 //! The systems of a study: its engine firing, misfiring, with cylinders that burn unequally, and with none that burns.
 
+use super::Progress;
 use crate::drivetrain::System;
 use crate::engine::excitation::MotoredChange;
 use crate::engine::{Excitation, Order};
@@ -14,7 +15,10 @@ const SILENT: f64 = 1e-9;
 const LOUD: f64 = 1e-6;
 
 /// The engine as it should be, then, where the study asks for it, with each cylinder misfiring and with its scatter of combustion.
-pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
+pub(crate) fn systems(study: &Study, excitation: Excitation, progress: &dyn Progress) -> Vec<System> {
+    if study.on_flexible().is_some() {
+        progress.stage("tables of the flexible crank", 1);
+    }
     let engine = &study.engine;
     let asked = |burning: &Burning| study.conditions.iter().any(|c| c.burning() == *burning);
     let burnings: Vec<Burning> = [Burning::AllButOne, Burning::Unequally, Burning::NotAtAll].into_iter().filter(asked).collect();
@@ -28,7 +32,7 @@ pub(crate) fn systems(study: &Study, excitation: Excitation) -> Vec<System> {
         (Burning::Alike, _) | (Burning::Unequally, None) => Vec::new(),
     };
     let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(of).collect();
-    let with = |excitation| System::with_modes(study.chain.clone(), study.modes.clone(), excitation);
+    let with = |excitation| study.system(excitation);
     std::iter::once(excitation).chain(unlike).map(with).collect()
 }
 

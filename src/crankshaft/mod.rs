@@ -9,6 +9,7 @@ pub mod critical_locations;
 pub mod elements;
 mod evaluation_cache;
 pub(crate) mod fillets;
+pub mod flexible;
 mod load_paths;
 pub mod loads;
 pub mod margin;

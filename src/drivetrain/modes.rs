@@ -16,7 +16,23 @@ pub struct Modes {
     /// How many modes are rigid.
     pub rigid: usize,
     damping: Vec<f64>,
+    /// Of a flexible crank.
+    flexible: Option<Flexible>,
 }
+
+/// What modes of a flexible crank have beside the motion of its stations.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Flexible {
+    /// phi' C phi.
+    pub viscous: DMatrix<f64>,
+    /// phi' (eta K) phi.
+    pub hysteretic: DMatrix<f64>,
+    /// Share of the kinetic energy of each in rotation about the axis.
+    pub torsion: Vec<f64>,
+}
+
+/// An absorber in rotation about the axis leaves modes with a smaller share of it alone.
+const COUPLED: f64 = 0.02;
 
 impl Modes {
     /// Solves K phi = omega² J phi \[Villalva 2014\] eq. (4.2).
@@ -24,18 +40,33 @@ impl Modes {
         let (lambda, shapes) = eigen::generalised(&chain.stiffness_matrix(), &chain.inertias());
         let rigid = chain.rigid_bodies();
         let omega: Vec<f64> = lambda.iter().enumerate().map(|(i, l)| if i < rigid { 0.0 } else { l.max(0.0).sqrt() }).collect();
-        let mut modes = Self { omega, shapes, rigid, damping: Vec::new() };
-        modes.damping = (0..modes.omega.len())
-            .map(|i| {
-                let omega = modes.omega[i];
-                if omega == 0.0 { 0.0 } else { 0.5 * modes.damping_between(chain, i, i, omega) / omega }
-            })
-            .collect();
+        let mut modes = Self { omega, shapes, rigid, damping: Vec::new(), flexible: None };
+        modes.damping = modes.ratios(chain);
         modes
+    }
+
+    /// Modes of a flexible crank at rest: frequencies, motion of the stations about the axis, and the rest.
+    pub(crate) fn flexible(omega: Vec<f64>, shapes: DMatrix<f64>, flexible: Flexible, chain: &Chain) -> Self {
+        let rigid = omega.iter().filter(|w| **w == 0.0).count();
+        let mut modes = Self { omega, shapes, rigid, damping: Vec::new(), flexible: Some(flexible) };
+        modes.damping = modes.ratios(chain);
+        modes
+    }
+
+    fn ratios(&self, chain: &Chain) -> Vec<f64> {
+        (0..self.omega.len())
+            .map(|i| {
+                let omega = self.omega[i];
+                if omega == 0.0 { 0.0 } else { 0.5 * self.damping_between(chain, i, i, omega) / omega }
+            })
+            .collect()
     }
 
     /// Element of the modal damping matrix phi' C phi, 1/s; hysteretic damping enters as the viscous damping equal to it at `omega`.
     pub(crate) fn damping_between(&self, chain: &Chain, i: usize, j: usize, omega: f64) -> f64 {
+        if let Some(Flexible { viscous, hysteretic, .. }) = &self.flexible {
+            return viscous[(i, j)] + if omega > 0.0 { hysteretic[(i, j)] / omega } else { 0.0 };
+        }
         let phi = |station: usize, mode: usize| self.shapes[(station, mode)];
         let element = |(n, s): (usize, &Station)| {
             let to_ground = s.damping_to_ground * phi(n, i) * phi(n, j);
@@ -44,6 +75,12 @@ impl Modes {
             if link == 0.0 { to_ground } else { to_ground + link * twist(i) * twist(j) }
         };
         chain.stations.iter().enumerate().map(element).sum()
+    }
+
+    /// Modes that an absorber can move: all of a chain, those of a flexible crank that turn about the axis.
+    pub(crate) fn coupled(&self) -> Vec<usize> {
+        let is_coupled = |i: &usize| self.flexible.as_ref().is_none_or(|f| f.torsion[*i] >= COUPLED);
+        (0..self.omega.len()).filter(is_coupled).collect()
     }
 
     /// Elastic modes: indices of modes with a frequency.

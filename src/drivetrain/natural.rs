@@ -67,15 +67,21 @@ fn fastest(modes: &Modes) -> f64 {
 impl Basis {
     /// The lowest `count` modes; `damped`: whether the engine's own damping counts.
     pub fn new(chain: &Chain, modes: &Modes, count: usize, damped: bool) -> Self {
-        let kept = count.min(modes.omega.len());
-        let slowed: Vec<f64> = modes.omega[..kept].iter().map(|w| (fastest(modes) / w).min(1.0)).collect();
-        let between = |i: usize, j: usize| modes.damping_between(chain, i, j, 0.5 * (modes.omega[i] + modes.omega[j]));
+        let kept: Vec<usize> = (0..count.min(modes.omega.len())).collect();
+        Self::of(chain, modes, &kept, damped)
+    }
+
+    /// Some of the modes.
+    pub fn of(chain: &Chain, modes: &Modes, which: &[usize], damped: bool) -> Self {
+        let (kept, omega) = (which.len(), |i: usize| modes.omega[which[i]]);
+        let slowed: Vec<f64> = (0..kept).map(|i| (fastest(modes) / omega(i)).min(1.0)).collect();
+        let between = |i: usize, j: usize| modes.damping_between(chain, which[i], which[j], 0.5 * (omega(i) + omega(j)));
         let c = |i: usize, j: usize| between(i, j) * slowed[i] * slowed[j];
-        let mut shapes = modes.shapes.columns(0, kept).into_owned();
+        let mut shapes = modes.shapes.select_columns(which);
         shapes.column_iter_mut().zip(&slowed).for_each(|(mut shape, slowed)| shape *= *slowed);
         Self {
             shapes,
-            stiffness: modes.omega[..kept].iter().zip(&slowed).map(|(w, slowed)| (w * slowed).powi(2)).collect(),
+            stiffness: (0..kept).zip(&slowed).map(|(i, slowed)| (omega(i) * slowed).powi(2)).collect(),
             damping: if damped { DMatrix::from_fn(kept, kept, c) } else { DMatrix::zeros(kept, kept) },
             scans: vec![OnceLock::new(); modes.shapes.nrows()],
         }

@@ -1,8 +1,9 @@
 //! What a response is of: a chain and the torque on its stations.
 
-use super::{Chain, Modes};
+use super::{Chain, FlexibleCrank, Modes};
 use crate::engine::Excitation;
 use crate::numerics::C64;
+use std::sync::Arc;
 
 /// A chain and the torque on it.
 #[derive(Debug, Clone)]
@@ -13,6 +14,8 @@ pub struct System {
     pub modes: Modes,
     /// Torque of each throw.
     pub excitation: Excitation,
+    /// In the place of the chain's shafts; `None`: the chain.
+    pub flexible: Option<Arc<FlexibleCrank>>,
     /// Sum of firing phases at each station: one row an order.
     phases: Vec<Vec<C64>>,
     /// Stations with throws.
@@ -32,7 +35,12 @@ impl System {
             .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
             .collect();
         let loaded = (0..chain.len()).filter(|i| !chain.stations[*i].throws.is_empty()).collect();
-        Self { chain, modes, excitation, phases, loaded }
+        Self { chain, modes, excitation, flexible: None, phases, loaded }
+    }
+
+    /// The same with a flexible crank, whose modes at rest `modes` are.
+    pub(crate) fn on_flexible(self, crank: Arc<FlexibleCrank>, modes: Modes) -> Self {
+        Self { flexible: Some(crank), modes, ..self }
     }
 
     /// Number of orders.

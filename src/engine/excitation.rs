@@ -2,7 +2,7 @@
 
 use super::forces::{Moment, friction_torque, gas_force, inertia_torque_per_omega2};
 use super::pressure::{each_revolution, sample_angle, samples};
-use super::{Engine, Geometry, HarmonicTable, Order, Source};
+use super::{Engine, Geometry, HarmonicTable, Order, Source, radial};
 use crate::numerics::elementary::turn;
 use crate::numerics::harmonics::Analyser;
 use crate::numerics::{C64, ZERO, table_lookup};
@@ -52,11 +52,32 @@ struct Change {
     throw: usize,
     /// At each tabulated speed (one row) and order, N m.
     torque: Vec<Vec<C64>>,
+    /// The same of the radial force, N, where that is known.
+    radial: Vec<Vec<C64>>,
 }
 
-/// Torque of a motored unit less that of a firing one, by tabulated speed and order, N m.
+/// Torque and radial force of a motored unit less those of a firing one, by tabulated speed and order, N m and N.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MotoredChange(Vec<Vec<C64>>);
+pub struct MotoredChange {
+    torque: Vec<Vec<C64>>,
+    radial: Vec<Vec<C64>>,
+}
+
+/// Radial force of one unit, as its torque.
+#[derive(Debug, Clone, PartialEq)]
+struct Radial {
+    /// N.
+    gas: Vec<Vec<C64>>,
+    /// Per (rad/s)².
+    inertia: Vec<C64>,
+}
+
+impl Radial {
+    fn gas_of((geometry, strokes): (&Geometry, u32), analyser: &Analyser, traces: &[(f64, Vec<f64>)]) -> Vec<Vec<C64>> {
+        let masses = radial::of_masses(geometry, strokes);
+        traces.iter().map(|(speed, trace)| analyser.analyse(&radial::of_gas(geometry, &masses, trace, *speed))).collect()
+    }
+}
 
 /// Order amplitudes of the torque on each throw.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,6 +98,8 @@ pub struct Excitation {
     pub units: Units,
     /// What those that differ change, throw by throw.
     changes: Vec<Change>,
+    /// Beside the torque, where a flexible crank asks for it.
+    radial: Option<Radial>,
     /// One row a tabulated speed.
     pub audit: Vec<Audit>,
 }
@@ -129,6 +152,7 @@ impl Excitation {
             audit: Vec::new(),
             units: Units::Equal,
             changes: Vec::new(),
+            radial: None,
             orders,
         }
     }
@@ -136,7 +160,24 @@ impl Excitation {
     /// A share of the way from this torque to that of an engine which differs from it only by what its gas torque is linear in; the audit stays that of this one.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
         let row = |(a, b): (&Vec<C64>, &Vec<C64>)| a.iter().zip(b).map(|(a, b)| a + (b - a) * share).collect();
-        Self { gas: self.gas.iter().zip(&other.gas).map(row).collect(), ..self.clone() }
+        let gas = |a: &[Vec<C64>], b: &[Vec<C64>]| a.iter().zip(b).map(row).collect();
+        let radial = self.radial.as_ref().zip(other.radial.as_ref());
+        let radial = radial.map(|(a, b)| Radial { gas: gas(&a.gas, &b.gas), inertia: a.inertia.clone() });
+        Self { gas: gas(&self.gas, &other.gas), radial, ..self.clone() }
+    }
+
+    /// With the radial forces on the pins, too; without a change where the torque comes from a table.
+    #[must_use]
+    pub(crate) fn with_radial(mut self, engine: &Engine) -> Self {
+        let Source::Cylinder { geometry, pressure } = &engine.source else { return self };
+        let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
+        let traces = pressure.traces(geometry, engine.strokes, engine.layout.firing_deg.len());
+        let traces: Vec<(f64, Vec<f64>)> = pressure.speeds_rpm().iter().copied().zip(traces).collect();
+        self.radial = Some(Radial {
+            gas: Radial::gas_of((geometry, engine.strokes), &analyser, &traces),
+            inertia: analyser.analyse(&radial::of_masses(geometry, engine.strokes)),
+        });
+        self
     }
 
     /// What a unit of this engine loses when it does not fire; nothing where the torque comes from a table.
@@ -149,14 +190,21 @@ impl Excitation {
             let torque = torque_without_inertia((geometry, &levers), &trace, pressure.speeds_rpm()[index]);
             analyser.analyse(&torque).iter().zip(fired).map(|(m, f)| m - f).collect()
         };
-        Some(MotoredChange(self.gas.iter().enumerate().map(change).collect()))
+        let motored = |index: usize| (pressure.speeds_rpm()[index], pressure.motored(index, geometry, engine.strokes));
+        let radial = self.radial.as_ref().map_or_else(Vec::new, |fired| {
+            let traces: Vec<(f64, Vec<f64>)> = (0..fired.gas.len()).map(motored).collect();
+            let own = Radial::gas_of((geometry, engine.strokes), &analyser, &traces);
+            own.iter().zip(&fired.gas).map(|(m, f)| m.iter().zip(f).map(|(m, f)| m - f).collect()).collect()
+        });
+        Some(MotoredChange { torque: self.gas.iter().enumerate().map(change).collect(), radial })
     }
 
     /// The same engine with `cylinder` (from 0) misfiring. The others keep their load.
     #[must_use]
     pub fn misfiring(&self, engine: &Engine, cylinder: usize, change: &MotoredChange) -> Self {
-        let torque = self.of_cylinder(engine, cylinder, 1.0, change);
-        let changes = vec![Change { throw: cylinder / engine.layout.rods_per_throw, torque }];
+        let of = |table: &[Vec<C64>]| self.of_cylinder(engine, cylinder, 1.0, table);
+        let changes =
+            vec![Change { throw: cylinder / engine.layout.rods_per_throw, torque: of(&change.torque), radial: of(&change.radial) }];
         Self { units: Units::Misfiring(cylinder), changes, ..self.clone() }
     }
 
@@ -170,12 +218,15 @@ impl Excitation {
         assert_eq!(scatter.len(), engine.layout.firing_deg.len(), "one share a cylinder");
         let rods = engine.layout.rods_per_throw;
         let changes = scatter.chunks(rods).enumerate().map(|(throw, shares)| {
-            let mut torque = vec![vec![ZERO; self.orders.len()]; change.0.len()];
-            for (rod, share) in shares.iter().enumerate() {
-                let of_cylinder = self.of_cylinder(engine, throw * rods + rod, -share, change);
-                torque.iter_mut().flatten().zip(of_cylinder.iter().flatten()).for_each(|(sum, c)| *sum += c);
-            }
-            Change { throw, torque }
+            let together = |table: &[Vec<C64>]| {
+                let mut all = vec![vec![ZERO; self.orders.len()]; table.len()];
+                for (rod, share) in shares.iter().enumerate() {
+                    let of_cylinder = self.of_cylinder(engine, throw * rods + rod, -share, table);
+                    all.iter_mut().flatten().zip(of_cylinder.iter().flatten()).for_each(|(sum, c)| *sum += c);
+                }
+                all
+            };
+            Change { throw, torque: together(&change.torque), radial: together(&change.radial) }
         });
         Self { units: Units::Unequal, changes: changes.collect(), ..self.clone() }
     }
@@ -187,10 +238,10 @@ impl Excitation {
     }
 
     /// A share of the change from firing to motored, at the firing angle of a cylinder.
-    fn of_cylinder(&self, engine: &Engine, cylinder: usize, share: f64, change: &MotoredChange) -> Vec<Vec<C64>> {
+    fn of_cylinder(&self, engine: &Engine, cylinder: usize, share: f64, table: &[Vec<C64>]) -> Vec<Vec<C64>> {
         let phase = phases(&[engine.layout.firing_deg[cylinder]], &self.orders);
         let at_angle = |row: &Vec<C64>| row.iter().zip(&phase).map(|(c, p)| c * p * share).collect();
-        change.0.iter().map(at_angle).collect()
+        table.iter().map(at_angle).collect()
     }
 
     fn from_cylinder(engine: &Engine, order_limit: f64) -> Self {
@@ -227,6 +278,7 @@ impl Excitation {
             audit,
             units: Units::Equal,
             changes: Vec::new(),
+            radial: None,
         }
     }
 
@@ -267,6 +319,19 @@ impl Excitation {
     /// What units that differ add to the torque of their throws (from 0), N m.
     pub(crate) fn changes(&self, order: usize, speed_rpm: f64) -> impl Iterator<Item = (usize, C64)> {
         self.changes.iter().map(move |c| (c.throw, self.between(&c.torque, order, speed_rpm)))
+    }
+
+    /// Radial force of one firing unit on its pin, N, before its firing phase, as [`Self::unit_torque`]; zero where it is not known.
+    pub(crate) fn unit_radial(&self, order: usize, speed_rpm: f64) -> C64 {
+        let Some(radial) = &self.radial else { return ZERO };
+        let omega = speed_rpm * RAD_PER_S_PER_RPM;
+        self.between(&radial.gas, order, speed_rpm) + radial.inertia[order] * (omega * omega)
+    }
+
+    /// What units that differ add to the radial force on their throws (from 0), N.
+    pub(crate) fn radial_changes(&self, order: usize, speed_rpm: f64) -> impl Iterator<Item = (usize, C64)> {
+        let known = self.changes.iter().filter(|c| !c.radial.is_empty());
+        known.map(move |c| (c.throw, self.between(&c.radial, order, speed_rpm)))
     }
 
     /// Sum of the firing phases of the units on `throw` (from 0) at the order of index `order`.

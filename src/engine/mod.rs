@@ -10,6 +10,7 @@ pub mod layout;
 pub mod load;
 pub mod order;
 pub mod pressure;
+mod radial;
 pub mod varying_inertia;
 pub use definition::{Engine, Source};
 pub use excitation::{Excitation, Units};

@@ -24,8 +24,9 @@ pub use published::Published;
 pub use schema::json::FileKind;
 pub(crate) use validation::RETUNED;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, CatalogueSpec, DesignSpec, DutyPoint, FreeInput, FrontSpec, Input, OptimiseSpec, PartsError, Placeholder,
-    Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain, SizingStudy, Study,
+    AbsorberSpec, CalibrateSpec, CatalogueSpec, CrankModel, DesignSpec, DutyPoint, FlexibleModel, FreeInput, FrontSpec, Input,
+    OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,
+    SizingStudy, Study,
 };
 pub(crate) use wording::closest;
 

@@ -1,6 +1,7 @@
 //! Physics-free mathematics.
 
 pub(crate) mod abs_sums;
+pub(crate) mod block_tridiagonal;
 pub mod eigen;
 pub mod elementary;
 pub mod ellipsoid;
@@ -21,6 +22,7 @@ pub mod polyline;
 pub(crate) mod projections;
 pub mod quadrature;
 pub mod rainflow;
+pub(crate) mod rational;
 pub(crate) mod roots;
 pub mod rounding;
 mod samples;

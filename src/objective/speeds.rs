@@ -13,6 +13,8 @@ use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, RAD_PER_S_PER_RPM};
 
 /// A resonance whose half-width is less than this many grid steps is narrow: grid values alone might miss it.
 const STEPS: f64 = 2.0;
+/// A mode that no absorber moves is told by speeds that are less than its half-width over this apart.
+const SHOWN: f64 = 0.5;
 /// Damping ratios below this are taken for it when speeds are laid round a resonance.
 const LEAST_DAMPING: f64 = 1e-6;
 /// Speeds are laid round a narrow resonance at its half-width times the powers of this, so that the true peak has close neighbours on both
@@ -39,6 +41,8 @@ pub(crate) struct Resonances {
     basis: Basis,
     /// As many modes as can be afforded: a heavy hub bends the low modes of the chain.
     full: Basis,
+    /// Eigenvalues that no absorber moves: of a flexible crank's modes that do not turn about the axis.
+    alone: Vec<C64>,
 }
 
 /// A resonance that nothing damps.
@@ -88,8 +92,18 @@ impl Resonances {
         let highest = system.excitation.orders.last().map_or(0.0, |o| o.value()) * grid.speed_rpm[grid.len() - 1] * RAD_PER_S_PER_RPM;
         let reached = system.modes.omega.iter().filter(|w| **w <= REACH * highest).count();
         let count = reached.max(system.modes.rigid + 3).min(MOST_MODES.max(system.modes.rigid + 3));
+        if system.flexible.is_some() {
+            let (coupled, modes) = (system.modes.coupled(), &system.modes);
+            let alone = modes.elastic().filter(|i| !coupled.contains(i)).map(|i| {
+                let ratio = modes.damping_ratio(i);
+                C64::new(-ratio, (1.0 - ratio * ratio).max(0.0).sqrt()) * modes.omega[i]
+            });
+            let near: Vec<usize> = coupled.iter().copied().filter(|i| modes.omega[*i] <= REACH * highest).collect();
+            let basis = Basis::of(&system.chain, modes, &near, true);
+            return Self { full: basis.clone(), basis, alone: alone.collect() };
+        }
         let basis = |count| Basis::new(&system.chain, &system.modes, count, true);
-        Self { basis: basis(count), full: basis(count.max(FULL_MODES)) }
+        Self { basis: basis(count), full: basis(count.max(FULL_MODES)), alone: Vec::new() }
     }
 
     /// The grid's speeds with those that the narrow resonances of a design need.
@@ -134,6 +148,14 @@ impl Resonances {
             for s in self.eigenvalues((system, grid), design, 1.0, (0.0, f64::INFINITY)) {
                 orders().for_each(|(n, order)| consider(s, n, order));
             }
+        }
+        for s in &self.alone {
+            // what such a mode puts into a twist is small: its peak is met where speeds show it at all
+            let shown = |order: &Order| {
+                let speed = s.im * HZ_PER_RAD_PER_S / (order.value() * HZ_PER_RPM);
+                damping_ratio(*s) * speed > SHOWN * step_at(&grid.speed_rpm, speed)
+            };
+            orders().filter(|(_, order)| !shown(order)).for_each(|(n, order)| consider(*s, n, order));
         }
         more.retain(|s| (low..=high).contains(s));
         sharp.sort_by(|a: &Sharp, b: &Sharp| a.speed_rpm.total_cmp(&b.speed_rpm));

@@ -19,7 +19,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 17] = [
+pub(super) const RUN_TABLES: [RunTable; 18] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
@@ -37,6 +37,12 @@ pub(super) const RUN_TABLES: [RunTable; 17] = [
         about: "the orders that matter to each quantity of a design, the largest first: largest amplitude at the speeds of the study, and that speed",
         asked: always,
         write: csv::order_peaks,
+    },
+    RunTable {
+        stem: "crank_models",
+        about: "peak twist of each design by every model of the crank: its chain, the flexible crank, and that with main bearings half and twice as stiff",
+        asked: |s| s.on_flexible().is_some(),
+        write: |_, r, f| csv::crank_models(r, f),
     },
     RunTable {
         stem: "catalogue",

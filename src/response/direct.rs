@@ -109,6 +109,11 @@ impl<'a> Direct<'a> {
         mut put: impl FnMut(usize, usize, C64),
     ) -> Result<(), ResponseError> {
         let system = self.system;
+        if system.flexible.is_some() {
+            let mut solver = Factored::new(system);
+            solver.ask(design, quantities);
+            return places.enumerate().try_for_each(|(point, at)| solver.phasors(design, quantities, at, work, |i, y| put(i, point, y)));
+        }
         let Some(mut place) = places.next() else { return Ok(()) };
         let mut block = Block::new(&system.chain, design.len());
         let mut torques = system.torques(place.1);

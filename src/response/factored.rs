@@ -3,14 +3,17 @@
 //!
 //! Beside a shaft that is far stiffer than inertia at that frequency, what ties stations to inertial space is lost in the rounding of its stiffness: torques of shafts are then unknowns, too.
 
+use super::flexible_point::FlexiblePoint;
 use super::shaft_torques::ShaftTorques;
 use super::{Quantity, ResponseError, Work};
+use crate::absorber::mounted::station_of;
 use crate::absorber::{Condensed, Mounted, Operating};
 use crate::drivetrain::{Station, System};
 use crate::numerics::sparse::Sparse;
 use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+use std::sync::Arc;
 
 /// Stiffness of the stiffest shaft over omega² times the inertia of the chain above which torques of shafts are unknowns: below, rounding of the stiffness leaves an error of some 1e-9.
 const STIFF: f64 = 1e5;
@@ -28,6 +31,10 @@ pub(crate) struct Factored<'a> {
     shaft_torques: Option<ShaftTorques>,
     /// Whether there is one at this frequency.
     stiff: bool,
+    /// In the place of both where the crank is flexible.
+    flexible: Option<FlexiblePoint<'a>>,
+    /// Answers of the flexible crank that are asked for; all without.
+    rows: Option<Arc<[usize]>>,
     /// Of the chain, kg m².
     inertia: f64,
     /// Of its shafts: no stiffness (N m/rad) and no damping (N m s/rad) is larger, on either side of a gear.
@@ -54,6 +61,8 @@ impl<'a> Factored<'a> {
             matrix: if system.chain.is_row() { Sparse::row(n) } else { Sparse::tree((0..n - 1).map(|i| system.chain.next(i)).collect()) },
             shaft_torques: None,
             stiff: false,
+            flexible: None,
+            rows: None,
             inertia: chain.total_inertia(),
             stiffest: (most(&|s| s.stiffness_to_next * (1.0 + s.loss_factor_to_next)), most(&|s| s.damping_to_next)),
             torque: vec![ZERO; n],
@@ -65,10 +74,53 @@ impl<'a> Factored<'a> {
     }
 
     /// Assembles and factors at the frequency of an order at a speed.
-    pub fn factor(&mut self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(), ResponseError> {
-        let order = self.system.excitation.orders[order];
+    pub fn factor(&mut self, design: &[Mounted], index: usize, speed_rpm: f64) -> Result<(), ResponseError> {
+        let order = self.system.excitation.orders[index];
         let at = Operating { omega: order.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
+        if let Some(crank) = &self.system.flexible {
+            let sums = self.sums(design, at);
+            let point = FlexiblePoint::new(crank, (index, speed_rpm), &sums, self.rows.clone())
+                .map_err(|_| ResponseError::unbounded(order, speed_rpm))?;
+            self.flexible = Some(point);
+            return Ok(());
+        }
         self.factor_at(design, at).map_err(|_| ResponseError::unbounded(order, speed_rpm))
+    }
+
+    /// Of a flexible crank asks no more from now on than what quantities are made of.
+    pub fn ask(&mut self, design: &[Mounted], quantities: &[Quantity]) {
+        let chain = &self.system.chain;
+        let hosts = (0..design.len()).map(|i| station_of(design, i));
+        let of = |quantity: &Quantity| match quantity {
+            Quantity::ShaftTorque(s) => vec![chain.len() + s],
+            q => q.difference(chain).map_or_else(Vec::new, |d| std::iter::once(d.from).chain(d.to.map(|to| to.0)).collect()),
+        };
+        let mut rows: Vec<usize> = quantities.iter().flat_map(of).chain(hosts).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        self.rows = Some(rows.into());
+    }
+
+    /// Condenses the absorbers; returns numerator and denominator of their sum on each station that has some.
+    fn sums(&mut self, design: &[Mounted], at: Operating) -> Vec<(usize, C64, C64)> {
+        self.omega = at.omega;
+        self.others.clear();
+        self.scale.fill(C64::from(1.0));
+        self.condensed.set(design, at);
+        let mut sums: Vec<(usize, C64, C64)> = Vec::new();
+        for (hub, z) in self.condensed.hubs.iter().enumerate() {
+            let h = z.station;
+            match sums.iter_mut().find(|s| s.0 == h) {
+                Some((_, above, below)) => (*above, *below) = (*above * z.denominator + z.numerator * *below, *below * z.denominator),
+                None => sums.push((h, z.numerator, z.denominator)),
+            }
+            for (others, _) in self.others.iter_mut().zip(&self.condensed.hubs[..hub]).filter(|o| o.1.station == h) {
+                *others *= z.denominator;
+            }
+            self.others.push(self.scale[h]);
+            self.scale[h] *= z.denominator;
+        }
+        sums
     }
 
     /// The same at any frequency and speed.
@@ -116,6 +168,13 @@ impl<'a> Factored<'a> {
 
     /// Unknowns under torques on the stations.
     pub fn under(&self, torques: &[C64]) -> Vec<C64> {
+        if self.flexible.is_some() {
+            let mut sum = vec![ZERO; 2 * torques.len() - 1];
+            for (station, torque) in torques.iter().enumerate().filter(|t| *t.1 != ZERO) {
+                sum.iter_mut().zip(self.under_unit(station)).for_each(|(sum, x)| *sum += torque * x);
+            }
+            return sum;
+        }
         let mut x = Vec::new();
         self.put_under(torques, &mut x);
         x
@@ -124,6 +183,10 @@ impl<'a> Factored<'a> {
     /// Unknowns under a unit torque on a station.
     pub(crate) fn under_unit(&self, station: usize) -> Vec<C64> {
         let n = self.torque.len();
+        if let Some(point) = &self.flexible {
+            // singular: not finite, as where the chain is
+            return point.under_unit(station).unwrap_or_else(|_| vec![C64::from(f64::NAN); 2 * n - 1]);
+        }
         let mut x = vec![ZERO; if self.stiff { 2 * n - 1 } else { n }];
         x[self.place(station)] = C64::from(1.0);
         self.solve_in_place(&mut x);
@@ -156,6 +219,11 @@ impl<'a> Factored<'a> {
     pub fn solve(&mut self, design: &[Mounted], (order, speed_rpm): (usize, f64), work: &mut Work) -> Result<(), ResponseError> {
         work.direct_solves += 1;
         self.factor(design, order, speed_rpm)?;
+        if let Some(point) = &self.flexible {
+            let unbounded = |_| ResponseError::unbounded(self.system.excitation.orders[order], speed_rpm);
+            self.x = point.under_load(self.system).map_err(unbounded)?;
+            return Ok(());
+        }
         self.system.torque(order, speed_rpm, &mut self.torque);
         self.solve_torque();
         Ok(())
@@ -171,8 +239,10 @@ impl<'a> Factored<'a> {
         work: &mut Work,
         mut put: impl FnMut(usize, C64),
     ) -> Result<(), ResponseError> {
-        self.system.torque(at.0, at.1, &mut self.torque);
-        let still = self.torque.iter().all(|t| *t == ZERO);
+        if self.system.flexible.is_none() {
+            self.system.torque(at.0, at.1, &mut self.torque);
+        }
+        let still = self.system.flexible.is_none() && self.torque.iter().all(|t| *t == ZERO);
         if !still {
             self.solve(design, at, work)?;
         }
@@ -223,6 +293,7 @@ impl<'a> Factored<'a> {
             Quantity::Twist { .. } | Quantity::Motion(..) => {
                 quantity.of_angle(quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)), self.omega)
             }
+            Quantity::ShaftTorque(s) if self.flexible.is_some() => x[self.torque.len() + s],
             Quantity::ShaftTorque(s) if self.stiff => self.with_torques().map_or(ZERO, |all| all.torque(s, x)),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),
             Quantity::RingTwist(a) => {

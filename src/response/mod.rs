@@ -10,6 +10,7 @@ pub mod direct;
 pub mod error;
 pub mod exponential;
 mod factored;
+mod flexible_point;
 pub mod grid;
 pub mod holzer;
 mod host_receptance;

@@ -47,7 +47,7 @@ impl<'a> Receptance<'a> {
                         let (output, receptance) = (b.outputs[t].0, b.receptance[(0, 0)]);
                         let (p, q) = (output * receptance, b.outputs[t].1[0] * b.stations[0]);
                         // under torque on the hub alone y0 H = h u0, but for rounding
-                        let zero = points.ring || system.loaded == [station];
+                        let zero = points.ring || (system.flexible.is_none() && system.loaded == [station]);
                         (y0, g, h) = (output, if zero { ZERO } else { p - q }, receptance);
                         // the hub's own angle has g = 0 exactly, term by term
                         usable = g == ZERO || p.norm() + q.norm() <= LARGEST_CANCELLATION * g.norm();

@@ -5,6 +5,7 @@ mod balance;
 mod crank_loads;
 mod cylinder;
 mod figure;
+mod journals;
 mod modes;
 mod responses;
 
@@ -16,7 +17,6 @@ pub(crate) use modes::holzer;
 use super::calibrate::calibrate;
 use super::progress::{Progress, RunError};
 use crate::drivetrain::System;
-use crate::engine::Excitation;
 use crate::input::Study;
 
 /// Everything of a study, its inputs calibrated where it asks for that.
@@ -51,7 +51,7 @@ fn share_scale(figures: &mut [Figure]) {
 /// [`RunError`] where a design has no finite response.
 pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Result<Curves, RunError> {
     let (study, _) = calibrate(study, progress)?;
-    let system = System::with_modes(study.chain.clone(), study.modes.clone(), Excitation::new(&study.engine, study.order_limit));
+    let system = study.system(study.excitation());
     let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.to_vec() };
     progress.stage("curves", speeds.len() + study.designs.len());
     let mut figures: Vec<Figure> = cylinder::pressure(&study).into_iter().collect();
@@ -60,6 +60,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
         figures.extend(cylinder::torque(&study, *speed));
         figures.extend(crank_loads::bearings(&study, *speed));
         figures.extend(crank_loads::crank_loads(&study, *speed));
+        figures.extend(journals::journals(&study, &system, *speed).map_err(|error| RunError { what: "the flexible crank".into(), error })?);
         progress.step();
     }
     figures.extend(balance::balance(&study, speeds[speeds.len() - 1]));

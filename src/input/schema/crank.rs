@@ -1,5 +1,6 @@
 //! The crank's dimensions in an engine file.
 
+use super::flexible::RawFlexible;
 use super::keyword::by_word;
 use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::input::error::At;
@@ -75,6 +76,8 @@ pub(crate) struct RawCrank {
     pub stiffness_formula: Option<At<RawFormula>>,
     /// Masses of the webs, for the inertias of throws, where stations give none.
     pub masses: Option<RawMasses>,
+    /// The crank in bending, torsion and axial motion on its bearings.
+    pub flexible: Option<At<RawFlexible>>,
     /// Keys of this table whose values are assumptions.
     #[serde(default)]
     #[schemars(extend("default" = [], "examples" = [["web_thickness_mm"]]))]
@@ -140,20 +143,6 @@ pub(crate) struct RawRing {
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub cut: bool,
-}
-
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawStep {
-    /// Outer diameter.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
-    pub diameter_mm: At<f64>,
-    /// Inner diameter.
-    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
-    pub bore_mm: Option<At<f64>>,
-    /// Length.
-    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [120]))]
-    pub length_mm: At<f64>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,6 +1,7 @@
 //! The engine file.
 
-use super::crank::{RawCrank, RawStep};
+use super::crank::RawCrank;
+use super::step::RawStep;
 use crate::input::error::At;
 use schemars::JsonSchema;
 use serde::Deserialize;

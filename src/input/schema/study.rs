@@ -52,6 +52,9 @@ pub(crate) struct RawStudy {
     /// Temperatures of the conditions `cold` and `hot`.
     #[schemars(extend("examples" = [{"cold_c": -20, "hot_c": 90}]))]
     pub temperatures: Option<RawTemperatures>,
+    /// What of the crank the response is computed with: its torsional chain, or the flexible crank of the engine file; `auto`: the chain where the measured difference is below `tolerance` of [response].
+    #[schemars(extend("default" = "chain", "examples" = ["flexible"]))]
+    pub crank: Option<At<RawCrankModel>>,
     /// How the response is computed.
     #[serde(default)]
     pub response: RawResponse,
@@ -163,6 +166,16 @@ pub(crate) enum RawMethod {
     Receptance,
     Direct,
     #[default]
+    Auto,
+}
+
+/// What of the crank counts.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawCrankModel {
+    #[default]
+    Chain,
+    Flexible,
     Auto,
 }
 

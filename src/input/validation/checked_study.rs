@@ -3,6 +3,7 @@
 use super::absorbers::DesignSpec;
 use super::calibrate::CalibrateSpec;
 use super::catalogue::CatalogueSpec;
+use super::flexible_model::FlexibleModel;
 use super::inputs::Input;
 use super::load::DutyPoint;
 use super::material_states::Temperatures;
@@ -14,7 +15,7 @@ use crate::drivetrain::{Chain, Modes};
 use crate::engine::Engine;
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec};
 use crate::input::published::Published;
-use crate::input::schema::study::RawMethod;
+use crate::input::schema::study::{RawCrankModel, RawMethod};
 use crate::objective::Condition;
 use crate::response::Quantity;
 
@@ -38,6 +39,27 @@ impl From<RawMethod> for ResponseMethod {
             RawMethod::Receptance => Self::Receptance,
             RawMethod::Direct => Self::Direct,
             RawMethod::Auto => Self::Auto,
+        }
+    }
+}
+
+/// What of the crank a study computes with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrankModel {
+    /// Its torsional chain.
+    Chain,
+    /// In bending, torsion and axial motion on its bearings.
+    Flexible,
+    /// The chain where that differs by less than the tolerance of the study.
+    Auto,
+}
+
+impl From<RawCrankModel> for CrankModel {
+    fn from(raw: RawCrankModel) -> Self {
+        match raw {
+            RawCrankModel::Chain => Self::Chain,
+            RawCrankModel::Flexible => Self::Flexible,
+            RawCrankModel::Auto => Self::Auto,
         }
     }
 }
@@ -116,6 +138,10 @@ pub struct Study {
     pub calibrate: Option<CalibrateSpec>,
     /// Dimensions of the crank, where the engine file has them.
     pub crank: Option<Crank>,
+    /// The crank in bending, torsion and axial motion, where the engine file has it.
+    pub flexible: Option<FlexibleModel>,
+    /// What of the crank the response is computed with.
+    pub crank_model: CrankModel,
     /// The engine whose pressure bends the crank, where it is not that of the excitation: as in the file, whatever is fitted.
     pub crank_engine: Option<Engine>,
     /// Points at which the engine runs, with their shares of the time.

@@ -5,8 +5,9 @@ use crate::drivetrain::throw_stiffness::{Step, shear_modulus, stepped_shaft, sti
 use crate::drivetrain::{Station, throw_inertia};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
-use crate::input::schema::crank::{RawCrank, RawMasses, RawRing, RawStep};
+use crate::input::schema::crank::{RawCrank, RawMasses, RawRing};
 use crate::input::schema::engine::{RawEngine, RawStation};
+use crate::input::schema::step::RawStep;
 use crate::units::{M_PER_MM, RAD_PER_DEG};
 
 /// Of steel, GPa.
@@ -37,7 +38,7 @@ fn ring_step(check: &mut Check, raw: &RawRing) -> Step {
     steps(check, &[RawStep { diameter_mm: raw.diameter_mm.clone(), bore_mm: raw.bore_mm.clone(), length_mm: raw.length_mm.clone() }])[0]
 }
 
-fn steps(check: &mut Check, raw: &[RawStep]) -> Vec<Step> {
+pub(super) fn steps(check: &mut Check, raw: &[RawStep]) -> Vec<Step> {
     let step = |s: &RawStep| {
         let diameter = check.positive(&s.diameter_mm) * M_PER_MM;
         let bore = s.bore_mm.as_ref().map_or(0.0, |b| check.not_negative(b)) * M_PER_MM;

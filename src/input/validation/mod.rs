@@ -11,6 +11,8 @@ mod derived_chain;
 mod engine;
 mod family;
 mod fatigue;
+mod flexible;
+mod flexible_model;
 mod inputs;
 mod load;
 pub(super) mod material;
@@ -33,8 +35,9 @@ pub use calibrate::{CalibrateSpec, FreeInput};
 pub use catalogue::CatalogueSpec;
 pub(crate) use catalogue::RETUNED;
 use checked_study::DEFAULT_TOLERANCE;
-pub use checked_study::{Reciprocating, ResponseMethod, Study};
+pub use checked_study::{CrankModel, Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};
+pub use flexible_model::FlexibleModel;
 pub use inputs::Input;
 pub use load::DutyPoint;
 use material_states::Temperatures;
@@ -60,6 +63,7 @@ use crate::absorber::mounted::station_of;
 use crate::crankshaft::{Crank, FatigueSpec};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Excitation, Order, Source as TorqueSource};
+use crate::objective::Condition;
 use crate::objective::condition::Burning;
 use crate::response::Quantity;
 use crate::units::HZ_PER_RPM;
@@ -145,6 +149,7 @@ pub(super) fn resolve(files: &Files) -> Result<Study, InputError> {
     let mut placeholders = placeholders::resolve(&mut in_engine, &files.engine.placeholder);
     placeholders.extend(placeholders::resolve(&mut check, &files.study.placeholder));
     let Some(base) = base(files, &mut check, &mut in_engine) else { return Err(mistakes(in_engine, check)) };
+    asks_for_something(&mut check, files.study);
     let study = rest(files, &mut check, &mut in_engine, base);
     match study {
         Some(study) if check.mistakes.is_empty() && in_engine.mistakes.is_empty() => Ok(Study { placeholders, ..study }),
@@ -219,6 +224,23 @@ fn asks_for_something(check: &mut Check, study: &RawStudy) {
     }
 }
 
+/// The station that carries the first absorber that is searched for, or else that of the first design that has one.
+fn hub<'d>(mut designs: impl Iterator<Item = &'d DesignSpec>, optimise: Option<&OptimiseSpec>) -> usize {
+    let given = || designs.find(|d| !d.absorbers.is_empty()).map_or(0, |d| station_of(&d.absorbers, 0));
+    optimise.map_or_else(given, |o| o.station(0))
+}
+
+/// Conditions of the study, and those of its search.
+fn conditions(check: &mut Check, study: &RawStudy, engine: &Engine, optimise: Option<&OptimiseSpec>) -> Vec<Condition> {
+    let mut all = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, engine));
+    for condition in optimise.into_iter().flat_map(|o| &o.conditions) {
+        if !all.contains(condition) {
+            all.push(*condition);
+        }
+    }
+    all
+}
+
 /// Everything of a study but its engine and ranges.
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
@@ -228,8 +250,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
     let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
     let sold = catalogues.iter().flat_map(|c| &c.designs);
-    let first = designs.iter().chain(sold.clone()).find(|d| !d.absorbers.is_empty());
-    let hub = optimise.as_ref().map_or_else(|| first.map_or(0, |d| station_of(&d.absorbers, 0)), |o| o.station(0));
+    let hub = hub(designs.iter().chain(sold.clone()), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);
     let of = Context {
         chain: &base.chain,
@@ -238,7 +259,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         speeds: (base.speeds_rpm[0], base.speeds_rpm[base.speeds_rpm.len() - 1]),
         order_limit: base.order_limit,
         strokes: base.engine.strokes,
-        absorbers: Context::absorbers(sold.chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
+        absorbers: Context::absorbers(sold.clone().chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
         cooled: &Context::cooled(&designs, optimise.as_ref()),
         balanced: &Context::balanced(&designs, optimise.as_ref()),
         lives: &Context::lives(&designs, optimise.as_ref()),
@@ -247,20 +268,21 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     };
     let mut more_objectives = measures::objectives(check, study, of);
     let objective = more_objectives.remove(0);
-    asks_for_something(check, study);
     let limits = measures::limits(check, study, of);
-    let tolerance = tolerance(check, study);
     let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
     let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
     let combined = measures::combined(check, study, (&known, &limits), of);
     let robust = study.robust.as_ref().and_then(|r| robust::resolve(check, r, optimise.as_ref(), &designs));
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
-    let mut conditions = study.conditions.as_ref().map_or_else(Vec::new, |c| optimise::conditions(check, c, &base.engine));
-    conditions.extend(optimise.iter().flat_map(|o| &o.conditions).filter(|c| !conditions.contains(c)).copied().collect::<Vec<_>>());
+    let conditions = conditions(check, study, &base.engine, optimise.as_ref());
     let scatter = optimise::scatter(check, study, &base.engine, &conditions);
+    let parts = (base.crank.as_ref(), &base.engine, &base.chain);
+    let (flexible, crank_model) = flexible::of_study((check, in_engine), (study, files.engine), parts, designs.iter().chain(sold));
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
     let checked = Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
+        flexible,
+        crank_model,
         crank_engine: loads_crank_by_brake_curve(study).then(|| base.engine.of_brake_curve()),
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
         reciprocating: base.reciprocating,
@@ -272,7 +294,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         known_rpm: base.known_rpm,
         order_limit: base.order_limit,
         method: study.response.method.into(),
-        tolerance,
+        tolerance: tolerance(check, study),
         refine_peaks: study.response.refine_peaks.unwrap_or(true),
         every_station: study.response.every_station,
         torque_in_conditions: false,
@@ -284,7 +306,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         combined,
         limits,
         optimise,
-        held_without_search: vec![crate::objective::Condition::Firing],
+        held_without_search: vec![Condition::Firing],
         robust,
         front,
         conditions,

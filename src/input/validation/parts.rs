@@ -1,6 +1,6 @@
 //! A study from engine and chain in memory, for programs that read no files.
 
-use super::checked_study::{DEFAULT_TOLERANCE, Reciprocating, ResponseMethod, Study};
+use super::checked_study::{CrankModel, DEFAULT_TOLERANCE, Reciprocating, ResponseMethod, Study};
 use super::family::{AbsorberSpec, Size};
 use super::material_states::Temperatures;
 use super::measures::{default_twist, twist_spec};
@@ -100,6 +100,8 @@ impl Study {
             published: None,
             calibrate: None,
             crank: None,
+            flexible: None,
+            crank_model: CrankModel::Chain,
             crank_engine: None,
             duty: Vec::new(),
             fatigue: None,

@@ -18,14 +18,15 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     let orders: Vec<Order> = chosen.iter().map(|n| results.system.excitation.orders[*n]).collect();
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let right = canvas::round_up(1.02 * high).min(1.15 * high);
-    let own = study.modes.frequencies_hz();
+    let own = results.system.modes.frequencies_hz();
     let reached = orders.last().map_or(0.0, |o| o.value() * right * HZ_PER_RPM);
     // the first optimum of the study, if there is one
     let optimum = results.optima.first().map(|o| (&o.design.name, &o.design.frequencies_hz));
     let shown = own.iter().chain(optimum.iter().flat_map(|o| o.1)).copied().filter(|f| *f <= reached);
     let top = 1.08 * shown.fold(own.first().copied().unwrap_or(1.0), f64::max);
     let (chain, found) = (Stroke::solid(line(COLOURS[0], 18)), Stroke::dashed(line(COLOURS[1], 16)));
-    let mut entries = vec![Entry::curve("chain alone", chain)];
+    let alone = if results.system.flexible.is_some() { "flexible crank alone" } else { "chain alone" };
+    let mut entries = vec![Entry::curve(alone, chain)];
     entries.extend(optimum.iter().map(|(name, _)| Entry::curve(name.replace('_', " "), found)));
     entries.push(Entry::curve("order lines", Stroke::solid(line(GREY, 9))));
     entries.push(Entry::new("speed range", Mark::Block(fill(COLOURS[5], 0.3))));

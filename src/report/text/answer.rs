@@ -2,6 +2,7 @@
 
 use super::catalogue::best_of_catalogues;
 use super::designs::{designs, narrow};
+use super::flexible::by_models;
 use super::judged::{sentence, value_of};
 use super::limits::{barred, limits};
 use super::run::fronts;
@@ -22,7 +23,7 @@ const LEAST_ROWS: usize = 4;
 
 /// The answer, in at most [`LINES`] lines unless the absorbers and limits of the design alone take more.
 pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: &Results) -> String {
-    let head = head(study, calibration);
+    let head = head(study, results, calibration);
     let found = found(study, results);
     let notes = notes(study, results);
     if is_wide() {
@@ -47,10 +48,8 @@ pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: 
 }
 
 /// Engine, its natural frequencies, and what was calibrated.
-fn head(study: &Study, calibration: Option<&Calibration>) -> String {
-    let chain = study.modes.frequencies_hz();
-    let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
-    let mut text = format!("{}: natural frequencies {} Hz\n", study.engine.name, frequencies.join(", "));
+fn head(study: &Study, results: &Results, calibration: Option<&Calibration>) -> String {
+    let mut text = format!("{}: {}\n", study.engine.name, super::flexible::frequencies(study, results));
     if let Some(c) = calibration {
         let fitted: Vec<String> = c.inputs.iter().map(|i| format!("{} {}", i.free.input.key(), significant(i.value, 4))).collect();
         text.push_str(&format!("  calibrated on {} amplitudes: {}\n", c.rows.len(), fitted.join(", ")));
@@ -89,6 +88,7 @@ fn found(study: &Study, results: &Results) -> String {
                 put("  the study has no limits".into());
             }
             fewer(limits(study, o)).into_iter().for_each(&mut put);
+            by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
         }
         (None, Some(given)) => {
@@ -98,6 +98,7 @@ fn found(study: &Study, results: &Results) -> String {
             let line =
                 |(limit, ratio): (&LimitSpec, &f64)| format!("  limit: {}: {}", limit.words, if holds(*ratio) { "holds" } else { "FAILS" });
             fewer(study.limits.iter().zip(&given.limits).map(line).collect()).into_iter().for_each(&mut put);
+            by_models(results, given).into_iter().for_each(&mut put);
             about(results, given).into_iter().for_each(&mut put);
         }
         (None, None) => {

@@ -42,7 +42,9 @@ pub fn model(study: &Study) -> String {
         chain(study),
         moving_masses(study, &excitation),
         modes(study, &excitation),
-        pressure(study, &excitation) + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}")),
+        pressure(study, &excitation)
+            + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}"))
+            + &super::flexible::in_full(study),
         work(study, &excitation, usize::MAX),
         if unlikely.is_empty() { unlikely } else { format!("\n{unlikely}") }
     )

@@ -40,6 +40,7 @@ pub(crate) fn check_in_brief(study: &Study) -> String {
     if !lowest.is_empty() {
         _ = writeln!(text, "  natural frequencies (damping ratio): {}", lowest.join(", "));
     }
+    text += &super::flexible::in_brief(study);
     let critical = model_check::critical_speeds(study, &excitation.orders);
     if let Some(lowest) = critical.iter().map(|c| c.mode).min() {
         let met: Vec<String> =

@@ -6,16 +6,15 @@ use crate::input::Study;
 
 /// Everything but what the run took.
 pub(crate) fn whole(study: &Study, fitted: Option<&Calibration>, results: &Results) -> String {
-    let chain = study.modes.frequencies_hz();
-    let frequencies: Vec<String> = chain.iter().take(4).map(|f| format!("{f:.2}")).collect();
     let reciprocating = super::reciprocating(study).map_or_else(String::new, |line| format!("  {line}\n"));
-    let mut text = format!("{}: natural frequencies {} Hz\n{reciprocating}\n", study.engine.name, frequencies.join(", "));
+    let mut text = format!("{}: {}\n{reciprocating}\n", study.engine.name, super::flexible::frequencies(study, results));
     if let Some(fitted) = fitted {
         text += &format!("{}\n", calibration::calibration(study, fitted));
     }
     text += &super::designs(study, results);
     let sections = [
         margin::margins(study, results),
+        super::crank_models(results),
         super::duty(results),
         super::life(results),
         super::catalogue(study, results),

@@ -1,0 +1,96 @@
+//! The flexible crank in an engine file.
+
+use super::step::RawStep;
+use crate::input::error::At;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawFlexible {
+    /// How much stiffer webs are than beams from axis to axis: estimated from the dimensions, or given.
+    #[schemars(extend("examples" = ["estimate"]))]
+    pub web_factors: RawWebFactors,
+    /// Density of the crank; without it that of `masses`.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [7850]))]
+    pub density_kg_m3: Option<At<f64>>,
+    /// Loss factor of the crank: its stiffness is k (1 + i eta).
+    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
+    pub loss_factor: At<f64>,
+    /// Whether gyroscopic and centrifugal terms count.
+    #[schemars(extend("default" = true, "examples" = [false]))]
+    pub rotating: Option<bool>,
+    /// Every main bearing.
+    pub bearing: RawBearing,
+    /// The bearing that holds the crank along its axis.
+    pub thrust_bearing: RawThrust,
+    /// What is before the first main bearing.
+    pub front: Option<RawEnd>,
+    /// What is behind the last main bearing.
+    pub rear: Option<RawEnd>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawWebFactors {
+    /// By a fit to 48 throws of solid finite elements: 10 % (root of the mean square), 31 % at most.
+    Estimate,
+    /// As given, for instance fitted to a throw of finite elements.
+    Given(RawGivenFactors),
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawGivenFactors {
+    /// On the stiffness in bending in the plane of the throw.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [5.05]))]
+    pub bending: At<f64>,
+    /// On the stiffness in twisting.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [10.07]))]
+    pub twist: At<f64>,
+    /// On the stiffness in bending about the axis of the crank.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [1.05]))]
+    pub edge: At<f64>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawBearing {
+    /// Stiffness across the axis, alike in all directions; without it `bearing_stiffness_n_per_m` of [crank].
+    #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [1.2e9]))]
+    pub stiffness_n_per_m: Option<At<f64>>,
+    /// Damping across the axis.
+    #[schemars(extend("minimum" = 0, "examples" = [9e4]))]
+    pub damping_n_s_per_m: At<f64>,
+    /// Points along the journal that share it: its middle, or three over two thirds of its length.
+    #[schemars(extend("enum" = [1, 3], "default" = 3, "examples" = [1]))]
+    pub nodes: Option<At<i64>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawThrust {
+    /// Number of the main bearing, from 1.
+    #[schemars(extend("minimum" = 1, "examples" = [4]))]
+    pub bearing: At<i64>,
+    /// Stiffness along the axis.
+    #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [5e8]))]
+    pub stiffness_n_per_m: At<f64>,
+    /// Damping along the axis.
+    #[schemars(extend("minimum" = 0, "examples" = [1e5]))]
+    pub damping_n_s_per_m: At<f64>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawEnd {
+    /// Steps of the shaft, from the end of the outer journal to the middle of the hub or flywheel.
+    #[schemars(extend("minItems" = 1, "examples" = [[{"diameter_mm": 60, "length_mm": 70}]]))]
+    pub shaft: At<Vec<RawStep>>,
+    /// Mass of the hub or flywheel.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
+    pub mass_kg: At<f64>,
+    /// Its inertia about a diameter; without it half that of its station, as of a thin disc.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.03]))]
+    pub diametral_inertia_kg_m2: Option<At<f64>>,
+}

@@ -1,0 +1,243 @@
+//! The flexible crank: its keys checked and put together with the chain, and the systems of a study that has one.
+
+use super::absorbers::DesignSpec;
+use super::checked_study::{CrankModel, Study};
+use super::derived_chain;
+use super::flexible_model::FlexibleModel;
+use crate::absorber::mounted::station_of;
+use crate::crankshaft::Crank;
+use crate::crankshaft::flexible::{Bearing, BearingNodes, End, FlexibleSpec, WebFactors, assemble};
+use crate::drivetrain::flexible::Asked;
+use crate::drivetrain::{Chain, System};
+use crate::engine::{Engine, Excitation};
+use crate::input::error::{At, Check};
+use crate::input::schema::engine::RawEngine;
+use crate::input::schema::flexible::{RawBearing, RawEnd, RawFlexible, RawWebFactors};
+use crate::input::schema::study::RawStudy;
+use crate::objective::condition::Burning;
+
+/// Bearings, N/m.
+const SOFTEST: f64 = 1e5;
+const STIFFEST: f64 = 1e13;
+/// A journal with three nodes is at least this share of its diameter long.
+const SHORTEST: f64 = 0.2;
+
+impl Study {
+    /// The flexible crank, where responses are computed with it.
+    pub(crate) fn on_flexible(&self) -> Option<&FlexibleModel> {
+        self.flexible.as_ref().filter(|_| self.crank_model == CrankModel::Flexible)
+    }
+
+    /// The torque of its engine, with the radial forces on its pins where the crank is flexible.
+    pub(crate) fn excitation(&self) -> Excitation {
+        self.with_radial(Excitation::new(&self.engine, self.order_limit), &self.engine)
+    }
+
+    /// The same for a torque of another state of the engine.
+    pub(crate) fn with_radial(&self, excitation: Excitation, engine: &Engine) -> Excitation {
+        if self.on_flexible().is_some() { excitation.with_radial(engine) } else { excitation }
+    }
+
+    /// Its chain, or its flexible crank, under a torque.
+    pub(crate) fn system(&self, excitation: Excitation) -> System {
+        let (chain, modes) = (self.chain.clone(), self.modes.clone());
+        let Some((flexible, crank)) = self.on_flexible().zip(self.crank.as_ref()) else {
+            return System::with_modes(chain, modes, excitation);
+        };
+        let tables = flexible.tables((crank, &self.engine, &chain), || self.asked_of_tables(&excitation));
+        let own = flexible.modes_of_stations(&chain).unwrap_or_else(|| modes.clone());
+        System::with_modes(chain, modes, excitation).on_flexible(tables, own)
+    }
+
+    fn asked_of_tables(&self, excitation: &Excitation) -> Asked {
+        let designs = self.designs.iter().chain(self.catalogues.iter().flat_map(|c| &c.designs));
+        let on = |d: &DesignSpec| (0..d.absorbers.len()).map(|i| station_of(&d.absorbers, i)).collect::<Vec<_>>();
+        let mut hosts: Vec<usize> = designs.flat_map(on).collect();
+        hosts.extend(self.optimise.iter().flat_map(|o| (0..o.absorbers.len()).map(|i| o.station(i))));
+        hosts.push(self.hub);
+        hosts.sort_unstable();
+        hosts.dedup();
+        Asked {
+            orders: excitation.orders.clone(),
+            speeds_rpm: (self.speeds_rpm[0], self.speeds_rpm[self.speeds_rpm.len() - 1]),
+            hosts,
+            unlike: self.conditions.iter().any(|c| c.burning() != Burning::Alike),
+        }
+    }
+}
+
+/// What of the crank a study asks for.
+fn asked<'d>(check: &mut Check, study: &RawStudy, known: bool, mut designs: impl Iterator<Item = &'d DesignSpec>) -> CrankModel {
+    let Some(raw) = &study.crank else { return CrankModel::Chain };
+    let model = CrankModel::from(*raw.get_ref());
+    if model == CrankModel::Chain {
+        return model;
+    }
+    if !known {
+        check.wrong(raw, "found a flexible crank without [crank.flexible] in the engine file, expected its bearings, ends and webs there");
+    }
+    let large = |d: &&'d DesignSpec| d.absorbers.iter().filter_map(|m| m.absorber.law()).any(|law| law.large_twist().is_some());
+    if let Some(d) = designs.find(large) {
+        check.wrong(
+            raw,
+            format!("found a flexible crank with design `{}`, whose law is of large twist, expected `crank = \"chain\"` for it", d.name),
+        );
+    }
+    if let Some(calibrate) = &study.calibrate {
+        check.wrong(
+            calibrate,
+            "found [calibrate] with a flexible crank, expected `crank = \"chain\"`: what is fitted are stiffnesses of the chain",
+        );
+    }
+    model
+}
+
+/// The flexible crank of an engine file, and what of the crank a study with these designs asks for.
+pub(super) fn of_study<'d>(
+    (check, in_engine): (&mut Check, &mut Check),
+    (study, engine): (&RawStudy, &RawEngine),
+    parts: (Option<&Crank>, &Engine, &Chain),
+    designs: impl Iterator<Item = &'d DesignSpec>,
+) -> (Option<FlexibleModel>, CrankModel) {
+    let flexible = resolve(in_engine, engine, parts);
+    let known = flexible.is_some() || !in_engine.mistakes.is_empty();
+    (flexible, asked(check, study, known, designs))
+}
+
+/// The crank put together, or nothing where a mistake leaves none.
+fn resolve(check: &mut Check, raw: &RawEngine, (crank, engine, chain): (Option<&Crank>, &Engine, &Chain)) -> Option<FlexibleModel> {
+    let (table, crank) = (raw.crank.as_ref()?, crank?);
+    let own = table.get_ref().flexible.as_ref()?;
+    let before = check.mistakes.len();
+    let spec = spec(check, own, crank, chain)?;
+    if check.mistakes.len() > before {
+        return None;
+    }
+    match assemble(crank, engine, chain, &spec) {
+        Ok(assembled) => Some(FlexibleModel::new(spec, assembled)),
+        Err(why) => {
+            check.wrong(own, format!("found a crank that does not fit its chain, expected one that does: {why}"));
+            None
+        }
+    }
+}
+
+fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -> Option<FlexibleSpec> {
+    let raw = at.get_ref();
+    let (web_factors, estimated) = web_factors(check, at, crank)?;
+    let nodes = nodes(check, &raw.bearing);
+    if nodes == BearingNodes::Three && crank.journal_lengths.iter().any(|l| *l < SHORTEST * crank.journal_diameter) {
+        check.wrong(at, "found three points along a journal shorter than 0.2 of its diameter, expected `nodes = 1`");
+    }
+    let stiffness = match (&raw.bearing.stiffness_n_per_m, crank.bearing_stiffness) {
+        (Some(k), _) => check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m"),
+        (None, Some(k)) => k,
+        (None, None) => {
+            check.wrong(
+                at,
+                "found bearings without stiffness, expected `bearing.stiffness_n_per_m`, or `bearing_stiffness_n_per_m` of [crank]",
+            );
+            return None;
+        }
+    };
+    let (thrust_at, thrust) = thrust(check, raw, crank)?;
+    let density = match (&raw.density_kg_m3, &crank.masses) {
+        (Some(d), _) => check.positive(d),
+        (None, Some(masses)) => masses.density,
+        (None, None) => {
+            check.wrong(at, "found no density, expected `density_kg_m3` (7850 of steel)");
+            return None;
+        }
+    };
+    let loss_factor = check.within(&raw.loss_factor, 0.0..=0.5, "a loss factor from 0 to 0.5");
+    let damping = check.not_negative(&raw.bearing.damping_n_s_per_m);
+    if loss_factor == 0.0 && damping == 0.0 {
+        check.wrong(
+            &raw.loss_factor,
+            "found neither a loss factor nor damping of the bearings, expected one of them: nothing else damps bending",
+        );
+    }
+    let first = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
+    let behind = chain.stations.get(first + crank.throws()).map(|s| s.inertia);
+    Some(FlexibleSpec {
+        web_factors,
+        estimated,
+        density,
+        loss_factor,
+        rotating: raw.rotating.unwrap_or(true),
+        bearing: Bearing { stiffness, damping },
+        nodes,
+        thrust_at,
+        thrust,
+        front: end(check, at, (raw.front.as_ref(), "front"), first.checked_sub(1).map(|s| chain.stations[s].inertia)),
+        rear: end(check, at, (raw.rear.as_ref(), "rear"), behind),
+    })
+}
+
+/// The factors of the webs, and whether they are an estimate.
+fn web_factors(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(WebFactors, bool)> {
+    match &at.get_ref().web_factors {
+        RawWebFactors::Given(f) => {
+            let mut of = |value: &At<f64>| check.within(value, 1e-3..=1000.0, "a factor from 0.001 to 1000");
+            Some((WebFactors { bending: of(&f.bending), twist: of(&f.twist), edge: of(&f.edge) }, false))
+        }
+        RawWebFactors::Estimate => match WebFactors::estimate(crank) {
+            Ok(factors) => Some((factors, true)),
+            Err(why) => {
+                check.wrong_with_help(
+                    at,
+                    format!("found `web_factors = \"estimate\"` for this crank, expected dimensions it holds for: {why}"),
+                    "`web_factors.given = { bending = …, twist = …, edge = … }`, fitted to the flexibility of one throw of finite elements, has no such range",
+                );
+                None
+            }
+        },
+    }
+}
+
+fn nodes(check: &mut Check, bearing: &RawBearing) -> BearingNodes {
+    let Some(n) = &bearing.nodes else { return BearingNodes::Three };
+    match *n.get_ref() {
+        1 => return BearingNodes::One,
+        3 => {}
+        other => check.wrong(n, format!("found {other}, expected 1 or 3 points along a bearing")),
+    }
+    BearingNodes::Three
+}
+
+/// The bearing that holds the crank along its axis, from 0, and its stiffness and damping there.
+fn thrust(check: &mut Check, raw: &RawFlexible, crank: &Crank) -> Option<(usize, Bearing)> {
+    let thrust = &raw.thrust_bearing;
+    let number = *thrust.bearing.get_ref();
+    let at = usize::try_from(number - 1).ok().filter(|b| *b <= crank.throws() && !crank.missing_bearings.contains(b));
+    if at.is_none() {
+        check.wrong(&thrust.bearing, format!("found {number}, expected a main bearing that is there, from 1 to {}", crank.throws() + 1));
+    }
+    let stiffness = check.within(&thrust.stiffness_n_per_m, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m");
+    Some((at?, Bearing { stiffness, damping: check.not_negative(&thrust.damping_n_s_per_m) }))
+}
+
+/// An end of the crank, which is there where the chain has a station for it.
+fn end(check: &mut Check, at: &At<RawFlexible>, (raw, key): (Option<&RawEnd>, &str), inertia: Option<f64>) -> Option<End> {
+    match (raw, inertia) {
+        (None, None) => None,
+        (None, Some(_)) => {
+            check.wrong(at, format!("found no `{key}`, expected the shaft and mass of the station on that end of the crank"));
+            None
+        }
+        (Some(raw), None) => {
+            check.wrong(&raw.mass_kg, format!("found `{key}` with no station on that end of the crank, expected one in the chain"));
+            None
+        }
+        (Some(raw), Some(inertia)) => {
+            if raw.shaft.get_ref().is_empty() {
+                check.wrong(&raw.shaft, "found no step, expected the shaft from the journal to the middle of what is on it");
+            }
+            Some(End {
+                shaft: derived_chain::steps(check, raw.shaft.get_ref()),
+                mass: check.positive(&raw.mass_kg),
+                diametral_inertia: raw.diametral_inertia_kg_m2.as_ref().map_or(0.5 * inertia, |i| check.positive(i)),
+            })
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! The flexible crank of a study: its modes and tables, found once.
+
+use crate::crankshaft::Crank;
+use crate::crankshaft::flexible::{Assembled, FlexibleSpec, assemble};
+use crate::drivetrain::flexible::{Asked, OnStations};
+use crate::drivetrain::modes::Flexible;
+use crate::drivetrain::{Chain, FlexibleCrank, Modes};
+use crate::engine::Engine;
+use crate::rotor::free_modes::{FreeMode, free_modes};
+use crate::rotor::shaft::{Dissipation, Six};
+use nalgebra::{DMatrix, DVector};
+use std::sync::{Arc, OnceLock};
+
+/// Modes that are kept.
+const MODES: usize = 32;
+
+/// A crank put together with the chain of a study.
+#[derive(Debug, Clone)]
+pub struct FlexibleModel {
+    /// As the engine file has it.
+    pub spec: FlexibleSpec,
+    /// Nodes, beams, bodies.
+    pub assembled: Assembled,
+    /// Modes at rest, once they are asked for.
+    modes: Arc<OnceLock<Option<Vec<FreeMode>>>>,
+    /// The same as motions of the stations about the axis.
+    on_chain: Arc<OnceLock<Option<Modes>>>,
+    /// Tables for the orders, speeds and stations of the study, once.
+    tables: Arc<OnceLock<Arc<FlexibleCrank>>>,
+}
+
+impl FlexibleModel {
+    pub(super) fn new(spec: FlexibleSpec, assembled: Assembled) -> Self {
+        Self { spec, assembled, modes: Arc::default(), on_chain: Arc::default(), tables: Arc::default() }
+    }
+
+    /// The same with other bearings: every stiffness times a factor.
+    ///
+    /// # Errors
+    /// In words, where crank and chain do not fit together.
+    pub(crate) fn with_bearings(&self, factor: f64, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Result<Self, String> {
+        let mut spec = self.spec.clone();
+        spec.bearing.stiffness *= factor;
+        let assembled = assemble(crank, engine, chain, &spec)?;
+        Ok(Self::new(spec, assembled))
+    }
+
+    /// Modes at rest on its bearings; `None` where the mass matrix is not positive definite.
+    pub fn modes(&self) -> Option<&[FreeMode]> {
+        self.modes.get_or_init(|| free_modes(&self.assembled.shaft, MODES)).as_deref()
+    }
+
+    /// The same as motions of stations about the axis.
+    fn on_chain(&self, chain: &Chain) -> Option<Modes> {
+        let (modes, shaft) = (self.modes()?, &self.assembled.shaft);
+        let whole = |shape: &[Six]| DVector::from_fn(6 * shape.len(), |i, _| shape[i / 6][i % 6]);
+        let shapes: Vec<DVector<f64>> = modes.iter().map(|m| whole(&m.shape)).collect();
+        let all = DMatrix::from_columns(&shapes);
+        let modal = |matrix: DMatrix<f64>| all.transpose() * matrix * &all;
+        let about_axis = DMatrix::from_fn(chain.len(), modes.len(), |i, j| modes[j].shape[self.assembled.stations[i]][5]);
+        let own = Flexible {
+            viscous: modal(shaft.damping_matrix()),
+            hysteretic: modal(shaft.loss_matrix()),
+            torsion: modes.iter().map(|m| m.torsion).collect(),
+        };
+        Some(Modes::flexible(modes.iter().map(|m| m.omega).collect(), about_axis, own, chain))
+    }
+
+    fn on_stations(&self, chain: &Chain, radius: f64) -> OnStations {
+        let assembled = &self.assembled;
+        let throws = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
+        let length = |(i, (node, stiffness)): (usize, &(usize, f64))| {
+            let s = &chain.stations[i];
+            let time = if s.stiffness_to_next > 0.0 { s.damping_to_next / s.stiffness_to_next } else { 0.0 };
+            let of_crank = i + 1 >= throws && i < throws + assembled.rods.len();
+            let own = if of_crank { self.spec.loss_factor } else { 0.0 };
+            (*node, *stiffness, Dissipation { loss_factor: s.loss_factor_to_next + own, time })
+        };
+        OnStations {
+            shaft: assembled.shaft.clone(),
+            stations: assembled.stations.clone(),
+            lengths: assembled.shafts.iter().enumerate().map(length).collect(),
+            rods: assembled.rods.clone(),
+            directions: assembled.directions.clone(),
+            radius,
+        }
+    }
+
+    /// Tables for what is asked for, solved once.
+    pub(super) fn tables(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), asked: impl FnOnce() -> Asked) -> Arc<FlexibleCrank> {
+        let solved = || Arc::new(FlexibleCrank::new(self.on_stations(chain, crank.crank_radius), engine, asked()));
+        self.tables.get_or_init(solved).clone()
+    }
+
+    /// Modes at rest as motions of the stations of a chain about the axis; `None` as of [`Self::modes`].
+    pub(super) fn modes_of_stations(&self, chain: &Chain) -> Option<Modes> {
+        self.on_chain.get_or_init(|| self.on_chain(chain)).clone()
+    }
+}

@@ -1,0 +1,163 @@
+//! The flexible crank: its modes and stiffness, and designs by other models of the crank.
+
+use super::table::{significant, table};
+use crate::analysis::{DesignResult, Modelled, Results};
+use crate::crankshaft::flexible::throw_stiffness;
+use crate::input::{FlexibleModel, Study};
+use crate::rotor::free_modes::{FreeMode, at_speed};
+use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
+use std::fmt::Write;
+
+/// Modes that are told of.
+const MODES: usize = 16;
+const MODES_IN_BRIEF: usize = 5;
+/// An eigenvalue with a larger real part over its magnitude grows; a slower one than this share of the speed is rigid rotation, which preload of pins and journals that is left out moves a little.
+const GROWS: f64 = 1e-3;
+const RIGID: f64 = 0.02;
+
+/// What its stations do by themselves, as the first line of a run tells it.
+pub(crate) fn frequencies(study: &Study, results: &Results) -> String {
+    let list = |all: Vec<f64>| all.iter().take(4).map(|f| format!("{f:.2}")).collect::<Vec<_>>().join(", ");
+    if results.system.flexible.is_none() {
+        return format!("natural frequencies {} Hz", list(study.modes.frequencies_hz()));
+    }
+    let on_bearings: Vec<String> = study.flexible.iter().flat_map(|f| elastic(f).take(MODES_IN_BRIEF)).map(|m| kind(m, 1)).collect();
+    format!("flexible crank on its bearings, at rest {}", on_bearings.join(", "))
+}
+
+fn elastic(flexible: &FlexibleModel) -> impl Iterator<Item = &FreeMode> {
+    flexible.modes().unwrap_or_default().iter().filter(|m| m.omega > 0.0)
+}
+
+fn kind(m: &FreeMode, digits: usize) -> String {
+    format!("{:.digits$} Hz ({})", m.omega * HZ_PER_RAD_PER_S, m.kind())
+}
+
+/// The twist of designs by each model of the crank; empty where the response is that of the chain.
+pub(crate) fn crank_models(results: &Results) -> String {
+    let mut text = choice(results);
+    if results.crank_models.is_empty() {
+        return text;
+    }
+    let row = |d: &crate::analysis::ByModel| -> Vec<String> {
+        let twist = |model: &Modelled| d.of(*model).map_or_else(|| "-".into(), |t| significant(t * DEG_PER_RAD, 4));
+        std::iter::once(d.design.clone()).chain(Modelled::ALL.iter().map(twist)).collect()
+    };
+    let header = ["design", "on the chain", "flexible", "bearings halved", "bearings doubled"];
+    let rows: Vec<Vec<String>> = results.crank_models.iter().map(row).collect();
+    _ = write!(
+        text,
+        "Peak twist/° by model of the crank; main bearings are half and twice as stiff in the last two:\n{}",
+        table(&header, &rows)
+    );
+    text
+}
+
+/// Which model a study took that leaves it open.
+fn choice(results: &Results) -> String {
+    let Some(difference) = results.crank_difference else { return String::new() };
+    let (tolerance, taken) = (results.study.tolerance, if results.system.flexible.is_some() { "flexible crank" } else { "chain" });
+    format!(
+        "Crank: {taken}; in the twist of the given designs and without absorber the two differ by up to {} %, and the tolerance is {} %.\n",
+        significant(100.0 * difference, 3),
+        significant(100.0 * tolerance, 3)
+    )
+}
+
+/// A line on a design of a study on its flexible crank.
+pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
+    let mut lines: Vec<String> = choice(results).lines().map(|l| format!("  {l}")).collect();
+    let known = results.crank_models.iter().find(|m| m.design == d.name);
+    let twist = |model| known.and_then(|m| m.of(model)).map(|t| format!("{}°", significant(t * DEG_PER_RAD, 4)));
+    if let (Some(halved), Some(doubled), Some(chain)) =
+        (twist(Modelled::BearingsHalved), twist(Modelled::BearingsDoubled), twist(Modelled::Chain))
+    {
+        lines.push(format!("  its twist with bearings half as stiff {halved}, twice as stiff {doubled}; on the torsional chain {chain}"));
+    }
+    lines
+}
+
+/// Stiffness of a throw by what its bearings hold; nothing without a flexible crank.
+fn stiffness(study: &Study) -> Option<String> {
+    let (flexible, crank) = (study.flexible.as_ref()?, study.crank.as_ref()?);
+    let k = throw_stiffness(crank, &flexible.spec, crank.throws() / 2)?;
+    let of = |x: f64| significant(x / 1e6, 4);
+    Some(format!(
+        "k_held/k_free {}: a throw has {} MN m/rad with free ends, {} guided, {} held in its bearings",
+        significant(k.held / k.free, 3),
+        of(k.free),
+        of(k.guided),
+        of(k.held)
+    ))
+}
+
+/// One or two lines of `hartog check`.
+pub(crate) fn in_brief(study: &Study) -> String {
+    let (Some(flexible), Some(stiffness)) = (&study.flexible, stiffness(study)) else { return String::new() };
+    let lowest: Vec<String> = elastic(flexible).take(MODES_IN_BRIEF).map(|m| kind(m, 1)).collect();
+    format!("  flexible crank: {stiffness}\n    at rest {}\n", lowest.join(", "))
+}
+
+/// Webs, masses, modes at rest and at the highest speed; empty without a flexible crank.
+pub(crate) fn in_full(study: &Study) -> String {
+    let (Some(flexible), Some(stiffness)) = (&study.flexible, stiffness(study)) else { return String::new() };
+    let (spec, assembled) = (&flexible.spec, &flexible.assembled);
+    let f = spec.web_factors;
+    let estimated = if spec.estimated { " (estimate: 10 %, at most 31 %)" } else { "" };
+    let mut text = format!("Flexible crank: {stiffness}\n");
+    _ = writeln!(
+        text,
+        "  factors on the webs: bending {}, twist {}, edge {}{estimated}; {} nodes, {} kg with all that is on it",
+        significant(f.bending, 4),
+        significant(f.twist, 4),
+        significant(f.edge, 4),
+        assembled.shaft.len(),
+        significant(assembled.mass, 4)
+    );
+    let throws: Vec<Vec<String>> = assembled
+        .balance
+        .iter()
+        .enumerate()
+        .map(|(t, b)| {
+            let of = |x: f64| significant(x, 4);
+            let webs = if b.counterweight > 0.0 { format!("{} kg", of(b.counterweight)) } else { "none".into() };
+            vec![format!("{}", t + 1), of(b.steel), of(b.on_pin), of(b.station), webs, of(b.density)]
+        })
+        .collect();
+    let header = ["throw", "steel as drawn/kg m²", "on the pin/kg m²", "station/kg m²", "counterweights", "density factor"];
+    text += &format!("  inertia about the axis is that of the stations:\n{}", table(&header, &throws));
+    text + &modes(study, flexible)
+}
+
+fn modes(study: &Study, flexible: &FlexibleModel) -> String {
+    let Some(all) = flexible.modes() else { return "  its mass matrix is not positive definite\n".into() };
+    let highest = study.speeds_rpm[study.speeds_rpm.len() - 1];
+    let speed = highest * RAD_PER_S_PER_RPM;
+    let share = |x: f64| format!("{:.0} %", 100.0 * x);
+    let row = |m: &FreeMode| {
+        vec![format!("{:.2}", m.omega * HZ_PER_RAD_PER_S), m.kind().into(), share(m.torsion), share(m.bending()), share(m.axial)]
+    };
+    let rows: Vec<Vec<String>> = elastic(flexible).take(MODES).map(row).collect();
+    let mut text =
+        format!("  modes at rest, by share of the kinetic energy:\n{}", table(&["f/Hz", "kind", "torsion", "bending", "axial"], &rows));
+    let Some(found) = at_speed(&flexible.assembled.shaft, all, speed) else { return text };
+    let turning: Vec<Vec<String>> = found
+        .iter()
+        .filter(|s| s.im > RIGID * speed)
+        .take(MODES)
+        .map(|s| {
+            let hz = |w: f64| format!("{:.2}", w * HZ_PER_RAD_PER_S);
+            vec![hz(s.im), format!("{:.4}", -s.re / s.norm()), hz((s.im - speed).abs()), hz(s.im + speed)]
+        })
+        .collect();
+    let header = ["f/Hz", "damping ratio", "backward/Hz", "forward/Hz"];
+    _ = write!(
+        text,
+        "  at {highest} rpm in axes that turn with the crank; its motion across the axis is seen standing still at the frequencies on the right:\n{}",
+        table(&header, &turning)
+    );
+    if let Some(s) = found.iter().find(|s| s.im > RIGID * speed && s.re > GROWS * s.norm()) {
+        _ = writeln!(text, "  warning: the motion at {:.2} Hz grows by itself at {highest} rpm", s.im * HZ_PER_RAD_PER_S);
+    }
+    text
+}

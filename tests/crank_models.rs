@@ -1,0 +1,108 @@
+//! Studies on the chain, on the flexible crank, and those that leave it open.
+
+use crate::support::study;
+use hartog::absorber::{Mounted, Tuned};
+use hartog::analysis::Modelled;
+use hartog::input::{CrankModel, Study};
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use std::path::Path;
+
+/// The six on its flexible crank, its designs alone.
+fn designs_alone() -> Study {
+    let mut study = study("villalva_i6_flexible");
+    (study.optimise, study.front, study.fatigue) = (None, None, None);
+    study.more_objectives.clear();
+    study.conditions.clear();
+    study.duty.clear();
+    study
+}
+
+/// What a run tells of other models is what runs on these find.
+#[test]
+fn other_models_are_runs_of_their_own() {
+    let flexible = designs_alone();
+    let chain = Study { crank_model: CrankModel::Chain, ..flexible.clone() };
+    let (on_flexible, on_chain) = (flexible.run().expect("damped"), chain.run().expect("damped"));
+    assert!(on_chain.crank_models.is_empty(), "the chain asks for nothing");
+    for ((by_model, a), b) in on_flexible.crank_models.iter().zip(&on_flexible.designs).zip(&on_chain.designs) {
+        let close = |model, twist: f64| {
+            let found = by_model.of(model).expect("a twist");
+            assert!((found / twist - 1.0).abs() < 1e-6, "{}: {found} {twist}", by_model.design);
+        };
+        close(Modelled::Flexible, a.twist.as_ref().expect("a peak").value);
+        close(Modelled::Chain, b.twist.as_ref().expect("a peak").value);
+        // stiffer or softer bearings move every peak of this engine by more than rounding
+        assert!(by_model.of(Modelled::BearingsHalved) != by_model.of(Modelled::BearingsDoubled));
+    }
+}
+
+/// The numbers of the guide are those of the study.
+#[test]
+fn table_of_the_guide() {
+    let guide = include_str!("../src/guide/crank_and_fatigue.md");
+    let results = designs_alone().run().expect("damped");
+    for design in ["none", "best_on_the_chain"] {
+        let row = guide.lines().find(|l| l.starts_with(&format!("| {design} |"))).expect("a row");
+        let found = results.crank_models.iter().find(|d| d.design == design).expect("a design");
+        let printed: Vec<&str> = row.trim_matches('|').split('|').skip(1).map(str::trim).collect();
+        let own: Vec<String> = found.twist.iter().map(|t| format!("{:.4}", t.1.to_degrees())).collect();
+        assert_eq!(printed, own, "{design}");
+    }
+}
+
+/// `auto` takes the flexible crank where the chain differs by more than the tolerance, and the chain where it does not; it states the difference either way.
+#[test]
+fn auto_takes_the_chain_within_its_tolerance() {
+    let open = |tolerance| Study { crank_model: CrankModel::Auto, tolerance, ..designs_alone() };
+    let strict = open(1e-3).run().expect("damped");
+    let difference = strict.crank_difference.expect("measured");
+    assert!(strict.system.flexible.is_some() && difference > 1e-3);
+    let lenient = open(difference * 1.01).run().expect("damped");
+    assert!(lenient.system.flexible.is_none());
+    assert_eq!(lenient.crank_difference, Some(difference));
+}
+
+/// Of 100 random engines `auto` hides no more than it states: on every given design the chain and the flexible crank differ by no more than that, and where it takes the chain by no more than the tolerance.
+#[test]
+#[ignore = "some minutes: 100 engines"]
+fn auto_hides_no_more_than_it_states() {
+    let folder = tempfile::tempdir().expect("folder");
+    let engine = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml")).expect("read");
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(51);
+    let mut chains = 0;
+    for case in 0..100 {
+        let stiffness = 10f64.powf(random.random_range(8.0..11.0));
+        let text = engine
+            .replace("stiffness_n_per_m = 1.2e9", &format!("stiffness_n_per_m = {stiffness:e}"))
+            .replace("loss_factor = 0.01", &format!("loss_factor = {}", random.random_range(0.005..0.05)))
+            .replace("1.27e6", &format!("{:e}", 1e6 * random.random_range(1.1..2.0)))
+            .replace("mass_kg = 58", &format!("mass_kg = {}", random.random_range(30.0..90.0)));
+        std::fs::write(folder.path().join("engine.toml"), text).expect("written");
+        std::fs::write(
+            folder.path().join("study.toml"),
+            "engine = \"engine.toml\"\nspeed_rpm = { from = 600, to = 3200, step = 20 }\ncrank = \"auto\"\n[[design]]\nname = \"none\"\n",
+        )
+        .expect("written");
+        let mut open = Study::read(folder.path().join("study.toml")).expect("a study");
+        open.tolerance = 0.1;
+        let absorber = Tuned {
+            ring_inertia: random.random_range(0.01..0.1),
+            stiffness: 10f64.powf(random.random_range(4.0..5.5)),
+            damping: random.random_range(5.0..80.0),
+        };
+        let given = vec![Mounted::on_station(0, absorber)];
+        let spec = hartog::input::DesignSpec { name: "given".into(), absorbers: given };
+        open.designs.push(spec);
+        let stated = open.run().expect("damped").crank_difference.expect("measured");
+        let peaks = |crank_model| {
+            let results = Study { crank_model, ..open.clone() }.run().expect("damped");
+            results.designs.iter().map(|d| d.twist.as_ref().expect("a peak").value).collect::<Vec<f64>>()
+        };
+        for (a, b) in peaks(CrankModel::Chain).into_iter().zip(peaks(CrankModel::Flexible)) {
+            assert!((a - b).abs() / a.max(b) <= stated * (1.0 + 1e-4) + 1e-6, "case {case}: {a} {b}, stated {stated}");
+        }
+        chains += usize::from(stated <= open.tolerance);
+    }
+    assert!(chains > 0, "some engines are within ten per cent");
+}

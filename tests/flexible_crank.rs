@@ -1,0 +1,185 @@
+//! The flexible crank: throws against Castigliano's theorem, inertia against the chain, and the six against a model of its own.
+
+use hartog::absorber::{Absorber, Host, Maxwell, Mounted};
+use hartog::crankshaft::flexible::{BearingNodes, WebFactors, throw_stiffness};
+use hartog::input::{CrankModel, Study};
+use hartog::response::{Direct, Grid, Quantity, Response, Work};
+use hartog::rotor::free_modes::free_modes;
+use hartog::rotor::shaft::Turning;
+use nalgebra::{Complex, DMatrix, DVector};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+#[path = "flexible_crank/independent.rs"]
+mod independent;
+
+fn six() -> Study {
+    Study::read("studies/villalva_i6_flexible.toml").expect("a study")
+}
+
+/// A throw with free ends and no factors on its webs twists by (L_j + W/2)/(G J_j) + (L_p + W/2)/(G J_p) + 2 R/(E I_edge): Castigliano's theorem, half of each half web counting at twice its stiffness.
+#[test]
+fn throw_by_castigliano() {
+    let study = six();
+    let (crank, mut spec) = (study.crank.clone().expect("a crank"), study.flexible.as_ref().expect("flexible").spec.clone());
+    spec.web_factors = WebFactors { bending: 1.0, twist: 1.0, edge: 1.0 };
+    let g = crank.young_modulus / 2.6;
+    let polar = |d: f64| PI * d.powi(4) / 32.0;
+    let half = 0.5 * crank.web_thickness;
+    let edge = crank.web_thickness * crank.web_breadth.powi(3) / 12.0;
+    let flexibility = (crank.journal_lengths[1] + half) / (g * polar(crank.journal_diameter))
+        + (crank.pin_length + half) / (g * polar(crank.pin_diameter))
+        + 2.0 * crank.crank_radius / (crank.young_modulus * edge);
+    for nodes in [BearingNodes::One, BearingNodes::Three] {
+        spec.nodes = nodes;
+        let found = throw_stiffness(&crank, &spec, 1).expect("a stiffness");
+        assert!((found.free * flexibility - 1.0).abs() < 1e-10, "{} {}", found.free, 1.0 / flexibility);
+        assert!(found.free < found.guided && found.guided < found.held, "the more is held, the stiffer: {found:?}");
+    }
+}
+
+/// With the web factors of a throw of solid finite elements, throws of the six have 1.17 MN m/rad with free ends, as the solid one has (1.169, to 0.5 %), and held ones half as much again.
+#[test]
+fn throw_of_the_six() {
+    let study = six();
+    let found =
+        throw_stiffness(study.crank.as_ref().expect("a crank"), &study.flexible.as_ref().expect("flexible").spec, 2).expect("a stiffness");
+    assert!((found.free / 1.169e6 - 1.0).abs() < 5e-3, "{found:?}");
+    assert!((found.held / found.free - 1.55).abs() < 0.02, "{found:?}");
+}
+
+/// The estimate of the web factors is the published fit: 4.40, 8.48, 0.92 for the six, 4.02, 7.16, 1.21 for the V10.
+#[test]
+fn estimated_web_factors() {
+    for (study, wanted) in [("villalva_i6", [4.40, 8.48, 0.92]), ("villalva_v10", [4.02, 7.16, 1.21])] {
+        let study = Study::read(format!("studies/{study}.toml")).expect("a study");
+        let f = WebFactors::estimate(study.crank.as_ref().expect("a crank")).expect("within its range");
+        for (found, wanted) in [f.bending, f.twist, f.edge].into_iter().zip(wanted) {
+            assert!((found - wanted).abs() <= 0.0051, "{found} {wanted}");
+        }
+    }
+}
+
+/// Turning as a whole it has the inertia of the chain, and costs nothing: what centrifugal forces pull, the tension of the webs holds.
+#[test]
+fn whole_rotation() {
+    let study = six();
+    let shaft = &study.flexible.as_ref().expect("flexible").assembled.shaft;
+    let rotation = shaft.rigid_rotation();
+    let inertia = shaft.kinetic(&rotation, &rotation);
+    assert!((inertia / study.chain.total_inertia() - 1.0).abs() < 1e-12, "{inertia}");
+    let turning = shaft.turning_matrix();
+    let r = nalgebra::DVector::from_fn(turning.nrows(), |i, _| rotation[i / 6][i % 6]);
+    assert!((r.transpose() * &turning * &r)[(0, 0)].abs() < 1e-10 * inertia);
+}
+
+/// Journals that can only turn leave a chain: the stiffness between their rotations is tridiagonal with row sums of zero, to rounding. A throw has the stiffness of a held one, but for the motion along the axis that `throw_stiffness` leaves it.
+#[test]
+fn held_journals_make_a_chain() {
+    let study = six();
+    let flexible = study.flexible.as_ref().expect("flexible");
+    let mut shaft = flexible.assembled.shaft.clone();
+    let bearings = &flexible.assembled.bearings;
+    bearings.iter().flatten().for_each(|node| shaft.hold(*node, [true, true, true, true, true, false]));
+    // the last of them is held as a whole: the others' rotations then are stiff
+    let middles: Vec<usize> = bearings.iter().map(|b| b[1]).collect();
+    let (last, free) = (middles[middles.len() - 1], middles.len() - 1);
+    shaft.hold(last, [true; 6]);
+    let at = Turning { omega: 0.0, speed: 0.0 };
+    let flexibility = DMatrix::from_fn(free, free, |i, j| {
+        let force = DVector::from_fn(6 * shaft.len(), |k, _| Complex::new(f64::from(u8::from(k == 6 * middles[j] + 5)), 0.0));
+        shaft.response(at, &force).expect("held")[6 * middles[i] + 5].re
+    });
+    let stiffness = flexibility.try_inverse().expect("a chain");
+    let crank = study.crank.as_ref().expect("a crank");
+    let between =
+        |t: usize| if t + 1 < free { -stiffness[(t, t + 1)] } else { stiffness[(t, t)] - if t > 0 { -stiffness[(t, t - 1)] } else { 0.0 } };
+    for t in 0..free {
+        let held = throw_stiffness(crank, &flexible.spec, t).expect("a stiffness").held;
+        assert!((between(t) / held - 1.0).abs() < 1e-3, "{t}: {} {held}", between(t));
+    }
+    for (i, j) in (0..free).flat_map(|i| (0..free).map(move |j| (i, j))) {
+        let wanted = match i.abs_diff(j) {
+            0 => between(i) + if i > 0 { between(i - 1) } else { 0.0 },
+            1 => -between(i.min(j)),
+            _ => 0.0,
+        };
+        assert!((stiffness[(i, j)] - wanted).abs() < 1e-9 * between(0), "{i} {j}: {} {wanted}", stiffness[(i, j)]);
+    }
+}
+
+/// On its bearings nothing but rotation about the axis is free.
+#[test]
+fn modes_on_bearings() {
+    let modes = free_modes(&six().flexible.expect("flexible").assembled.shaft, 12).expect("modes");
+    assert_eq!(modes.iter().filter(|m| m.omega == 0.0).count(), 1);
+    assert!(modes[0].torsion > 1.0 - 1e-9);
+    assert!(modes.iter().all(|m| (m.torsion + m.axial + m.bending() - 1.0).abs() < 1e-6 || m.bending() == 0.0));
+}
+
+/// None, a tuned ring, a ring in Maxwell's oil.
+fn designs(study: &Study) -> [Vec<Mounted>; 3] {
+    let tuned = study.designs.iter().find(|d| d.name == "tuned_optimal").expect("a design").absorbers.clone();
+    let oil = Maxwell { ring_inertia: 0.076, damping: 150.0, relaxation_time: 1e-3 };
+    let maxwell = vec![Mounted { absorber: Absorber::Ring(Arc::new(oil)), ..tuned[0].clone() }];
+    [Vec::new(), tuned, maxwell]
+}
+
+/// Twists by order of the tables against a dense model of its own: elements from energies, masses as points that turn, rings with unknowns of their own, forces from the cycle.
+fn against_its_own(speeds: &[f64], orders: &[f64]) {
+    let mut study = six();
+    (study.optimise, study.front, study.fatigue) = (None, None, None);
+    study.more_objectives.clear();
+    study.conditions.clear();
+    study.duty.clear();
+    let results = study.run().expect("results");
+    let grid = Grid::new(&study.speeds_rpm, &[]);
+    let direct = Direct::new(&results.system, &grid);
+    let model = independent::Model::new(&study);
+    let twist = Quantity::Twist { from: 0, to: Some(study.chain.len() - 1) };
+    for design in designs(&study) {
+        assert!(design.iter().all(|m| m.on == Host::Station(0)));
+        let (mut worst, mut largest) = (0.0f64, 0.0f64);
+        for speed in speeds {
+            for order in orders {
+                let index = results.system.excitation.orders.iter().position(|o| o.value() == *order).expect("an order");
+                let found = direct.phasor(&design, twist, (index, *speed), &mut Work::default()).expect("damped");
+                let wanted = model.twist(&design, *order, *speed);
+                worst = worst.max((found - wanted).norm());
+                largest = largest.max(wanted.norm());
+            }
+        }
+        assert!(worst < 1e-6 * largest, "{worst:e} of {largest:e}");
+    }
+    // every node, the journals in their bearings among them
+    let crank = results.system.flexible.as_ref().expect("flexible");
+    for (speed, order) in speeds.iter().zip(orders) {
+        let index = results.system.excitation.orders.iter().position(|o| o.value() == *order).expect("an order");
+        let found = crank.motion(&results.system.excitation, (index, *speed), &[]).expect("damped");
+        let wanted = model.motion(&[], *order, *speed);
+        for bearing in study.flexible.iter().flat_map(|f| f.assembled.bearings.iter().flatten()) {
+            let (a, b) = (found.rows(6 * bearing, 2), wanted.rows(6 * bearing, 2));
+            assert!((a - b).norm() < 1e-6 * b.norm(), "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn six_against_a_model_of_its_own() {
+    against_its_own(&[2203.7], &[6.0]);
+}
+
+#[test]
+#[ignore = "three minutes: twelve speeds, four orders"]
+fn six_against_a_model_of_its_own_over_speed() {
+    let speeds: Vec<f64> = (0..12).map(|i| 605.3 + 235.0 * f64::from(i)).collect();
+    against_its_own(&speeds, &[0.5, 3.0, 4.5, 6.0]);
+}
+
+/// Whatever the flexible crank of an engine, a study that does not ask for it computes with the chain.
+#[test]
+fn chain_unless_asked() {
+    let study = Study::read("studies/villalva_i6.toml").expect("a study");
+    assert!(study.flexible.is_some());
+    assert_eq!(study.crank_model, CrankModel::Chain);
+}

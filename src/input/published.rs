@@ -16,6 +16,23 @@ pub struct PublishedFrequency {
     pub frequency_hz: f64,
 }
 
+/// A natural frequency of the crank by itself, free at both ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedMode {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Who computed or measured it.
+    pub source: String,
+    /// With hub and flywheel; otherwise the bare crank.
+    pub attached: bool,
+    /// Elastic mode, from 1.
+    pub mode: usize,
+    /// What kind it is said to be; empty where nothing is.
+    pub kind: String,
+    /// Hz.
+    pub frequency_hz: f64,
+}
+
 /// An absorber with the natural frequencies of chain and absorber; `None`: not printed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedAbsorber {
@@ -181,6 +198,8 @@ pub struct Published {
     pub engine: String,
     /// Natural frequencies of the chain.
     pub frequencies: Vec<PublishedFrequency>,
+    /// Natural frequencies of the crank by itself.
+    pub modes: Vec<PublishedMode>,
     /// Absorbers.
     pub absorbers: Vec<PublishedAbsorber>,
     /// Amplitudes.

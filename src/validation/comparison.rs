@@ -3,7 +3,7 @@
 use super::amplitudes::{self, AmplitudeRow};
 use super::entry::Entry;
 use super::verdict::{self, Verdict};
-use super::{absorbers, chain, fatigue, frequencies, multiaxial, notches, predicted, text_values};
+use super::{absorbers, chain, fatigue, frequencies, modes, multiaxial, notches, predicted, text_values};
 use crate::analysis::{Calibration, Results, RunError};
 use crate::input::{Published, Study};
 
@@ -26,6 +26,7 @@ pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibr
     let conventions = absorbers::conventions(study, published);
     let mut entries = text_values::inputs(study, published);
     entries.extend(frequencies::entries(study, published));
+    entries.extend(modes::entries(study, published));
     entries.extend(absorbers::entries(study, published, &conventions));
     let amplitudes = amplitudes::rows(study, published, calibration, &results.system)?;
     entries.extend(amplitudes::entries(study, published, &conventions, &amplitudes));

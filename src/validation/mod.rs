@@ -9,6 +9,7 @@ pub mod entry;
 mod fatigue;
 pub mod fixed_points;
 mod frequencies;
+mod modes;
 mod multiaxial;
 mod notches;
 mod predicted;

@@ -7,7 +7,7 @@ use crate::input::Study;
 use crate::numerics::elementary::Elementary;
 use crate::units::DEG_PER_RAD;
 
-const PLACE: Axis = Axis { column: "place_mm", label: "place along the crank / mm" };
+pub(super) const PLACE: Axis = Axis { column: "place_mm", label: "place along the crank / mm" };
 /// mm in a m.
 const MM: f64 = 1e3;
 

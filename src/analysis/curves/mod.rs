@@ -3,6 +3,7 @@
 mod absorber_chart;
 mod balance;
 mod crank_loads;
+mod crank_modes;
 mod cylinder;
 mod figure;
 mod journals;
@@ -67,6 +68,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     if study.modes.elastic().next().is_some() {
         figures.push(modes::campbell(&study, &system));
     }
+    figures.extend(crank_modes::crank_modes(&study));
     figures.extend([modes::modes(&study), modes::phase_vectors(&study, &system), responses::spectrum(&study, &system)]);
     let of_study = |error| RunError { what: "a design".into(), error };
     let mut shafts = Vec::new();

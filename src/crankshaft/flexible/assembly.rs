@@ -187,11 +187,22 @@ fn build(
     Built { row, stations, bends, throws: nodes, bearings, middles }
 }
 
+/// What is on a crank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Carried {
+    /// Rods, hub, flywheel and bearings: as it runs.
+    All,
+    /// Hub and flywheel, nothing else: free at both ends.
+    Ends,
+    /// Nothing.
+    Nothing,
+}
+
 /// Puts a crank together on the stations of a chain.
 ///
 /// # Errors
 /// In words, where chain and crank do not fit together.
-pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &FlexibleSpec) -> Result<Assembled, String> {
+pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &FlexibleSpec, carried: Carried) -> Result<Assembled, String> {
     let Source::Cylinder { geometry, .. } = &engine.source else {
         return Err("the torque comes from a table: a flexible crank wants the forces of a cylinder pressure".to_owned());
     };
@@ -215,14 +226,15 @@ pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &Fle
         balance.push(Balance { steel, on_pin, station, counterweight: 0.0, density });
     }
     let densities: Vec<f64> = balance.iter().map(|b| b.density).collect();
-    let mut built = build((crank, chain), spec, &throws, (&angles, per_rod), &densities);
+    let on_rods = if carried == Carried::All { per_rod } else { 0.0 };
+    let mut built = build((crank, chain), spec, &throws, (&angles, on_rods), &densities);
     let directions: Vec<_> = angles.iter().enumerate().map(|(t, angle)| Turned { throw: t, angle: *angle }.directions()).collect();
     let mut polars = Vec::new();
     for (t, balance) in balance.iter_mut().enumerate() {
         let lacks = (balance.station - balance.steel - on_pin).max(0.0);
         let [outwards, tangential] = directions[t];
         let nodes = built.middles[t]..built.middles[t + 1];
-        let needed = moment(&built.row, nodes, tangential) - per_rod * crank.rods as f64 * crank.crank_radius - crank.unbalance;
+        let needed = moment(&built.row, nodes, tangential) - on_rods * crank.rods as f64 * crank.crank_radius - crank.unbalance;
         let centre = lacks / (SECTOR * needed);
         let webs = built.throws[t].webs;
         if needed > 0.0 && centre >= NEAREST * crank.crank_radius {
@@ -235,13 +247,13 @@ pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &Fle
             polars.extend(webs.map(|node| (node, 0.5 * lacks)));
         }
     }
-    finished((crank, chain), spec, (built, polars), throws, (directions, balance))
+    finished((crank, chain), (spec, carried), (built, polars), throws, (directions, balance))
 }
 
 /// Hub and flywheel, bearings, ties to the ground, and what only turns.
 fn finished(
     (crank, chain): (&Crank, &Chain),
-    spec: &FlexibleSpec,
+    (spec, carried): (&FlexibleSpec, Carried),
     (mut built, polars): (Built, Vec<(usize, f64)>),
     throws: Range<usize>,
     (directions, balance): (Vec<[Vector3<f64>; 2]>, Vec<Balance>),
@@ -256,6 +268,9 @@ fn finished(
         let (own, inertia) = (polar(&built.row, nodes), chain.stations[station].inertia);
         if own >= inertia {
             return Err(format!("the shaft to {} has {own:.4} kg m² by itself, its station {inertia:.4}", chain.stations[station].name));
+        }
+        if carried == Carried::Nothing {
+            continue;
         }
         let tensor = Matrix3::from_diagonal(&Vector3::new(end.diametral_inertia, end.diametral_inertia, inertia - own));
         built.row.put(built.stations[station], Body { mass: end.mass, arm: Vector3::zeros(), tensor });
@@ -280,10 +295,13 @@ fn finished(
     }
     let present: Vec<usize> = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b)).collect();
     let share = spec.nodes.count() as f64;
-    for bearing in &present {
+    for bearing in present.iter().filter(|_| carried == Carried::All) {
         built.bearings[*bearing].iter().for_each(|node| shaft.bear(*node, (spec.bearing.stiffness / share, spec.bearing.damping / share)));
     }
-    shaft.tie(built.middles[spec.thrust_at], &Six::new(0.0, 0.0, 1.0, 0.0, 0.0, 0.0), (spec.thrust.stiffness, spec.thrust.damping));
+    if carried == Carried::All {
+        let along = Six::new(0.0, 0.0, 1.0, 0.0, 0.0, 0.0);
+        shaft.tie(built.middles[spec.thrust_at], &along, (spec.thrust.stiffness, spec.thrust.damping));
+    }
     if !spec.rotating {
         shaft.without_rotation();
     }

@@ -14,8 +14,8 @@ mod stiffness;
 mod throw;
 mod web_factors;
 
-pub(crate) use assembly::assemble;
 pub use assembly::{Assembled, Balance};
+pub(crate) use assembly::{Carried, assemble};
 pub use spec::{Bearing, BearingNodes, End, FlexibleSpec};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;

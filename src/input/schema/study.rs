@@ -263,6 +263,9 @@ pub(crate) struct RawPublished {
     /// Natural frequencies of the chain.
     #[schemars(extend("examples" = ["published/natural_frequencies.csv"]))]
     pub frequencies: Option<At<String>>,
+    /// Natural frequencies of the crank by itself in bending, torsion and axial motion, for an engine with [crank.flexible].
+    #[schemars(extend("examples" = ["published/modes.csv"]))]
+    pub modes: Option<At<String>>,
     /// Absorbers of the designs.
     #[schemars(extend("examples" = ["published/absorbers.csv"]))]
     pub absorbers: Option<At<String>>,

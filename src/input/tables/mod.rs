@@ -24,7 +24,7 @@ pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;
 pub(crate) use measured_law::measured_law;
 pub use multiaxial::{histories, multiaxial};
-pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
+pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, modes, stresses};
 pub(crate) use rounds::published_rounds;
 pub(crate) use superposed::Superposed;
 pub(crate) use table::Table;

@@ -6,7 +6,8 @@ use crate::engine::Order;
 use crate::fatigue::Cycle;
 use crate::input::error::InputError;
 use crate::input::published::{
-    PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
+    PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedMode, PublishedQuantity,
+    PublishedStress,
 };
 use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
@@ -45,6 +46,16 @@ impl<'a> Rows<'a> {
         if x > 0.0 { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a number above zero"))) }
     }
 
+    /// Number of a mode, from 1.
+    fn mode(&self, line: u64, column: usize, cell: &str) -> Result<usize, InputError> {
+        let number = self.table.filled(line, column, cell)?;
+        if number.fract() == 0.0 && (1.0..=1e6).contains(&number) {
+            Ok(number as usize)
+        } else {
+            Err(self.table.at(line, column, format!("found {number}, expected a number of a mode from 1")))
+        }
+    }
+
     fn factor(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
         let x = self.table.filled(line, column, cell)?;
         let sound = (1.0..=20.0).contains(&x);
@@ -70,17 +81,50 @@ pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>,
     rows.only(&["table", "engine", "source", "torsional_mode", "frequency_hz"])?;
     let mut list: Vec<PublishedFrequency> = Vec::new();
     for (line, cells) in &rows.of_engine {
-        let number = table.filled(*line, mode, &cells[mode])?;
-        if !(number.fract() == 0.0 && (1.0..=1e6).contains(&number)) {
-            return Err(table.at(*line, mode, format!("found {number}, expected a number of a mode from 1")));
-        }
         let row = PublishedFrequency {
             table: rows.source(*line, cells)?,
             source: source.map_or_else(|| Ok(String::new()), |s| table.words(*line, s, &cells[s]))?,
-            mode: number as usize,
+            mode: rows.mode(*line, mode, &cells[mode])?,
             frequency_hz: rows.positive(*line, hz, &cells[hz])?,
         };
         if list.iter().any(|r| (&r.table, &r.source, r.mode) == (&row.table, &row.source, row.mode)) {
+            return Err(table.at(*line, mode, format!("found mode {} of this table and source a second time", row.mode)));
+        }
+        list.push(row);
+    }
+    Ok(list)
+}
+
+/// `mode, frequency_hz`, and optionally `source`, `state` (`attached` or `bare`) and `kind`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn modes(path: &Path, engine: &str) -> Result<Vec<PublishedMode>, InputError> {
+    let table = Table::read(path, &["mode", "frequency_hz"])?;
+    let rows = Rows::new(&table, engine)?;
+    let (mode, hz) = (table.column("mode")?, table.column("frequency_hz")?);
+    rows.only(&["table", "engine", "source", "state", "mode", "kind", "frequency_hz"])?;
+    let mut list: Vec<PublishedMode> = Vec::new();
+    for (line, cells) in &rows.of_engine {
+        let words = |column: &str| table.optional(column).map_or_else(|| Ok(String::new()), |c| table.words(*line, c, &cells[c]));
+        let attached = match words("state")?.as_str() {
+            "attached" | "" => true,
+            "bare" => false,
+            other => {
+                let column = table.column("state")?;
+                return Err(table.at(*line, column, format!("found `{other}`, expected `attached` (with hub and flywheel) or `bare`")));
+            }
+        };
+        let row = PublishedMode {
+            table: rows.source(*line, cells)?,
+            source: words("source")?,
+            attached,
+            mode: rows.mode(*line, mode, &cells[mode])?,
+            kind: words("kind")?,
+            frequency_hz: rows.positive(*line, hz, &cells[hz])?,
+        };
+        let same = |r: &PublishedMode| (&r.table, &r.source, r.attached, r.mode) == (&row.table, &row.source, row.attached, row.mode);
+        if list.iter().any(same) {
             return Err(table.at(*line, mode, format!("found mode {} of this table and source a second time", row.mode)));
         }
         list.push(row);

@@ -6,7 +6,7 @@ use super::derived_chain;
 use super::flexible_model::FlexibleModel;
 use crate::absorber::mounted::station_of;
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Bearing, BearingNodes, End, FlexibleSpec, WebFactors, assemble};
+use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
 use crate::drivetrain::flexible::Asked;
 use crate::drivetrain::{Chain, System};
 use crate::engine::{Engine, Excitation};
@@ -113,7 +113,7 @@ fn resolve(check: &mut Check, raw: &RawEngine, (crank, engine, chain): (Option<&
     if check.mistakes.len() > before {
         return None;
     }
-    match assemble(crank, engine, chain, &spec) {
+    match assemble(crank, engine, chain, &spec, Carried::All) {
         Ok(assembled) => Some(FlexibleModel::new(spec, assembled)),
         Err(why) => {
             check.wrong(own, format!("found a crank that does not fit its chain, expected one that does: {why}"));

@@ -1,7 +1,7 @@
 //! The flexible crank of a study: its modes and tables, found once.
 
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Assembled, FlexibleSpec, assemble};
+use crate::crankshaft::flexible::{Assembled, Carried, FlexibleSpec, assemble};
 use crate::drivetrain::flexible::{Asked, OnStations};
 use crate::drivetrain::modes::Flexible;
 use crate::drivetrain::{Chain, FlexibleCrank, Modes};
@@ -41,8 +41,16 @@ impl FlexibleModel {
     pub(crate) fn with_bearings(&self, factor: f64, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Result<Self, String> {
         let mut spec = self.spec.clone();
         spec.bearing.stiffness *= factor;
-        let assembled = assemble(crank, engine, chain, &spec)?;
+        let assembled = assemble(crank, engine, chain, &spec, Carried::All)?;
         Ok(Self::new(spec, assembled))
+    }
+
+    /// Elastic modes of the crank free at both ends, with hub and flywheel or bare, the lowest first; `None` as of [`Self::modes`].
+    pub fn free_modes(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), attached: bool) -> Option<Vec<FreeMode>> {
+        let carried = if attached { Carried::Ends } else { Carried::Nothing };
+        let free = assemble(crank, engine, chain, &self.spec, carried).ok()?;
+        let modes = free_modes(&free.shaft, MODES)?;
+        Some(modes.into_iter().filter(|m| m.omega > 0.0).collect())
     }
 
     /// Modes at rest on its bearings; `None` where the mass matrix is not positive definite.

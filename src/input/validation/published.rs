@@ -18,6 +18,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     check.name(&raw.engine);
     let mut published = Published {
         frequencies: Vec::new(),
+        modes: Vec::new(),
         absorbers: Vec::new(),
         amplitudes: Vec::new(),
         quantities: Vec::new(),
@@ -33,6 +34,9 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     let e = &published.engine;
     if let Some(file) = &raw.frequencies {
         published.frequencies = table(check, file, folder, |p| tables::frequencies(p, e)).unwrap_or_default();
+    }
+    if let Some(file) = &raw.modes {
+        published.modes = table(check, file, folder, |p| tables::modes(p, e)).unwrap_or_default();
     }
     if let Some(file) = &raw.absorbers {
         published.absorbers = table(check, file, folder, |p| tables::absorbers(p, e, reach.designs)).unwrap_or_default();
@@ -75,6 +79,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     }
     let tables = [
         &raw.frequencies,
+        &raw.modes,
         &raw.absorbers,
         &raw.amplitudes,
         &raw.engines,
@@ -85,7 +90,8 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         &raw.histories,
     ];
     if tables.iter().all(|f| f.is_none()) {
-        let names = "`frequencies`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
+        let names =
+            "`frequencies`, `modes`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published

@@ -4,6 +4,7 @@ use crate::support::study;
 use hartog::absorber::{Mounted, Tuned};
 use hartog::analysis::Modelled;
 use hartog::input::{CrankModel, Study};
+use hartog::objective::Condition;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::path::Path;
@@ -61,6 +62,17 @@ fn auto_takes_the_chain_within_its_tolerance() {
     let lenient = open(difference * 1.01).run().expect("damped");
     assert!(lenient.system.flexible.is_none());
     assert_eq!(lenient.crank_difference, Some(difference));
+}
+
+/// What `auto` has looked at before does not change what a run finds: with a misfire, too, it is that of the flexible crank.
+#[test]
+fn auto_finds_what_the_flexible_crank_finds() {
+    let with_misfire = |crank_model| Study { crank_model, conditions: vec![Condition::Misfire], ..designs_alone() };
+    let conditions = |model| {
+        let results = with_misfire(model).run().expect("damped");
+        results.designs.iter().map(|d| format!("{:?}", d.conditions)).collect::<Vec<String>>()
+    };
+    assert_eq!(conditions(CrankModel::Auto), conditions(CrankModel::Flexible));
 }
 
 /// Of 100 random engines `auto` hides no more than it states: on every given design the chain and the flexible crank differ by no more than that, and where it takes the chain by no more than the tolerance.

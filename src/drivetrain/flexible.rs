@@ -49,6 +49,7 @@ pub struct FlexibleCrank {
     /// Place of the loads of the first throw alone among all, where there are such.
     alone: Option<usize>,
     orders: Vec<Order>,
+    speeds_rpm: (f64, f64),
 }
 
 /// An order at a speed.
@@ -92,7 +93,14 @@ impl FlexibleCrank {
         let values = asked.orders.iter().map(|o| o.value()).collect();
         let transfer = Transfer::new(crank.shaft.clone(), values, asked.orders.iter().map(loads).collect(), answers, range);
         let alone = asked.unlike.then_some(2 + asked.hosts.len());
-        Self { crank, transfer, hosts: asked.hosts, alone, orders: asked.orders }
+        Self { crank, transfer, hosts: asked.hosts, alone, orders: asked.orders, speeds_rpm: asked.speeds_rpm }
+    }
+
+    /// Whether the tables hold what is asked for.
+    pub(crate) fn hold(&self, asked: &Asked) -> bool {
+        let speeds = self.speeds_rpm.0 <= asked.speeds_rpm.0 && asked.speeds_rpm.1 <= self.speeds_rpm.1;
+        let hosts = asked.hosts.iter().all(|s| self.hosts.contains(s));
+        self.orders == asked.orders && speeds && hosts && (self.alone.is_some() || !asked.unlike)
     }
 
     /// Motion of all nodes at an order of the excitation and a speed, under the forces of an engine and torques on stations; solved for itself.

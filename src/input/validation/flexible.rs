@@ -44,7 +44,7 @@ impl Study {
         let Some((flexible, crank)) = self.on_flexible().zip(self.crank.as_ref()) else {
             return System::with_modes(chain, modes, excitation);
         };
-        let tables = flexible.tables((crank, &self.engine, &chain), || self.asked_of_tables(&excitation));
+        let tables = flexible.tables((crank, &self.engine, &chain), self.asked_of_tables(&excitation));
         let own = flexible.modes_of_stations(&chain).unwrap_or_else(|| modes.clone());
         System::with_modes(chain, modes, excitation).on_flexible(tables, own)
     }

@@ -9,7 +9,7 @@ use crate::engine::Engine;
 use crate::rotor::free_modes::{FreeMode, free_modes};
 use crate::rotor::shaft::{Dissipation, Six};
 use nalgebra::{DMatrix, DVector};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Modes that are kept.
 const MODES: usize = 32;
@@ -25,8 +25,8 @@ pub struct FlexibleModel {
     modes: Arc<OnceLock<Option<Vec<FreeMode>>>>,
     /// The same as motions of the stations about the axis.
     on_chain: Arc<OnceLock<Option<Modes>>>,
-    /// Tables for the orders, speeds and stations of the study, once.
-    tables: Arc<OnceLock<Arc<FlexibleCrank>>>,
+    /// The last tables: those of a study are asked for many times.
+    tables: Arc<Mutex<Option<Arc<FlexibleCrank>>>>,
 }
 
 impl FlexibleModel {
@@ -94,10 +94,16 @@ impl FlexibleModel {
         }
     }
 
-    /// Tables for what is asked for, solved once.
-    pub(super) fn tables(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), asked: impl FnOnce() -> Asked) -> Arc<FlexibleCrank> {
-        let solved = || Arc::new(FlexibleCrank::new(self.on_stations(chain, crank.crank_radius), engine, asked()));
-        self.tables.get_or_init(solved).clone()
+    /// Tables for what is asked for: the last ones where they hold that.
+    pub(super) fn tables(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), asked: Asked) -> Arc<FlexibleCrank> {
+        let last = || self.tables.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = last().as_ref().filter(|tables| tables.hold(&asked)).cloned();
+        known.unwrap_or_else(|| {
+            // solved in parallel: nothing is locked meanwhile
+            let solved = Arc::new(FlexibleCrank::new(self.on_stations(chain, crank.crank_radius), engine, asked));
+            *last() = Some(solved.clone());
+            solved
+        })
     }
 
     /// Modes at rest as motions of the stations of a chain about the axis; `None` as of [`Self::modes`].

@@ -2,7 +2,7 @@
 
 use super::named::table;
 use crate::fatigue::multiaxial::Limits;
-use crate::input::error::{At, Check};
+use crate::input::error::{At, Check, InputError};
 use crate::input::published::{Published, Tolerances};
 use crate::input::schema::study::{RawPublished, RawTolerances};
 use crate::input::tables::{self, Reach};
@@ -32,33 +32,19 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         engine,
     };
     let e = &published.engine;
-    if let Some(file) = &raw.frequencies {
-        published.frequencies = table(check, file, folder, |p| tables::frequencies(p, e)).unwrap_or_default();
-    }
-    if let Some(file) = &raw.modes {
-        published.modes = table(check, file, folder, |p| tables::modes(p, e)).unwrap_or_default();
-    }
-    if let Some(file) = &raw.absorbers {
-        published.absorbers = table(check, file, folder, |p| tables::absorbers(p, e, reach.designs)).unwrap_or_default();
-    }
-    if let Some(file) = &raw.amplitudes {
-        published.amplitudes = table(check, file, folder, |p| tables::amplitudes(p, e, reach)).unwrap_or_default();
-    }
-    if let Some(file) = &raw.engines {
-        published.quantities = table(check, file, folder, |p| tables::engines(p, e)).unwrap_or_default();
-    }
+    published.frequencies = rows(check, &raw.frequencies, folder, |p| tables::frequencies(p, e));
+    published.modes = rows(check, &raw.modes, folder, |p| tables::modes(p, e));
+    published.absorbers = rows(check, &raw.absorbers, folder, |p| tables::absorbers(p, e, reach.designs));
+    published.amplitudes = rows(check, &raw.amplitudes, folder, |p| tables::amplitudes(p, e, reach));
+    published.quantities = rows(check, &raw.engines, folder, |p| tables::engines(p, e));
     if let Some(file) = &raw.fatigue {
         published.fatigue = table(check, file, folder, |p| tables::fatigue(p, e, reach.designs)).unwrap_or_default();
         if !published.quantities.iter().any(|q| q.name == "tensile_strength" && q.value.as_ref().is_ok_and(|v| *v > 0.0)) {
             check.wrong(file, "found safety factors without a strength, expected `tensile_strength` (MPa) in the table `engines`");
         }
     }
-    if let Some(file) = &raw.stresses {
-        published.stresses = table(check, file, folder, |p| tables::stresses(p, e)).unwrap_or_default();
-    }
-    if let Some(file) = &raw.factors {
-        published.factors = table(check, file, folder, |p| tables::factors(p, e)).unwrap_or_default();
-    }
+    published.stresses = rows(check, &raw.stresses, folder, |p| tables::stresses(p, e));
+    published.factors = rows(check, &raw.factors, folder, |p| tables::factors(p, e));
     if let Some(file) = &raw.multiaxial {
         published.multiaxial = table(check, file, folder, tables::multiaxial).unwrap_or_default();
         if limits.is_none() {
@@ -95,6 +81,11 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published
+}
+
+/// Rows of a table; none where there is no such table.
+fn rows<T>(check: &mut Check, file: &Option<At<String>>, folder: &Path, read: impl Fn(&Path) -> Result<Vec<T>, InputError>) -> Vec<T> {
+    file.as_ref().and_then(|file| table(check, file, folder, read)).unwrap_or_default()
 }
 
 fn tolerances(check: &mut Check, raw: &RawTolerances) -> Tolerances {

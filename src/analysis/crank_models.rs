@@ -67,13 +67,16 @@ impl ByModel {
     }
 }
 
+/// A largest twist, rad, and its speed, rpm.
+type Twist = (f64, f64);
+
 /// The twist that a study reports, by synthesis.
 fn twist(study: &Study) -> Measure {
     Measure { quantities: vec![study.twist], over: Over::Synthesis, within: Within::default() }
 }
 
 /// The largest twist of designs by a model; nothing where the study has no flexible crank.
-fn by(study: &Study, model: Modelled, designs: &[(&str, &[Mounted])]) -> Result<Option<Vec<(f64, f64)>>, (String, ResponseError)> {
+fn by(study: &Study, model: Modelled, designs: &[(&str, &[Mounted])]) -> Result<Option<Vec<Twist>>, (String, ResponseError)> {
     let Some(mut study) = model.on(study) else { return Ok(None) };
     // tables of cylinders that all fire
     study.conditions.clear();

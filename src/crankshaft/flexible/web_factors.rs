@@ -33,6 +33,8 @@ fn ratios(crank: &Crank) -> [Ratio; 4] {
 }
 
 impl WebFactors {
+    // 0.318 is a coefficient of the fit, not 1/pi
+    #[allow(clippy::approx_constant)]
     /// By dimensions, or why not. Fitted to the flexibility of 48 throws of solid finite elements (coarse meshes, no fillets): 10 % (root of the mean square), 31 % at most. It misses the
     /// coupling of tangential motion and rotation by 15 %, the motion of the pin under torque by 45 %.
     ///

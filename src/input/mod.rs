@@ -138,7 +138,7 @@ fn mass_elastic(
 
 fn checked(path: &Path, source: &Source) -> Result<Study, InputError> {
     let (study, remarks) = files::remarked(|| resolved(path, source));
-    study.map(|study| Study { remarks, ..study })
+    study.map(|study| Study { remarks: study.remarks_on_crank().into_iter().chain(remarks).collect(), ..study })
 }
 
 fn resolved(path: &Path, source: &Source) -> Result<Study, InputError> {

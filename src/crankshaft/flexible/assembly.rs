@@ -34,6 +34,8 @@ pub struct Balance {
     pub counterweight: f64,
     /// Factor on the density of its steel.
     pub density: f64,
+    /// Moment of counterweights that its station leaves no inertia for, kg m; zero where they are there.
+    pub left_out: f64,
 }
 
 /// A crank put together.
@@ -223,7 +225,7 @@ pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &Fle
                 t + 1
             ));
         }
-        balance.push(Balance { steel, on_pin, station, counterweight: 0.0, density });
+        balance.push(Balance { steel, on_pin, station, counterweight: 0.0, density, left_out: 0.0 });
     }
     let densities: Vec<f64> = balance.iter().map(|b| b.density).collect();
     let on_rods = if carried == Carried::All { per_rod } else { 0.0 };
@@ -244,6 +246,7 @@ pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &Fle
             let tensor = plate(-outwards, (spread, spread), mass * crank.web_thickness.powi(2) / 12.0);
             webs.into_iter().for_each(|node| built.row.put(node, Body { mass, arm: -outwards * centre, tensor }));
         } else {
+            balance.left_out = needed.max(0.0);
             polars.extend(webs.map(|node| (node, 0.5 * lacks)));
         }
     }

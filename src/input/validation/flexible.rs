@@ -6,7 +6,7 @@ use super::derived_chain;
 use super::flexible_model::FlexibleModel;
 use crate::absorber::mounted::station_of;
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
+use crate::crankshaft::flexible::{Balance, Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
 use crate::drivetrain::flexible::Asked;
 use crate::drivetrain::{Chain, System};
 use crate::engine::{Engine, Excitation};
@@ -26,6 +26,28 @@ impl Study {
     /// The flexible crank, where responses are computed with it.
     pub(crate) fn on_flexible(&self) -> Option<&FlexibleModel> {
         self.flexible.as_ref().filter(|_| self.crank_model == CrankModel::Flexible)
+    }
+
+    /// What a user is to know of its flexible crank, where responses are computed with it: sentences.
+    pub(crate) fn remarks_on_crank(&self) -> Vec<String> {
+        let Some(flexible) = self.on_flexible() else { return Vec::new() };
+        let throws = |is: &dyn Fn(&Balance) -> bool| {
+            let all = flexible.assembled.balance.iter().enumerate().filter(|(_, b)| is(b)).map(|(t, _)| (t + 1).to_string());
+            all.collect::<Vec<_>>().join(", ")
+        };
+        let (bare, thin) = (throws(&|b| b.left_out > 0.0), throws(&|b| b.density < 1.0));
+        let mut all = Vec::new();
+        if !bare.is_empty() {
+            all.push(format!(
+                "the flexible crank has no counterweights on throws {bare}: their stations leave no inertia for them, and `counterweight_kg_m` does not count there"
+            ));
+        }
+        if !thin.is_empty() {
+            all.push(format!(
+                "webs and pins of throws {thin} are heavier as drawn than their stations: their steel counts less dense (`check --verbose`)"
+            ));
+        }
+        all
     }
 
     /// The torque of its engine, with the radial forces on its pins where the crank is flexible.

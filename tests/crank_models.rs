@@ -52,6 +52,37 @@ fn table_of_the_guide() {
     }
 }
 
+/// And what searches find: the row of the optimum, and what each optimum costs on the other model, of the six and of the V10.
+#[test]
+#[ignore = "two searches: half a minute"]
+fn optima_of_the_guide() {
+    let guide = include_str!("../src/guide/crank_and_fatigue.md").split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut found = Vec::new();
+    for name in ["villalva_i6_flexible", "villalva_v10_flexible"] {
+        let mut study = study(name);
+        (study.fatigue, study.front) = (None, None);
+        study.more_objectives.clear();
+        study.conditions.clear();
+        let results = study.run().expect("damped");
+        let of = |design: &str, model| results.crank_models.iter().find(|d| d.design == design).and_then(|d| d.of(model)).expect("a twist");
+        let worse = |model, a, b| format!("{:.1}", 100.0 * (of(a, model) / of(b, model) - 1.0));
+        found.push((
+            worse(Modelled::Flexible, "best_on_the_chain", "optimum_tuned"),
+            worse(Modelled::Chain, "optimum_tuned", "best_on_the_chain"),
+        ));
+        if name == "villalva_i6_flexible" {
+            let row: Vec<String> = Modelled::ALL.iter().map(|m| format!("{:.4}", of("optimum_tuned", *m).to_degrees())).collect();
+            assert!(guide.contains(&format!("| optimum_tuned | {} |", row.join(" | "))), "{row:?}");
+        }
+    }
+    let [(six, six_back), (ten, ten_back)] = &found[..] else { unreachable!("two studies") };
+    assert!(
+        guide.contains(&format!("is thus {six} % worse on the flexible crank than the one found there, and that one {six_back} %")),
+        "{found:?}"
+    );
+    assert!(guide.contains(&format!("of the V10 it is {ten} and {ten_back} %")), "{found:?}");
+}
+
 /// `auto` takes the flexible crank where the chain differs by more than the tolerance, and the chain where it does not; it states the difference either way.
 #[test]
 fn auto_takes_the_chain_within_its_tolerance() {

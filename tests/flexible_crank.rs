@@ -38,7 +38,7 @@ fn throw_by_castigliano() {
     }
 }
 
-/// With the web factors of a throw of solid finite elements, throws of the six have 1.17 MN m/rad with free ends, as the solid one has (1.169, to 0.5 %), and held ones half as much again.
+/// With the web factors that were fitted to a throw of solid finite elements the throw has its stiffness again (1.169 MN m/rad with free ends, to 0.5 %): calibrated, not predicted. Held ends make it half as stiff again.
 #[test]
 fn throw_of_the_six() {
     let study = six();
@@ -111,10 +111,17 @@ fn held_journals_make_a_chain() {
 /// On its bearings nothing but rotation about the axis is free.
 #[test]
 fn modes_on_bearings() {
-    let modes = free_modes(&six().flexible.expect("flexible").assembled.shaft, 12).expect("modes");
+    let study = six();
+    let modes = free_modes(&study.flexible.as_ref().expect("flexible").assembled.shaft, 12).expect("modes");
     assert_eq!(modes.iter().filter(|m| m.omega == 0.0).count(), 1);
     assert!(modes[0].torsion > 1.0 - 1e-9);
-    assert!(modes.iter().all(|m| (m.torsion + m.axial + m.bending() - 1.0).abs() < 1e-6 || m.bending() == 0.0));
+    let shaft = &study.flexible.as_ref().expect("flexible").assembled.shaft;
+    for (i, a) in modes.iter().enumerate() {
+        for (j, b) in modes.iter().enumerate() {
+            let wanted = f64::from(u8::from(i == j));
+            assert!((shaft.kinetic(&a.shape, &b.shape) - wanted).abs() < 1e-8, "{i} {j}: orthogonal, of unit modal mass");
+        }
+    }
 }
 
 /// The cranks by themselves against the finite elements and the measurement of the thesis (Tables 4.2, 4.5 and 4.6). Webs, counterweights and lengths are assumed, so that 25 % is close; the first modes of the six come in the

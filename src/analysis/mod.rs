@@ -9,6 +9,7 @@ mod catalogue;
 mod catalogue_retuning;
 pub mod classification;
 pub mod conditions;
+pub(crate) mod crank_at_speed;
 pub mod crank_diagram;
 pub mod crank_models;
 pub mod curves;

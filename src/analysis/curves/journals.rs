@@ -37,6 +37,12 @@ fn mean(study: &Study, flexible: &FlexibleModel, speed_rpm: f64) -> Option<Resul
     for (i, own) in shaft.unbalance().iter().enumerate() {
         (0..6).for_each(|k| force[6 * i + k] += own[k] * speed * speed);
     }
+    // counterweights that the stations leave no inertia for pull all the same
+    for ((balance, webs), [outwards, _]) in assembled.balance.iter().zip(&assembled.webs).zip(&assembled.directions) {
+        for node in webs {
+            (0..3).for_each(|k| force[6 * node + k] -= 0.5 * balance.left_out * speed * speed * outwards[k]);
+        }
+    }
     // the forces of the rods hold all of their own masses
     let on_pin = geometry.rod_rotating_fraction() * geometry.rod_mass + 0.5 * geometry.oscillating_mass();
     let (rods, radius) = (engine.layout.rods_per_throw, geometry.slider_crank.crank_radius);

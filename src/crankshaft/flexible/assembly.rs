@@ -45,17 +45,19 @@ pub struct Assembled {
     pub shaft: Shaft,
     /// Node of each station of the chain.
     pub stations: Vec<usize>,
-    /// Of each shaft length of the chain: the node before its middle, and its stiffness from there to the next node, N m/rad.
-    pub shafts: Vec<(usize, f64)>,
+    /// Of each shaft length of the chain: the node before its middle, its stiffness from there to the next node, N m/rad, and how that dissipates.
+    pub shafts: Vec<(usize, f64, Dissipation)>,
     /// Nodes of the rods of each throw.
     pub rods: Vec<Vec<usize>>,
+    /// Both webs on the axis, of each throw.
+    pub webs: Vec<[usize; 2]>,
     /// Outwards and in the direction of rotation, of each throw.
     pub directions: Vec<[Vector3<f64>; 2]>,
     /// Nodes of the main bearings that are there.
     pub bearings: Vec<Vec<usize>>,
     /// Of each throw.
     pub balance: Vec<Balance>,
-    /// kg, without what is on the pins.
+    /// kg, with all that is on it.
     pub mass: f64,
 }
 
@@ -177,7 +179,12 @@ fn build(
         let (stiffness, dissipation) = spring(station);
         stations.push(row.turning(stiffness, dissipation));
     }
-    // losses of the chain's shafts, and of the crank's own steel, between its stations
+    // losses of the crank's own steel, and between its stations those of the chain's shafts
+    for join in &mut row.joins {
+        if let Join::Beam(_, dissipation) = join {
+            dissipation.loss_factor = spec.loss_factor;
+        }
+    }
     for (shaft, ends) in stations.windows(2).enumerate().filter(|(i, _)| i + 1 >= throws.start && *i < throws.end) {
         let (_, own) = spring(shaft);
         for join in &mut row.joins[ends[0]..ends[1]] {
@@ -310,8 +317,8 @@ fn finished(
     }
     let translation = vec![Six::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0); shaft.len()];
     let torsion = |first: usize| match &built.row.joins[first] {
-        Join::Beam(beam, _) => (first, beam.section.torsion / beam.length),
-        Join::Torsion(stiffness, _) => (first, *stiffness),
+        Join::Beam(beam, dissipation) => (first, beam.section.torsion / beam.length, *dissipation),
+        Join::Torsion(stiffness, dissipation) => (first, *stiffness, *dissipation),
     };
     // the middle of the bearing between two throws; beside hub and flywheel the journal there
     let shafts = (0..chain.len() - 1).map(|i| match (i + 1).checked_sub(throws.start) {
@@ -321,6 +328,7 @@ fn finished(
     Ok(Assembled {
         shafts: shafts.collect(),
         rods: built.throws.iter().map(|t| t.rods.clone()).collect(),
+        webs: built.throws.iter().map(|t| t.webs).collect(),
         bearings: present.iter().map(|b| built.bearings[*b].clone()).collect(),
         mass: shaft.kinetic(&translation, &translation),
         stations: built.stations,

@@ -1,92 +1,25 @@
-//! The flexible crank: its keys checked and put together with the chain, and the systems of a study that has one.
+//! The flexible crank: its keys checked, and put together with the chain.
 
 use super::absorbers::DesignSpec;
-use super::checked_study::{CrankModel, Study};
+use super::checked_study::CrankModel;
 use super::derived_chain;
 use super::flexible_model::FlexibleModel;
-use crate::absorber::mounted::station_of;
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Balance, Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
-use crate::drivetrain::flexible::Asked;
-use crate::drivetrain::{Chain, System};
-use crate::engine::{Engine, Excitation};
+use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
+use crate::drivetrain::Chain;
+use crate::engine::Engine;
 use crate::input::error::{At, Check};
 use crate::input::schema::engine::RawEngine;
 use crate::input::schema::flexible::{RawBearing, RawEnd, RawFlexible, RawWebFactors};
 use crate::input::schema::study::RawStudy;
-use crate::objective::condition::Burning;
 
 /// Bearings, N/m.
 const SOFTEST: f64 = 1e5;
 const STIFFEST: f64 = 1e13;
+/// Step of the shafts at the ends, mm.
+const SHORTEST_STEP_MM: f64 = 1.0;
 /// A journal with three nodes is at least this share of its diameter long.
 const SHORTEST: f64 = 0.2;
-
-impl Study {
-    /// The flexible crank, where responses are computed with it.
-    pub(crate) fn on_flexible(&self) -> Option<&FlexibleModel> {
-        self.flexible.as_ref().filter(|_| self.crank_model == CrankModel::Flexible)
-    }
-
-    /// What a user is to know of its flexible crank, where responses are computed with it: sentences.
-    pub(crate) fn remarks_on_crank(&self) -> Vec<String> {
-        let Some(flexible) = self.on_flexible() else { return Vec::new() };
-        let throws = |is: &dyn Fn(&Balance) -> bool| {
-            let all = flexible.assembled.balance.iter().enumerate().filter(|(_, b)| is(b)).map(|(t, _)| (t + 1).to_string());
-            all.collect::<Vec<_>>().join(", ")
-        };
-        let (bare, thin) = (throws(&|b| b.left_out > 0.0), throws(&|b| b.density < 1.0));
-        let mut all = Vec::new();
-        if !bare.is_empty() {
-            all.push(format!(
-                "the flexible crank has no counterweights on throws {bare}: their stations leave no inertia for them, and `counterweight_kg_m` does not count there"
-            ));
-        }
-        if !thin.is_empty() {
-            all.push(format!(
-                "webs and pins of throws {thin} are heavier as drawn than their stations: their steel counts less dense (`check --verbose`)"
-            ));
-        }
-        all
-    }
-
-    /// The torque of its engine, with the radial forces on its pins where the crank is flexible.
-    pub(crate) fn excitation(&self) -> Excitation {
-        self.with_radial(Excitation::new(&self.engine, self.order_limit), &self.engine)
-    }
-
-    /// The same for a torque of another state of the engine.
-    pub(crate) fn with_radial(&self, excitation: Excitation, engine: &Engine) -> Excitation {
-        if self.on_flexible().is_some() { excitation.with_radial(engine) } else { excitation }
-    }
-
-    /// Its chain, or its flexible crank, under a torque.
-    pub(crate) fn system(&self, excitation: Excitation) -> System {
-        let (chain, modes) = (self.chain.clone(), self.modes.clone());
-        let Some((flexible, crank)) = self.on_flexible().zip(self.crank.as_ref()) else {
-            return System::with_modes(chain, modes, excitation);
-        };
-        let tables = flexible.tables((crank, &self.engine, &chain), self.asked_of_tables(&excitation));
-        let own = flexible.modes_of_stations(&chain).unwrap_or_else(|| modes.clone());
-        System::with_modes(chain, modes, excitation).on_flexible(tables, own)
-    }
-
-    fn asked_of_tables(&self, excitation: &Excitation) -> Asked {
-        let designs = self.designs.iter().chain(self.catalogues.iter().flat_map(|c| &c.designs));
-        let on = |d: &DesignSpec| (0..d.absorbers.len()).map(|i| station_of(&d.absorbers, i)).collect::<Vec<_>>();
-        let mut hosts: Vec<usize> = designs.flat_map(on).collect();
-        hosts.extend(self.optimise.iter().flat_map(|o| (0..o.absorbers.len()).map(|i| o.station(i))));
-        hosts.push(self.hub);
-        hosts.sort_unstable();
-        hosts.dedup();
-        Asked {
-            orders: excitation.orders.clone(),
-            speeds_rpm: (self.speeds_rpm[0], self.speeds_rpm[self.speeds_rpm.len() - 1]),
-            hosts,
-            unlike: self.conditions.iter().any(|c| c.burning() != Burning::Alike),
-        }
-    }
-}
 
 /// What of the crank a study asks for.
 fn asked<'d>(check: &mut Check, study: &RawStudy, known: bool, mut designs: impl Iterator<Item = &'d DesignSpec>) -> CrankModel {
@@ -254,6 +187,13 @@ fn end(check: &mut Check, at: &At<RawFlexible>, (raw, key): (Option<&RawEnd>, &s
         (Some(raw), Some(inertia)) => {
             if raw.shaft.get_ref().is_empty() {
                 check.wrong(&raw.shaft, "found no step, expected the shaft from the journal to the middle of what is on it");
+            }
+            for step in raw.shaft.get_ref().iter().filter(|s| (0.0..SHORTEST_STEP_MM).contains(s.length_mm.get_ref())) {
+                let found = step.length_mm.get_ref();
+                check.wrong(
+                    &step.length_mm,
+                    format!("found a step of {found} mm, expected at least {SHORTEST_STEP_MM} mm: a shorter one is lost in rounding"),
+                );
             }
             Some(End {
                 shaft: derived_chain::steps(check, raw.shaft.get_ref()),

@@ -7,7 +7,7 @@ use crate::drivetrain::modes::Flexible;
 use crate::drivetrain::{Chain, FlexibleCrank, Modes};
 use crate::engine::Engine;
 use crate::rotor::free_modes::{FreeMode, free_modes};
-use crate::rotor::shaft::{Dissipation, Six};
+use crate::rotor::shaft::Six;
 use nalgebra::{DMatrix, DVector};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -74,20 +74,12 @@ impl FlexibleModel {
         Some(Modes::flexible(modes.iter().map(|m| m.omega).collect(), about_axis, own, chain))
     }
 
-    fn on_stations(&self, chain: &Chain, radius: f64) -> OnStations {
+    fn on_stations(&self, radius: f64) -> OnStations {
         let assembled = &self.assembled;
-        let throws = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
-        let length = |(i, (node, stiffness)): (usize, &(usize, f64))| {
-            let s = &chain.stations[i];
-            let time = if s.stiffness_to_next > 0.0 { s.damping_to_next / s.stiffness_to_next } else { 0.0 };
-            let of_crank = i + 1 >= throws && i < throws + assembled.rods.len();
-            let own = if of_crank { self.spec.loss_factor } else { 0.0 };
-            (*node, *stiffness, Dissipation { loss_factor: s.loss_factor_to_next + own, time })
-        };
         OnStations {
             shaft: assembled.shaft.clone(),
             stations: assembled.stations.clone(),
-            lengths: assembled.shafts.iter().enumerate().map(length).collect(),
+            lengths: assembled.shafts.clone(),
             rods: assembled.rods.clone(),
             directions: assembled.directions.clone(),
             radius,
@@ -95,12 +87,12 @@ impl FlexibleModel {
     }
 
     /// Tables for what is asked for: the last ones where they hold that.
-    pub(super) fn tables(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), asked: Asked) -> Arc<FlexibleCrank> {
+    pub(super) fn tables(&self, (crank, engine): (&Crank, &Engine), asked: Asked) -> Arc<FlexibleCrank> {
         let last = || self.tables.lock().unwrap_or_else(PoisonError::into_inner);
         let known = last().as_ref().filter(|tables| tables.hold(&asked)).cloned();
         known.unwrap_or_else(|| {
             // solved in parallel: nothing is locked meanwhile
-            let solved = Arc::new(FlexibleCrank::new(self.on_stations(chain, crank.crank_radius), engine, asked));
+            let solved = Arc::new(FlexibleCrank::new(self.on_stations(crank.crank_radius), engine, asked));
             *last() = Some(solved.clone());
             solved
         })

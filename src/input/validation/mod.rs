@@ -27,6 +27,7 @@ mod ranges;
 mod robust;
 mod rows;
 pub(super) mod sizing;
+mod systems;
 mod tree;
 
 pub use absorbers::DesignSpec;

@@ -204,7 +204,8 @@ fn modes(study: &Study, excitation: &Excitation) -> String {
         .collect();
     let hub = format!("J at {}/kg m²", study.chain.stations[study.hub].name);
     format!(
-        "{} rigid mode{}; elastic modes:\n{}",
+        "{}{} rigid mode{}; elastic modes:\n{}",
+        if study.on_flexible().is_some() { "Torsional chain: " } else { "" },
         study.modes.rigid,
         if study.modes.rigid == 1 { "" } else { "s" },
         table(&["mode", "f/Hz", "damping ratio", &hub, "critical speeds (order @ rpm)"], &rows)

@@ -31,6 +31,7 @@ pub(crate) fn check_in_brief(study: &Study) -> String {
     if let Some(line) = super::reciprocating(study) {
         _ = writeln!(text, "  {line}");
     }
+    let of_chain = if study.on_flexible().is_some() { " of the torsional chain" } else { "" };
     let lowest: Vec<String> = modes
         .elastic()
         .zip(modes.frequencies_hz())
@@ -38,7 +39,7 @@ pub(crate) fn check_in_brief(study: &Study) -> String {
         .map(|(mode, hz)| format!("{hz:.2} Hz ({})", significant(modes.damping_ratio(mode), 3)))
         .collect();
     if !lowest.is_empty() {
-        _ = writeln!(text, "  natural frequencies (damping ratio): {}", lowest.join(", "));
+        _ = writeln!(text, "  natural frequencies{of_chain} (damping ratio): {}", lowest.join(", "));
     }
     text += &super::flexible::in_brief(study);
     let critical = model_check::critical_speeds(study, &excitation.orders);
@@ -47,7 +48,7 @@ pub(crate) fn check_in_brief(study: &Study) -> String {
             critical.iter().filter(|c| c.mode == lowest).take(CRITICALS).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
         let more = critical.len() - met.len();
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
-        _ = writeln!(text, "  critical speeds of mode {lowest} (order @ rpm): {}{more}", met.join(", "));
+        _ = writeln!(text, "  critical speeds of mode {lowest}{of_chain} (order @ rpm): {}{more}", met.join(", "));
     }
     let range = |of: &dyn Fn(&Audit) -> f64| {
         let all = excitation.audit.iter().map(of);

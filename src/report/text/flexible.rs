@@ -1,20 +1,15 @@
 //! The flexible crank: its modes and stiffness, and designs by other models of the crank.
 
 use super::table::{significant, table};
-use crate::analysis::{DesignResult, Modelled, Results};
-use crate::crankshaft::flexible::throw_stiffness;
+use crate::analysis::{DesignResult, Modelled, Results, crank_at_speed};
 use crate::input::{FlexibleModel, Study};
-use crate::rotor::free_modes::{FreeMode, at_speed};
+use crate::rotor::free_modes::FreeMode;
 use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
 use std::fmt::Write;
 
 /// Modes that are told of.
 const MODES: usize = 16;
 const MODES_IN_BRIEF: usize = 5;
-/// An eigenvalue with a larger real part over its magnitude grows; a slower one than this share of the speed is rigid rotation, which preload of pins and journals that is left out moves a little.
-const GROWS: f64 = 1e-3;
-const RIGID: f64 = 0.02;
-
 /// What its stations do by themselves, as the first line of a run tells it.
 pub(crate) fn frequencies(study: &Study, results: &Results) -> String {
     let list = |all: Vec<f64>| all.iter().take(4).map(|f| format!("{f:.2}")).collect::<Vec<_>>().join(", ");
@@ -58,7 +53,7 @@ fn choice(results: &Results) -> String {
     let Some(difference) = results.crank_difference else { return String::new() };
     let (tolerance, taken) = (results.study.tolerance, if results.system.flexible.is_some() { "flexible crank" } else { "chain" });
     format!(
-        "Crank: {taken}; in the twist of the given designs and without absorber the two differ by up to {} %, and the tolerance is {} %.\n",
+        "Crank: {taken}; in the twist of the given designs and without absorber the two differ by up to {} % of the larger, and the tolerance is {} %.\n",
         significant(100.0 * difference, 3),
         significant(100.0 * tolerance, 3)
     )
@@ -74,13 +69,21 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
     {
         lines.push(format!("  its twist with bearings half as stiff {halved}, twice as stiff {doubled}; on the torsional chain {chain}"));
     }
+    let own = known.map(|m| Modelled::ALL.map(|model| m.of(model).unwrap_or_default()));
+    if own.is_some_and(|[_, own, halved, doubled]| own < halved.min(doubled)) {
+        lines.push(
+            "  softer and stiffer bearings are both worse: the stiffness given is near the best there is, count on the larger".into(),
+        );
+    }
+    if results.system.flexible.is_some() {
+        lines.extend(growing(&results.study).lines().map(|l| format!("  {l}")));
+    }
     lines
 }
 
 /// Stiffness of a throw by what its bearings hold; nothing without a flexible crank.
 fn stiffness(study: &Study) -> Option<String> {
-    let (flexible, crank) = (study.flexible.as_ref()?, study.crank.as_ref()?);
-    let k = throw_stiffness(crank, &flexible.spec, crank.throws() / 2)?;
+    let k = crank_at_speed::stiffness(study)?;
     let of = |x: f64| significant(x / 1e6, 4);
     Some(format!(
         "k_held/k_free {}: a throw has {} MN m/rad with free ends, {} guided, {} held in its bearings",
@@ -95,7 +98,7 @@ fn stiffness(study: &Study) -> Option<String> {
 pub(crate) fn in_brief(study: &Study) -> String {
     let (Some(flexible), Some(stiffness)) = (&study.flexible, stiffness(study)) else { return String::new() };
     let lowest: Vec<String> = elastic(flexible).take(MODES_IN_BRIEF).map(|m| kind(m, 1)).collect();
-    format!("  flexible crank: {stiffness}\n    at rest {}\n", lowest.join(", "))
+    format!("  flexible crank: {stiffness}\n    at rest {}\n{}", lowest.join(", "), growing(study))
 }
 
 /// Webs, masses, modes at rest and at the highest speed; empty without a flexible crank.
@@ -130,7 +133,9 @@ pub(crate) fn in_full(study: &Study) -> String {
 }
 
 fn modes(study: &Study, flexible: &FlexibleModel) -> String {
-    let Some(all) = flexible.modes() else { return "  its mass matrix is not positive definite\n".into() };
+    if flexible.modes().is_none() {
+        return "  its mass matrix is not positive definite\n".into();
+    }
     let highest = study.speeds_rpm[study.speeds_rpm.len() - 1];
     let speed = highest * RAD_PER_S_PER_RPM;
     let share = |x: f64| format!("{:.0} %", 100.0 * x);
@@ -140,10 +145,9 @@ fn modes(study: &Study, flexible: &FlexibleModel) -> String {
     let rows: Vec<Vec<String>> = elastic(flexible).take(MODES).map(row).collect();
     let mut text =
         format!("  modes at rest, by share of the kinetic energy:\n{}", table(&["f/Hz", "kind", "torsion", "bending", "axial"], &rows));
-    let Some(found) = at_speed(&flexible.assembled.shaft, all, speed) else { return text };
+    let found = crank_at_speed::eigenvalues(study);
     let turning: Vec<Vec<String>> = found
         .iter()
-        .filter(|s| s.im > RIGID * speed)
         .take(MODES)
         .map(|s| {
             let hz = |w: f64| format!("{:.2}", w * HZ_PER_RAD_PER_S);
@@ -156,8 +160,18 @@ fn modes(study: &Study, flexible: &FlexibleModel) -> String {
         "  at {highest} rpm in axes that turn with the crank; its motion across the axis is seen standing still at the frequencies on the right:\n{}",
         table(&header, &turning)
     );
-    if let Some(s) = found.iter().find(|s| s.im > RIGID * speed && s.re > GROWS * s.norm()) {
-        _ = writeln!(text, "  warning: the motion at {:.2} Hz grows by itself at {highest} rpm", s.im * HZ_PER_RAD_PER_S);
-    }
+    text += &growing(study);
     text
+}
+
+/// A line on each motion that grows by itself at the highest speed.
+pub(crate) fn growing(study: &Study) -> String {
+    let rpm = study.speeds_rpm[study.speeds_rpm.len() - 1];
+    let line = |s: &crate::numerics::C64| {
+        format!(
+            "warning: the motion of the flexible crank at {:.2} Hz grows by itself at {rpm} rpm: no steady response is ever reached\n",
+            s.im * HZ_PER_RAD_PER_S
+        )
+    };
+    crank_at_speed::growing(study).iter().map(line).collect()
 }

@@ -1,6 +1,8 @@
 //! The flexible crank: throws against Castigliano's theorem, inertia against the chain, and the six against a model of its own.
 
 use hartog::absorber::{Absorber, Host, Maxwell, Mounted};
+use hartog::analysis::Silent;
+use hartog::analysis::curves::curves;
 use hartog::crankshaft::flexible::{BearingNodes, WebFactors, throw_stiffness};
 use hartog::input::{CrankModel, Study};
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
@@ -141,6 +143,22 @@ fn free_modes_of_the_thesis() {
                 assert_eq!(own.kind(), printed.kind, "{printed:?}");
             }
         }
+    }
+}
+
+/// Forces on the main bearings over the cycle at 1600 rpm, where hardly any motion is amplified, are those of the continuous beam on rigid bearings to 10 % of their peaks: another model, which knows neither inertia nor
+/// bearing stiffness but the same gas, rods and counterweights. The bearing beside the flywheel is left out: it carries what that does.
+#[test]
+fn bearing_forces_are_those_of_the_beam() {
+    let mut study = six();
+    study.designs.clear();
+    let figures = curves(&study, &[1600.0], &Silent).expect("damped").figures;
+    let peaks = |name: &str| -> Vec<f64> {
+        let figure = figures.iter().find(|f| f.name == name).expect("a figure");
+        figure.panels[0].curves.iter().map(|c| c.points.iter().map(|p| p.1).fold(0.0, f64::max)).collect()
+    };
+    for (flexible, beam) in peaks("bearing_forces_1600").iter().zip(peaks("bearings_1600")).take(6) {
+        assert!((flexible / beam - 1.0).abs() < 0.1, "{flexible} {beam}");
     }
 }
 

@@ -56,7 +56,7 @@ pub(crate) struct RawGivenFactors {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBearing {
-    /// Stiffness across the axis, alike in all directions; without it `bearing_stiffness_n_per_m` of [crank].
+    /// Stiffness across the axis, alike in all directions; without it `crank.bearing_stiffness_n_per_m`.
     #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [1.2e9]))]
     pub stiffness_n_per_m: Option<At<f64>>,
     /// Damping across the axis.

@@ -52,7 +52,7 @@ pub(crate) struct RawStudy {
     /// Temperatures of the conditions `cold` and `hot`.
     #[schemars(extend("examples" = [{"cold_c": -20, "hot_c": 90}]))]
     pub temperatures: Option<RawTemperatures>,
-    /// What of the crank the response is computed with: its torsional chain, or the flexible crank of the engine file; `auto`: the chain where the measured difference is below `tolerance` of [response].
+    /// What of the crank the response is computed with: its torsional chain, or the flexible crank of the engine file; `auto`: the chain where the measured difference is below `response.tolerance`.
     #[schemars(extend("default" = "chain", "examples" = ["flexible"]))]
     pub crank: Option<At<RawCrankModel>>,
     /// How the response is computed.
@@ -263,7 +263,7 @@ pub(crate) struct RawPublished {
     /// Natural frequencies of the chain.
     #[schemars(extend("examples" = ["published/natural_frequencies.csv"]))]
     pub frequencies: Option<At<String>>,
-    /// Natural frequencies of the crank by itself in bending, torsion and axial motion, for an engine with [crank.flexible].
+    /// Natural frequencies of the crank by itself in bending, torsion and axial motion, for an engine with `crank.flexible`.
     #[schemars(extend("examples" = ["published/modes.csv"]))]
     pub modes: Option<At<String>>,
     /// Absorbers of the designs.

@@ -9,7 +9,7 @@ use crate::analysis::{model_check, plausibility, reciprocating};
 use crate::drivetrain::System;
 use crate::engine::forces::{inertia_for_growth, inertia_force_across};
 use crate::engine::{Excitation, Geometry, Pressure, RodModel, Source};
-use crate::input::{FrontSpec, ResponseMethod, Size, Study};
+use crate::input::{DesignSpec, FrontSpec, ResponseMethod, Size, Study};
 use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_BAR, PA_PER_MPA, W_PER_KW};
 use std::fmt::Write;
 
@@ -298,15 +298,17 @@ pub(super) fn work(study: &Study, excitation: &Excitation, most: usize) -> Strin
     text.push_str(&designs(study, most));
     text.push_str(&goals(study, most));
     if let Some(p) = &study.published {
-        let _ = writeln!(
-            text,
-            "  compared with, for engine {}: {} natural frequencies, {} absorbers, {} amplitudes, {} numbers of the text",
-            p.engine,
-            p.frequencies.len(),
-            p.absorbers.len(),
-            p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count(),
-            p.quantities.len()
-        );
+        let amplitudes = p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count();
+        let modes = p.modes.len();
+        let counts = [
+            (p.frequencies.len(), "natural frequencies"),
+            (modes, "modes of the crank"),
+            (p.absorbers.len(), "absorbers"),
+            (amplitudes, "amplitudes"),
+            (p.quantities.len(), "numbers of the text"),
+        ];
+        let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, of)| format!("{n} {of}")).collect();
+        let _ = writeln!(text, "  compared with, for engine {}: {}", p.engine, counts.join(", "));
     }
     if let Some(c) = &study.calibrate {
         let inputs: Vec<String> = c
@@ -324,15 +326,21 @@ pub(super) fn work(study: &Study, excitation: &Excitation, most: usize) -> Strin
     text
 }
 
-/// The given designs, a line each; those beyond so many are counted.
+/// The given designs, a line each; beyond so many only their names and types.
 fn designs(study: &Study, most: usize) -> String {
     let mut text = String::new();
-    for d in study.designs.iter().take(most) {
+    if study.designs.len() > most {
+        let kind = |m: &Mounted| format!("{} on {}", m.absorber.type_name(), host(study, m.on));
+        let named = |d: &DesignSpec| match d.absorbers.iter().map(kind).collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => d.name.clone(),
+            kinds => format!("{} ({kinds})", d.name),
+        };
+        let names: Vec<String> = study.designs.iter().map(named).collect();
+        return format!("  designs: {}\n", names.join("; "));
+    }
+    for d in &study.designs {
         let absorbers: Vec<String> = d.absorbers.iter().map(|m| absorber(study, m)).collect();
         let _ = writeln!(text, "  design {}: {}", d.name, if absorbers.is_empty() { "no absorber".into() } else { absorbers.join("; ") });
-    }
-    if study.designs.len() > most {
-        let _ = writeln!(text, "  and {} more designs", study.designs.len() - most);
     }
     text
 }

@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// Modes, critical speeds and designs that are told of.
 const MODES: usize = 3;
 const CRITICALS: usize = 6;
-const DESIGNS: usize = 5;
+const DESIGNS: usize = 4;
 
 /// The engine, the chain as a whole, its lowest modes, what the pressure delivers, and what is to be computed.
 pub(crate) fn check_in_brief(study: &Study) -> String {

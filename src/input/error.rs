@@ -1,6 +1,7 @@
 //! Mistakes in input files, each with its place, what was found and what was expected.
 
 use super::letters::fault;
+use super::read_toml;
 use super::snippet::{shortened, window};
 pub use super::spanned::At;
 use super::wording::{BACKSLASH, has_escapes, is_table, of_grammar};
@@ -241,14 +242,14 @@ impl Source {
     /// # Errors
     /// The first mistake of grammar, key or type.
     pub fn parse<T: serde::de::DeserializeOwned>(&self) -> Result<T, InputError> {
-        toml::from_str(&self.text).map_err(|e| {
+        read_toml::from_str(&self.text).map_err(|e| {
             if self.text.lines().all(|line| line.trim().is_empty() || line.trim_start().starts_with('#')) {
                 let help = "`hartog new` writes files to begin with".to_owned();
                 let message = "found an empty file, expected one with keys".to_owned();
                 return Mistake { message, place: Place::File(self.path.clone()), help: Some(help) }.into();
             }
-            let span = e.span().unwrap_or(0..0);
-            let (message, help) = of_grammar(&self.text, &span, e.message());
+            let span = e.span.unwrap_or(0..0);
+            let (message, help) = of_grammar(&self.text, &span, &e.message);
             self.mistake(span, message, help).into()
         })
     }

@@ -7,6 +7,7 @@ pub mod keys;
 mod letters;
 pub mod measure;
 pub mod published;
+mod read_toml;
 mod schema;
 mod snippet;
 mod spanned;

@@ -75,32 +75,18 @@
 //! Sources are listed in [`guide::references`].
 
 #![deny(missing_docs)]
-// what only the program asks for
-#![cfg_attr(not(feature = "program"), allow(dead_code, unused_imports))]
 
-pub mod absorber;
-pub mod analysis;
-#[cfg(feature = "program")]
-pub mod benchmark;
 #[cfg(feature = "program")]
 pub mod cli;
-pub mod crankshaft;
-pub mod drivetrain;
-pub mod engine;
-pub mod fatigue;
 pub mod guide;
-pub mod input;
-pub mod numerics;
-pub mod objective;
-pub mod optimise;
-#[cfg(feature = "program")]
-pub mod report;
-pub mod response;
-pub mod rotor;
-pub mod sizing;
-pub mod units;
-#[cfg(feature = "program")]
-pub mod validation;
 
-pub use analysis::{Error, Results, RunError};
-pub use input::{InputError, PartsError, Study};
+#[cfg(feature = "program")]
+#[doc(inline)]
+pub use hartog_comparison::{benchmark, validation};
+#[doc(inline)]
+pub use hartog_physics::{absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units};
+#[cfg(feature = "program")]
+#[doc(inline)]
+pub use hartog_report as report;
+#[doc(inline)]
+pub use hartog_study::{Error, InputError, PartsError, Results, RunError, Study, analysis, input};

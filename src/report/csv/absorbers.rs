@@ -4,7 +4,7 @@ use super::table::{Table, number, optional};
 use crate::absorber::{Host, Mounted, Parameter, TYPES};
 use crate::analysis::{DesignResult, Results};
 use crate::drivetrain::natural;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, PA_PER_MPA};
 
 /// Parameters of all types, each once, then those of laws that a program brought.

@@ -3,7 +3,7 @@
 use super::table::{Table, number};
 use crate::analysis::Results;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit.
 ///

@@ -4,7 +4,7 @@ use super::table::{Table, number, optional};
 use crate::benchmark::Chart;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::savings::Savings;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::response::Work;
 
 /// `speed_accuracy.csv`: methods with their settings, what choosing and skipping save, what simplifications cost, the growth of cost, and what methods

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::classification::{Classification, VectorSum};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `holzer.csv`, `vector_sums.csv`, `criticals.csv` and `shaft_torques.csv`.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Calibration;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::validation::Comparison;
 
 /// `calibration.csv`: a row a fitted or held input.
@@ -15,7 +15,7 @@ pub fn calibration(calibration: &Calibration, folder: &Folder) -> Result<(), Wri
     for i in &calibration.inputs {
         let cells = [i.free.start, i.value].map(number);
         let error = optional(i.standard_error.filter(|e| e.is_finite()));
-        let note = crate::report::text::calibration::known(i.known).to_owned();
+        let note = crate::text::calibration::known(i.known).to_owned();
         table.row([i.free.input.key().to_owned()].into_iter().chain(cells).chain([
             error,
             number(i.free.lower),

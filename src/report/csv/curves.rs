@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::curves::{Figure, HolzerRow};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `<figure>.csv`: a row a point; the columns `x` and `y` are named by the two before them.
 ///

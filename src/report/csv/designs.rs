@@ -5,7 +5,7 @@ use super::table::{Table, in_unit, optional};
 use crate::analysis::{ConditionResult, DesignResult, Results};
 use crate::input::Study;
 use crate::objective::{Condition, Peak};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::response::Quantity;
 use crate::units::DEG_PER_RAD;
 

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `duty.csv`, or none where the study has no duty.

@@ -2,7 +2,7 @@
 
 use super::table::number;
 use crate::analysis::stress_histories::PointResult;
-use crate::report::files::{Folder, Stream, WriteError};
+use crate::files::{Folder, Stream, WriteError};
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 /// Columns, in order.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `heat.csv`: a row a design, speed and temperature in balance, the one reached from cold first; one without a temperature where the absorber overheats. None where no material says what cools it.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `large_twist.csv`: a row a point, in the order of each curve. None where no design has such an absorber.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `life.csv`: a row a design, absorber and point of the duty; none where no material says how many cycles of strain it bears.
 ///

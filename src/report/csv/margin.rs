@@ -3,8 +3,8 @@
 use super::table::{Table, number, optional, rounded};
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
-use crate::report::reason::reason;
+use crate::files::{Folder, WriteError};
+use crate::reason::reason;
 use crate::units::PA_PER_MPA;
 
 /// Columns of the smallest margins in `designs.csv`: three a criterion.

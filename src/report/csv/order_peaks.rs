@@ -3,7 +3,7 @@
 use super::table::{Table, number, rounded};
 use crate::analysis::Results;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// Orders with less than this share of a quantity's largest are left out.
 const LEAST: f64 = 0.1;

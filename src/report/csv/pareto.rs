@@ -4,7 +4,7 @@ use super::table::{Table, in_unit, in_unit_of, number, optional};
 use crate::analysis::Results;
 use crate::input::Study;
 use crate::objective::HELD;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `pareto.csv`.
 ///

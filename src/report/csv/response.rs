@@ -4,8 +4,8 @@ use super::table::{Table, number, rounded};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{self, OrderSweep, QuantitySweep, Swept};
 use crate::input::Study;
-use crate::report::files::{Folder, Stream, WriteError};
-use crate::report::reason::reason;
+use crate::files::{Folder, Stream, WriteError};
+use crate::reason::reason;
 use crate::response::{Quantity, ResponseError};
 
 /// What the amplitude of a row is of.

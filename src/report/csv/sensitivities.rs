@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `sensitivities.csv`: per cent by which a measure rises for one per cent more or less of a parameter, and per cent of the parameter after which a limit
 /// breaks; empty where it holds up to 50.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::sizing::{FrontPoint, SizingResults};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::sizing::Round;
 use crate::sizing::rod::TAPER;
 use crate::units::{DEG_PER_RAD, M_PER_MM};

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `strain.csv`: a row a design, rule, speed and strain that agrees with itself, the lowest first; the twist belongs to that. None where no material follows its strain.

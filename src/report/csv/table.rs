@@ -2,7 +2,7 @@
 
 use crate::input::{MeasureSpec, Study};
 use crate::numerics::rounding::seven_digits;
-use crate::report::files::{Folder, Stream, WriteError};
+use crate::files::{Folder, Stream, WriteError};
 use std::io::Write;
 
 /// A table in memory.

@@ -2,7 +2,7 @@
 
 use super::table::{Table, number};
 use crate::analysis::Timing;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `timing.csv`: the only table that differs from run to run.
 ///

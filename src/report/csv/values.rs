@@ -3,7 +3,7 @@
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 
 /// `values.csv`: the values of `designs.csv` and `absorbers.csv` one below the other, each with its condition, unit and place; `order`: the one that adds most.
 ///
@@ -12,7 +12,7 @@ use crate::report::files::{Folder, WriteError};
 pub fn values(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let mut table = Table::new(&["design", "condition", "measure", "value", "unit", "where", "order", "speed_rpm"]);
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
-        for v in crate::report::results_json::values(study, results, d) {
+        for v in crate::results_json::values(study, results, d) {
             table.row_of([
                 d.name.as_str(),
                 v.condition,

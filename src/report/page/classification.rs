@@ -6,10 +6,10 @@ use crate::analysis::Results;
 use crate::analysis::classification::{ABOVE, Classification};
 use crate::analysis::curves::HolzerRow;
 use crate::input::{InputFile, Study};
-use crate::report::files::{Folder, WriteError};
-use crate::report::names::CLASSIFICATION;
-use crate::report::text::judged::is_apart;
-use crate::report::text::{dash, short};
+use crate::files::{Folder, WriteError};
+use crate::names::CLASSIFICATION;
+use crate::text::judged::is_apart;
+use crate::text::{dash, short};
 use crate::units::DEG_PER_RAD;
 use maud::{Markup, html};
 

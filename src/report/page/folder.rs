@@ -2,9 +2,9 @@
 
 use super::parts::{TABLES, page, picture};
 use super::tables::{in_words, tables};
-use crate::report::files::{Folder, WriteError};
-use crate::report::names::PAGE;
-use crate::report::text::width;
+use crate::files::{Folder, WriteError};
+use crate::names::PAGE;
+use crate::text::width;
 use maud::{PreEscaped, html};
 
 /// Writes the page; plots and tables are taken from the folder, in the order in which they were written.

@@ -4,8 +4,8 @@ use super::numbers::{digits, list};
 use crate::absorber::Mounted;
 use crate::analysis::{DesignResult, FrontResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, MeasureSpec, Study};
-use crate::report::csv::in_unit;
-use crate::report::text::short;
+use crate::csv::in_unit;
+use crate::text::short;
 use maud::{Markup, html};
 use serde_json::{Map, Value, json};
 

@@ -5,7 +5,7 @@ use crate::analysis::Results;
 use crate::analysis::curves::holzer;
 use crate::analysis::model_check::strongest_orders;
 use crate::input::Study;
-use crate::report::plot::campbell::MOST_ORDERS;
+use crate::plot::campbell::MOST_ORDERS;
 use crate::units::HZ_PER_RPM;
 use maud::{Markup, html};
 use serde_json::{Map, Value, json};

@@ -4,9 +4,9 @@ use super::parts::value_of;
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
-use crate::report::text::judged::{asked, is_other, of_what, word};
-use crate::report::text::verdict::{clause, of_design};
-use crate::report::text::{bounds, dash, short, tolerances};
+use crate::text::judged::{asked, is_other, of_what, word};
+use crate::text::verdict::{clause, of_design};
+use crate::text::{bounds, dash, short, tolerances};
 use maud::{Markup, html};
 
 /// A value of the study's first objective.

@@ -1,9 +1,9 @@
 //! Tables of a folder on its page: each can be opened, sorted and filtered.
 
-use crate::report::captions::caption;
-use crate::report::columns::heading;
-use crate::report::files::Folder;
-use crate::report::text::short;
+use crate::captions::caption;
+use crate::columns::heading;
+use crate::files::Folder;
+use crate::text::short;
 use maud::{Markup, html};
 use std::path::Path;
 

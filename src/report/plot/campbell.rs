@@ -6,7 +6,7 @@ use crate::analysis::Results;
 use crate::analysis::model_check::strongest_orders;
 use crate::engine::Order;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 

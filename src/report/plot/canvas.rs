@@ -2,8 +2,8 @@
 
 use super::pdf::pdf;
 use crate::numerics::elementary::Elementary;
-use crate::report::files::{Folder, WriteError};
-use crate::report::formats::Format;
+use crate::files::{Folder, WriteError};
+use crate::formats::Format;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
@@ -136,12 +136,12 @@ macro_rules! log_axes {
             .configure_mesh()
             .x_desc($x)
             .y_desc($y)
-            .set_all_tick_mark_size($crate::report::plot::canvas::px(4))
-            .axis_desc_style($crate::report::plot::canvas::text(14))
-            .label_style($crate::report::plot::canvas::text(13))
+            .set_all_tick_mark_size($crate::plot::canvas::px(4))
+            .axis_desc_style($crate::plot::canvas::text(14))
+            .label_style($crate::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)
-            .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
-            .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
+            .bold_line_style($crate::plot::canvas::line($crate::plot::canvas::PALE, 8))
+            .axis_style($crate::plot::canvas::line($crate::plot::canvas::GREY, 10))
             .x_label_formatter($below)
             .y_label_formatter(&|y| format!("{y:.0e}"))
             .draw()?
@@ -280,14 +280,14 @@ macro_rules! mesh {
             .y_desc($y)
             .x_labels($nx)
             .y_labels($ny)
-            .set_all_tick_mark_size($crate::report::plot::canvas::px(4))
-            .axis_desc_style($crate::report::plot::canvas::text(14))
-            .label_style($crate::report::plot::canvas::text(13))
+            .set_all_tick_mark_size($crate::plot::canvas::px(4))
+            .axis_desc_style($crate::plot::canvas::text(14))
+            .label_style($crate::plot::canvas::text(13))
             .light_line_style(TRANSPARENT)
-            .bold_line_style($crate::report::plot::canvas::line($crate::report::plot::canvas::PALE, 8))
-            .axis_style($crate::report::plot::canvas::line($crate::report::plot::canvas::GREY, 10))
-            .x_label_formatter(&|x| $crate::report::plot::canvas::tick(x))
-            .y_label_formatter(&|y| $crate::report::plot::canvas::tick(y))
+            .bold_line_style($crate::plot::canvas::line($crate::plot::canvas::PALE, 8))
+            .axis_style($crate::plot::canvas::line($crate::plot::canvas::GREY, 10))
+            .x_label_formatter(&|x| $crate::plot::canvas::tick(x))
+            .y_label_formatter(&|y| $crate::plot::canvas::tick(y))
             .draw()?
     };
 }

@@ -9,7 +9,7 @@ use crate::benchmark::speed_accuracy::{Point, Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
 use crate::input::Study;
 use crate::numerics::elementary::Elementary;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 

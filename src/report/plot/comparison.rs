@@ -5,7 +5,7 @@ use super::legend::{self, Entry, Mark};
 use crate::analysis::{Calibration, Results, Sweeps};
 use crate::engine::Order;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 use crate::validation::{Comparison, Role};
 use plotters::prelude::*;

@@ -3,7 +3,7 @@
 use super::canvas::{self, Drawn, Stroke, WIDTH, captioned, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::curves::{Curve, Figure, Panel};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Height of a panel; its legend comes to it.

@@ -2,7 +2,7 @@
 
 use super::canvas::{self, Area, Drawn, GREY, line, px, text};
 use crate::input::SizingStudy;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::sizing::{Sized, bodies};
 use crate::units::M_PER_MM;
 use plotters::prelude::*;

@@ -5,7 +5,7 @@ use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
 use crate::input::Study;
 use crate::numerics::C64;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Dark, middle and light, so that they are told apart without colour.

@@ -5,7 +5,7 @@ use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
 use crate::numerics::elementary::Elementary;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::PA_PER_MPA;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

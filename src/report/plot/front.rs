@@ -5,7 +5,7 @@ use super::labels;
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, TradeoffResult};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Given designs further out than this many ranges of the fronts are not drawn.

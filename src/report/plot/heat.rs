@@ -4,7 +4,7 @@ use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, p
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{HeatOfDesign, Results};
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// `heat`: a line a design for what is reached from cold, broken where it overheats; other balances as dots, open where they are not stable; limits as thin lines.

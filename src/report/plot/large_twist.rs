@@ -4,7 +4,7 @@ use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, p
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{LargePoint, LargeTwistOfDesign, Results};
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 

@@ -6,7 +6,7 @@ use crate::analysis::Results;
 use crate::analysis::crank_diagram::{Diagram, Instant};
 use crate::crankshaft::loads::InPlanes;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::{M_PER_MM, N_PER_KN};
 use plotters::prelude::*;
 

@@ -4,7 +4,7 @@ use super::canvas::{self, COLOURS, WIDTH, fill, line, px};
 use super::chart::decades;
 use crate::benchmark::model_accuracy::ModelError;
 use crate::input::Study;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Smaller errors are drawn on this.

@@ -6,8 +6,8 @@ use super::legend::{self, Entry};
 use crate::absorber::TYPES;
 use crate::analysis::Results;
 use crate::input::{Study, UnitOf};
-use crate::report::csv::in_unit;
-use crate::report::files::{Folder, WriteError};
+use crate::csv::in_unit;
+use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// A colour for each declared type; what is none of them (a locked ring) is grey.

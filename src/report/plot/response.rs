@@ -6,7 +6,7 @@ use crate::analysis::Results;
 use crate::analysis::sweeps::{QuantitySweep, Sweeps, Swept};
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::report::files::{Folder, WriteError};
+use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 

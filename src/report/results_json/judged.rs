@@ -3,7 +3,7 @@
 use crate::analysis::judged::Basis;
 use crate::analysis::{DesignResult, Results};
 use crate::input::Study;
-use crate::report::text::verdict::{clause, of_design, word};
+use crate::text::verdict::{clause, of_design, word};
 use schemars::JsonSchema;
 use serde::Serialize;
 

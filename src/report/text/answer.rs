@@ -14,7 +14,7 @@ use crate::analysis::{Calibration, DesignResult, OptimumResult, Results};
 use crate::input::{LimitSpec, Study};
 use crate::objective::holds;
 use crate::optimise::Survey;
-use crate::report::text::table::significant;
+use crate::text::table::significant;
 
 /// Lines of the screen, without the last one, which names the folder and what stands before it.
 const LINES: usize = 37;

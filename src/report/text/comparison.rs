@@ -54,7 +54,7 @@ fn value(study: &Study, v: f64) -> String {
     match study.objective.unit {
         UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
         UnitOf::Torque => format!("{} N m", significant(v, 4)),
-        UnitOf::Margin => crate::report::text::margin::factor(1.0 / v),
+        UnitOf::Margin => crate::text::margin::factor(1.0 / v),
         unit => format!("{}{}", significant(unit.shown(v), 4), unit.suffix()),
     }
 }

@@ -8,7 +8,7 @@ use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::{DesignResult, Results};
 use crate::input::{Study, UnitOf};
-use crate::report::csv::in_unit;
+use crate::csv::in_unit;
 use crate::response::Quantity;
 use crate::units::DEG_PER_RAD;
 

@@ -2,7 +2,7 @@
 
 use super::table::{significant, table};
 use crate::analysis::fit_law::{Fitted, LawFit};
-use crate::report::csv::rounded;
+use crate::csv::rounded;
 
 /// Values with standard errors, factors of temperature, how well it fits, and the line of a study.
 pub(crate) fn fit_law(fit: &LawFit) -> String {

@@ -1,5 +1,7 @@
 //! Results as text, tables and plots: the only place that writes files.
 
+#![deny(missing_docs)]
+
 mod captions;
 mod columns;
 pub mod csv;
@@ -28,6 +30,9 @@ pub(crate) use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
 pub(crate) use page::write_folder;
 pub(crate) use summary::{about, about_inputs};
 
+use hartog_comparison::{benchmark, validation};
+use hartog_physics::{absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units};
+use hartog_study::{analysis, input};
 use run_tables::RUN_TABLES;
 
 use crate::analysis::classification::Classification;

@@ -5,37 +5,50 @@ use std::f64::consts::PI;
 /// rad in a degree.
 pub const RAD_PER_DEG: f64 = PI / 180.0;
 /// degrees in a rad.
-pub(crate) const DEG_PER_RAD: f64 = 180.0 / PI;
+#[doc(hidden)]
+pub const DEG_PER_RAD: f64 = 180.0 / PI;
 /// rad/s in a revolution per minute.
 pub const RAD_PER_S_PER_RPM: f64 = PI / 30.0;
 /// Hz in a rad/s.
-pub(crate) const HZ_PER_RAD_PER_S: f64 = 0.5 / PI;
+#[doc(hidden)]
+pub const HZ_PER_RAD_PER_S: f64 = 0.5 / PI;
 /// Hz in a revolution per minute.
-pub(crate) const HZ_PER_RPM: f64 = 1.0 / 60.0;
+#[doc(hidden)]
+pub const HZ_PER_RPM: f64 = 1.0 / 60.0;
 /// m in a mm.
-pub(crate) const M_PER_MM: f64 = 1e-3;
+#[doc(hidden)]
+pub const M_PER_MM: f64 = 1e-3;
 /// Pa in a bar.
-pub(crate) const PA_PER_BAR: f64 = 1e5;
+#[doc(hidden)]
+pub const PA_PER_BAR: f64 = 1e5;
 /// Pa in a MPa.
-pub(crate) const PA_PER_MPA: f64 = 1e6;
+#[doc(hidden)]
+pub const PA_PER_MPA: f64 = 1e6;
 /// N in a kN.
 pub(crate) const N_PER_KN: f64 = 1e3;
 /// Pa in a GPa.
-pub(crate) const PA_PER_GPA: f64 = 1e9;
+#[doc(hidden)]
+pub const PA_PER_GPA: f64 = 1e9;
 /// Pa in a kpsi.
 pub(crate) const PA_PER_KPSI: f64 = 6.894_757_293e6;
 /// Pa in a psi.
-pub(crate) const PA_PER_PSI: f64 = 6_894.757_293_168;
+#[doc(hidden)]
+pub const PA_PER_PSI: f64 = 6_894.757_293_168;
 /// N in a pound of force.
-pub(crate) const N_PER_LBF: f64 = 4.448_221_615_260_5;
+#[doc(hidden)]
+pub const N_PER_LBF: f64 = 4.448_221_615_260_5;
 /// m in an inch.
-pub(crate) const M_PER_IN: f64 = 0.0254;
+#[doc(hidden)]
+pub const M_PER_IN: f64 = 0.0254;
 /// W in a kW.
-pub(crate) const W_PER_KW: f64 = 1e3;
+#[doc(hidden)]
+pub const W_PER_KW: f64 = 1e3;
 /// crank degrees in a revolution.
-pub(crate) const DEG_PER_REV: f64 = 360.0;
+#[doc(hidden)]
+pub const DEG_PER_REV: f64 = 360.0;
 /// K at 0 °C.
-pub(crate) const KELVIN_AT_0_C: f64 = 273.15;
+#[doc(hidden)]
+pub const KELVIN_AT_0_C: f64 = 273.15;
 
 /// Ends of keys with their units, the longest first.
 const SUFFIXES: [(&str, &str); 34] = [
@@ -76,7 +89,8 @@ const SUFFIXES: [(&str, &str); 34] = [
 ];
 
 /// The unit that the end of a key names.
-pub(crate) fn of_key(key: &str) -> Option<&'static str> {
+#[doc(hidden)]
+pub fn of_key(key: &str) -> Option<&'static str> {
     let named = |end: &str| key.strip_suffix(end).is_some_and(|before| before.is_empty() || before.ends_with('_'));
     SUFFIXES.iter().find(|(end, _)| named(end)).map(|s| s.1)
 }

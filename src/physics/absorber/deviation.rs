@@ -21,7 +21,8 @@ impl Deviation {
     }
 
     /// What of it a design can have: factors that lead past the range of a parameter lead to its end, and a parameter that is zero stays so.
-    pub(crate) fn within(&self, design: &[Mounted]) -> Self {
+    #[doc(hidden)]
+    pub fn within(&self, design: &[Mounted]) -> Self {
         let one = |(m, factors): (&Mounted, &Vec<f64>)| {
             let Absorber::Ring(law) = &m.absorber else { return factors.clone() };
             let within = |((p, value), factor): ((&super::Parameter, f64), &f64)| {

@@ -87,6 +87,7 @@ impl Geometry {
 }
 
 /// Inertia of a ring of rectangular section, kg m²: pi rho w (r2⁴ - r1⁴)/2.
-pub(crate) fn ring_inertia(inner: f64, outer: f64, width: f64, density: f64) -> f64 {
+#[doc(hidden)]
+pub fn ring_inertia(inner: f64, outer: f64, width: f64, density: f64) -> f64 {
     density * width * face(inner, outer, 1.0)
 }

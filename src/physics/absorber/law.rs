@@ -132,7 +132,8 @@ impl Eq for Declaration {}
 
 impl Declaration {
     /// Factors on the parameters where temperature changes the material by a factor.
-    pub(crate) fn followed(&self, factor: f64) -> Vec<f64> {
+    #[doc(hidden)]
+    pub fn followed(&self, factor: f64) -> Vec<f64> {
         let of = |p: &Parameter| match p.follows {
             Follows::Nothing => 1.0,
             Follows::Factor => factor,
@@ -142,7 +143,8 @@ impl Declaration {
     }
 
     /// Whether its stiffness itself is multiplied by the factor: a law that is the same at every frequency, where a shift of frequency means nothing.
-    pub(crate) fn stiffness_follows(&self) -> bool {
+    #[doc(hidden)]
+    pub fn stiffness_follows(&self) -> bool {
         self.parameters.iter().any(|p| p.key == STIFFNESS.key && p.follows == Follows::Factor)
     }
 

@@ -71,12 +71,14 @@ impl Absorber {
     }
 
     /// The same in a state of its material; nothing where that changes nothing.
-    pub(crate) fn in_state(&self, state: State) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn in_state(&self, state: State) -> Option<Self> {
         self.law()?.in_state(state).map(Self::Ring)
     }
 
     /// Whether its material says how its state follows from the motion.
-    pub(crate) fn follows_motion(&self) -> bool {
+    #[doc(hidden)]
+    pub fn follows_motion(&self) -> bool {
         self.law().and_then(|law| law.material()).is_some_and(Material::follows_motion)
     }
 
@@ -86,7 +88,8 @@ impl Absorber {
     }
 
     /// The word used in studies and tables.
-    pub(crate) fn type_name(&self) -> &'static str {
+    #[doc(hidden)]
+    pub fn type_name(&self) -> &'static str {
         self.declaration().map_or("locked", |d| d.name)
     }
 
@@ -182,7 +185,8 @@ pub fn station_of(design: &[Mounted], index: usize) -> usize {
 }
 
 /// Whether every absorber on a ring finds one, and none carries itself.
-pub(crate) fn is_tree(design: &[Mounted]) -> bool {
+#[doc(hidden)]
+pub fn is_tree(design: &[Mounted]) -> bool {
     (0..design.len()).all(|i| {
         let mut at = i;
         for _ in 0..=design.len() {

@@ -17,7 +17,8 @@ pub enum Range {
 
 impl Range {
     /// Whether a value makes sense.
-    pub(crate) fn holds(self, x: f64) -> bool {
+    #[doc(hidden)]
+    pub fn holds(self, x: f64) -> bool {
         x.is_finite()
             && match self {
                 Self::Positive => x > 0.0,
@@ -28,7 +29,8 @@ impl Range {
     }
 
     /// The value in it that is nearest to one of the right sign.
-    pub(crate) fn nearest(self, x: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn nearest(self, x: f64) -> f64 {
         match self {
             Self::Positive | Self::NotNegative => x,
             Self::Above(least) => x.max(least * (1.0 + 1e-9)),

@@ -56,7 +56,8 @@ const FRICTION_RATE: Parameter = of_material(
     |_| 0.1,
 );
 /// Torque of what the ring drives. A ring that carries torque is tuned below all orders.
-pub(crate) const CARRIED: Parameter = of_material(
+#[doc(hidden)]
+pub const CARRIED: Parameter = of_material(
     (
         "carried_torque_n_m",
         "carried/N m",

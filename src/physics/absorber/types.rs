@@ -35,7 +35,8 @@ pub static TYPES: [&Declaration; 15] = [
 ];
 
 /// Types that are given only: searches are of small twists, where these are other types.
-pub(crate) static GIVEN_ONLY: [&Declaration; 2] = [&HARDENING, &TWO_STAGE];
+#[doc(hidden)]
+pub static GIVEN_ONLY: [&Declaration; 2] = [&HARDENING, &TWO_STAGE];
 
 /// A type by its word.
 pub fn find(name: &str) -> Option<&'static Declaration> {
@@ -43,7 +44,8 @@ pub fn find(name: &str) -> Option<&'static Declaration> {
 }
 
 /// Keys of all parameters, each once.
-pub(crate) fn parameter_keys() -> Vec<&'static str> {
+#[doc(hidden)]
+pub fn parameter_keys() -> Vec<&'static str> {
     let mut keys = Vec::new();
     for p in TYPES.into_iter().flat_map(|t| t.parameters) {
         if !keys.contains(&p.key) {
@@ -54,7 +56,8 @@ pub(crate) fn parameter_keys() -> Vec<&'static str> {
 }
 
 /// Words of all closed forms, each once.
-pub(crate) fn closed_form_names() -> Vec<&'static str> {
+#[doc(hidden)]
+pub fn closed_form_names() -> Vec<&'static str> {
     let mut names = Vec::new();
     for form in TYPES.into_iter().flat_map(|t| t.closed_forms).filter(|f| f.is_optimum) {
         if !names.contains(&form.name) {
@@ -65,6 +68,7 @@ pub(crate) fn closed_form_names() -> Vec<&'static str> {
 }
 
 /// A closed form by its word, with the first type that has it.
-pub(crate) fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
+#[doc(hidden)]
+pub fn closed_form(name: &str) -> Option<(&'static Declaration, &'static ClosedForm)> {
     TYPES.into_iter().find_map(|t| t.closed_forms.iter().find(|c| c.is_optimum && c.name == name).map(|c| (t, c)))
 }

@@ -107,7 +107,8 @@ impl Crank {
     }
 
     /// Distance between the bearings of a throw, m.
-    pub(crate) fn pitch(&self, throw: usize) -> f64 {
+    #[doc(hidden)]
+    pub fn pitch(&self, throw: usize) -> f64 {
         0.5 * (self.journal_lengths[throw] + self.journal_lengths[throw + 1]) + 2.0 * self.web_thickness + self.pin_length
     }
 
@@ -129,7 +130,8 @@ impl Crank {
     }
 
     /// Middles of the rods on a throw, the first cylinder's first, m.
-    pub(crate) fn rod_places(&self, throw: usize) -> Vec<f64> {
+    #[doc(hidden)]
+    pub fn rod_places(&self, throw: usize) -> Vec<f64> {
         let middle = 0.5 * (self.rods as f64 - 1.0);
         (0..self.rods).map(|k| self.places(throw)[1] + (k as f64 - middle) * self.rod_spacing).collect()
     }

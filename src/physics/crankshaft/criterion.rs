@@ -49,7 +49,8 @@ pub enum MarginCriterion {
 
 impl MarginCriterion {
     /// All of them, in the order of tables.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
+    #[doc(hidden)]
+    pub fn all() -> impl Iterator<Item = Self> {
         let multiaxial = multiaxial::Criterion::ALL.map(Self::Multiaxial);
         Criterion::ALL.map(Self::MeanStress).into_iter().chain([Self::IacsM53, Self::IacsM53Continuous]).chain(multiaxial)
     }
@@ -70,7 +71,8 @@ impl MarginCriterion {
     }
 
     /// Whether it is the class societies' rule, with either bending.
-    pub(crate) fn is_class_rule(self) -> bool {
+    #[doc(hidden)]
+    pub fn is_class_rule(self) -> bool {
         matches!(self, Self::IacsM53 | Self::IacsM53Continuous)
     }
 

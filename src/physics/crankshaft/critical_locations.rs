@@ -47,7 +47,8 @@ impl CriticalLocation {
 }
 
 /// Stations of the throws, by throw; nothing unless they follow each other along the chain, one way or the other.
-pub(crate) fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
+#[doc(hidden)]
+pub fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
     let of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));
     let stations: Vec<usize> = (0..throws).map(of).collect::<Option<_>>()?;
     let leads = |from: usize, to: usize| chain.path(from, to).iter().all(|link| link.1 > 0.0) && from < to;

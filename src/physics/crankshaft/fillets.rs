@@ -12,11 +12,13 @@ use std::collections::hash_map::Entry;
 use std::rc::Rc;
 
 /// Of a fillet with more points of stresses per unit load than this, the worst one counts at each speed; of others every point is a fillet of its own.
-pub(crate) const LISTED_POINTS: usize = 100;
+#[doc(hidden)]
+pub const LISTED_POINTS: usize = 100;
 
 /// A fillet by one criterion.
 #[derive(Debug, Clone)]
-pub(crate) struct Fillet {
+#[doc(hidden)]
+pub struct Fillet {
     /// Index of the criterion.
     pub criterion: usize,
     /// Its name.
@@ -27,7 +29,8 @@ pub(crate) struct Fillet {
 
 /// The worst of each fillet at a speed.
 #[derive(Debug, Clone)]
-pub(crate) struct Worst {
+#[doc(hidden)]
+pub struct Worst {
     /// In the order of the fillets.
     pub used: Vec<Used>,
     /// Paths over the cycle that multiaxial criteria judged in full: bounds spared the others.
@@ -36,7 +39,8 @@ pub(crate) struct Worst {
 
 impl Margin {
     /// All fillets: by criterion, then as the locations are listed.
-    pub(crate) fn fillets(&self) -> Vec<Fillet> {
+    #[doc(hidden)]
+    pub fn fillets(&self) -> Vec<Fillet> {
         let mut list: Vec<Fillet> = Vec::new();
         for criterion in 0..self.criteria.len() {
             let mut known: HashMap<&str, usize> = HashMap::new();
@@ -56,7 +60,8 @@ impl Margin {
 
     /// The location of each fillet that is used most, under the torques of all shafts at a speed. Of a multiaxial criterion only those are searched whose bound is above what another one
     /// uses.
-    pub(crate) fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Worst {
+    #[doc(hidden)]
+    pub fn worst_of_each(&self, fillets: &[Fillet], speed_rpm: f64, torques: &[Torque]) -> Worst {
         let at = self.place(speed_rpm);
         let samples: Vec<OnceCell<SampledTorque>> = (0..torques.len()).map(|_| OnceCell::new()).collect();
         let outlines: RefCell<HashMap<usize, Within>> = RefCell::default();

@@ -8,7 +8,8 @@ use crate::numerics::elementary::Elementary;
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
-pub(crate) const STRIDE: usize = 2;
+#[doc(hidden)]
+pub const STRIDE: usize = 2;
 
 /// Loads of a section over the cycle: moment in the plane of the throw, across it, shear force in the plane.
 pub(crate) type Section = [Vec<f64>; 3];
@@ -45,7 +46,8 @@ pub struct InPlane {
 }
 
 /// (place in m, value) along the crank, in the plane of a throw and across it.
-pub(crate) type InPlanes = [Vec<(f64, f64)>; 2];
+#[doc(hidden)]
+pub type InPlanes = [Vec<(f64, f64)>; 2];
 
 impl<'a> CrankModel<'a> {
     /// Reactions by beam elements. Nothing where the torque comes from a table.

@@ -8,7 +8,8 @@ pub mod criterion;
 pub mod critical_locations;
 pub mod elements;
 mod evaluation_cache;
-pub(crate) mod fillets;
+#[doc(hidden)]
+pub mod fillets;
 pub mod flexible;
 mod load_paths;
 pub mod loads;
@@ -28,7 +29,7 @@ mod web_paths;
 pub use beam::{Beam, Reactions, Support};
 pub use crank::{Crank, OilBore, Place};
 pub use criterion::{FactorSource, Family, FatigueSpec, FilletSpec, MarginCriterion, MeanBending};
-pub(crate) use critical_locations::stations_of_throws;
+pub use critical_locations::stations_of_throws;
 pub use critical_locations::{CriticalLocation, shafts};
 pub use evaluation_cache::Known;
 pub use margin::{Margin, Torque, Used};

@@ -64,7 +64,8 @@ impl Chain {
     }
 
     /// Name of a shaft length.
-    pub(crate) fn shaft_name(&self, shaft: usize) -> String {
+    #[doc(hidden)]
+    pub fn shaft_name(&self, shaft: usize) -> String {
         format!("{}-{}", self.stations[shaft].name, self.stations[self.next(shaft)].name)
     }
 
@@ -74,7 +75,8 @@ impl Chain {
     }
 
     /// Speed of a station over that of the one it leads to.
-    pub(crate) fn gear(&self, station: usize) -> f64 {
+    #[doc(hidden)]
+    pub fn gear(&self, station: usize) -> f64 {
         self.stations[station].joint.as_ref().map_or(1.0, |j| j.gear)
     }
 
@@ -89,7 +91,8 @@ impl Chain {
     }
 
     /// Twist of the link after a station.
-    pub(crate) fn link(&self, shaft: usize) -> Difference {
+    #[doc(hidden)]
+    pub fn link(&self, shaft: usize) -> Difference {
         Difference { from: shaft, to: Some((self.next(shaft), self.gear(shaft))), scale: 1.0 }
     }
 
@@ -100,7 +103,8 @@ impl Chain {
     }
 
     /// Speed of every station over that of the crankshaft (of the first station where there is no throw); nothing without gears.
-    pub(crate) fn speed_ratios(&self) -> Option<Vec<f64>> {
+    #[doc(hidden)]
+    pub fn speed_ratios(&self) -> Option<Vec<f64>> {
         if !self.is_geared() {
             return None;
         }

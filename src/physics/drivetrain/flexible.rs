@@ -97,7 +97,8 @@ impl FlexibleCrank {
     }
 
     /// Whether the tables hold what is asked for.
-    pub(crate) fn hold(&self, asked: &Asked) -> bool {
+    #[doc(hidden)]
+    pub fn hold(&self, asked: &Asked) -> bool {
         let speeds = self.speeds_rpm.0 <= asked.speeds_rpm.0 && asked.speeds_rpm.1 <= self.speeds_rpm.1;
         let hosts = asked.hosts.iter().all(|s| self.hosts.contains(s));
         self.orders == asked.orders && speeds && hosts && (self.alone.is_some() || !asked.unlike)

@@ -22,7 +22,8 @@ pub struct Modes {
 
 /// What modes of a flexible crank have beside the motion of its stations.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Flexible {
+#[doc(hidden)]
+pub struct Flexible {
     /// phi' C phi.
     pub viscous: DMatrix<f64>,
     /// phi' (eta K) phi.
@@ -46,7 +47,8 @@ impl Modes {
     }
 
     /// Modes of a flexible crank at rest: frequencies, motion of the stations about the axis, and the rest.
-    pub(crate) fn flexible(omega: Vec<f64>, shapes: DMatrix<f64>, flexible: Flexible, chain: &Chain) -> Self {
+    #[doc(hidden)]
+    pub fn flexible(omega: Vec<f64>, shapes: DMatrix<f64>, flexible: Flexible, chain: &Chain) -> Self {
         let rigid = omega.iter().filter(|w| **w == 0.0).count();
         let mut modes = Self { omega, shapes, rigid, damping: Vec::new(), flexible: Some(flexible) };
         modes.damping = modes.ratios(chain);

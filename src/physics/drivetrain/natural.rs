@@ -272,12 +272,14 @@ fn own_frequency(law: &dyn Law, first: f64, order: f64, (rounds, settled): (usiz
 const FIRST_GUESS: f64 = 1000.0;
 
 /// Frequency of a ring on its held hub, rad/s; nothing where there is none.
-pub(crate) fn own(law: &dyn Law) -> Option<f64> {
+#[doc(hidden)]
+pub fn own(law: &dyn Law) -> Option<f64> {
     own_frequency(law, FIRST_GUESS, 1.0, (MOST_ROUNDS, SETTLED))
 }
 
 /// Loss factor of a law at the ring's own frequency on its held hub, Im S/Re S: twice its damping ratio there. Nothing where there is no such frequency.
-pub(crate) fn own_loss_factor(law: &dyn Law) -> Option<f64> {
+#[doc(hidden)]
+pub fn own_loss_factor(law: &dyn Law) -> Option<f64> {
     let omega = own(law)?;
     let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
     Some(s.im / s.re)

@@ -4,7 +4,8 @@ use std::ops::{Mul, Sub};
 
 /// scale (angle of `from` - ratio angle of `to`): the twist of a link, or the twist between two stations.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Difference {
+#[doc(hidden)]
+pub struct Difference {
     /// Index of a body.
     pub from: usize,
     /// Index of another one, and what its angle is multiplied by; nothing for the ground.

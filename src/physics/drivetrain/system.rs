@@ -30,7 +30,8 @@ impl System {
     }
 
     /// The same where the modes are known.
-    pub(crate) fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
+    #[doc(hidden)]
+    pub fn with_modes(chain: Chain, modes: Modes, excitation: Excitation) -> Self {
         let phases = (0..excitation.orders.len())
             .map(|n| chain.stations.iter().map(|s| s.throws.iter().map(|&t| excitation.phase(t, n)).sum()).collect())
             .collect();
@@ -39,7 +40,8 @@ impl System {
     }
 
     /// The same with a flexible crank, whose modes at rest `modes` are.
-    pub(crate) fn on_flexible(self, crank: Arc<FlexibleCrank>, modes: Modes) -> Self {
+    #[doc(hidden)]
+    pub fn on_flexible(self, crank: Arc<FlexibleCrank>, modes: Modes) -> Self {
         Self { flexible: Some(crank), modes, ..self }
     }
 

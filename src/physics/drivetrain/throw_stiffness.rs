@@ -18,7 +18,8 @@ use std::f64::consts::PI;
 const POISSON: f64 = 0.3;
 
 /// Shear modulus of an isotropic material, Pa: E/(2 (1 + nu)).
-pub(crate) fn shear_modulus(young_modulus: f64) -> f64 {
+#[doc(hidden)]
+pub fn shear_modulus(young_modulus: f64) -> f64 {
     young_modulus / (2.0 * (1.0 + POISSON))
 }
 
@@ -50,7 +51,8 @@ pub fn stepped_shaft(steps: &[Step], shear_modulus: f64) -> f64 {
 }
 
 /// pi G/(32 F), N m/rad.
-pub(crate) fn stiffness(flexibility: f64, shear_modulus: f64) -> f64 {
+#[doc(hidden)]
+pub fn stiffness(flexibility: f64, shear_modulus: f64) -> f64 {
     PI * shear_modulus / (32.0 * flexibility)
 }
 

@@ -118,7 +118,8 @@ impl<'a> Cycle<'a> {
     }
 
     /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.
-    pub(crate) fn moments(&self, speed_rpm: f64, stride: usize) -> Vec<Moment> {
+    #[doc(hidden)]
+    pub fn moments(&self, speed_rpm: f64, stride: usize) -> Vec<Moment> {
         let n = samples(self.engine.strokes) / stride;
         let (i, fraction) = if self.traces.len() == 1 { (0, 0.0) } else { table_lookup::held(self.speeds_rpm, speed_rpm) };
         let (low, high) = (&self.traces[i], &self.traces[(i + 1).min(self.traces.len() - 1)]);
@@ -146,7 +147,8 @@ pub fn crank_fixed([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 
 /// Angle of the cylinders of a throw from the middle of the banks, rad in the direction of rotation: cylinders fire a bank angle apart in
 /// the direction in which their banks lie.
-pub(crate) fn axes(engine: &Engine, throw: usize) -> Vec<f64> {
+#[doc(hidden)]
+pub fn axes(engine: &Engine, throw: usize) -> Vec<f64> {
     let (firing, Some(bank)) = (engine.layout.firing_on_throw(throw), engine.layout.bank_angle_deg) else { return vec![0.0] };
     let [first, second] = firing else {
         // opposed: odd cylinders in one bank

@@ -34,7 +34,8 @@ pub struct Engine {
 
 impl Engine {
     /// The same with the work of its brake curve, where its pressure follows one.
-    pub(crate) fn of_brake_curve(&self) -> Self {
+    #[doc(hidden)]
+    pub fn of_brake_curve(&self) -> Self {
         match &self.source {
             Source::Cylinder { geometry, pressure } => {
                 Self { source: Source::Cylinder { geometry: geometry.clone(), pressure: pressure.of_brake_curve() }, ..self.clone() }
@@ -54,7 +55,8 @@ impl Engine {
     }
 
     /// Crank angle of a working cycle, degrees: 360 (two-stroke) or 720 (four-stroke).
-    pub(crate) fn cycle_deg(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn cycle_deg(&self) -> f64 {
         180.0 * f64::from(self.strokes)
     }
 }

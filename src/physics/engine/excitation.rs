@@ -158,7 +158,8 @@ impl Excitation {
     }
 
     /// A share of the way from this torque to that of an engine which differs from it only by what its gas torque is linear in; the audit stays that of this one.
-    pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
+    #[doc(hidden)]
+    pub fn towards(&self, other: &Self, share: f64) -> Self {
         let row = |(a, b): (&Vec<C64>, &Vec<C64>)| a.iter().zip(b).map(|(a, b)| a + (b - a) * share).collect();
         let gas = |a: &[Vec<C64>], b: &[Vec<C64>]| a.iter().zip(b).map(row).collect();
         let radial = self.radial.as_ref().zip(other.radial.as_ref());
@@ -168,7 +169,8 @@ impl Excitation {
 
     /// With the radial forces on the pins, too; without a change where the torque comes from a table.
     #[must_use]
-    pub(crate) fn with_radial(mut self, engine: &Engine) -> Self {
+    #[doc(hidden)]
+    pub fn with_radial(mut self, engine: &Engine) -> Self {
         let Source::Cylinder { geometry, pressure } = &engine.source else { return self };
         let analyser = Analyser::new(samples(engine.strokes), &self.harmonics);
         let traces = pressure.traces(geometry, engine.strokes, engine.layout.firing_deg.len());

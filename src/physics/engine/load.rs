@@ -3,7 +3,8 @@
 use crate::numerics::table_lookup;
 
 /// Largest share of the full-load curve.
-pub(crate) const LARGEST_LOAD: f64 = 1.2;
+#[doc(hidden)]
+pub const LARGEST_LOAD: f64 = 1.2;
 
 /// Share of the full-load mean pressure over speed.
 #[derive(Debug, Clone, PartialEq)]

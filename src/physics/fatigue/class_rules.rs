@@ -29,9 +29,11 @@ pub struct ClassRule {
 }
 
 /// sigma_add of trunk piston engines, Pa; crosshead engines have three times as much.
-pub(crate) const ADDITIONAL_BENDING: f64 = 10.0 * PA_PER_MPA;
+#[doc(hidden)]
+pub const ADDITIONAL_BENDING: f64 = 10.0 * PA_PER_MPA;
 /// Tensile strengths for which sigma_DW rises with strength as its formula was made to, Pa. Steels of the rule lie well inside.
-pub(crate) const STRENGTHS: (f64, f64) = (400.0 * PA_PER_MPA, 1700.0 * PA_PER_MPA);
+#[doc(hidden)]
+pub const STRENGTHS: (f64, f64) = (400.0 * PA_PER_MPA, 1700.0 * PA_PER_MPA);
 /// Least acceptability factor, section 7.
 pub(crate) const ACCEPTABLE: f64 = 1.15;
 /// A fillet radius, or half the diameter of an oil bore, below this counts as it, m \[IACS UR M53\] section 6.

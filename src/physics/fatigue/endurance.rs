@@ -41,9 +41,11 @@ pub struct Endurance {
 }
 
 /// Highest temperature of the formula, °C.
-pub(crate) const HOTTEST: f64 = 550.0;
+#[doc(hidden)]
+pub const HOTTEST: f64 = 550.0;
 /// Reliabilities with a factor, per cent.
-pub(crate) const RELIABILITIES: [f64; 8] = [50.0, 90.0, 95.0, 99.0, 99.9, 99.99, 99.999, 99.9999];
+#[doc(hidden)]
+pub const RELIABILITIES: [f64; 8] = [50.0, 90.0, 95.0, 99.0, 99.9, 99.99, 99.999, 99.9999];
 const RELIABILITY_FACTORS: [f64; 8] = [1.0, 0.897, 0.868, 0.814, 0.753, 0.702, 0.659, 0.620];
 
 impl Endurance {

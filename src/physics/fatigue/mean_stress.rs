@@ -64,7 +64,8 @@ impl Criterion {
     }
 
     /// Whether the yield strength enters.
-    pub(crate) fn needs_yield(self) -> bool {
+    #[doc(hidden)]
+    pub fn needs_yield(self) -> bool {
         matches!(self, Self::Soderberg | Self::AsmeElliptic | Self::Langer)
     }
 

@@ -4,7 +4,8 @@ pub mod class_rules;
 pub mod endurance;
 pub mod mean_stress;
 pub mod multiaxial;
-pub(crate) mod shaft_rules;
+#[doc(hidden)]
+pub mod shaft_rules;
 
 pub use class_rules::ClassRule;
 pub use mean_stress::{Criterion, Cycle, Strength};

@@ -5,7 +5,8 @@ use crate::units::{M_PER_MM, PA_PER_MPA};
 
 /// A limit of nominal shear stress over the ratio of speed to rated speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum ShaftRule {
+#[doc(hidden)]
+pub enum ShaftRule {
     /// Of propulsion shafts.
     Propulsion {
         /// Tensile strength, Pa.
@@ -73,10 +74,12 @@ impl ShaftRule {
 }
 
 /// Ratio of speeds above which no range may be barred in normal firing.
-pub(crate) const HIGHEST_BARRED: f64 = 0.8;
+#[doc(hidden)]
+pub const HIGHEST_BARRED: f64 = 0.8;
 
 /// The range that a critical speed bars, rpm: 16 n/(18 - lambda) to (18 - lambda) n/16 \[IACS UR M68\]; taken for cranks, too (assumption).
-pub(crate) fn barred(critical_rpm: f64, rated_rpm: f64) -> (f64, f64) {
+#[doc(hidden)]
+pub fn barred(critical_rpm: f64, rated_rpm: f64) -> (f64, f64) {
     let width = (18.0 - critical_rpm / rated_rpm) / 16.0;
     (critical_rpm / width, critical_rpm * width)
 }

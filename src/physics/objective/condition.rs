@@ -31,7 +31,8 @@ pub enum Condition {
 
 /// How the cylinders burn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Burning {
+#[doc(hidden)]
+pub enum Burning {
     /// All alike.
     Alike,
     /// All but one, each of them in turn.
@@ -54,7 +55,8 @@ enum Absorbers {
 
 impl Condition {
     /// Those that a study may name, in the order of its words; in operation an absorber is where its material says how.
-    pub(crate) const NAMED: [Self; 9] = [
+    #[doc(hidden)]
+    pub const NAMED: [Self; 9] = [
         Self::Firing,
         Self::Misfire,
         Self::UnequalCylinders,
@@ -88,17 +90,20 @@ impl Condition {
     }
 
     /// How the cylinders burn.
-    pub(crate) fn burning(self) -> Burning {
+    #[doc(hidden)]
+    pub fn burning(self) -> Burning {
         self.row().1
     }
 
     /// Whether an absorber works in it.
-    pub(crate) fn has_absorbers(self) -> bool {
+    #[doc(hidden)]
+    pub fn has_absorbers(self) -> bool {
         !matches!(self.row().2, Absorbers::Locked | Absorbers::Lost)
     }
 
     /// The engine of this condition is one whose units are like these.
-    pub(crate) fn is_with(self, units: Units) -> bool {
+    #[doc(hidden)]
+    pub fn is_with(self, units: Units) -> bool {
         match self.burning() {
             Burning::Alike => units == Units::Equal,
             Burning::AllButOne => matches!(units, Units::Misfiring(_)),
@@ -108,12 +113,14 @@ impl Condition {
     }
 
     /// The state of the materials that it is.
-    pub(crate) fn material(self) -> Option<State> {
+    #[doc(hidden)]
+    pub fn material(self) -> Option<State> {
         if let Absorbers::InState(state) = self.row().2 { Some(state) } else { None }
     }
 
     /// Whether it makes no difference to a design: there are no absorbers, or none whose material it changes.
-    pub(crate) fn changes_nothing(self, design: &[Mounted]) -> bool {
+    #[doc(hidden)]
+    pub fn changes_nothing(self, design: &[Mounted]) -> bool {
         match self.row().2 {
             Absorbers::AsGiven => false,
             Absorbers::Locked | Absorbers::Lost => design.is_empty(),

@@ -16,7 +16,8 @@ use std::f64::consts::TAU;
 
 /// What an absorber shears.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sheared {
+#[doc(hidden)]
+pub struct Sheared {
     /// Cycles of strain that it bears.
     pub life: StrainLife,
     /// Largest shear strain per twist, 1/rad.
@@ -25,7 +26,8 @@ pub(crate) struct Sheared {
 
 /// What an hour at one speed does.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hour {
+#[doc(hidden)]
+pub struct Hour {
     /// Largest amplitude of shear strain of a counted cycle.
     pub strain: f64,
     /// Counted cycles.

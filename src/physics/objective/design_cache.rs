@@ -13,7 +13,8 @@ pub(super) type Sweep = Rc<Vec<C64>>;
 
 /// Of one design; another needs another.
 #[derive(Debug, Default)]
-pub(crate) struct Shared {
+#[doc(hidden)]
+pub struct Shared {
     pub(super) known: Known,
     pub(super) speeds: OnceCell<Speeds>,
     /// Quantities that measures over the same speeds will ask for.

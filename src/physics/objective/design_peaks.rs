@@ -8,7 +8,8 @@ use crate::absorber::Mounted;
 use crate::response::{ResponseError, Work};
 
 /// The largest peaks of one design.
-pub(crate) struct DesignPeaks<'d> {
+#[doc(hidden)]
+pub struct DesignPeaks<'d> {
     /// Of its system.
     pub finder: &'d PeakFinder<'d>,
     /// Its absorbers.

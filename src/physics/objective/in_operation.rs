@@ -70,7 +70,8 @@ impl InOperation {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub(crate) fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
+#[doc(hidden)]
+pub fn absorbers(condition: Condition, finder: &PeakFinder, design: &[Mounted]) -> Result<Vec<Mounted>, ResponseError> {
     let (Condition::InOperation, Some(own)) = (condition, InOperation::of(finder, design)) else { return Ok(condition.absorbers(design)) };
     // all speeds of the grid at once, by all threads
     let speeds = &finder.grid.speed_rpm;

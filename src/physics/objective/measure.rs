@@ -36,12 +36,14 @@ pub enum Over {
 
 impl Over {
     /// Whether it asks for the points of a duty.
-    pub(crate) fn asks_for_duty(self) -> bool {
+    #[doc(hidden)]
+    pub fn asks_for_duty(self) -> bool {
         matches!(self, Self::Mean | Self::MeanPower | Self::Damage)
     }
 
     /// In words before what it is of, and before its column.
-    pub(crate) fn names(self) -> (String, String) {
+    #[doc(hidden)]
+    pub fn names(self) -> (String, String) {
         match self {
             Self::Orders => ("largest order of ".into(), "peak_order_".into()),
             Self::Order(order) => (format!("order {order} of "), format!("peak_order_{order}_")),
@@ -107,12 +109,14 @@ impl Within {
     }
 
     /// Whether it counts at a speed.
-    pub(crate) fn holds(&self, speed_rpm: f64) -> bool {
+    #[doc(hidden)]
+    pub fn holds(&self, speed_rpm: f64) -> bool {
         self.ranges.is_empty() || self.ranges.iter().map(|r| with_its_ends(*r)).any(|r| (r.0..=r.1).contains(&speed_rpm))
     }
 
     /// Speeds at which it is not smooth, rpm.
-    pub(crate) fn kinks(&self) -> impl Iterator<Item = f64> + '_ {
+    #[doc(hidden)]
+    pub fn kinks(&self) -> impl Iterator<Item = f64> + '_ {
         self.ranges.iter().flat_map(|r| [r.0, r.1]).chain(self.factors.iter().map(|f| f.0))
     }
 }
@@ -135,7 +139,8 @@ impl Measure {
     }
 
     /// The quantity, where the measure is the synthesis of one over the whole range: what surrogate peaks answer for.
-    pub(crate) fn synthesised(&self) -> Option<Quantity> {
+    #[doc(hidden)]
+    pub fn synthesised(&self) -> Option<Quantity> {
         match (self.over, self.quantities.as_slice()) {
             (Over::Synthesis, [quantity]) if self.within == Within::default() => Some(*quantity),
             _ => None,
@@ -170,16 +175,19 @@ impl Measure {
     }
 
     /// Absorbers whose ring twists it is made of.
-    pub(crate) fn absorbers(&self) -> impl Iterator<Item = usize> + '_ {
+    #[doc(hidden)]
+    pub fn absorbers(&self) -> impl Iterator<Item = usize> + '_ {
         self.quantities.iter().filter_map(|q| if let Quantity::RingTwist(i) = q { Some(*i) } else { None })
     }
 }
 
 /// A limit holds up to this share above it.
-pub(crate) const HELD: f64 = 1e-6;
+#[doc(hidden)]
+pub const HELD: f64 = 1e-6;
 
 /// Whether a limit holds with this ratio of the measure to it.
-pub(crate) fn holds(ratio: f64) -> bool {
+#[doc(hidden)]
+pub fn holds(ratio: f64) -> bool {
     ratio <= 1.0 + HELD
 }
 

@@ -7,7 +7,8 @@ mod design_peaks;
 pub mod duty;
 mod duty_means;
 mod gradient;
-pub(crate) mod in_operation;
+#[doc(hidden)]
+pub mod in_operation;
 mod local_maxima;
 pub mod measure;
 mod order_peaks;
@@ -29,11 +30,11 @@ mod synthesis_peaks;
 mod temperature_peaks;
 
 pub use condition::Condition;
-pub(crate) use damage::Sheared;
-pub(crate) use design_cache::Shared;
-pub(crate) use design_peaks::DesignPeaks;
+pub use damage::Sheared;
+pub use design_cache::Shared;
+pub use design_peaks::DesignPeaks;
 pub use duty::DutyLoad;
-pub(crate) use measure::{HELD, holds};
+pub use measure::{HELD, holds};
 pub use measure::{Limit, Measure, Over, Property, Within};
 pub use peak::{Peak, Place};
 pub(crate) use peak_search::Asked;

@@ -42,7 +42,8 @@ pub struct PeakFinder<'a> {
     pub refine: bool,
     resonances: Option<Resonances>,
     /// Extremes of sums of orders.
-    pub(crate) synthesiser: Synthesiser,
+    #[doc(hidden)]
+    pub synthesiser: Synthesiser,
     /// The crank, for measures of its margin.
     pub margin: Option<&'a Margin>,
     /// For means over a duty.

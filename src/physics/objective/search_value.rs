@@ -13,7 +13,8 @@ use crate::response::{ResponseError, Work};
 impl<'a> PeakFinder<'a> {
     /// Lets searches ask tables first for their measure; a peak whose estimated error is above `tolerance` is found exactly.
     #[must_use]
-    pub(crate) fn with_surrogate(mut self, surrogate: Option<Surrogate<'a>>, tolerance: f64) -> Self {
+    #[doc(hidden)]
+    pub fn with_surrogate(mut self, surrogate: Option<Surrogate<'a>>, tolerance: f64) -> Self {
         self.surrogates.extend(surrogate.map(|s| (s, tolerance)));
         self
     }
@@ -104,7 +105,8 @@ impl<'a> PeakFinder<'a> {
     }
 
     /// Index of the design of one absorber with the lowest peak, by tables, among those that they answer for; nothing without tables.
-    pub(crate) fn best_of(&self, designs: impl Iterator<Item = Vec<Mounted>>, measure: &Measure) -> Option<usize> {
+    #[doc(hidden)]
+    pub fn best_of(&self, designs: impl Iterator<Item = Vec<Mounted>>, measure: &Measure) -> Option<usize> {
         let (surrogate, _) = self.surrogate(measure)?;
         let (mut scratch, mut best) = (Scratch::default(), None);
         for (i, design) in designs.enumerate() {

@@ -77,7 +77,8 @@ fn key(of: &impl Debug) -> u64 {
 ///
 /// # Errors
 /// Those of the computation.
-pub(crate) fn remembered<T: Serialize + DeserializeOwned, E>(
+#[doc(hidden)]
+pub fn remembered<T: Serialize + DeserializeOwned, E>(
     memory: Option<&dyn Memory>,
     of: &impl Debug,
     compute: impl FnOnce() -> Result<T, E>,

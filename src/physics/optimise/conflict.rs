@@ -30,7 +30,8 @@ pub struct Conflict {
 const LEAST_SHARE: f64 = 1e-4;
 
 /// What an optimum with a broken limit comes to: another optimum from a design that holds all limits, where there is one, or the conflict.
-pub(crate) enum Verdict {
+#[doc(hidden)]
+pub enum Verdict {
     /// From a point at which all limits hold.
     Found(Box<minimax::Outcome>),
     /// There is none: the design that comes nearest to all limits, and what keeps it from them.
@@ -41,7 +42,8 @@ pub(crate) enum Verdict {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
-pub(crate) fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
+#[doc(hidden)]
+pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
     let feasibility = survey::feasibility(problem);
     let mut all = starts.to_vec();
     all.push(("optimum".into(), optimum.outcome.point.clone()));

@@ -45,7 +45,8 @@ const SEGMENT: usize = 17;
 
 /// An optimum for a ring inertia, as a global search has found it.
 #[derive(Debug, Clone)]
-pub(crate) struct KnownOptimum<'a> {
+#[doc(hidden)]
+pub struct KnownOptimum<'a> {
     /// Its family.
     pub space: Space,
     /// The optimum.
@@ -216,7 +217,8 @@ impl<'a> Follower<'a> {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
-pub(crate) fn follow(
+#[doc(hidden)]
+pub fn follow(
     problem: &Problem,
     (inertias, known): (&[f64], &[KnownOptimum]),
     starts: Starts,

@@ -61,7 +61,8 @@ impl LoadCase<'_> {
     ///
     /// # Errors
     /// As [`Self::peak`].
-    pub(crate) fn peak_above(&self, design: &[Mounted], measure: &Measure, least: f64, work: &mut Work) -> Result<f64, ResponseError> {
+    #[doc(hidden)]
+    pub fn peak_above(&self, design: &[Mounted], measure: &Measure, least: f64, work: &mut Work) -> Result<f64, ResponseError> {
         self.finder.exact_value(&self.absorbers(design)?, (measure, least), &Shared::default(), work)
     }
 
@@ -84,7 +85,8 @@ impl LoadCase<'_> {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-pub(crate) fn largest<'a>(
+#[doc(hidden)]
+pub fn largest<'a>(
     mut load_cases: impl Iterator<Item = &'a LoadCase<'a>>,
     design: &[Mounted],
     measure: &Measure,

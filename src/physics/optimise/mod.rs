@@ -2,7 +2,8 @@
 
 mod adaptive_levels;
 pub mod checkpoint;
-pub(crate) mod conflict;
+#[doc(hidden)]
+pub mod conflict;
 mod curvature;
 pub mod front;
 pub mod gradient_free;
@@ -12,22 +13,26 @@ mod operation;
 pub mod problem;
 pub mod robust;
 pub mod search;
-pub(crate) mod second_order;
-pub(crate) mod shadow_prices;
+#[doc(hidden)]
+pub mod second_order;
+#[doc(hidden)]
+pub mod shadow_prices;
 pub mod starts;
 mod subproblem;
-pub(crate) mod survey;
+#[doc(hidden)]
+pub mod survey;
 mod symmetry;
 mod termination;
 pub mod tradeoff;
 pub mod variables;
-pub(crate) mod verification_scan;
+#[doc(hidden)]
+pub mod verification_scan;
 
 pub use checkpoint::{Found, Memory, Remembers, Sought};
 pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
 pub use load_case::LoadCase;
-pub(crate) use load_case::largest;
+pub use load_case::largest;
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
 pub use robust::Tolerances;
@@ -35,7 +40,7 @@ pub use search::{LocalOptimum, Optimum, Stages, Start};
 pub use second_order::SecondOrder;
 pub use shadow_prices::OnBound;
 pub use survey::Survey;
-pub(crate) use symmetry::Interchange;
+pub use symmetry::Interchange;
 pub use termination::Stop;
 pub use tradeoff::{Tradeoff, TradeoffPoint};
 pub use variables::{Slot, Space, Variable};

@@ -40,7 +40,8 @@ pub enum Role {
 
 impl Role {
     /// Whether it is a limit.
-    pub(crate) fn is_limit(self) -> bool {
+    #[doc(hidden)]
+    pub fn is_limit(self) -> bool {
         matches!(self, Self::Limit(_))
     }
 }
@@ -101,7 +102,8 @@ impl Rows {
     }
 
     /// Whether all limits hold.
-    pub(crate) fn hold(&self) -> bool {
+    #[doc(hidden)]
+    pub fn hold(&self) -> bool {
         self.excess() <= HELD
     }
 

@@ -47,7 +47,8 @@ impl Tolerances {
     }
 
     /// Of a design.
-    pub(crate) fn of(design: &[Mounted], shares: &[(&'static str, f64)]) -> Self {
+    #[doc(hidden)]
+    pub fn of(design: &[Mounted], shares: &[(&'static str, f64)]) -> Self {
         Self::new(&design.iter().map(|m| m.absorber.declaration()).collect::<Vec<_>>(), shares)
     }
 
@@ -128,13 +129,15 @@ impl Tolerances {
 }
 
 /// Load cases as they are, and each with every deviation.
-pub(crate) fn scenarios<'a>(cases: &[LoadCase<'a>], deviations: &'a [Deviation]) -> Vec<LoadCase<'a>> {
+#[doc(hidden)]
+pub fn scenarios<'a>(cases: &[LoadCase<'a>], deviations: &'a [Deviation]) -> Vec<LoadCase<'a>> {
     let with = |deviation: &'a Deviation| cases.iter().map(move |case| LoadCase { deviation: Some(deviation), ..*case });
     cases.iter().copied().chain(deviations.iter().flat_map(with)).collect()
 }
 
 /// The largest value of a measure of a design over load cases with a deviation; infinite where nothing damps a resonance.
-pub(crate) fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Deviation, measure: &Measure) -> f64 {
+#[doc(hidden)]
+pub fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Deviation, measure: &Measure) -> f64 {
     let cases = cases.iter().map(|case| LoadCase { deviation: Some(deviation), ..*case });
     cases
         .map(|case| case.peak(design, measure, &mut Work::default()))
@@ -146,7 +149,8 @@ pub(crate) fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Devia
 ///
 /// # Errors
 /// The error of the first start, where no start has a finite response.
-pub(crate) fn optimise(
+#[doc(hidden)]
+pub fn optimise(
     problem: &Problem,
     tolerances: &Tolerances,
     starts: &[(String, Vec<f64>)],

@@ -8,7 +8,8 @@ use minimax::Outcome;
 use rayon::prelude::*;
 
 /// Told of progress: once for every start and every front point that is done.
-pub(crate) type Recorder<'a> = &'a (dyn Fn() + Sync);
+#[doc(hidden)]
+pub type Recorder<'a> = &'a (dyn Fn() + Sync);
 
 /// Evaluations without derivatives from each start.
 const SEARCH_EVALUATIONS: u64 = 150;

@@ -28,7 +28,8 @@ const STEP: f64 = 1e-3;
 
 /// Second order at an outcome \[Nocedal & Wright 2006\] theorem 12.6, by central differences of the Lagrangian's gradient; nothing where the search has not converged, where peaks appear or vanish that near, or where
 /// a free parameter lies on a bound that costs nothing.
-pub(crate) fn second_order(problem: &Problem, outcome: &Outcome, work: &mut Work) -> Option<SecondOrder> {
+#[doc(hidden)]
+pub fn second_order(problem: &Problem, outcome: &Outcome, work: &mut Work) -> Option<SecondOrder> {
     // curvature makes a minimum of a point where first order holds, and of no other
     if !matches!(outcome.stop, Stop::Converged | Stop::NothingFree) {
         return None;

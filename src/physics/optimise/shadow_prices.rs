@@ -23,7 +23,8 @@ pub struct OnBound {
 }
 
 /// Per cent of the objective that one per cent more of each limit would bring.
-pub(crate) fn prices(outcome: &Outcome, limits: usize) -> Vec<f64> {
+#[doc(hidden)]
+pub fn prices(outcome: &Outcome, limits: usize) -> Vec<f64> {
     let mut prices = vec![0.0; limits];
     for (row, multiplier) in outcome.rows.rows.iter().zip(&outcome.multipliers) {
         if let Role::Limit(limit) = row.role {
@@ -35,7 +36,8 @@ pub(crate) fn prices(outcome: &Outcome, limits: usize) -> Vec<f64> {
 }
 
 /// Bounds on which parameters lie, and what one per cent further would bring.
-pub(crate) fn on_bounds(space: &Space, outcome: &Outcome) -> Vec<OnBound> {
+#[doc(hidden)]
+pub fn on_bounds(space: &Space, outcome: &Outcome) -> Vec<OnBound> {
     let mut list = Vec::new();
     for ((v, w), [low, high]) in space.variables.iter().zip(&outcome.point).zip(&outcome.bounds) {
         let x = v.value(*w);

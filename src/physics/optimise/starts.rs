@@ -9,7 +9,8 @@ use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// Modes that get closed-form starts of their own.
-pub(crate) const MOST_MODES: usize = 3;
+#[doc(hidden)]
+pub const MOST_MODES: usize = 3;
 /// Closed-form starts of several absorbers together.
 const MOST_COMBINED: usize = 12;
 /// Absorbers of one type on one mode start apart by this factor in what grows with the ring: alike they would stay alike.
@@ -19,7 +20,8 @@ const APART: f64 = 1.3;
 const ALIKE: f64 = 1e-6;
 
 /// A named start.
-pub(crate) type NamedPoint = (String, Vec<f64>);
+#[doc(hidden)]
+pub type NamedPoint = (String, Vec<f64>);
 
 /// Starts of a search in a family.
 pub type Starts<'a> = &'a (dyn Fn(&Space) -> Vec<NamedPoint> + Sync);
@@ -49,7 +51,8 @@ pub fn starts(space: &Space, modes: &[Vec<EngineMode>], random: usize, seed: u64
 }
 
 /// Without starts at the place of an earlier one, each `ordered`: closed forms may agree, and what agrees because it began alike proves nothing.
-pub(crate) fn distinct(list: Vec<NamedPoint>, ordered: impl Fn(&[f64]) -> Vec<f64>) -> Vec<NamedPoint> {
+#[doc(hidden)]
+pub fn distinct(list: Vec<NamedPoint>, ordered: impl Fn(&[f64]) -> Vec<f64>) -> Vec<NamedPoint> {
     let alike = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < ALIKE);
     let mut distinct: Vec<(NamedPoint, Vec<f64>)> = Vec::new();
     for start in list {
@@ -135,7 +138,8 @@ const RATIOS: [f64; 3] = [0.02, 0.2, 1.0];
 
 /// Designs that no mode asks for, in lines along which only the frequency grows: each absorber with a closed form tuned to each of these frequencies (rad/s), as on an engine of some inertia ratios; the
 /// others as at a point.
-pub(crate) fn elsewhere(space: &Space, at: &[f64], frequencies: &[f64]) -> Vec<Vec<Vec<f64>>> {
+#[doc(hidden)]
+pub fn elsewhere(space: &Space, at: &[f64], frequencies: &[f64]) -> Vec<Vec<Vec<f64>>> {
     let own = space.values(at);
     let mut lines = Vec::new();
     for (i, slot) in space.slots.iter().enumerate() {
@@ -169,7 +173,8 @@ fn apart(space: &Space, index: usize, mut values: Vec<f64>, same_mode: &dyn Fn(u
 }
 
 /// Points spread over the box, but not further than six e-folds from `middle`: beyond, rings are locked or loose.
-pub(crate) fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> Vec<Vec<f64>> {
+#[doc(hidden)]
+pub fn random_points(space: &Space, middle: &[f64], count: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
     let bounds = space.bounds();
     let mut point = || {

@@ -136,7 +136,8 @@ fn costs_more_than_limits(problem: &Problem) -> bool {
 }
 
 /// Looks over the whole box, follows what may be better than an optimum, and keeps what is.
-pub(crate) fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Survey {
+#[doc(hidden)]
+pub fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Survey {
     let points = Points::over(problem, &optimum.outcome.point, seed);
     let holds = optimum.outcome.rows.hold();
     let most = if holds { optimum.value() * FAR_ABOVE } else { f64::INFINITY };

@@ -6,7 +6,8 @@ use crate::objective::{Limit, Measure};
 
 /// Groups of absorbers that may change places.
 #[derive(Debug)]
-pub(crate) struct Interchange {
+#[doc(hidden)]
+pub struct Interchange {
     groups: Vec<Vec<usize>>,
 }
 

@@ -77,7 +77,8 @@ impl<'a> Follower<'a> {
 
     /// With the least of the first measure, where a search of the same problem has found it.
     #[must_use]
-    pub(crate) fn with_least_of_first(self, optimum: Option<&'a Optimum>) -> Self {
+    #[doc(hidden)]
+    pub fn with_least_of_first(self, optimum: Option<&'a Optimum>) -> Self {
         Self { least_first: optimum, ..self }
     }
 
@@ -332,7 +333,8 @@ impl<'a> Follower<'a> {
 }
 
 /// Marks what another point of any front is no worse than in both measures, and the knee of what is left.
-pub(crate) fn mark(fronts: &mut [Tradeoff]) {
+#[doc(hidden)]
+pub fn mark(fronts: &mut [Tradeoff]) {
     let all: Vec<[f64; 2]> = fronts.iter().flat_map(|f| &f.points).map(|p| p.values).collect();
     let beats = |a: &[f64; 2], b: &[f64; 2]| a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] * (1.0 - BETTER) || a[1] < b[1] * (1.0 - BETTER));
     for point in fronts.iter_mut().flat_map(|f| &mut f.points) {

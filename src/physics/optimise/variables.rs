@@ -111,7 +111,8 @@ impl Space {
     }
 
     /// Whether another family has the same absorbers and variables, but for the ring inertia of its first absorber, which both hold, and for bounds, which may follow the ring.
-    pub(crate) fn is_but_for_ring(&self, other: &Self) -> bool {
+    #[doc(hidden)]
+    pub fn is_but_for_ring(&self, other: &Self) -> bool {
         let free = |space: &Self| -> Vec<(usize, usize)> { space.variables.iter().map(|v| (v.absorber, v.parameter)).collect() };
         let variables = free(self);
         let is_held = |i: usize, p: usize| (i, p) != (0, 0) && !variables.contains(&(i, p));

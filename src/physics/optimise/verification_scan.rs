@@ -37,7 +37,8 @@ const FARTHEST: f64 = 0.5;
 const DECADES: f64 = 4.0;
 
 /// Looks at random designs round an optimum, ever nearer, and follows the lowest where it is lower.
-pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nearby {
+#[doc(hidden)]
+pub fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nearby {
     let bounds = problem.space.bounds();
     if bounds.is_empty() {
         return Nearby::default();
@@ -81,7 +82,8 @@ pub(crate) fn nearby(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Nea
 const MOST_FOLLOWED: usize = 6;
 
 /// Looks along lines of designs that no start comes from, and follows the lowest: starts that agree may all have missed what lies elsewhere.
-pub(crate) fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f64>>]) -> Scan {
+#[doc(hidden)]
+pub fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f64>>]) -> Scan {
     let costs: Vec<Vec<(f64, Work)>> = lines
         .par_iter()
         .map(|line| {

@@ -73,7 +73,8 @@ impl<'a> Direct<'a> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance.
-    pub(crate) fn at_each(
+    #[doc(hidden)]
+    pub fn at_each(
         &self,
         design: &[Mounted],
         quantities: &[Quantity],
@@ -283,7 +284,8 @@ impl<'a> Direct<'a> {
     }
 
     /// The same from the phasors of the ring twist.
-    pub(crate) fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
+    #[doc(hidden)]
+    pub fn power_of_twist(&self, design: &[Mounted], index: usize, speed_rpm: f64, twist: &[C64]) -> f64 {
         let Some(law) = design[index].absorber.law() else { return 0.0 };
         let rate = |n: usize| self.system.excitation.orders[n].omega(speed_rpm);
         let shaft_speed = speed_rpm * RAD_PER_S_PER_RPM;

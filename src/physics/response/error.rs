@@ -66,7 +66,8 @@ pub enum ResponseError {
 
 impl ResponseError {
     /// At an order and speed.
-    pub(crate) fn unbounded(order: Order, speed_rpm: f64) -> Self {
+    #[doc(hidden)]
+    pub fn unbounded(order: Order, speed_rpm: f64) -> Self {
         Self::Unbounded { order, speed_rpm, frequency_hz: order.value() * speed_rpm * HZ_PER_RPM }
     }
 }

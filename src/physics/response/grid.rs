@@ -4,7 +4,8 @@
 pub(crate) const SAME_SPEED: f64 = 1e-9;
 
 /// Whether two speeds differ by rounding only.
-pub(crate) fn is_same_speed(a: f64, b: f64) -> bool {
+#[doc(hidden)]
+pub fn is_same_speed(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_SPEED * a.abs().max(b.abs())
 }
 

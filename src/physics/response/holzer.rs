@@ -15,7 +15,8 @@ pub(crate) const LARGEST_CANCELLATION: f64 = 1e6;
 
 /// Transfer matrices along the chain.
 #[derive(Debug)]
-pub(crate) struct Holzer<'a> {
+#[doc(hidden)]
+pub struct Holzer<'a> {
     system: &'a System,
     grid: &'a Grid,
 }

@@ -27,7 +27,8 @@ struct Rest {
 
 /// The rest at the speeds of a grid, for designs of one ring alone on a station: the same whatever the ring.
 #[derive(Debug)]
-pub(crate) struct Hosts {
+#[doc(hidden)]
+pub struct Hosts {
     /// What is known of it besides the angle.
     quantity: Quantity,
     /// By speed; nothing where the chain resonates.

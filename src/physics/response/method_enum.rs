@@ -25,7 +25,8 @@ pub enum Method<'a> {
 
 impl Method<'_> {
     /// Solves spent on tables.
-    pub(crate) fn setup(&self) -> Work {
+    #[doc(hidden)]
+    pub fn setup(&self) -> Work {
         match self {
             Self::Direct(_) => Work::default(),
             Self::Receptance(m) => m.setup,

@@ -25,7 +25,8 @@ pub enum Rule {
 
 impl Rule {
     /// Both.
-    pub(crate) const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
+    #[doc(hidden)]
+    pub const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
 
     /// The word used in tables.
     pub(crate) fn name(self) -> &'static str {
@@ -50,11 +51,13 @@ pub struct Balance {
 /// Temperatures and strains of a scan; strains by their logarithm.
 const SAMPLES: usize = 40;
 const LEAST_STRAIN: f64 = 1e-6;
-pub(crate) const MOST_STRAIN: f64 = 10.0;
+#[doc(hidden)]
+pub const MOST_STRAIN: f64 = 10.0;
 
 /// An absorber of a design whose law follows its motion.
 #[derive(Debug, Clone)]
-pub(crate) struct Follower<'a> {
+#[doc(hidden)]
+pub struct Follower<'a> {
     /// The design.
     pub design: &'a [Mounted],
     /// Index of the absorber.
@@ -78,7 +81,8 @@ impl<'a> Follower<'a> {
 }
 
 /// Such an absorber at one speed.
-pub(crate) struct AtSpeed<'a> {
+#[doc(hidden)]
+pub struct AtSpeed<'a> {
     open: OpenLaw<'a>,
     synthesiser: &'a Synthesiser,
     law: Arc<dyn Law>,
@@ -117,7 +121,8 @@ impl<'a> AtSpeed<'a> {
     }
 
     /// At any temperature of its material, which is this.
-    pub(crate) fn over_temperature(&self, thermal: Thermal) -> OverTemperature<'_> {
+    #[doc(hidden)]
+    pub fn over_temperature(&self, thermal: Thermal) -> OverTemperature<'_> {
         let follows_strain = self.law.material().is_some_and(|m| m.amplitude.is_some());
         let quick = if follows_strain { None } else { self.open.followed(self.law.as_ref()) };
         OverTemperature { own: self, thermal, quick }
@@ -179,7 +184,8 @@ impl<'a> AtSpeed<'a> {
 }
 
 /// Such an absorber at one speed, at any temperature.
-pub(crate) struct OverTemperature<'s> {
+#[doc(hidden)]
+pub struct OverTemperature<'s> {
     own: &'s AtSpeed<'s>,
     thermal: Thermal,
     /// Where the law does not follow strain, and knows a quicker way.

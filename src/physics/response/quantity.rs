@@ -41,7 +41,8 @@ impl Rate {
     }
 
     /// Behind a number.
-    pub(crate) fn suffix(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn suffix(self) -> &'static str {
         match self {
             Self::Velocity => " rad/s",
             Self::Acceleration => " rad/s²",
@@ -49,7 +50,8 @@ impl Rate {
     }
 
     /// As tables write it.
-    pub(crate) fn unit(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn unit(self) -> &'static str {
         match self {
             Self::Velocity => "rad/s",
             Self::Acceleration => "rad/s2",
@@ -70,7 +72,8 @@ impl Quantity {
     }
 
     /// Of what of the system it is, in names of stations.
-    pub(crate) fn place(self, chain: &Chain) -> String {
+    #[doc(hidden)]
+    pub fn place(self, chain: &Chain) -> String {
         let name = |station: usize| chain.stations[station].name.as_str();
         match self {
             Self::Twist { from, to: Some(to) } => format!("{} to {}", name(from), name(to)),

@@ -15,7 +15,8 @@ fn of_mode(system: &System, quantity: Quantity, mode: usize) -> f64 {
 
 /// A quantity per unit torque at each station if every elastic mode followed as if static (no amplification): what is left of it when
 /// nothing resonates. Zero for rings.
-pub(crate) fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
+#[doc(hidden)]
+pub fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
     let modes = &system.modes;
     let share = |station: usize, mode: usize| {
         modes.shapes[(station, mode)] * of_mode(system, quantity, mode) / (modes.omega[mode] * modes.omega[mode])
@@ -25,7 +26,8 @@ pub(crate) fn quasi_static(system: &System, quantity: Quantity) -> Vec<f64> {
 
 /// Modes as a quantity sees them, for what is left where none is amplified.
 #[derive(Debug, Clone)]
-pub(crate) struct Unamplified {
+#[doc(hidden)]
+pub struct Unamplified {
     /// Square of the circular frequency, what the quantity is of the mode, and the mode at each station that bears torque.
     modes: Vec<(f64, f64, Vec<f64>)>,
     stations: Vec<usize>,

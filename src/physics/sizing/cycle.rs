@@ -38,7 +38,8 @@ pub struct Cycle {
 }
 
 /// Samples of a cycle.
-pub(crate) fn samples_of_cycle(strokes: u32) -> usize {
+#[doc(hidden)]
+pub fn samples_of_cycle(strokes: u32) -> usize {
     samples(strokes) / STRIDE
 }
 

@@ -9,7 +9,8 @@ use crate::numerics::elementary::Elementary;
 use std::f64::consts::PI;
 
 /// Smallest and largest ratio of outer to inner diameter for which the beam theory is used.
-pub(crate) const RATIOS: (f64, f64) = (1.02, 4.0);
+#[doc(hidden)]
+pub const RATIOS: (f64, f64) = (1.02, 4.0);
 
 /// Stress at the side of the bore over the mean stress of the section, F/((d_o - d_i) b). `ratio`: outer over inner diameter.
 pub fn stress_concentration(ratio: f64) -> f64 {

@@ -14,7 +14,8 @@ const SAME: f64 = 1.0 + 1e-9;
 ///
 /// # Errors
 /// [`SizingError::DoesNotFit`] with both dimensions.
-pub(crate) fn check(spec: &Specification, s: &Sizes) -> Result<(), SizingError> {
+#[doc(hidden)]
+pub fn check(spec: &Specification, s: &Sizes) -> Result<(), SizingError> {
     let smallest_pin = s.crankpin_diameter.min(s.journal_diameter);
     // (what is, what it must be below, both in words)
     let rules = [

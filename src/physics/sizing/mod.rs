@@ -8,7 +8,8 @@ pub mod crank;
 pub mod cycle;
 pub mod eye;
 mod failure;
-pub(crate) mod fit;
+#[doc(hidden)]
+pub mod fit;
 mod load_cases;
 pub mod piston_pin;
 pub mod rod;

@@ -50,7 +50,8 @@ pub struct Round {
 
 impl Round {
     /// A crank and rod between this one and another, by a share of the way.
-    pub(crate) fn towards(&self, other: &Self, share: f64, spec: &Specification) -> Self {
+    #[doc(hidden)]
+    pub fn towards(&self, other: &Self, share: f64, spec: &Specification) -> Self {
         let sizes = self.sizes.towards(&other.sizes, share);
         Self {
             rod: bodies::rod(&sizes, spec.rod_length, spec.density),
@@ -61,7 +62,8 @@ impl Round {
     }
 
     /// Largest relative change of dimensions, masses and inertias to another round.
-    pub(crate) fn change_to(&self, other: &Self) -> f64 {
+    #[doc(hidden)]
+    pub fn change_to(&self, other: &Self) -> f64 {
         let values = |r: &Self| -> Vec<f64> {
             let bodies = [r.rod, r.throw].map(|b| [b.mass, b.centre, b.inertia_at_reference]);
             r.sizes.named().iter().map(|n| n.1).chain(bodies.into_iter().flatten()).collect()

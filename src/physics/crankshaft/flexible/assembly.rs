@@ -198,7 +198,8 @@ fn build(
 
 /// What is on a crank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Carried {
+#[doc(hidden)]
+pub enum Carried {
     /// Rods, hub, flywheel and bearings: as it runs.
     All,
     /// Hub and flywheel, nothing else: free at both ends.
@@ -211,7 +212,8 @@ pub(crate) enum Carried {
 ///
 /// # Errors
 /// In words, where chain and crank do not fit together.
-pub(crate) fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &FlexibleSpec, carried: Carried) -> Result<Assembled, String> {
+#[doc(hidden)]
+pub fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &FlexibleSpec, carried: Carried) -> Result<Assembled, String> {
     let Source::Cylinder { geometry, .. } = &engine.source else {
         return Err("the torque comes from a table: a flexible crank wants the forces of a cylinder pressure".to_owned());
     };

@@ -15,7 +15,7 @@ mod throw;
 mod web_factors;
 
 pub use assembly::{Assembled, Balance};
-pub(crate) use assembly::{Carried, assemble};
+pub use assembly::{Carried, assemble};
 pub use spec::{Bearing, BearingNodes, End, FlexibleSpec};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;

@@ -38,7 +38,8 @@ impl Pressure {
     }
 
     /// That of every tabulated speed.
-    pub(crate) fn traces(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<Vec<f64>> {
+    #[doc(hidden)]
+    pub fn traces(&self, geometry: &Geometry, strokes: u32, cylinders: usize) -> Vec<Vec<f64>> {
         match self {
             Self::Otto(m) => m.traces(geometry, strokes, cylinders),
             other => (0..other.speeds_rpm().len()).map(|i| other.trace(i, geometry, strokes, cylinders)).collect(),
@@ -64,7 +65,8 @@ impl Pressure {
 
     /// The same at part load, at speeds from the lowest to the highest of `range`: brake torque or mean pressure times the share of full load, measured traces between those of the loads measured.
     /// Nothing where the traces were not measured at such a load.
-    pub(crate) fn at_load(&self, load: &Load, range: (f64, f64)) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn at_load(&self, load: &Load, range: (f64, f64)) -> Option<Self> {
         let scaled = |speeds: &[f64], full: &[f64]| -> (Vec<f64>, Vec<f64>) {
             let corners = load.corners(speeds, range);
             let values = corners.iter().map(|s| between(speeds, full, *s) * load.at(*s)).collect();

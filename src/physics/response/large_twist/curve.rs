@@ -114,7 +114,8 @@ impl Balance<'_> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] at an undamped resonance of the chain.
-    pub(crate) fn at(&self, speed_rpm: f64) -> Result<Option<Steady>, ResponseError> {
+    #[doc(hidden)]
+    pub fn at(&self, speed_rpm: f64) -> Result<Option<Steady>, ResponseError> {
         let linear = self.linear(speed_rpm)?;
         Ok(self.first(&linear, &mut Work::default()).and_then(|found| self.steady(&linear, &found.x)))
     }

@@ -25,7 +25,8 @@ pub const PA_PER_BAR: f64 = 1e5;
 #[doc(hidden)]
 pub const PA_PER_MPA: f64 = 1e6;
 /// N in a kN.
-pub(crate) const N_PER_KN: f64 = 1e3;
+#[doc(hidden)]
+pub const N_PER_KN: f64 = 1e3;
 /// Pa in a GPa.
 #[doc(hidden)]
 pub const PA_PER_GPA: f64 = 1e9;

@@ -32,7 +32,8 @@ pub fn den_hartog_brock_ring(ring_inertia: f64, engine: EngineMode) -> SpringAnd
 }
 
 /// The exact minimum of the largest amplitude.
-pub(crate) fn h_infinity_ring(ring_inertia: f64, engine: EngineMode) -> SpringAndDamper {
+#[doc(hidden)]
+pub fn h_infinity_ring(ring_inertia: f64, engine: EngineMode) -> SpringAndDamper {
     let (tuning, damping_ratio) = h_infinity(ring_inertia / engine.inertia);
     tuned_to(ring_inertia, engine, tuning, damping_ratio)
 }

@@ -164,7 +164,8 @@ impl CrankLoads<'_> {
     }
 
     /// Resultant bending moment at every crankpin at a sample, N m.
-    pub(crate) fn pin_moments(&self, j: usize) -> Vec<f64> {
+    #[doc(hidden)]
+    pub fn pin_moments(&self, j: usize) -> Vec<f64> {
         let model = self.model;
         let resultant = |at: &f64| {
             let influence = model.beam.moment_at(&model.reactions, *at);

@@ -141,7 +141,8 @@ impl Margin {
     }
 
     /// The same by the whole history, without its corners; nothing by a criterion that asks for no history.
-    pub(crate) fn used_by_whole_history(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Option<f64> {
+    #[doc(hidden)]
+    pub fn used_by_whole_history(&self, criterion: usize, location: usize, speed_rpm: f64, torque: &Torque) -> Option<f64> {
         let (by, histories) = self.multiaxial(criterion)?;
         let at = self.place(speed_rpm);
         let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
@@ -178,7 +179,8 @@ impl Margin {
     }
 
     /// Critical locations of a shaft that a criterion judges.
-    pub(crate) fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
+    #[doc(hidden)]
+    pub fn spots_of(&self, criterion: usize, shaft: usize) -> impl Iterator<Item = usize> {
         self.criteria[criterion].families().iter().flat_map(move |f| self.of_shaft[shaft][*f as usize].iter().copied())
     }
 

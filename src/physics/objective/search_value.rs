@@ -23,7 +23,8 @@ impl<'a> PeakFinder<'a> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub(crate) fn value(
+    #[doc(hidden)]
+    pub fn value(
         &self,
         design: &[Mounted],
         (measure, least): (&Measure, f64),

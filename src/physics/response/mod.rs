@@ -51,5 +51,5 @@ pub use newmark::Newmark;
 pub use quantity::{Quantity, Rate};
 pub use quasi_static::{Unamplified, quasi_static};
 pub use receptance::Receptance;
-pub(crate) use reduced::Reduced;
+pub use reduced::Reduced;
 pub use work::Work;

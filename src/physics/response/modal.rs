@@ -44,7 +44,8 @@ impl<'a> Modal<'a> {
     }
 
     /// The damping matrix of the model itself, N m s/rad and N m/rad (hysteretic), stations then rings: M Phi d Phi' M with the diagonals d.
-    pub(crate) fn own_damping(&self, design: &[Mounted]) -> (DMatrix<f64>, DMatrix<f64>) {
+    #[doc(hidden)]
+    pub fn own_damping(&self, design: &[Mounted]) -> (DMatrix<f64>, DMatrix<f64>) {
         let m = self.modes(design, &mut Work::default());
         let n = m.bodies.len();
         let scaled = DMatrix::from_fn(n, m.omega2.len(), |i, j| m.bodies.inertia[i] * m.shapes[(i, j)]);

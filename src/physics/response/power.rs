@@ -66,7 +66,8 @@ pub fn quantities(chain: &Chain, rings: usize) -> Vec<Quantity> {
 ///
 /// # Errors
 /// Those of the method.
-pub(crate) fn powers(
+#[doc(hidden)]
+pub fn powers(
     method: &dyn Response,
     design: &[Mounted],
     own: Option<Dissipated>,

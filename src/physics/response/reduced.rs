@@ -14,7 +14,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// Engine modes with exact absorbers.
 #[derive(Debug)]
-pub(crate) struct Reduced<'a> {
+#[doc(hidden)]
+pub struct Reduced<'a> {
     system: &'a System,
     grid: &'a Grid,
     /// Modes kept, rigid ones included.

@@ -8,7 +8,8 @@ use crate::response::{Direct, Quantity, ResponseError, Work};
 
 /// Half-width of the window in which a peak is looked for, as a share of the speed: the printed speeds follow from natural frequencies, not
 /// from the curves, and a damped peak lies below.
-pub(crate) const WINDOW: f64 = 0.03;
+#[doc(hidden)]
+pub const WINDOW: f64 = 0.03;
 /// Points over the window before the largest is refined.
 const POINTS: usize = 12;
 

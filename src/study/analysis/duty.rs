@@ -49,7 +49,8 @@ fn at_load(engine: &Engine, point: &DutyPoint) -> Option<Engine> {
 }
 
 /// The points of the duty where a measure of the study asks for them; else none.
-pub(crate) fn points(study: &Study) -> Vec<DutyLoad> {
+#[doc(hidden)]
+pub fn points(study: &Study) -> Vec<DutyLoad> {
     if study.measures().any(|m| m.measure.over.asks_for_duty()) { systems(study).map(|s| s.1).collect() } else { Vec::new() }
 }
 

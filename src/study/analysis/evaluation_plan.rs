@@ -26,7 +26,8 @@ pub struct EvaluationPlan<'a> {
 
 impl<'a> EvaluationPlan<'a> {
     /// What a study asks; `margins` as it judges the crank.
-    pub(crate) fn new(study: &'a Study, margins: &'a [Measure]) -> Self {
+    #[doc(hidden)]
+    pub fn new(study: &'a Study, margins: &'a [Measure]) -> Self {
         Self {
             twist: study.twist,
             hub: study.hub,

@@ -96,7 +96,8 @@ pub struct Family {
 }
 
 /// The first size of an absorber; nothing where it is free.
-pub(crate) fn main_ring(spec: &AbsorberSpec) -> Option<f64> {
+#[doc(hidden)]
+pub fn main_ring(spec: &AbsorberSpec) -> Option<f64> {
     match &spec.size {
         Size::Between(..) => None,
         Size::Each(list) => list.first().copied(),
@@ -109,7 +110,8 @@ pub fn types(spec: &OptimiseSpec) -> Vec<Vec<&'static Declaration>> {
 }
 
 /// Names of the types of a design together.
-pub(crate) fn joined(types: &[&'static Declaration]) -> String {
+#[doc(hidden)]
+pub fn joined(types: &[&'static Declaration]) -> String {
     types.iter().map(|t| t.name).collect::<Vec<_>>().join("_")
 }
 

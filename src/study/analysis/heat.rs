@@ -67,7 +67,8 @@ pub(crate) fn heat<'d>(
 ///
 /// # Errors
 /// As [`heat`].
-pub(crate) fn of_design(
+#[doc(hidden)]
+pub fn of_design(
     study: &Study,
     finder: &PeakFinder,
     hosts: &Hosts,

@@ -97,7 +97,8 @@ pub(crate) fn judge<'d>(designs: impl Iterator<Item = &'d mut DesignResult>, fou
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance of the chain.
-pub(crate) fn of_design(
+#[doc(hidden)]
+pub fn of_design(
     study: &Study,
     finder: &PeakFinder,
     (name, design): (&str, &[Mounted]),

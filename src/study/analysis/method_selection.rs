@@ -61,7 +61,8 @@ pub struct Choice {
 }
 
 /// Strides of the tables that are considered.
-pub(crate) const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
+#[doc(hidden)]
+pub const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
 /// Random probe designs, and their seed.
 const PROBES: usize = 256;
 /// The same where the measure is the largest of several quantities.
@@ -121,7 +122,8 @@ pub fn random_absorbers(study: &Study, modes: &[Vec<EngineMode>], count: usize, 
 }
 
 /// Designs that strategies are tried on first: those of the study with one absorber on the station that is optimised, else three random ones.
-pub(crate) fn named_designs(study: &Study, random: &[Mounted]) -> Vec<Mounted> {
+#[doc(hidden)]
+pub fn named_designs(study: &Study, random: &[Mounted]) -> Vec<Mounted> {
     let given = study.designs.iter().filter(|d| d.absorbers.len() == 1).map(|d| &d.absorbers[0]);
     let named: Vec<Mounted> = given.filter(|m| m.on == Host::Station(study.hub)).cloned().collect();
     if named.is_empty() { random.iter().take(3).cloned().collect() } else { named }

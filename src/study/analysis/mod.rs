@@ -19,9 +19,11 @@ pub mod evaluate;
 pub mod evaluation_plan;
 pub mod families;
 pub mod fit_law;
-pub(crate) mod heat;
+#[doc(hidden)]
+pub mod heat;
 pub(crate) mod judged;
-pub(crate) mod large_twist;
+#[doc(hidden)]
+pub mod large_twist;
 mod large_twist_measures;
 mod life;
 pub mod margins;
@@ -35,7 +37,8 @@ pub mod results;
 pub(crate) mod robust;
 pub mod run;
 mod search_in_operation;
-pub(crate) mod searches;
+#[doc(hidden)]
+pub mod searches;
 pub mod sensitivities;
 pub mod sizing;
 mod strain;
@@ -54,7 +57,7 @@ pub use calibrate::{Calibration, calibrate};
 pub use catalogue::Ranked;
 pub use conditions::ConditionResult;
 pub use crank_models::{ByModel, Modelled};
-pub(crate) use duty::points as duty_points;
+pub use duty::points as duty_points;
 pub use duty::{DutyOfDesign, DutyResult};
 pub use equivalent_constants::SimplestLaw;
 pub use evaluate::{AbsorberLoad, DesignResult, Nature, PeakKind};

@@ -50,7 +50,8 @@ struct LookedOver {
 }
 
 /// What all searches of a study share.
-pub(crate) struct Searches<'a> {
+#[doc(hidden)]
+pub struct Searches<'a> {
     pub(super) study: &'a Study,
     finders: &'a [PeakFinder<'a>],
     pub(super) load_cases: &'a [LoadCase<'a>],

@@ -16,7 +16,8 @@ pub struct Timing {
 
 /// Times one stage after the other.
 #[derive(Debug)]
-pub(crate) struct Clock {
+#[doc(hidden)]
+pub struct Clock {
     /// Stages so far.
     pub timing: Vec<Timing>,
     since: Instant,
@@ -50,7 +51,8 @@ pub(crate) fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
 
 /// How often something is repeated to be timed.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Repeats {
+#[doc(hidden)]
+pub struct Repeats {
     /// At least.
     pub least: usize,
     /// At most.
@@ -63,7 +65,8 @@ pub(crate) struct Repeats {
 ///
 /// # Errors
 /// The first error of `once`.
-pub(crate) fn median_seconds(repeats: Repeats, mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
+#[doc(hidden)]
+pub fn median_seconds(repeats: Repeats, mut once: impl FnMut() -> Result<(), ResponseError>) -> Result<f64, ResponseError> {
     let (begun, mut times) = (Instant::now(), Vec::new());
     while times.len() < repeats.least || (begun.elapsed().as_secs_f64() < repeats.seconds && times.len() < repeats.most) {
         let start = Instant::now();

@@ -15,7 +15,8 @@ use rayon::prelude::*;
 
 impl Searches<'_> {
     /// The families of a front: the first absorber of a study, the first two, and so on, of all types.
-    pub(crate) fn families_of_front(&self, spec: &OptimiseSpec) -> Vec<(String, Space, OptimiseSpec)> {
+    #[doc(hidden)]
+    pub fn families_of_front(&self, spec: &OptimiseSpec) -> Vec<(String, Space, OptimiseSpec)> {
         let mut list = Vec::new();
         for count in 1..=spec.absorbers.len() {
             let fewer = OptimiseSpec { absorbers: spec.absorbers[..count].to_vec(), ..spec.clone() };
@@ -44,7 +45,8 @@ impl Searches<'_> {
     ///
     /// # Errors
     /// [`RunError`] where no start of a search has a finite response.
-    pub(crate) fn tradeoffs(
+    #[doc(hidden)]
+    pub fn tradeoffs(
         &self,
         spec: &OptimiseSpec,
         optima: &[OptimumResult],

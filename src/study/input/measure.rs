@@ -166,7 +166,8 @@ pub struct CombinedSpec {
 
 impl LimitSpec {
     /// As optimisers take it.
-    pub(crate) fn to_limit(&self) -> Limit {
+    #[doc(hidden)]
+    pub fn to_limit(&self) -> Limit {
         Limit { measure: self.of.measure.clone(), limit: self.limit }
     }
 }

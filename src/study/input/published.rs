@@ -122,7 +122,8 @@ pub struct PublishedFactor {
 }
 
 /// The six criteria of \[Minucci 2010\], in the order of his tables.
-pub(crate) const SIX_CRITERIA: [&str; 6] = ["matake", "mcdiarmid", "dang_van", "sines", "crossland", "kakuno_kawada"];
+#[doc(hidden)]
+pub const SIX_CRITERIA: [&str; 6] = ["matake", "mcdiarmid", "dang_van", "sines", "crossland", "kakuno_kawada"];
 
 /// A point of a crank, at a speed where one is given.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,7 +140,8 @@ pub struct PublishedPoint {
 
 impl PublishedPoint {
     /// Whether it is the same place under the same load, in whatever table.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
+    #[doc(hidden)]
+    pub fn is_same(&self, other: &Self) -> bool {
         (&self.crank, &self.speed, &self.point) == (&other.crank, &other.speed, &other.point)
     }
 }

@@ -7,6 +7,6 @@ pub mod wiebe;
 pub use measured::{Measured, PartLoad};
 pub use model::Pressure;
 pub use otto::Otto;
-pub(crate) use sampling::{SAMPLE_DEG, each_revolution};
+pub use sampling::{SAMPLE_DEG, each_revolution};
 pub use sampling::{sample_angle, samples};
 pub use wiebe::Wiebe;

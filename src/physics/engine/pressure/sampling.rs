@@ -3,7 +3,8 @@
 use crate::units::RAD_PER_DEG;
 
 /// Crank angle between samples of a cycle, degrees: finer changes the largest order amplitudes by less than 1e-5.
-pub(crate) const SAMPLE_DEG: f64 = 0.1;
+#[doc(hidden)]
+pub const SAMPLE_DEG: f64 = 0.1;
 
 /// Samples in a cycle of an engine with `strokes` strokes.
 pub fn samples(strokes: u32) -> usize {
@@ -16,7 +17,8 @@ pub fn sample_angle(j: usize) -> f64 {
 }
 
 /// What repeats with every revolution, at the samples of a working cycle.
-pub(crate) fn each_revolution<T: Clone>(strokes: u32, at_angle: impl Fn(f64) -> T) -> Vec<T> {
+#[doc(hidden)]
+pub fn each_revolution<T: Clone>(strokes: u32, at_angle: impl Fn(f64) -> T) -> Vec<T> {
     let revolution: Vec<T> = (0..samples(2)).map(|j| at_angle(sample_angle(j))).collect();
     revolution.iter().cycle().take(samples(strokes)).cloned().collect()
 }

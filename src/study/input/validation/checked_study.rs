@@ -191,7 +191,8 @@ impl Study {
     }
 
     /// Everything that is measured: objectives, what they combine, limits, and axes of fronts.
-    pub(crate) fn measures(&self) -> impl Iterator<Item = &MeasureSpec> {
+    #[doc(hidden)]
+    pub fn measures(&self) -> impl Iterator<Item = &MeasureSpec> {
         let combined = self.combined.iter().flat_map(|c| &c.parts);
         let limits = combined.chain(&self.limits).map(|l| &l.of);
         let axes = match &self.front {

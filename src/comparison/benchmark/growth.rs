@@ -73,7 +73,8 @@ const LONGEST_DENSE: usize = 64;
 /// Stations of a tree instead of a row.
 const TREE: &str = "stations of a tree";
 /// Sizes of the growth curves, by their names.
-pub(crate) const SIZES: [&str; 4] = ["stations", TREE, "orders", "speeds"];
+#[doc(hidden)]
+pub const SIZES: [&str; 4] = ["stations", TREE, "orders", "speeds"];
 
 /// A sweep of the growth curves.
 struct Size {

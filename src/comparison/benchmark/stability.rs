@@ -72,7 +72,8 @@ impl Cell {
     }
 
     /// Whether it came as declared.
-    pub(crate) fn as_declared(&self) -> bool {
+    #[doc(hidden)]
+    pub fn as_declared(&self) -> bool {
         match (&self.declared, &self.found) {
             (Right(tolerance), Ok(e)) => *e <= tolerance.min(RIGHT),
             (Rough, Ok(_)) => self.word() == "rough",

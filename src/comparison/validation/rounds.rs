@@ -25,10 +25,12 @@ impl RoundRow {
 }
 
 /// Where ours differ by more than this from what is printed, the reason is named, per cent.
-pub(crate) const EXPLAINED: f64 = 5.0;
+#[doc(hidden)]
+pub const EXPLAINED: f64 = 5.0;
 
 /// Why our value differs from a printed one of \[Fialho & Almeida 2019\]; the tests hold each reason against the printed numbers.
-pub(crate) fn reason(symbol: &str) -> &'static str {
+#[doc(hidden)]
+pub fn reason(symbol: &str) -> &'static str {
     match symbol {
         "dcp" | "dmp" | "dfw" => {
             "the printed diameters of the first round follow within 2 % where the largest moment counts in full as amplitude and again as mean, not by halves, and the tangential force bends nothing"

@@ -109,7 +109,8 @@ impl Absorber {
 
     /// Loss factor c omega/k of spring and damper together at the ring's own frequency sqrt(k/J), c/sqrt(k J), with that frequency, rad/s: what a spring without a damper would
     /// need. Nothing where the law is no spring with a damper.
-    pub(crate) fn implied_loss_factor(&self) -> Option<(f64, f64)> {
+    #[doc(hidden)]
+    pub fn implied_loss_factor(&self) -> Option<(f64, f64)> {
         let both = self.law()?.spring_and_damper()?;
         let own = (both.stiffness / self.ring_inertia()).sqrt();
         (own > 0.0 && own.is_finite()).then(|| (both.damping * own / both.stiffness, own))

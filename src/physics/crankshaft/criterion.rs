@@ -87,7 +87,8 @@ impl MarginCriterion {
     }
 
     /// Least acceptable margin, where the criterion names one.
-    pub(crate) fn acceptable(self) -> Option<f64> {
+    #[doc(hidden)]
+    pub fn acceptable(self) -> Option<f64> {
         (self == Self::IacsM53).then_some(class_rules::ACCEPTABLE)
     }
 }

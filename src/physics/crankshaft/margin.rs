@@ -93,12 +93,14 @@ impl Margin {
     }
 
     /// Whether a criterion is the class societies' rule.
-    pub(crate) fn is_class_rule(&self, criterion: usize) -> bool {
+    #[doc(hidden)]
+    pub fn is_class_rule(&self, criterion: usize) -> bool {
         self.criteria[criterion].is_class_rule()
     }
 
     /// Whether a criterion asks for the whole torque, not only its extremes.
-    pub(crate) fn is_multiaxial(&self, criterion: usize) -> bool {
+    #[doc(hidden)]
+    pub fn is_multiaxial(&self, criterion: usize) -> bool {
         matches!(self.criteria[criterion], MarginCriterion::Multiaxial(_))
     }
 

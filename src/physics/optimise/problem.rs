@@ -96,7 +96,8 @@ impl Rows {
     }
 
     /// Whether a row is as large as its term of the objective, but for a share.
-    pub(crate) fn is_largest(&self, row: &Row, share: f64) -> bool {
+    #[doc(hidden)]
+    pub fn is_largest(&self, row: &Row, share: f64) -> bool {
         let own = self.rows.iter().filter(|r| self.term(r.role) == self.term(row.role)).map(|r| r.value).fold(0.0, f64::max);
         row.value >= own * (1.0 - share)
     }

@@ -52,7 +52,8 @@ impl Stages {
     }
 
     /// Of all stages.
-    pub(crate) fn all(&self) -> Work {
+    #[doc(hidden)]
+    pub fn all(&self) -> Work {
         let mut all = self.seeds;
         all += self.search;
         all += self.minimax;
@@ -100,7 +101,8 @@ impl Optimum {
     }
 
     /// Starts whose ends count: those that hold all limits, or all where none does.
-    pub(crate) fn ended(&self) -> impl Iterator<Item = &Start> {
+    #[doc(hidden)]
+    pub fn ended(&self) -> impl Iterator<Item = &Start> {
         let any = self.starts.iter().any(|s| s.holds);
         self.starts.iter().filter(move |s| s.holds || !any)
     }

@@ -29,7 +29,8 @@ impl Rule {
     pub const ALL: [Self; 2] = [Self::HalfPeakToPeak, Self::RootMeanSquare];
 
     /// The word used in tables.
-    pub(crate) fn name(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn name(self) -> &'static str {
         match self {
             Self::HalfPeakToPeak => "half_peak_to_peak",
             Self::RootMeanSquare => "root_mean_square",

@@ -53,7 +53,8 @@ impl std::ops::AddAssign for Work {
 
 impl Work {
     /// Counts an evaluation that found no finite response.
-    pub(crate) fn noted<T>(&mut self, found: Result<T, ResponseError>) -> Result<T, ResponseError> {
+    #[doc(hidden)]
+    pub fn noted<T>(&mut self, found: Result<T, ResponseError>) -> Result<T, ResponseError> {
         self.unbounded_evaluations += u64::from(found.is_err());
         found
     }

@@ -18,7 +18,8 @@ const GYRATION2_ACROSS: f64 = 131.0 / 132.0;
 /// Rankine's constant of steel for ends that turn freely.
 const RANKINE: f64 = 1.0 / 7500.0;
 /// Share of the height of the section at the small and at the big eye, with the flanges as they are \[Fialho & Almeida 2019\] section 2.4.2.1: 0.75 to 0.9, and 1.1 to 1.25.
-pub(crate) const TAPER: (f64, f64) = (0.9, 1.1);
+#[doc(hidden)]
+pub const TAPER: (f64, f64) = (0.9, 1.1);
 /// Area over t² where it is lowest.
 const AREA_AT_SMALL_EYE: f64 = 10.5;
 

@@ -72,7 +72,8 @@ impl Round {
     }
 
     /// Sections that have less than the design factor, or less than the factor against buckling: their dimensions were given.
-    pub(crate) fn short_of(&self, spec: &Specification) -> Vec<&'static str> {
+    #[doc(hidden)]
+    pub fn short_of(&self, spec: &Specification) -> Vec<&'static str> {
         let short = |found: f64, factor: f64| found < factor * (1.0 - 1e-9);
         let of_factor = self.margins.iter().filter(|m| short(m.yielding.min(m.fatigue), spec.design_factor)).map(|m| m.section);
         of_factor.chain(short(self.buckling_margin, spec.buckling_factor).then_some("rod_shank against buckling")).collect()

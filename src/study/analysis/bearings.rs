@@ -7,7 +7,8 @@ use crate::numerics::elementary::Elementary;
 
 /// Load of a main bearing over the working cycle, the crank a continuous beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BearingLoad {
+#[doc(hidden)]
+pub struct BearingLoad {
     /// Number of the bearing, from 1.
     pub number: usize,
     /// Largest, N.
@@ -21,7 +22,8 @@ pub(crate) struct BearingLoad {
 }
 
 /// The loads at the highest speed; nothing without `[crank]` or without a cylinder pressure.
-pub(crate) fn bearing_loads(study: &Study) -> Option<Vec<BearingLoad>> {
+#[doc(hidden)]
+pub fn bearing_loads(study: &Study) -> Option<Vec<BearingLoad>> {
     let crank = study.crank.as_ref()?;
     let model = CrankModel::new(study.engine_of_crank(), crank)?;
     let loads = model.at(study.speeds_rpm[study.speeds_rpm.len() - 1]);

@@ -12,7 +12,8 @@ use crate::units::HZ_PER_RAD_PER_S;
 
 /// By how much an order drives a mode of the chain without absorber.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct VectorSum {
+#[doc(hidden)]
+pub struct VectorSum {
     /// Elastic mode, from 1.
     pub mode: usize,
     /// Hz.
@@ -38,7 +39,8 @@ pub(crate) struct Critical {
 
 /// What the torque at a critical speed does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct InRange {
+#[doc(hidden)]
+pub struct InRange {
     /// Amplitude of the order of a throw's torque, N m.
     pub torque: f64,
     /// Equilibrium amplitude of the largest station, rad.
@@ -66,7 +68,8 @@ pub(crate) struct ShaftTorque {
 
 /// All of it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Classification {
+#[doc(hidden)]
+pub struct Classification {
     /// Of the first modes.
     pub holzer: Vec<HolzerRow>,
     /// Of the same modes with every order.
@@ -78,7 +81,8 @@ pub(crate) struct Classification {
 }
 
 /// Criticals are looked for up to this share of the highest speed.
-pub(crate) const ABOVE: f64 = 1.2;
+#[doc(hidden)]
+pub const ABOVE: f64 = 1.2;
 
 /// What follows from a run of the designs of a study.
 pub(crate) fn classification(study: &Study, results: &Results) -> Classification {

@@ -176,7 +176,8 @@ pub struct DesignResult {
 
 impl DesignResult {
     /// Whether every limit holds, of a design that has an objective: without a steady motion at some speed there is none.
-    pub(crate) fn within_limits(&self) -> bool {
+    #[doc(hidden)]
+    pub fn within_limits(&self) -> bool {
         self.objective.is_some() && self.limits.iter().all(|l| holds(*l))
     }
 }

@@ -122,7 +122,8 @@ impl LawFit {
     }
 
     /// c1 and c2, K, of the law of Williams, Landel and Ferry that is nearest to the factors, a straight line of (T - T0)/log10 a over T - T0, and the largest ratio that is left; nothing where it is none.
-    pub(crate) fn williams_landel_ferry(&self) -> Option<(f64, f64, f64)> {
+    #[doc(hidden)]
+    pub fn williams_landel_ferry(&self) -> Option<(f64, f64, f64)> {
         let reference = self.factors.iter().find(|f| f.1.standard_error.is_none())?.0;
         let others = self.factors.iter().filter(|f| f.1.standard_error.is_some());
         let points: Vec<(f64, f64)> = others.map(|(c, f)| (c - reference, f.value.logarithm() / LN_10)).collect();
@@ -138,7 +139,8 @@ impl LawFit {
     }
 
     /// Share per kelvin of the exponential that is nearest to the factors, a straight line of ln a through the reference, and the largest ratio that is left; nothing where the factors do not fall.
-    pub(crate) fn exponential(&self) -> Option<(f64, f64)> {
+    #[doc(hidden)]
+    pub fn exponential(&self) -> Option<(f64, f64)> {
         let reference = self.factors.iter().find(|f| f.1.standard_error.is_none())?.0;
         let points: Vec<(f64, f64)> = self.factors.iter().map(|(c, f)| (c - reference, f.value.logarithm())).collect();
         let per_k = -points.iter().map(|(dt, log)| dt * log).sum::<f64>() / points.iter().map(|(dt, _)| dt * dt).sum::<f64>();
@@ -147,7 +149,8 @@ impl LawFit {
     }
 
     /// What was measured beside the law, over frequency.
-    pub(crate) fn figure(&self) -> Figure {
+    #[doc(hidden)]
+    pub fn figure(&self) -> Figure {
         let panel = |title: &str, y: Axis, part: &dyn Fn(C64) -> f64| {
             let of = |celsius: f64| self.points.iter().filter(move |p| p.celsius == celsius);
             let pair = |(celsius, _): &(f64, Fitted)| {

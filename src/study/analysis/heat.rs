@@ -43,7 +43,8 @@ impl HeatOfDesign {
 
 impl HeatAt {
     /// The temperature that is reached from cold; nothing where it overheats.
-    pub(crate) fn cold_start(&self) -> Option<&Balance> {
+    #[doc(hidden)]
+    pub fn cold_start(&self) -> Option<&Balance> {
         self.balances.first()
     }
 }

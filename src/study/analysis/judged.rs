@@ -76,7 +76,8 @@ impl Results {
     }
 
     /// What a design is judged by: the first objective; an optimum within the tolerances by its worst in them.
-    pub(crate) fn judged(&self, d: &DesignResult) -> Option<Judged> {
+    #[doc(hidden)]
+    pub fn judged(&self, d: &DesignResult) -> Option<Judged> {
         let (value, reference) = (d.objective?, d.reference?);
         let mut worst_of = self.judged_in(d);
         if let Some(own) = self.large_twist.iter().find(|own| own.design == d.name).filter(|own| own.at_large_twist.objective.is_some()) {
@@ -107,7 +108,8 @@ impl Results {
     }
 
     /// What an optimum is judged by: the objective that it minimises.
-    pub(crate) fn judged_optimum(&self, o: &OptimumResult) -> Judged {
+    #[doc(hidden)]
+    pub fn judged_optimum(&self, o: &OptimumResult) -> Judged {
         let value = o.optimum.value();
         if let Some(first) = self.judged(&o.design).filter(|_| o.objective == 0) {
             return first;
@@ -126,13 +128,15 @@ impl Results {
     }
 
     /// The answer to the study's question: the best optimum by the first objective; those that hold their limits and do not overheat before others.
-    pub(crate) fn best_optimum(&self, robust: bool) -> Option<&OptimumResult> {
+    #[doc(hidden)]
+    pub fn best_optimum(&self, robust: bool) -> Option<&OptimumResult> {
         let asked = self.optima.iter().filter(|o| o.objective == 0 && o.robust == robust && o.main);
         asked.min_by(|a, b| self.order(&a.design, &b.design))
     }
 
     /// The best given design with an absorber, in the same order.
-    pub(crate) fn best_given(&self) -> Option<&DesignResult> {
+    #[doc(hidden)]
+    pub fn best_given(&self) -> Option<&DesignResult> {
         self.designs.iter().filter(|d| !d.absorbers.is_empty()).min_by(|a, b| self.order(a, b))
     }
 

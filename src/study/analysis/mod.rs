@@ -3,13 +3,15 @@
 pub mod amplitude;
 pub mod barred;
 pub mod bearings;
-pub(crate) mod buildable;
+#[doc(hidden)]
+pub mod buildable;
 pub mod calibrate;
 mod catalogue;
 mod catalogue_retuning;
 pub mod classification;
 pub mod conditions;
-pub(crate) mod crank_at_speed;
+#[doc(hidden)]
+pub mod crank_at_speed;
 pub mod crank_diagram;
 pub mod crank_models;
 pub mod curves;
@@ -21,7 +23,8 @@ pub mod families;
 pub mod fit_law;
 #[doc(hidden)]
 pub mod heat;
-pub(crate) mod judged;
+#[doc(hidden)]
+pub mod judged;
 #[doc(hidden)]
 pub mod large_twist;
 mod large_twist_measures;
@@ -29,9 +32,11 @@ mod life;
 pub mod margins;
 pub mod method_selection;
 pub mod model_check;
-pub(crate) mod plausibility;
+#[doc(hidden)]
+pub mod plausibility;
 pub mod progress;
-pub(crate) mod reciprocating;
+#[doc(hidden)]
+pub mod reciprocating;
 mod required_material;
 pub mod results;
 pub(crate) mod robust;
@@ -48,9 +53,10 @@ pub mod systems;
 pub mod timing;
 pub mod timing_probe;
 mod tradeoffs;
-pub(crate) mod verdict;
+#[doc(hidden)]
+pub mod verdict;
 
-pub(crate) use crate::response::operation::MOST_STRAIN;
+pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
 pub use barred::{BarredRange, StillBroken};
 pub use calibrate::{Calibration, calibrate};
@@ -68,7 +74,7 @@ pub use life::{LifeAt, LifeOverDuty};
 pub use margins::{MarginSweep, SmallestMargin};
 pub use progress::{Error, Progress, RunError, Silent};
 pub use required_material::MadeOf;
-pub(crate) use required_material::over_states;
+pub use required_material::over_states;
 pub use results::{Beside, FrontResult, OptimumResult, Results, RowCase, TradeoffResult};
 pub use robust::{Percentile, RobustOfDesign, Worst};
 pub use run::run;

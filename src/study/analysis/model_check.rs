@@ -21,7 +21,8 @@ pub struct Critical {
 }
 
 /// Speeds within the range at which an order of the torque meets an elastic mode, by mode and order.
-pub(crate) fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
+#[doc(hidden)]
+pub fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let modes = study.modes.elastic().enumerate();
     modes
@@ -50,7 +51,8 @@ pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) ->
 }
 
 /// Indices of the orders with the largest resonances, at most so many, ascending.
-pub(crate) fn strongest_orders(study: &Study, system: &System, most: usize) -> Vec<usize> {
+#[doc(hidden)]
+pub fn strongest_orders(study: &Study, system: &System, most: usize) -> Vec<usize> {
     let mut orders: Vec<usize> = (0..system.orders()).collect();
     orders.sort_by(|a, b| largest_resonance(study, system, *b).total_cmp(&largest_resonance(study, system, *a)));
     orders.truncate(most);
@@ -65,7 +67,8 @@ pub fn highest_frequency_hz(study: &Study, orders: &[Order]) -> f64 {
 }
 
 /// Friction torque implied by the pressure model: order-zero torque less brake torque, N m, and as mean pressure, Pa.
-pub(crate) fn implied_friction(study: &Study, audit: &crate::engine::excitation::Audit) -> Option<(f64, f64)> {
+#[doc(hidden)]
+pub fn implied_friction(study: &Study, audit: &crate::engine::excitation::Audit) -> Option<(f64, f64)> {
     let crate::engine::Source::Cylinder { geometry, .. } = &study.engine.source else { return None };
     let torque = audit.mean_torque - audit.brake_torque?;
     let cycle = study.engine.cycle_deg() * crate::units::RAD_PER_DEG;

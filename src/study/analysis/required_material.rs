@@ -44,7 +44,8 @@ fn at_own_frequency(absorber: &Absorber) -> Option<OnHeldHub> {
 }
 
 /// The same in the reference of its material, and in the state of each of these conditions that has one; nothing where its material has no states.
-pub(crate) fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Condition>) -> Vec<(Condition, OnHeldHub)> {
+#[doc(hidden)]
+pub fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Condition>) -> Vec<(Condition, OnHeldHub)> {
     let states = conditions.filter_map(|c| Some((c, absorber.in_state(c.material()?)?)));
     let mut list: Vec<(Condition, OnHeldHub)> = states.filter_map(|(c, own)| Some((c, at_own_frequency(&own)?))).collect();
     if let Some(own) = at_own_frequency(absorber).filter(|_| !list.is_empty()) {

@@ -142,7 +142,8 @@ pub struct Results {
     pub forced_floor: Option<f64>,
     /// Each objective of the engine without absorber, as optima are judged by it; `None` where it is none of the engine's or has no finite response.
     #[serde(skip)]
-    pub(crate) bare: Vec<Option<f64>>,
+    #[doc(hidden)]
+    pub bare: Vec<Option<f64>>,
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
     /// The crank, where the study judges it.
@@ -176,14 +177,16 @@ pub struct Results {
 
 impl Results {
     /// Conditions that some design is reported in.
-    pub(crate) fn conditions(&self) -> impl Iterator<Item = Condition> {
+    #[doc(hidden)]
+    pub fn conditions(&self) -> impl Iterator<Item = Condition> {
         let all = self.designs.iter().chain(self.optima.iter().map(|o| &o.design));
         let in_operation = all.flat_map(|d| &d.conditions).any(|c| c.condition == Condition::InOperation);
         self.study.conditions.iter().copied().chain(in_operation.then_some(Condition::InOperation))
     }
 
     /// Whether a name is that of an optimum.
-    pub(crate) fn is_optimum(&self, name: &str) -> bool {
+    #[doc(hidden)]
+    pub fn is_optimum(&self, name: &str) -> bool {
         self.optima.iter().any(|o| o.design.name == name)
     }
 

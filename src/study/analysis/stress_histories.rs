@@ -30,7 +30,8 @@ impl PointResult {
 
 /// What is kept of all points: memory does not grow with their number.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Summary {
+#[doc(hidden)]
+pub struct Summary {
     /// How many there were.
     pub points: usize,
     /// For each criterion the points with the smallest factors, smallest first.

@@ -42,7 +42,8 @@ impl Swept {
     }
 
     /// Its unit in tables.
-    pub(crate) fn unit(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn unit(self) -> &'static str {
         match self {
             Self::Twist | Self::Amplitude | Self::RingTwist => "deg",
             Self::Torque => "N m",
@@ -80,7 +81,8 @@ pub struct QuantitySweep {
     pub orders: Vec<OrderSweep>,
     /// What [`orders`] finds the orders of again where tables list them but they are too many to be kept.
     #[serde(skip)]
-    pub(crate) listed: Option<Quantity>,
+    #[doc(hidden)]
+    pub listed: Option<Quantity>,
     /// Half peak-to-peak of all orders together (power: the sum).
     pub total: Vec<f64>,
 }
@@ -109,7 +111,8 @@ impl OrderSweep {
 const AT_A_TIME: usize = 32 << 20;
 
 /// How many quantities are swept together.
-pub(crate) fn together(orders: usize, speeds: usize) -> usize {
+#[doc(hidden)]
+pub fn together(orders: usize, speeds: usize) -> usize {
     (AT_A_TIME / (size_of::<C64>() * orders * speeds).max(1)).max(1)
 }
 
@@ -117,7 +120,8 @@ pub(crate) fn together(orders: usize, speeds: usize) -> usize {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
-pub(crate) fn orders(
+#[doc(hidden)]
+pub fn orders(
     (system, speeds_rpm): (&System, &[f64]),
     design: &[Mounted],
     quantities: &[(Swept, Quantity)],

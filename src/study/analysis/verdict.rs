@@ -53,14 +53,16 @@ const LEVEL: f64 = 1e-9;
 
 impl Results {
     /// What is absurd of an optimum, the worst first.
-    pub(crate) fn verdicts(&self, o: &OptimumResult) -> Vec<Verdict> {
+    #[doc(hidden)]
+    pub fn verdicts(&self, o: &OptimumResult) -> Vec<Verdict> {
         let mut found = self.verdicts_of(&o.design, &self.judged_optimum(o));
         found.extend(o.on_bounds.iter().copied().map(Verdict::OnBound));
         found
     }
 
     /// What is absurd of a design.
-    pub(crate) fn verdicts_of(&self, d: &DesignResult, judged: &Judged) -> Vec<Verdict> {
+    #[doc(hidden)]
+    pub fn verdicts_of(&self, d: &DesignResult, judged: &Judged) -> Vec<Verdict> {
         let mut found = Vec::new();
         let (value, bare) = (judged.value, self.bare.get(judged.objective).copied().flatten());
         if let Some(none) = bare.filter(|none| *none > 0.0 && !d.absorbers.is_empty()) {

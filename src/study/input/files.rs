@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// A file that was read.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
-pub(crate) struct InputFile {
+#[doc(hidden)]
+pub struct InputFile {
     /// As it was named.
     #[serde(serialize_with = "as_text")]
     pub path: PathBuf,
@@ -31,7 +32,8 @@ thread_local! {
 }
 
 /// What is read, and from which files, each once.
-pub(crate) fn noted<T>(read: impl FnOnce() -> T) -> (T, Vec<InputFile>) {
+#[doc(hidden)]
+pub fn noted<T>(read: impl FnOnce() -> T) -> (T, Vec<InputFile>) {
     READ.set(Some(Vec::new()));
     let result = read();
     (result, READ.take().unwrap_or_default())
@@ -59,7 +61,8 @@ fn put(path: &Path, found: impl FnOnce() -> std::io::Result<(usize, u32)>) {
 }
 
 /// What is read, and what is to be said of how its files were read, each sentence once.
-pub(crate) fn remarked<T>(read: impl FnOnce() -> T) -> (T, Vec<String>) {
+#[doc(hidden)]
+pub fn remarked<T>(read: impl FnOnce() -> T) -> (T, Vec<String>) {
     REMARKS.set(Some(Vec::new()));
     let result = read();
     (result, REMARKS.take().unwrap_or_default())
@@ -80,7 +83,8 @@ const PARTS: u64 = 4;
 const AT_A_TIME: usize = 1 << 16;
 
 /// Returns the CRC-32 of a file.
-pub(crate) fn checksum(path: &Path) -> std::io::Result<u32> {
+#[doc(hidden)]
+pub fn checksum(path: &Path) -> std::io::Result<u32> {
     let length = std::fs::metadata(path)?.len();
     let part = |i: u64| -> std::io::Result<crc32fast::Hasher> {
         let (first, last) = (length * i / PARTS, length * (i + 1) / PARTS);

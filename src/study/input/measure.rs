@@ -75,17 +75,20 @@ impl UnitOf {
     }
 
     /// A ratio of two values inside as the ratio of the values that are reported: its inverse for a margin and a life.
-    pub(crate) fn ratio(self, inside: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn ratio(self, inside: f64) -> f64 {
         if self.is_inverse() { 1.0 / inside } else { inside }
     }
 
     /// Whether more of it is better: inside it is the inverse.
-    pub(crate) fn is_inverse(self) -> bool {
+    #[doc(hidden)]
+    pub fn is_inverse(self) -> bool {
         matches!(self, Self::Margin | Self::Life)
     }
 
     /// Behind a number: with a space where it takes one.
-    pub(crate) fn suffix(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn suffix(self) -> &'static str {
         match self {
             Self::Angle => "°",
             Self::Motion(rate) => rate.suffix(),

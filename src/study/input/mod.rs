@@ -17,13 +17,13 @@ mod validation;
 mod wording;
 
 pub use error::InputError;
-pub(crate) use files::{InputFile, checksum, noted, remarked};
-pub(crate) use import::{FoundChain, FoundStation, FoundTraces};
+pub use files::{InputFile, checksum, noted, remarked};
+pub use import::{FoundChain, FoundStation, FoundTraces};
 pub(crate) use letters::is_hidden;
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;
-pub(crate) use validation::RETUNED;
+pub use validation::RETUNED;
 pub use validation::{
     AbsorberSpec, CalibrateSpec, CatalogueSpec, CrankModel, DesignSpec, DutyPoint, FlexibleModel, FreeInput, FrontSpec, Input,
     OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,

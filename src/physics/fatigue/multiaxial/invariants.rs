@@ -52,7 +52,8 @@ impl Invariants {
     }
 
     /// Largest hydrostatic stress, Pa.
-    pub(crate) fn hydrostatic_max(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn hydrostatic_max(&self) -> f64 {
         self.hydrostatic_amplitude + self.hydrostatic_mean
     }
 

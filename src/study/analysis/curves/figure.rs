@@ -10,17 +10,21 @@ pub struct Axis {
 }
 
 /// Crank angle from the firing of the cylinder that fires at 0°.
-pub(crate) const CRANK_DEG: Axis = Axis { column: "crank_deg", label: "crank angle / °" };
+#[doc(hidden)]
+pub const CRANK_DEG: Axis = Axis { column: "crank_deg", label: "crank angle / °" };
 /// Speed.
 pub(crate) const SPEED: Axis = Axis { column: "speed_rpm", label: "speed / rpm" };
 /// Order.
 pub(crate) const ORDER: Axis = Axis { column: "order", label: "order" };
 /// Torque.
-pub(crate) const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N m" };
+#[doc(hidden)]
+pub const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N m" };
 /// Force.
-pub(crate) const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
+#[doc(hidden)]
+pub const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
 /// Moment.
-pub(crate) const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
+#[doc(hidden)]
+pub const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
 /// Angle.
 pub(crate) const ANGLE: Axis = Axis { column: "angle_deg", label: "angle / °" };
 
@@ -62,6 +66,7 @@ pub struct Figure {
 }
 
 /// A curve of two columns.
-pub(crate) fn curve(label: impl Into<String>, x: impl IntoIterator<Item = f64>, y: impl IntoIterator<Item = f64>) -> Curve {
+#[doc(hidden)]
+pub fn curve(label: impl Into<String>, x: impl IntoIterator<Item = f64>, y: impl IntoIterator<Item = f64>) -> Curve {
     Curve { label: label.into(), order: None, points: x.into_iter().zip(y).collect() }
 }

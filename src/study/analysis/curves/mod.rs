@@ -11,9 +11,9 @@ mod modes;
 mod responses;
 
 pub use figure::{Axis, Curve, Figure, Panel};
-pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE, curve};
+pub use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE, curve};
 pub use modes::HolzerRow;
-pub(crate) use modes::holzer;
+pub use modes::holzer;
 
 use super::calibrate::calibrate;
 use super::progress::{Progress, RunError};

@@ -125,7 +125,8 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
 }
 
 /// Holzer's table of the first modes; the torque behind the last station, which must vanish, is its sum.
-pub(crate) fn holzer(study: &Study) -> Vec<HolzerRow> {
+#[doc(hidden)]
+pub fn holzer(study: &Study) -> Vec<HolzerRow> {
     let frequencies = study.modes.frequencies_hz();
     let stations = &study.chain.stations;
     let mut rows = Vec::new();

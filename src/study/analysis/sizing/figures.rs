@@ -74,7 +74,8 @@ const MASS: Axis = Axis { column: "crank_mass_kg", label: "mass / kg" };
 const TWIST: Axis = Axis { column: "peak_twist_deg", label: "twist / °" };
 
 /// Crank mass and twist against ring inertia, beside those without absorber.
-pub(crate) fn front_figure(study: &SizingStudy, front: &[FrontPoint]) -> Figure {
+#[doc(hidden)]
+pub fn front_figure(study: &SizingStudy, front: &[FrontPoint]) -> Figure {
     let rings: Vec<&FrontPoint> = front.iter().filter(|p| p.ring_inertia > 0.0).collect();
     let panel = |title: &str, y: Axis, value: &dyn Fn(&FrontPoint) -> f64| {
         let of = |points: &[&FrontPoint], label: &str, level: Option<f64>| {

@@ -7,6 +7,6 @@ mod response;
 mod results;
 mod run;
 
-pub(crate) use figures::front_figure;
+pub use figures::front_figure;
 pub use results::{ByResponse, FrontPoint, SizeError, SizingResults, StudyFiles, crank_mass};
 pub use run::run;

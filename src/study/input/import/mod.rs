@@ -14,7 +14,8 @@ use std::path::Path;
 
 /// A station as it was found, SI.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct FoundStation {
+#[doc(hidden)]
+pub struct FoundStation {
     pub name: String,
     /// kg m².
     pub inertia: f64,
@@ -30,7 +31,8 @@ pub(crate) struct FoundStation {
 
 /// A chain, and what of the file is not in it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct FoundChain {
+#[doc(hidden)]
+pub struct FoundChain {
     pub stations: Vec<FoundStation>,
     pub left_out: Vec<String>,
 }

@@ -12,7 +12,8 @@ const CYCLE: f64 = 720.0;
 
 /// Traces over the same angles.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct FoundTraces {
+#[doc(hidden)]
+pub struct FoundTraces {
     /// Degrees.
     pub angles: Vec<f64>,
     /// Speed, rpm, and pressure at each angle, bar.

@@ -27,7 +27,8 @@ pub struct CatalogueSpec {
 }
 
 /// Added to the name of an absorber that is tuned anew.
-pub(crate) const RETUNED: &str = "_retuned";
+#[doc(hidden)]
+pub const RETUNED: &str = "_retuned";
 /// Most rows of all catalogues together.
 const MOST: usize = 100_000;
 

@@ -156,7 +156,8 @@ pub struct Study {
 
 impl Study {
     /// Conditions in which designs are to be good and to hold their limits.
-    pub(crate) fn held(&self) -> &[Condition] {
+    #[doc(hidden)]
+    pub fn held(&self) -> &[Condition] {
         self.optimise.as_ref().map_or(&self.held_without_search, |o| &o.conditions)
     }
 
@@ -168,12 +169,14 @@ impl Study {
     }
 
     /// The objectives of the study, the first before the others.
-    pub(crate) fn objectives(&self) -> impl Iterator<Item = &MeasureSpec> {
+    #[doc(hidden)]
+    pub fn objectives(&self) -> impl Iterator<Item = &MeasureSpec> {
         std::iter::once(&self.objective).chain(&self.more_objectives)
     }
 
     /// An objective: the first, or one of those after it.
-    pub(crate) fn objective_of(&self, index: usize) -> &MeasureSpec {
+    #[doc(hidden)]
+    pub fn objective_of(&self, index: usize) -> &MeasureSpec {
         let combined = || self.combined.as_ref().filter(|_| index > self.more_objectives.len()).map(|c| &c.spec);
         index.checked_sub(1).and_then(|i| self.more_objectives.get(i).or_else(combined)).unwrap_or(&self.objective)
     }

@@ -12,7 +12,8 @@ use crate::objective::condition::Burning;
 
 impl Study {
     /// The flexible crank, where responses are computed with it.
-    pub(crate) fn on_flexible(&self) -> Option<&FlexibleModel> {
+    #[doc(hidden)]
+    pub fn on_flexible(&self) -> Option<&FlexibleModel> {
         self.flexible.as_ref().filter(|_| self.crank_model == CrankModel::Flexible)
     }
 

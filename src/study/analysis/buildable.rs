@@ -2,7 +2,8 @@
 
 /// A property that only so much of exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Property {
+#[doc(hidden)]
+pub enum Property {
     /// Shear modulus of rubber at the ring's own frequency, Pa.
     Modulus,
     /// Loss factor of rubber there.
@@ -17,7 +18,8 @@ pub(crate) enum Property {
 
 /// Where an end of a range comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Source {
+#[doc(hidden)]
+pub enum Source {
     /// A publication, by its key in the references of the guide.
     Published(&'static str),
     /// No source states it.
@@ -26,7 +28,8 @@ pub(crate) enum Source {
 
 /// An end of a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct End {
+#[doc(hidden)]
+pub struct End {
     /// In the unit of the property.
     pub value: f64,
     /// Where it comes from.
@@ -35,7 +38,8 @@ pub(crate) struct End {
 
 /// What exists of a property.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Range {
+#[doc(hidden)]
+pub struct Range {
     /// The property.
     pub of: Property,
     /// The least that exists.
@@ -92,14 +96,16 @@ pub(crate) static RANGES: [Range; 5] = [
 pub(crate) const OIL_DENSITY: f64 = 970.0;
 
 /// The range of a property.
-pub(crate) fn range(of: Property) -> &'static Range {
+#[doc(hidden)]
+pub fn range(of: Property) -> &'static Range {
     // the list has every property
     RANGES.iter().find(|r| r.of == of).unwrap_or(&RANGES[0])
 }
 
 impl Range {
     /// The end that a value is beyond.
-    pub(crate) fn beyond(&self, value: f64) -> Option<&End> {
+    #[doc(hidden)]
+    pub fn beyond(&self, value: f64) -> Option<&End> {
         if value < self.least.value {
             Some(&self.least)
         } else if value > self.most.value {

@@ -30,7 +30,8 @@ pub struct VectorSum {
 
 /// An order that meets a mode up to [`ABOVE`] of the highest speed.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Critical {
+#[doc(hidden)]
+pub struct Critical {
     /// By how much it drives it.
     pub of: VectorSum,
     /// Within the speeds of the study.
@@ -53,7 +54,8 @@ pub struct InRange {
 
 /// The largest vibratory torque of a shaft length.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct ShaftTorque {
+#[doc(hidden)]
+pub struct ShaftTorque {
     /// Name of the design.
     pub design: String,
     /// The condition; of misfires the one that is worst.

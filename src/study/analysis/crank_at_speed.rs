@@ -12,7 +12,8 @@ const GROWS: f64 = 1e-3;
 const RIGID: f64 = 0.02;
 
 /// Of the throw in the middle; `None` without a flexible crank.
-pub(crate) fn stiffness(study: &Study) -> Option<ThrowStiffness> {
+#[doc(hidden)]
+pub fn stiffness(study: &Study) -> Option<ThrowStiffness> {
     let (flexible, crank) = (study.flexible.as_ref()?, study.crank.as_ref()?);
     throw_stiffness(crank, &flexible.spec, crank.throws() / 2)
 }
@@ -23,7 +24,8 @@ fn highest(study: &Study) -> f64 {
 }
 
 /// Eigenvalues at the highest speed of the study in axes that turn with the crank, 1/s, rigid rotation left out; none without a flexible crank.
-pub(crate) fn eigenvalues(study: &Study) -> Vec<C64> {
+#[doc(hidden)]
+pub fn eigenvalues(study: &Study) -> Vec<C64> {
     let found = study.flexible.as_ref().and_then(|f| at_speed(&f.assembled.shaft, f.modes()?, highest(study)));
     let mut all = found.unwrap_or_default();
     all.retain(|s| s.im > RIGID * highest(study));
@@ -31,6 +33,7 @@ pub(crate) fn eigenvalues(study: &Study) -> Vec<C64> {
 }
 
 /// Those of motions that grow by themselves.
-pub(crate) fn growing(study: &Study) -> Vec<C64> {
+#[doc(hidden)]
+pub fn growing(study: &Study) -> Vec<C64> {
     eigenvalues(study).into_iter().filter(|s| s.re > GROWS * s.norm()).collect()
 }

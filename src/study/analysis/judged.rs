@@ -7,7 +7,8 @@ use std::cmp::Ordering;
 
 /// What a value is reached in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Basis {
+#[doc(hidden)]
+pub enum Basis {
     /// A condition; firing is the reference.
     In(Condition),
     /// The absorber's own amplitude, by harmonic balance.
@@ -21,7 +22,8 @@ impl Basis {
     const REFERENCE: Self = Self::In(Condition::Firing);
 
     /// Its word in files.
-    pub(crate) fn name(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn name(self) -> &'static str {
         match self {
             Self::In(condition) => condition.name(),
             Self::OwnAmplitude => "own_amplitude",
@@ -32,7 +34,8 @@ impl Basis {
 
 /// The value that a design is judged by.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Judged {
+#[doc(hidden)]
+pub struct Judged {
     /// Index of the objective that it is a value of.
     pub objective: usize,
     /// The largest, inside: as it is minimised.
@@ -50,12 +53,14 @@ const SAME: f64 = 1e-9;
 
 impl Judged {
     /// Whether it is the value at the reference and of nothing else.
-    pub(crate) fn is_reference(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_reference(&self) -> bool {
         self.worst_of == [Basis::REFERENCE]
     }
 
     /// The value at the reference, where it is another one.
-    pub(crate) fn other_reference(&self) -> Option<f64> {
+    #[doc(hidden)]
+    pub fn other_reference(&self) -> Option<f64> {
         ((self.value / self.reference - 1.0).abs() > SAME).then_some(self.reference)
     }
 }

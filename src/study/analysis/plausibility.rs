@@ -8,7 +8,8 @@ use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR};
 
 /// Something unlikely.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Implausible {
+#[doc(hidden)]
+pub enum Implausible {
     /// Peak pressure of the cylinder, bar absolute.
     PeakPressure {
         /// rpm.
@@ -120,7 +121,8 @@ pub(crate) enum Implausible {
 
 /// What an engine file tells over speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Known {
+#[doc(hidden)]
+pub enum Known {
     /// Pressure traces.
     Pressure,
     /// A curve of torque, power or mean pressure.
@@ -161,7 +163,8 @@ const DAMPING: f64 = 0.2;
 const TUNING: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
 /// What is unlikely in a study; `audit`: of its pressure.
-pub(crate) fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
+#[doc(hidden)]
+pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     let mut found = Vec::new();
     // the worst speed speaks for all
     let worst = |value: fn(&Audit) -> f64, likely: std::ops::RangeInclusive<f64>| {

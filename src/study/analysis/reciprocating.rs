@@ -17,7 +17,8 @@ const MODES: usize = 2;
 
 /// First natural frequency with the mean inertia of the reciprocating masses and without it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Frequencies {
+#[doc(hidden)]
+pub struct Frequencies {
     /// Half of m r² of a cylinder, kg m².
     pub each: f64,
     /// Hz.
@@ -27,7 +28,8 @@ pub(crate) struct Frequencies {
 }
 
 /// Nothing where the torque comes from a table or the chain has no elastic mode.
-pub(crate) fn frequencies(study: &Study) -> Option<Frequencies> {
+#[doc(hidden)]
+pub fn frequencies(study: &Study) -> Option<Frequencies> {
     let each = study.engine.reciprocating_inertia()?;
     let mut chain = study.chain.clone();
     let sign = if study.reciprocating.mean { -1.0 } else { 1.0 };
@@ -41,7 +43,8 @@ pub(crate) fn frequencies(study: &Study) -> Option<Frequencies> {
 
 /// The largest secondary resonance, estimated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Secondary {
+#[doc(hidden)]
+pub struct Secondary {
     /// Order that resonates.
     pub order: Order,
     /// Order whose motion drives it.
@@ -55,7 +58,8 @@ pub(crate) struct Secondary {
 }
 
 /// The estimate for the engine without absorber; nothing where no order resonates in the range.
-pub(crate) fn secondary(study: &Study, system: &System) -> Option<Secondary> {
+#[doc(hidden)]
+pub fn secondary(study: &Study, system: &System) -> Option<Secondary> {
     let variation = study.engine.reciprocating_inertia()?;
     let mut worst: Option<Secondary> = None;
     let mut primary: f64 = 0.0;

@@ -21,7 +21,8 @@ pub struct MadeOf {
 
 /// A ring on its held hub: what a maker measures.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct OnHeldHub {
+#[doc(hidden)]
+pub struct OnHeldHub {
     /// Own frequency, Hz.
     pub frequency_hz: f64,
     /// Real part of the dynamic stiffness there, N m/rad.

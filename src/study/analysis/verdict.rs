@@ -11,7 +11,8 @@ use crate::units::HZ_PER_RAD_PER_S;
 
 /// One finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Verdict {
+#[doc(hidden)]
+pub enum Verdict {
     /// The engine without absorber is better, both inside.
     WorseThanNone {
         /// The value that the design is judged by.
@@ -47,7 +48,8 @@ pub(crate) enum Verdict {
 }
 
 /// A gain below this share is little.
-pub(crate) const LITTLE: f64 = 0.02;
+#[doc(hidden)]
+pub const LITTLE: f64 = 0.02;
 /// Values nearer than this share are level.
 const LEVEL: f64 = 1e-9;
 

@@ -42,7 +42,8 @@ pub(crate) enum Shear {
 
 /// The critical plane that it asks for.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Critical {
+#[doc(hidden)]
+pub enum Critical {
     /// None.
     None,
     /// That of the largest shear amplitude.

@@ -7,7 +7,7 @@ mod trace;
 mod unit;
 mod words;
 
-pub(crate) use trace::{FoundTraces, traces};
+pub use trace::{FoundTraces, traces};
 
 use super::error::{InputError, Mistake, Place};
 use std::path::Path;

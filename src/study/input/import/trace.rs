@@ -30,7 +30,8 @@ fn knows(cells: &[&str]) -> usize {
 ///
 /// # Errors
 /// [`InputError`] at the cell that is not understood or that makes them no traces, or where angles differ from those of the first file.
-pub(crate) fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
+#[doc(hidden)]
+pub fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
     let mut found = FoundTraces::default();
     for (speed, path) in files {
         let sheet = Sheet::read(path, &knows)?;

@@ -34,7 +34,7 @@ pub use absorbers::DesignSpec;
 use absorbers::Reaches;
 pub use calibrate::{CalibrateSpec, FreeInput};
 pub use catalogue::CatalogueSpec;
-pub(crate) use catalogue::RETUNED;
+pub use catalogue::RETUNED;
 use checked_study::DEFAULT_TOLERANCE;
 pub use checked_study::{CrankModel, Reciprocating, ResponseMethod, Study};
 pub use family::{AbsorberSpec, Size};

@@ -23,7 +23,8 @@ use tempfile::NamedTempFile;
 
 /// What a command brings to a folder.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Job<'a> {
+#[doc(hidden)]
+pub struct Job<'a> {
     /// What it may write.
     pub names: &'a Names,
     /// What its files are of, the study (or table) before what that names.
@@ -65,7 +66,8 @@ impl Folder {
     ///
     /// # Errors
     /// [`FolderError`] where that is so, or fails.
-    pub(crate) fn create(path: &Path, job: Job) -> Result<Self, FolderError> {
+    #[doc(hidden)]
+    pub fn create(path: &Path, job: Job) -> Result<Self, FolderError> {
         let folder = Self::open(path, job)?;
         let header = Header { command: Some(job.names.command.to_owned()), ..Header::new(job.inputs, &folder.beginning) };
         folder.append(header.line())?;
@@ -148,7 +150,8 @@ impl Folder {
     }
 
     /// Takes back what this command has put into the journal, where it has written no file.
-    pub(crate) fn abandon(&self) {
+    #[doc(hidden)]
+    pub fn abandon(&self) {
         let mut state = self.state();
         if state.written.is_empty() && !state.begun {
             state.journal.take_back();
@@ -173,7 +176,8 @@ impl Folder {
     ///
     /// # Errors
     /// [`WriteError`] where that fails.
-    pub(crate) fn complete(&self, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
+    #[doc(hidden)]
+    pub fn complete(&self, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
         for name in self.manifest.names().filter(|name| !self.has_written(name) && !self.read.contains(*name)) {
             let failed = |e: std::io::Error| WriteError { path: self.path.join(name), reason: reason(&e) };
             if self.manifest.is_as_listed(&self.path, name).map_err(failed)? {
@@ -186,7 +190,8 @@ impl Folder {
     }
 
     /// Ends the work of a command that lists nothing when it has ended: what others have left in the journal stays.
-    pub(crate) fn close(&self) {
+    #[doc(hidden)]
+    pub fn close(&self) {
         self.state().journal.take_back();
     }
 
@@ -195,7 +200,8 @@ impl Folder {
     ///
     /// # Errors
     /// [`WriteError`] where that fails.
-    pub(crate) fn summarise(&self, finished: bool, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
+    #[doc(hidden)]
+    pub fn summarise(&self, finished: bool, about: &serde_json::Map<String, serde_json::Value>) -> Result<(), WriteError> {
         let mut files = self.state().written.clone();
         files.reverse();
         // of a file that was written twice the last counts

@@ -89,7 +89,8 @@ struct State {
 
 /// The journal of a run.
 #[derive(Debug)]
-pub(crate) struct Journal {
+#[doc(hidden)]
+pub struct Journal {
     folder: Arc<Folder>,
     /// What an earlier run has found.
     known: HashMap<u64, Vec<u8>>,
@@ -134,7 +135,8 @@ impl Journal {
     ///
     /// # Errors
     /// [`JournalError`] where that cannot be, or the journal is damaged, or of another program or other inputs.
-    pub(crate) fn open(path: &Path, job: Job, resume: bool) -> Result<Self, JournalError> {
+    #[doc(hidden)]
+    pub fn open(path: &Path, job: Job, resume: bool) -> Result<Self, JournalError> {
         let folder = Arc::new(Folder::open(path, job)?);
         let build = std::env::current_exe().and_then(|path| checksum(&path)).ok();
         let own = Header { build, ..Header::new(job.inputs, folder.beginning()) };
@@ -151,7 +153,8 @@ impl Journal {
     }
 
     /// The folder.
-    pub(crate) fn folder(&self) -> &Arc<Folder> {
+    #[doc(hidden)]
+    pub fn folder(&self) -> &Arc<Folder> {
         &self.folder
     }
 
@@ -160,7 +163,8 @@ impl Journal {
     }
 
     /// How many searches an earlier run has done.
-    pub(crate) fn known(&self) -> usize {
+    #[doc(hidden)]
+    pub fn known(&self) -> usize {
         self.known.len()
     }
 
@@ -170,12 +174,14 @@ impl Journal {
     }
 
     /// Why it is not complete.
-    pub(crate) fn failure(&self) -> Option<String> {
+    #[doc(hidden)]
+    pub fn failure(&self) -> Option<String> {
         self.state().failure.clone()
     }
 
     /// What is kept of a run that ends before it is complete, in words, and whether a run can go on from there.
-    pub(crate) fn kept(&self) -> (String, bool) {
+    #[doc(hidden)]
+    pub fn kept(&self) -> (String, bool) {
         let Some(journal) = self.folder.journal() else {
             return ("its journal is gone, and with it what its searches have found".into(), false);
         };
@@ -187,7 +193,8 @@ impl Journal {
     }
 
     /// A table of the best designs so far: a row a parameter. `shown`: value and unit of an objective.
-    pub(crate) fn best(&self, shown: impl Fn(usize, f64) -> (f64, &'static str)) -> Vec<u8> {
+    #[doc(hidden)]
+    pub fn best(&self, shown: impl Fn(usize, f64) -> (f64, &'static str)) -> Vec<u8> {
         let mut table = String::from("design,objective,unit,limits_hold,type,parameter,value\n");
         for (search, best) in &self.state().best {
             let (objective, unit) = shown(best.objective, best.value);

@@ -5,7 +5,8 @@
 mod captions;
 mod columns;
 pub mod csv;
-pub(crate) mod example;
+#[doc(hidden)]
+pub mod example;
 pub mod files;
 pub mod formats;
 pub(crate) mod journal;
@@ -17,18 +18,19 @@ mod page;
 mod parquet;
 pub mod plot;
 mod reason;
-pub(crate) mod results_json;
+#[doc(hidden)]
+pub mod results_json;
 mod run_tables;
 mod summary;
 mod taken;
 pub mod text;
 
-pub(crate) use files::Job;
+pub use files::Job;
 pub use files::{Folder, WriteError};
-pub(crate) use journal::Journal;
-pub(crate) use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
-pub(crate) use page::write_folder;
-pub(crate) use summary::{about, about_inputs};
+pub use journal::Journal;
+pub use names::{CLASSIFICATION, Names, PAGE, UNFINISHED};
+pub use page::write_folder;
+pub use summary::{about, about_inputs};
 
 use hartog_comparison::{benchmark, validation};
 use hartog_physics::{absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units};
@@ -46,7 +48,8 @@ use crate::validation::Comparison;
 use crate::validation::rounds::RoundRow;
 
 /// Steps that [`write_run`] tells of.
-pub(crate) fn steps(results: &Results) -> usize {
+#[doc(hidden)]
+pub fn steps(results: &Results) -> usize {
     1 + plot::count(results) + results.sweeps.iter().map(|s| s.quantities.len()).sum::<usize>()
 }
 
@@ -54,7 +57,8 @@ pub(crate) fn steps(results: &Results) -> usize {
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_run(
+#[doc(hidden)]
+pub fn write_run(
     study: &Study,
     calibration: Option<&Calibration>,
     (results, inputs): (&Results, &[InputFile]),
@@ -93,7 +97,8 @@ fn write_calibration(study: &Study, calibration: Option<&Calibration>, folder: &
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_comparison(
+#[doc(hidden)]
+pub fn write_comparison(
     study: &Study,
     calibration: Option<&Calibration>,
     comparison: &Comparison,
@@ -114,7 +119,8 @@ pub(crate) fn write_comparison(
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
     for figure in figures {
         csv::curves::figure(figure, folder)?;
         plot::curves::figure(figure, folder)?;
@@ -126,7 +132,8 @@ pub(crate) fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Fo
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError> {
     let figure = fit.figure();
     csv::curves::figure(&figure, folder)?;
     plot::curves::figure(&figure, folder)
@@ -136,7 +143,8 @@ pub(crate) fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError>
 ///
 /// # Errors
 /// [`WriteError`] where the file cannot be written.
-pub(crate) fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
     if published.is_empty() { Ok(()) } else { csv::sizing::comparison(published, folder) }
 }
 
@@ -144,7 +152,8 @@ pub(crate) fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<()
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_sizing(
+#[doc(hidden)]
+pub fn write_sizing(
     study: &SizingStudy,
     results: &SizingResults,
     published: &[RoundRow],
@@ -172,7 +181,8 @@ pub(crate) fn write_sizing(
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_classification(
+#[doc(hidden)]
+pub fn write_classification(
     (results, inputs): (&Results, &[InputFile]),
     found: &Classification,
     folder: &Folder,
@@ -195,7 +205,8 @@ pub(crate) fn write_classification(
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
     csv::chart::speed_accuracy(chart, folder)?;
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
     let models: Vec<_> = std::iter::once(&chart.common.grid).chain(&chart.models).collect();

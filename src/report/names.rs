@@ -4,17 +4,21 @@ use super::formats::Format;
 use super::manifest::{JOURNAL, SUMMARY};
 
 /// Name of the page of a folder.
-pub(crate) const PAGE: &str = "report.html";
+#[doc(hidden)]
+pub const PAGE: &str = "report.html";
 /// Name of the calculation that a classification society asks for.
-pub(crate) const CLASSIFICATION: &str = "classification.html";
+#[doc(hidden)]
+pub const CLASSIFICATION: &str = "classification.html";
 /// Name of what a script wants of a run.
 pub(super) const RESULTS: &str = "results.json";
 /// What an interrupted run leaves of its searches.
-pub(crate) const UNFINISHED: &str = "unfinished.csv";
+#[doc(hidden)]
+pub const UNFINISHED: &str = "unfinished.csv";
 
 /// Names of a command. A stem that ends in `*` stands for all that begin so, in `#` for those that go on with a number.
 #[derive(Debug, Clone)]
-pub(crate) struct Names {
+#[doc(hidden)]
+pub struct Names {
     /// The command.
     pub(super) command: &'static str,
     /// Whether it lists what it has written.
@@ -34,7 +38,8 @@ impl Names {
     }
 
     /// Whole names of a command that lists nothing when it has ended.
-    pub(crate) fn given(command: &'static str, files: impl Iterator<Item = String>) -> Self {
+    #[doc(hidden)]
+    pub fn given(command: &'static str, files: impl Iterator<Item = String>) -> Self {
         Self { command, lists: false, files: files.chain([JOURNAL.to_owned()]).collect(), tables: Vec::new(), plots: Vec::new() }
     }
 

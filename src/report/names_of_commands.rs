@@ -16,7 +16,8 @@ impl Names {
     }
 
     /// Those of `hartog run`.
-    pub(crate) fn of_run(study: &Study) -> Self {
+    #[doc(hidden)]
+    pub fn of_run(study: &Study) -> Self {
         let asked = RUN_TABLES.iter().filter(|t| (t.asked)(study)).map(|t| t.stem);
         let mut names = Self::of("run", &[PAGE, RESULTS, UNFINISHED])
             .tables(&asked.collect::<Vec<_>>())
@@ -43,7 +44,8 @@ impl Names {
     }
 
     /// Those of `hartog report`.
-    pub(crate) fn of_report(study: &Study) -> Self {
+    #[doc(hidden)]
+    pub fn of_report(study: &Study) -> Self {
         Self::of("report", &[CLASSIFICATION])
             .tables(&["designs", "values", "absorbers", "response", "holzer", "vector_sums", "criticals", "shaft_torques"])
             .tables_if(!study.limits.is_empty(), &["limits", "barred"])
@@ -52,22 +54,26 @@ impl Names {
     }
 
     /// Those of `hartog compare` of a study.
-    pub(crate) fn of_comparison() -> Self {
+    #[doc(hidden)]
+    pub fn of_comparison() -> Self {
         Self::of("compare", &[PAGE]).both(&["comparison", "calibration"]).plots(&["orders"])
     }
 
     /// Those of `hartog compare` of a sizing file.
-    pub(crate) fn of_rounds() -> Self {
+    #[doc(hidden)]
+    pub fn of_rounds() -> Self {
         Self::of("compare", &[PAGE]).tables(&["sizing_comparison"])
     }
 
     /// Those of `hartog chart`.
-    pub(crate) fn of_chart() -> Self {
+    #[doc(hidden)]
+    pub fn of_chart() -> Self {
         Self::of("chart", &[PAGE]).both(&["speed_accuracy"]).plots(&["models", "growth", "stability"])
     }
 
     /// Those of `hartog curves`.
-    pub(crate) fn of_curves(study: &Study) -> Self {
+    #[doc(hidden)]
+    pub fn of_curves(study: &Study) -> Self {
         let shafts: Vec<String> = study.designs.iter().map(|d| format!("shaft_torque_{}", d.name)).collect();
         Self::of("curves", &[PAGE])
             .tables(&["holzer"])
@@ -77,17 +83,20 @@ impl Names {
     }
 
     /// Those of `hartog fatigue`.
-    pub(crate) fn of_fatigue() -> Self {
+    #[doc(hidden)]
+    pub fn of_fatigue() -> Self {
         Self::of("fatigue", &[PAGE]).both(&["fatigue"])
     }
 
     /// Those of `hartog fit`.
-    pub(crate) fn of_fit() -> Self {
+    #[doc(hidden)]
+    pub fn of_fit() -> Self {
         Self::of("fit", &[PAGE]).both(&["fit"])
     }
 
     /// Those of `hartog size`.
-    pub(crate) fn of_size() -> Self {
+    #[doc(hidden)]
+    pub fn of_size() -> Self {
         Self::of("size", &[PAGE, "engine.toml", "study.toml", "pressure.csv"])
             .tables(&["sizing", "sizing_comparison"])
             .both(&["sizing_front", "sizing_forces_*", "sizing_moments_*"])

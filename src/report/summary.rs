@@ -6,7 +6,8 @@ use crate::input::{InputFile, Study};
 use serde_json::{Map, Value, json};
 
 /// Inputs, seed, method, and of each optimum its value, certificate and evaluations.
-pub(crate) fn about(study: &Study, inputs: &[InputFile], results: &Results) -> Map<String, Value> {
+#[doc(hidden)]
+pub fn about(study: &Study, inputs: &[InputFile], results: &Results) -> Map<String, Value> {
     let mut about = about_inputs(inputs);
     about.insert("seed".into(), study.optimise.as_ref().map(|o| o.seed).into());
     about.insert("method".into(), results.method.into());
@@ -17,7 +18,8 @@ pub(crate) fn about(study: &Study, inputs: &[InputFile], results: &Results) -> M
 }
 
 /// The inputs of a command, which is all that is told of those that search for nothing.
-pub(crate) fn about_inputs(inputs: &[InputFile]) -> Map<String, Value> {
+#[doc(hidden)]
+pub fn about_inputs(inputs: &[InputFile]) -> Map<String, Value> {
     let input = |f: &InputFile| json!({ "path": f.path.display().to_string(), "bytes": f.bytes, "crc32": format!("{:08x}", f.crc32) });
     Map::from_iter([("inputs".to_owned(), inputs.iter().map(input).collect())])
 }

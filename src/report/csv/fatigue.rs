@@ -22,7 +22,8 @@ const COLUMNS: [&str; 11] = [
 
 /// The table being written.
 #[derive(Debug)]
-pub(crate) struct FatigueTable {
+#[doc(hidden)]
+pub struct FatigueTable {
     writer: csv::Writer<Stream>,
     path: std::path::PathBuf,
 }
@@ -32,7 +33,8 @@ impl FatigueTable {
     ///
     /// # Errors
     /// [`WriteError`] where it cannot be written.
-    pub(crate) fn create(folder: &Folder) -> Result<Self, WriteError> {
+    #[doc(hidden)]
+    pub fn create(folder: &Folder) -> Result<Self, WriteError> {
         let mut table = Self { writer: csv::Writer::from_writer(folder.stream()?), path: folder.path().join("fatigue.csv") };
         table.row(COLUMNS.iter().copied().chain(["note"]).map(str::to_owned))?;
         Ok(table)
@@ -74,7 +76,8 @@ impl FatigueTable {
     ///
     /// # Errors
     /// [`WriteError`] where it cannot be written.
-    pub(crate) fn finish(self, folder: &Folder) -> Result<(), WriteError> {
+    #[doc(hidden)]
+    pub fn finish(self, folder: &Folder) -> Result<(), WriteError> {
         let path = self.path;
         let stream = self.writer.into_inner().map_err(|e| WriteError { path, reason: e.to_string() })?;
         folder.keep(stream, "fatigue.csv")

@@ -4,14 +4,16 @@ use crate::input::{FoundChain, FoundTraces};
 
 /// How cylinders stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Arrangement {
+#[doc(hidden)]
+pub enum Arrangement {
     InLine,
     V,
 }
 
 /// What is known of the gas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Gas {
+#[doc(hidden)]
+pub enum Gas {
     Wiebe,
     Otto,
     Measured,
@@ -20,7 +22,8 @@ pub(crate) enum Gas {
 
 /// What an example is of.
 #[derive(Debug, Clone)]
-pub(crate) struct Example {
+#[doc(hidden)]
+pub struct Example {
     pub arrangement: Arrangement,
     pub cylinders: usize,
     pub gas: Gas,

@@ -5,12 +5,13 @@ mod placeholders;
 mod stations;
 
 use crate::input::{FoundStation, FoundTraces};
-pub(crate) use kinds::{Arrangement, Example, Gas};
+pub use kinds::{Arrangement, Example, Gas};
 use stations::PULLEY;
 use std::fmt::Write;
 
 /// Name and text of each file.
-pub(crate) type Files = Vec<(&'static str, String)>;
+#[doc(hidden)]
+pub type Files = Vec<(&'static str, String)>;
 
 /// Bore, crank radius and rod length, mm.
 const BORE: f64 = 95.0;

@@ -11,7 +11,8 @@ use maud::{PreEscaped, html};
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
-pub(crate) fn write(title: &str, printed: impl Fn() -> String, folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn write(title: &str, printed: impl Fn() -> String, folder: &Folder) -> Result<(), WriteError> {
     let printed = width::for_a_file(|| width::wrapped(&printed()));
     let names = folder.names();
     let stem = |name: &str, end: &str| name.strip_suffix(end).map(str::to_owned);

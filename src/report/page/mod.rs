@@ -10,8 +10,8 @@ mod parts;
 mod question;
 mod tables;
 
-pub(crate) use classification::write as write_classification;
-pub(crate) use folder::write as write_folder;
+pub use classification::write as write_classification;
+pub use folder::write as write_folder;
 
 use super::files::{Folder, WriteError};
 use super::names::PAGE;
@@ -54,7 +54,8 @@ pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
-pub(crate) fn write(
+#[doc(hidden)]
+pub fn write(
     (study, inputs): (&Study, &[InputFile]),
     results: &Results,
     prepared: &Prepared,

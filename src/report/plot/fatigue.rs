@@ -15,7 +15,8 @@ use std::f64::consts::TAU;
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
-pub(crate) fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
+#[doc(hidden)]
+pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
     let Some((point, result)) = &summary.critical else { return Ok(()) };
     let of = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
     canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {

@@ -182,7 +182,8 @@ struct Point {
 }
 
 /// JSON Schema of `results.json`.
-pub(crate) fn json_schema() -> serde_json::Value {
+#[doc(hidden)]
+pub fn json_schema() -> serde_json::Value {
     let settings = SchemaSettings::draft2020_12().for_serialize();
     let mut value = settings.into_generator().root_schema_for::<Record>().to_value();
     if let serde_json::Value::Object(map) = &mut value {
@@ -200,7 +201,8 @@ pub(crate) fn write(study: &Study, inputs: &[InputFile], results: &Results, fold
 }
 
 /// `results.json`.
-pub(crate) fn text(study: &Study, inputs: &[InputFile], results: &Results) -> String {
+#[doc(hidden)]
+pub fn text(study: &Study, inputs: &[InputFile], results: &Results) -> String {
     let record = record(study, inputs, results);
     // numbers, words and lists of them: nothing in it can fail
     serde_json::to_string_pretty(&record).map_or_else(|e| e.to_string(), |text| text + "\n")

@@ -22,7 +22,8 @@ const LINES: usize = 37;
 const LEAST_ROWS: usize = 4;
 
 /// The answer, in at most [`LINES`] lines unless the absorbers and limits of the design alone take more.
-pub(crate) fn answer(study: &Study, calibration: Option<&Calibration>, results: &Results) -> String {
+#[doc(hidden)]
+pub fn answer(study: &Study, calibration: Option<&Calibration>, results: &Results) -> String {
     let head = head(study, results, calibration);
     let found = found(study, results);
     let notes = notes(study, results);

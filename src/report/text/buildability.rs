@@ -35,7 +35,8 @@ pub(super) fn parameters(o: &OptimumResult) -> Vec<String> {
 }
 
 /// Bounds that it lies on, a line each.
-pub(crate) fn bounds(o: &OptimumResult) -> Vec<String> {
+#[doc(hidden)]
+pub fn bounds(o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     for hit in &o.on_bounds {
         let Some(declaration) = o.design.absorbers[hit.absorber].absorber.declaration() else { continue };

@@ -6,7 +6,8 @@ use crate::input::Study;
 use crate::objective::holds;
 
 /// The best of each catalogue by the objective; empty where the study has none.
-pub(crate) fn catalogue(study: &Study, results: &Results) -> String {
+#[doc(hidden)]
+pub fn catalogue(study: &Study, results: &Results) -> String {
     let mut text = String::new();
     let unit = study.objective.unit;
     for spec in &study.catalogues {

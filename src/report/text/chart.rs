@@ -15,7 +15,8 @@ use crate::benchmark::stability::{Cell, Scenario};
 use crate::benchmark::{Chart, Common};
 
 /// All that is measured on a study.
-pub(crate) fn of_study(chart: &Chart) -> String {
+#[doc(hidden)]
+pub fn of_study(chart: &Chart) -> String {
     let engine = &chart.study.engine.name;
     let mut parts = Vec::new();
     if chart.methods.probes.is_empty() {
@@ -35,7 +36,8 @@ pub(crate) fn of_study(chart: &Chart) -> String {
 }
 
 /// What is the same for all studies.
-pub(crate) fn common(common: &Common) -> String {
+#[doc(hidden)]
+pub fn common(common: &Common) -> String {
     let grid = models("Without refinement a grid misses the peak of one mode, share:", std::slice::from_ref(&common.grid));
     [growth(&common.growth), energy(&common.energy), grid, stability(&common.map)].join("\n")
 }

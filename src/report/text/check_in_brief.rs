@@ -15,7 +15,8 @@ const CRITICALS: usize = 6;
 const DESIGNS: usize = 4;
 
 /// The engine, the chain as a whole, its lowest modes, what the pressure delivers, and what is to be computed.
-pub(crate) fn check_in_brief(study: &Study) -> String {
+#[doc(hidden)]
+pub fn check_in_brief(study: &Study) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
     let mut text = engine(study, false);
     let (chain, modes) = (&study.chain, &study.modes);

@@ -5,7 +5,8 @@ use crate::analysis::classification::Classification;
 use crate::units::DEG_PER_RAD;
 
 /// Critical speeds within the range, the largest first.
-pub(crate) fn criticals(c: &Classification) -> String {
+#[doc(hidden)]
+pub fn criticals(c: &Classification) -> String {
     let mut inside: Vec<_> = c.criticals.iter().filter_map(|k| Some((&k.of, k.in_range?))).collect();
     inside.sort_by(|a, b| b.1.equilibrium.total_cmp(&a.1.equilibrium));
     let row = |(of, own): &(&crate::analysis::classification::VectorSum, crate::analysis::classification::InRange)| {

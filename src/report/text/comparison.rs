@@ -73,13 +73,15 @@ const ONE_DIGIT: f64 = 0.1 + 1e-9;
 const SAME_RING: f64 = 1e-9;
 
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
-pub(crate) fn paragraph(study: &Study, c: &Comparison) -> String {
+#[doc(hidden)]
+pub fn paragraph(study: &Study, c: &Comparison) -> String {
     let parts = [best(study, c), reproduced(study, c), own_stresses(c), multiaxial_alone(c), misprints(c), doubts(study, c), tolerances(c)];
     parts.concat().iter().map(|line| format!("  {line}\n")).collect()
 }
 
 /// The same in few lines: how many numbers there are in each role, what is best and what is possible where that is `asked`, how good the predictions are, and what of the tolerances fails.
-pub(crate) fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
+#[doc(hidden)]
+pub fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
     let count = |role: Role| c.entries.iter().filter(|e| e.role == role && !differs(e)).count();
     let (predicted, calibrated, errata, unexplained) =
         (count(Role::Predicted), count(Role::Calibrated), count(Role::Erratum), count(Role::Unexplained));

@@ -11,7 +11,8 @@ use std::fmt::Write;
 const SMALL: f64 = 0.05;
 
 /// The worst points, and what to know of the constants.
-pub(crate) fn summary(summary: &Summary, limits: &Limits) -> String {
+#[doc(hidden)]
+pub fn summary(summary: &Summary, limits: &Limits) -> String {
     let mut rows = Vec::new();
     for worst in &summary.worst {
         let Some((name, v)) = worst.first() else { continue };

@@ -5,7 +5,8 @@ use crate::analysis::fit_law::{Fitted, LawFit};
 use crate::csv::rounded;
 
 /// Values with standard errors, factors of temperature, how well it fits, and the line of a study.
-pub(crate) fn fit_law(fit: &LawFit) -> String {
+#[doc(hidden)]
+pub fn fit_law(fit: &LawFit) -> String {
     let error = |f: &Fitted| match f.standard_error {
         None => "held".to_owned(),
         Some(e) if e.is_finite() => significant(e, 2),

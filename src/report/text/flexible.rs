@@ -29,7 +29,8 @@ fn kind(m: &FreeMode, digits: usize) -> String {
 }
 
 /// The twist of designs by each model of the crank; empty where the response is that of the chain.
-pub(crate) fn crank_models(results: &Results) -> String {
+#[doc(hidden)]
+pub fn crank_models(results: &Results) -> String {
     let mut text = choice(results);
     if results.crank_models.is_empty() {
         return text;

@@ -30,7 +30,8 @@ fn takes(key: &Key) -> String {
 }
 
 /// A line a key: its path and what it takes.
-pub(crate) fn list(keys: &[Key]) -> String {
+#[doc(hidden)]
+pub fn list(keys: &[Key]) -> String {
     let mut out = String::new();
     for key in keys {
         let _ = writeln!(out, "{}\n    {}", key.path, takes(key));
@@ -39,7 +40,8 @@ pub(crate) fn list(keys: &[Key]) -> String {
 }
 
 /// All that is known of some keys.
-pub(crate) fn explained(keys: &[&Key]) -> String {
+#[doc(hidden)]
+pub fn explained(keys: &[&Key]) -> String {
     let mut out = String::new();
     for key in keys {
         let _ = writeln!(out, "{} ({} file)\n    {}\n    {}", key.path, key.file.name(), key.about, takes(key));

@@ -6,7 +6,8 @@ use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 
 /// The designs whose law is one of large twist; empty where there is none.
-pub(crate) fn large_twist(study: &Study, results: &Results) -> String {
+#[doc(hidden)]
+pub fn large_twist(study: &Study, results: &Results) -> String {
     if results.large_twist.is_empty() {
         return String::new();
     }

@@ -4,7 +4,8 @@ use super::table::{significant, table};
 use crate::analysis::{DutyOfDesign, LifeOverDuty, Results};
 
 /// A row an absorber whose material says how many cycles of strain it bears; empty where none does.
-pub(crate) fn life(results: &Results) -> String {
+#[doc(hidden)]
+pub fn life(results: &Results) -> String {
     let row = |(d, life): (&DutyOfDesign, &LifeOverDuty)| -> Option<Vec<String>> {
         let hours = life.hours();
         let worst = life.points.iter().max_by(|a, b| (a.point.share * a.damage_per_h).total_cmp(&(b.point.share * b.damage_per_h)))?;

@@ -7,7 +7,8 @@ use crate::objective::Condition;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 /// The designs in balance of heat; empty where no material says what cools it.
-pub(crate) fn heat(results: &Results) -> String {
+#[doc(hidden)]
+pub fn heat(results: &Results) -> String {
     if results.heat.is_empty() {
         return String::new();
     }
@@ -52,7 +53,8 @@ pub(crate) fn heat(results: &Results) -> String {
 }
 
 /// Whether laws have to be as they are; empty where all are constant springs and dampers.
-pub(crate) fn simplest(study: &Study, results: &Results) -> String {
+#[doc(hidden)]
+pub fn simplest(study: &Study, results: &Results) -> String {
     let tolerance = format!("{} %", significant(100.0 * study.tolerance, 2));
     let word = |d: &SimplestLaw| {
         format!("{} (with its values at {:.0} Hz the peak errs by {} %)", d.design, d.hz, significant(100.0 * d.error, 2))
@@ -72,7 +74,8 @@ pub(crate) fn simplest(study: &Study, results: &Results) -> String {
 }
 
 /// What absorbers would have to be made of; empty where no geometry is given.
-pub(crate) fn made_of(results: &Results) -> String {
+#[doc(hidden)]
+pub fn made_of(results: &Results) -> String {
     let mut rows = Vec::new();
     let shown = || results.designs.iter().chain(results.optima.iter().filter(|o| o.main).map(|o| &o.design));
     for d in shown() {

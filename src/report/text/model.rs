@@ -9,7 +9,8 @@ use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
 /// Whether the chain holds the mean inertia of the reciprocating masses, and what that does; nothing where the torque comes from a table.
-pub(crate) fn reciprocating(study: &Study) -> Option<String> {
+#[doc(hidden)]
+pub fn reciprocating(study: &Study) -> Option<String> {
     let f = frequencies(study)?;
     let (each, share) = (significant(f.each, 4), 100.0 * (1.0 - f.with / f.without));
     // inertia lowers every frequency: anything else is rounding, of a frequency near zero
@@ -32,7 +33,8 @@ pub(crate) fn reciprocating(study: &Study) -> Option<String> {
 }
 
 /// Which pressure bends the crank; nothing where there is one only.
-pub(crate) fn crank_pressure(study: &Study) -> Option<String> {
+#[doc(hidden)]
+pub fn crank_pressure(study: &Study) -> Option<String> {
     let (Some(_), Some(_)) = (&study.crank, &study.fatigue) else { return None };
     let Source::Cylinder { pressure: Pressure::Otto(otto), .. } = &study.engine.source else { return None };
     let scale = significant(otto.pressure_scale, 4);
@@ -47,7 +49,8 @@ pub(crate) fn crank_pressure(study: &Study) -> Option<String> {
 }
 
 /// The designs over the duty; empty without one.
-pub(crate) fn duty(results: &Results) -> String {
+#[doc(hidden)]
+pub fn duty(results: &Results) -> String {
     let Some(first) = results.duty.first() else { return String::new() };
     let numbers: Vec<String> = (1..=first.points.len()).map(|n| format!("point {n}")).collect();
     let header: Vec<&str> = ["design", "mean heat/W"].into_iter().chain(numbers.iter().map(String::as_str)).collect();

@@ -7,7 +7,8 @@ use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
 /// Values of an example that nobody has confirmed: a block for each file, empty without any.
-pub(crate) fn placeholders(study: &Study, in_full: bool) -> String {
+#[doc(hidden)]
+pub fn placeholders(study: &Study, in_full: bool) -> String {
     let mut text = String::new();
     for group in study.placeholders.chunk_by(|a, b| a.file == b.file) {
         let file = group[0].file.display();
@@ -32,7 +33,8 @@ pub(crate) fn placeholders(study: &Study, in_full: bool) -> String {
 const MOST_TOLD: usize = 20;
 
 /// One sentence each, with what may be the reason; of very many the first, and how many more there are.
-pub(crate) fn implausible(found: &[Implausible]) -> Vec<String> {
+#[doc(hidden)]
+pub fn implausible(found: &[Implausible]) -> Vec<String> {
     let more = found.len().saturating_sub(MOST_TOLD);
     let rest = (more > 0).then(|| format!("{more} more numbers are as unlikely"));
     found.iter().take(MOST_TOLD).map(sentence).chain(rest).collect()

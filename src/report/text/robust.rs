@@ -33,7 +33,8 @@ pub(super) fn during(design: &[Mounted], case: &RowCase) -> String {
 }
 
 /// Tolerances by their keys.
-pub(crate) fn tolerances(spec: &RobustSpec) -> String {
+#[doc(hidden)]
+pub fn tolerances(spec: &RobustSpec) -> String {
     let one = |(key, share): &(&str, f64)| {
         let percent = format!("{:.2}", 100.0 * share);
         format!("{key} ±{} %", percent.trim_end_matches('0').trim_end_matches('.'))
@@ -42,7 +43,8 @@ pub(crate) fn tolerances(spec: &RobustSpec) -> String {
 }
 
 /// A row a design with nominal and worst value; empty where the study has no tolerances.
-pub(crate) fn robust(study: &Study, results: &Results) -> String {
+#[doc(hidden)]
+pub fn robust(study: &Study, results: &Results) -> String {
     let Some(spec) = study.robust.as_ref().filter(|_| !results.robust.is_empty()) else { return String::new() };
     let of = &study.objective;
     let unit = match of.unit {

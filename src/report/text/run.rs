@@ -20,7 +20,8 @@ use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
 /// How searches evaluated designs, where that was chosen: a line each objective.
-pub(crate) fn choices(results: &Results) -> String {
+#[doc(hidden)]
+pub fn choices(results: &Results) -> String {
     let objectives = results.study.objectives();
     results.choices.iter().zip(objectives).enumerate().map(|(i, (choice, objective))| chosen(results, (i, objective), choice)).collect()
 }
@@ -139,7 +140,8 @@ pub(super) fn fronts(study: &Study, results: &Results) -> String {
 }
 
 /// What the run found, in sentences.
-pub(crate) fn summary(study: &Study, results: &Results) -> String {
+#[doc(hidden)]
+pub fn summary(study: &Study, results: &Results) -> String {
     let mut text = fronts(study, results);
     let held = study.held();
     for (i, limit) in study.limits.iter().enumerate() {

@@ -71,7 +71,8 @@ fn bodies(study: &SizingStudy, results: &SizingResults) -> String {
 }
 
 /// Printed rounds beside ours.
-pub(crate) fn rounds(rows: &[RoundRow]) -> String {
+#[doc(hidden)]
+pub fn rounds(rows: &[RoundRow]) -> String {
     let last = rows.iter().map(|r| r.round).max().unwrap_or(0);
     let of_round = |symbol: &str, round: usize| rows.iter().find(|r| r.quantity.symbol == symbol && r.round == round);
     let lines: Vec<Vec<String>> = rows
@@ -149,7 +150,8 @@ const SHARPEST: f64 = 0.01;
 const ROUNDEST: f64 = 0.3;
 
 /// How far the last of our rounds is from the printed ones, in a line.
-pub(crate) fn rounds_in_brief(rows: &[RoundRow]) -> String {
+#[doc(hidden)]
+pub fn rounds_in_brief(rows: &[RoundRow]) -> String {
     let last = rows.iter().map(|r| r.round).max().unwrap_or(0);
     let mut off: Vec<f64> = rows.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()).collect();
     off.sort_by(f64::total_cmp);
@@ -158,7 +160,8 @@ pub(crate) fn rounds_in_brief(rows: &[RoundRow]) -> String {
 }
 
 /// Last dimensions, smallest margin and masses in few lines, the front as a table.
-pub(crate) fn brief(study: &SizingStudy, results: &SizingResults) -> String {
+#[doc(hidden)]
+pub fn brief(study: &SizingStudy, results: &SizingResults) -> String {
     let last = results.sized.last();
     let dimensions: Vec<String> =
         last.sizes.named().iter().map(|(name, m)| format!("{} {}", name.replace('_', " "), significant(m / M_PER_MM, 4))).collect();
@@ -222,7 +225,8 @@ fn title(study: &SizingStudy, results: &SizingResults) -> String {
 }
 
 /// Dimensions, margins, masses, what is printed elsewhere, and the front.
-pub(crate) fn sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow]) -> String {
+#[doc(hidden)]
+pub fn sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow]) -> String {
     let mut text = title(study, results);
     let parts = [dimensions(results), margins(study, results), bodies(study, results), by_response(results), front(results)];
     for part in parts.iter().filter(|p| !p.is_empty()) {

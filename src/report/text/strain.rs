@@ -5,7 +5,8 @@ use crate::analysis::{MOST_STRAIN, Results, StrainOfDesign};
 use crate::units::DEG_PER_RAD;
 
 /// The designs whose material follows its strain, a row each with both rules; empty where there is none.
-pub(crate) fn strain(results: &Results) -> String {
+#[doc(hidden)]
+pub fn strain(results: &Results) -> String {
     let pairs: Vec<&[StrainOfDesign]> = results.strain.chunks(2).collect();
     let row = |pair: &&[StrainOfDesign]| {
         let reference = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == pair[0].design);

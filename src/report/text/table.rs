@@ -64,7 +64,8 @@ pub(crate) fn significant(x: f64, digits: i32) -> String {
 }
 
 /// The text, or a dash where a value does not apply.
-pub(crate) fn dash(text: Option<String>) -> String {
+#[doc(hidden)]
+pub fn dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| "-".into())
 }
 

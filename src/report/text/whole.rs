@@ -5,7 +5,8 @@ use crate::analysis::{Calibration, Results, plausibility};
 use crate::input::Study;
 
 /// Everything but what the run took.
-pub(crate) fn whole(study: &Study, fitted: Option<&Calibration>, results: &Results) -> String {
+#[doc(hidden)]
+pub fn whole(study: &Study, fitted: Option<&Calibration>, results: &Results) -> String {
     let reciprocating = super::reciprocating(study).map_or_else(String::new, |line| format!("  {line}\n"));
     let mut text = format!("{}: {}\n{reciprocating}\n", study.engine.name, super::flexible::frequencies(study, results));
     if let Some(fitted) = fitted {
@@ -33,7 +34,8 @@ pub(crate) fn whole(study: &Study, fitted: Option<&Calibration>, results: &Resul
 }
 
 /// What a user is to know of the inputs, a sentence each: placeholders, how files were read, what is unlikely.
-pub(crate) fn notes(study: &Study, results: &Results) -> Vec<String> {
+#[doc(hidden)]
+pub fn notes(study: &Study, results: &Results) -> Vec<String> {
     let placeholders = super::placeholders(study, true);
     let mut list: Vec<String> = if placeholders.is_empty() { Vec::new() } else { vec![placeholders] };
     list.extend(study.remarks.iter().map(|sentence| format!("note: {sentence}")));

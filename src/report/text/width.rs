@@ -4,7 +4,8 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Columns where nothing else is said.
-pub(crate) const USUAL: usize = 100;
+#[doc(hidden)]
+pub const USUAL: usize = 100;
 /// Columns below which tables are not made narrower.
 const LEAST: usize = 60;
 
@@ -12,7 +13,8 @@ const LEAST: usize = 60;
 static WIDTH: AtomicUsize = AtomicUsize::new(USUAL);
 
 /// Sets the width of all that is printed from now on; `None`: as wide as it comes.
-pub(crate) fn set(columns: Option<usize>) {
+#[doc(hidden)]
+pub fn set(columns: Option<usize>) {
     WIDTH.store(columns.map_or(usize::MAX, |c| c.max(LEAST)), Ordering::Relaxed);
 }
 
@@ -40,7 +42,8 @@ pub(crate) fn is_wide() -> bool {
 }
 
 /// Sentences that are longer than the width, broken between words; what follows is indented as they are, and by two more.
-pub(crate) fn wrapped(text: &str) -> String {
+#[doc(hidden)]
+pub fn wrapped(text: &str) -> String {
     let width = columns();
     let mut out = String::with_capacity(text.len());
     for line in text.split_inclusive('\n') {

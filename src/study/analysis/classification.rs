@@ -87,7 +87,8 @@ pub struct Classification {
 pub const ABOVE: f64 = 1.2;
 
 /// What follows from a run of the designs of a study.
-pub(crate) fn classification(study: &Study, results: &Results) -> Classification {
+#[doc(hidden)]
+pub fn classification(study: &Study, results: &Results) -> Classification {
     let system = &results.system;
     let holzer = holzer(study);
     let modes = holzer.iter().map(|r| r.mode).max().unwrap_or(0);

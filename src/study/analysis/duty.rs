@@ -67,7 +67,8 @@ fn systems(study: &Study) -> impl Iterator<Item = (DutyPoint, DutyLoad)> + '_ {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly, with the name of the design.
-pub(crate) fn duty<'d>(study: &Study, shown: &[&'d DesignResult]) -> Result<Vec<DutyOfDesign>, (&'d DesignResult, ResponseError)> {
+#[doc(hidden)]
+pub fn duty<'d>(study: &Study, shown: &[&'d DesignResult]) -> Result<Vec<DutyOfDesign>, (&'d DesignResult, ResponseError)> {
     let systems: Vec<(DutyPoint, DutyLoad)> = systems(study).collect();
     let all = |d: &&'d DesignResult| {
         let points = systems.iter().map(|(point, system)| at(study, &system.system, *point, &d.absorbers)).collect::<Result<_, _>>();

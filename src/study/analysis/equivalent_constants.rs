@@ -23,7 +23,8 @@ pub struct SimplestLaw {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance, with the design.
-pub(crate) fn simplest<'d>(
+#[doc(hidden)]
+pub fn simplest<'d>(
     study: &Study,
     finder: &PeakFinder,
     shown: &[&'d DesignResult],

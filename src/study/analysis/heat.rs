@@ -53,7 +53,8 @@ impl HeatAt {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance, with the design.
-pub(crate) fn heat<'d>(
+#[doc(hidden)]
+pub fn heat<'d>(
     study: &Study,
     finder: &PeakFinder,
     shown: &[&'d DesignResult],

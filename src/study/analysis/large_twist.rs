@@ -65,7 +65,8 @@ const HALVINGS: usize = 20;
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance of the chain, with the design.
-pub(crate) fn large_twist<'d>(
+#[doc(hidden)]
+pub fn large_twist<'d>(
     study: &Study,
     finder: &PeakFinder,
     shown: &[&'d DesignResult],

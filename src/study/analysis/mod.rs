@@ -39,7 +39,8 @@ pub mod progress;
 pub mod reciprocating;
 mod required_material;
 pub mod results;
-pub(crate) mod robust;
+#[doc(hidden)]
+pub mod robust;
 pub mod run;
 mod search_in_operation;
 #[doc(hidden)]

@@ -56,7 +56,8 @@ pub fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Conditi
 }
 
 /// Nothing where no geometry is given.
-pub(crate) fn made_of(absorber: &Absorber, ring_twist: f64) -> Option<MadeOf> {
+#[doc(hidden)]
+pub fn made_of(absorber: &Absorber, ring_twist: f64) -> Option<MadeOf> {
     let law = absorber.law()?;
     let geometry = law.material()?.geometry?;
     let factor = geometry.factor();

@@ -53,7 +53,8 @@ const TWO_SIDED_95: f64 = 1.959_964;
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance as drawn, with the design.
-pub(crate) fn robust<'d>(
+#[doc(hidden)]
+pub fn robust<'d>(
     study: &Study,
     (finder, cases): (&PeakFinder, &[LoadCase]),
     shown: &[&'d DesignResult],

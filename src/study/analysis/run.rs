@@ -46,7 +46,8 @@ impl Study {
     ///
     /// # Errors
     /// As [`Study::run`].
-    pub(crate) fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
+    #[doc(hidden)]
+    pub fn run_with(&self, progress: &dyn Progress) -> Result<Results, RunError> {
         let mut clock = Clock::start();
         let (mut study, calibration) = calibrate(self, progress)?;
         if calibration.is_some() {

@@ -41,7 +41,8 @@ pub struct StrainOfDesign {
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance, with the design.
-pub(crate) fn strain<'d>(
+#[doc(hidden)]
+pub fn strain<'d>(
     study: &Study,
     finder: &PeakFinder,
     shown: &[&'d DesignResult],

@@ -6,7 +6,8 @@ use crate::input::tables::PointHistory;
 use rayon::prelude::*;
 
 /// Points evaluated at a time.
-pub(crate) const CHUNK: usize = 256;
+#[doc(hidden)]
+pub const CHUNK: usize = 256;
 /// Points kept for each criterion.
 const WORST: usize = 5;
 

@@ -92,7 +92,8 @@ impl std::error::Error for InputError {}
 impl InputError {
     /// The same mistakes with files of one folder called as in another.
     #[must_use]
-    pub(crate) fn moved(mut self, from: &Path, to: &Path) -> Self {
+    #[doc(hidden)]
+    pub fn moved(mut self, from: &Path, to: &Path) -> Self {
         for mistake in &mut self.mistakes {
             let (Place::File(path) | Place::Text { path, .. } | Place::Cell { path, .. }) = &mut mistake.place;
             if let Ok(name) = path.strip_prefix(from) {

@@ -1,7 +1,8 @@
 //! What names may not have: they stand in tables, plots and pages, and on terminals.
 
 /// Returns whether a character is not seen, moves a cursor or turns the direction of the text beside it.
-pub(crate) fn is_hidden(c: char) -> bool {
+#[doc(hidden)]
+pub fn is_hidden(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }

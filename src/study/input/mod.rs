@@ -2,7 +2,8 @@
 
 pub mod error;
 mod files;
-pub(crate) mod import;
+#[doc(hidden)]
+pub mod import;
 pub mod keys;
 mod letters;
 pub mod measure;
@@ -19,7 +20,7 @@ mod wording;
 pub use error::InputError;
 pub use files::{InputFile, checksum, noted, remarked};
 pub use import::{FoundChain, FoundStation, FoundTraces};
-pub(crate) use letters::is_hidden;
+pub use letters::is_hidden;
 pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;
@@ -29,7 +30,7 @@ pub use validation::{
     OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,
     SizingStudy, Study,
 };
-pub(crate) use wording::closest;
+pub use wording::closest;
 
 use error::Source;
 use std::path::Path;
@@ -38,7 +39,8 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`InputError`] with every mistake found.
-pub(crate) fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
+#[doc(hidden)]
+pub fn read_material(path: &Path) -> Result<crate::fatigue::multiaxial::Limits, InputError> {
     let source = Source::read(path)?;
     no_table(&source, "a material file in TOML", "it has keys such as `tensile_strength_mpa = 900`")?;
     let raw: schema::material::RawMaterialFile = source.parse()?;
@@ -51,7 +53,8 @@ fn has(source: &Source, key: &str) -> bool {
 }
 
 /// Whether a file that can be read is a sizing file.
-pub(crate) fn is_sizing(path: &Path) -> bool {
+#[doc(hidden)]
+pub fn is_sizing(path: &Path) -> bool {
     Source::read(path).is_ok_and(|source| has(&source, "mechanism"))
 }
 

@@ -132,7 +132,8 @@ fn list(known: &[&str]) -> String {
 }
 
 /// The known word most like `word`: with the longest common start, at least half of it.
-pub(crate) fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+#[doc(hidden)]
+pub fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let common = |k: &str| {
         let start = word.chars().zip(k.chars()).take_while(|(a, b)| a == b).count();
         let end = word.chars().rev().zip(k.chars().rev()).take_while(|(a, b)| a == b).count();

@@ -41,7 +41,8 @@ pub struct FoundChain {
 ///
 /// # Errors
 /// [`InputError`] with the first mistake.
-pub(crate) fn chain(path: &Path) -> Result<FoundChain, InputError> {
+#[doc(hidden)]
+pub fn chain(path: &Path) -> Result<FoundChain, InputError> {
     let is_json = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
     let found = if is_json { assembly::read(path)? } else { table::read(path)? };
     let wrong = |message: String| Err(Mistake { message, place: Place::File(path.to_path_buf()), help: None }.into());

@@ -65,7 +65,8 @@ impl FileKind {
 
 impl FileKind {
     /// The same as text.
-    pub(crate) fn json_schema_text(self) -> String {
+    #[doc(hidden)]
+    pub fn json_schema_text(self) -> String {
         format!("{:#}\n", self.json_schema())
     }
 }

@@ -69,7 +69,8 @@ const M2_PER_MM2: f64 = 1e-6;
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
-pub(crate) fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
+#[doc(hidden)]
+pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
     let table = Table::read(path, &["name", "type"])?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
     if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {

@@ -9,7 +9,8 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-pub(crate) fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, InputError> {
+#[doc(hidden)]
+pub fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, InputError> {
     let table = Table::read(path, &["symbol"])?;
     let symbol = table.column("symbol")?;
     let rounds: Vec<usize> = (0..table.header.len()).filter(|c| *c != symbol).collect();

@@ -54,7 +54,8 @@ impl Loads {
 }
 
 /// Histories of the points of a table of stresses per unit load, one after the other.
-pub(crate) struct Superposed {
+#[doc(hidden)]
+pub struct Superposed {
     path: PathBuf,
     points: UnitLoadReader,
     loads: Loads,
@@ -65,7 +66,8 @@ impl Superposed {
     ///
     /// # Errors
     /// [`InputError`] with file, row and column.
-    pub(crate) fn open(unit_loads: &Path, loads: &Path) -> Result<Self, InputError> {
+    #[doc(hidden)]
+    pub fn open(unit_loads: &Path, loads: &Path) -> Result<Self, InputError> {
         let loads = Loads::read(loads)?;
         Ok(Self { path: unit_loads.to_path_buf(), points: UnitLoadReader::open(unit_loads, &loads.names)?, loads })
     }

@@ -162,7 +162,8 @@ impl Study {
     }
 
     /// Leaves searches out; designs are judged in the same conditions as before.
-    pub(crate) fn leave_searches_out(&mut self) {
+    #[doc(hidden)]
+    pub fn leave_searches_out(&mut self) {
         self.held_without_search = self.held().to_vec();
         (self.optimise, self.front, self.robust, self.combined) = (None, None, None, None);
         self.more_objectives.clear();

@@ -18,7 +18,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A journal that a run cannot go on from.
 #[derive(Debug, thiserror::Error)]
-pub(crate) enum JournalError {
+#[doc(hidden)]
+pub enum JournalError {
     /// It cannot be read or written.
     #[error(transparent)]
     File(#[from] WriteError),

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 
 /// Why a command does not write to a folder.
 #[derive(Debug, thiserror::Error)]
-pub(crate) enum FolderError {
+#[doc(hidden)]
+pub enum FolderError {
     /// It cannot be written to.
     #[error(transparent)]
     File(#[from] WriteError),

@@ -16,7 +16,8 @@ const MOST_APART: f64 = 1e6;
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
-pub(crate) fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
+#[doc(hidden)]
+pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
     let table = Table::read(path, &["frequency_hz", "stiffness_n_m_per_rad"])?;
     let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
     let (loss, damping, temperature) =

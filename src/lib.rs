@@ -84,7 +84,9 @@ pub mod guide;
 #[doc(inline)]
 pub use hartog_comparison::{benchmark, validation};
 #[doc(inline)]
-pub use hartog_physics::{absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units};
+pub use hartog_physics::{
+    absorber, crankshaft, drivetrain, engine, fatigue, numerics, objective, optimise, response, rotor, sizing, units,
+};
 #[cfg(feature = "program")]
 #[doc(inline)]
 pub use hartog_report as report;

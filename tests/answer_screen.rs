@@ -57,7 +57,7 @@ fn every_answer_fits_one_screen() {
     answers_fit_one_screen(&names.iter().map(String::as_str).collect::<Vec<_>>());
 }
 
-/// `check`, `compare` and `size` stand on such a screen, too; `--verbose` says more.
+/// `check` and `size` stand on such a screen, too; `--verbose` says more.
 #[test]
 fn other_commands_fit_one_screen() {
     let printed = |arguments: &[&str]| {
@@ -72,7 +72,7 @@ fn other_commands_fit_one_screen() {
     let studies = std::fs::read_dir("studies").expect("studies").map(|e| e.expect("an entry").path());
     let studies = studies.filter(|p| p.extension().is_some_and(|e| e == "toml")).map(|p| p.to_string_lossy().into_owned());
     let (sizings, studies): (Vec<String>, Vec<String>) = studies.partition(|p| p.contains("fialho"));
-    let commands = studies.iter().map(|s| vec!["check", s]).chain(sizings.iter().map(|s| vec!["size", s])).chain([vec!["compare"]]);
+    let commands = studies.iter().map(|s| vec!["check", s]).chain(sizings.iter().map(|s| vec!["size", s]));
     for command in commands {
         let text = printed(&command);
         let lines: Vec<&str> = text.lines().collect();

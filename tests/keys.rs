@@ -213,7 +213,7 @@ fn the_schema_refuses_what_one_file_shows() {
 /// The page of all keys in the documentation is that of the types.
 #[test]
 fn the_page_of_keys_is_current() {
-    let path = root().join("src/input/keys.md");
+    let path = root().join("src/study/input/keys.md");
     let current = hartog::report::text::keys::page(&all_keys());
     if std::env::var_os("HARTOG_WRITE_EXPECTED").is_some() {
         fs::write(&path, &current).expect("written");

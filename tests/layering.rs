@@ -9,6 +9,26 @@ use std::path::Path;
 const LONGEST_FILE: usize = 400;
 const LONGEST_FUNCTION: usize = 80;
 
+/// Rooms beside `report`, as its files name them.
+const ROOMS: [&str; 16] = [
+    "units",
+    "numerics",
+    "engine",
+    "absorber",
+    "rotor",
+    "drivetrain",
+    "response",
+    "fatigue",
+    "crankshaft",
+    "sizing",
+    "objective",
+    "optimise",
+    "input",
+    "analysis",
+    "benchmark",
+    "validation",
+];
+
 /// Module path of a file (from the crate) and its code without comments.
 struct Source {
     module: Vec<String>,
@@ -37,9 +57,18 @@ fn sources(folder: &Path, module: &mut Vec<String>, found: &mut Vec<Source>) {
     }
 }
 
+/// Crates of the workspace whose modules are rooms; `report` is a room itself.
+const MEMBERS: [&str; 3] = ["physics", "study", "comparison"];
+
 fn all_sources() -> Vec<Source> {
     let mut found = Vec::new();
     sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut Vec::new(), &mut found);
+    found.retain(|s| s.module.last().is_none_or(|m| m != "lib"));
+    for source in &mut found {
+        if MEMBERS.contains(&source.module[0].as_str()) {
+            source.module.remove(0);
+        }
+    }
     found
 }
 
@@ -80,7 +109,10 @@ fn paths(source: &Source) -> Vec<Vec<String>> {
     let mut put = |path: &str| {
         let mut parts: Vec<String> = path.split("::").map(|p| p.trim().to_owned()).collect();
         if parts[0] == "crate" {
-            list.push(parts.split_off(1));
+            let path = parts.split_off(1);
+            // the crate of the reports is a room itself
+            let own = source.module.first().is_some_and(|m| m == "report") && path.first().is_some_and(|p| !ROOMS.contains(&p.as_str()));
+            list.push(if own { std::iter::once("report".to_owned()).chain(path).collect() } else { path });
         } else if parts[0] == "super" {
             let up = parts.iter().take_while(|p| *p == "super").count();
             let above = source.module.len().saturating_sub(up);

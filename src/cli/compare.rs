@@ -8,7 +8,7 @@ use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
 use crate::input::{self, InputFile, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{self, Folder, Names, about_inputs, text, write_comparison, write_folder, write_rounds};
+use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_folder, write_rounds};
 use crate::sizing::size;
 use crate::validation::Comparison;
 use crate::validation::rounds::rounds;
@@ -110,11 +110,11 @@ pub fn compare(arguments: &Arguments) -> u8 {
         }
         let brief = || text::comparison::brief(&page.study, &page.comparison, alone);
         let told = if arguments.verbose { format!("\n{}", printed(&page)) } else { brief() };
-        say(&format!("{}\n{told}  {}\n", page.study.engine.name, files(&folder)));
+        say(&section(&page.study.engine.name, &told, &folder, alone));
         pages.push(page);
     }
     for ((study, of), folder) in jobs.sizings.iter().zip(&of_sizings) {
-        if let Err(code) = sizing((study, of), folder, arguments.verbose || alone) {
+        if let Err(code) = sizing((study, of), folder, (arguments.verbose || alone, alone)) {
             return code;
         }
     }
@@ -122,19 +122,28 @@ pub fn compare(arguments: &Arguments) -> u8 {
         let all: Vec<&Comparison> = pages.iter().map(|p| &p.comparison).collect();
         say(&text::comparison::pooled(&all));
     }
-    say(&format!("Done in {:.1} s.\n", start.elapsed().as_secs_f64()));
+    let first = if alone { String::new() } else { format!(": open {PAGE} in the folder of a study first") };
+    say(&format!("Done in {:.1} s{first}.\n", start.elapsed().as_secs_f64()));
     if pages.iter().all(|p| p.comparison.verdict.holds()) { DONE } else { FAILED }
 }
 
+/// What is said of a study, with where its files are.
+fn section(title: &str, told: &str, folder: &Folder, alone: bool) -> String {
+    if alone {
+        return format!("{title}\n{told}  {}\n", files(folder));
+    }
+    format!("{title}, {} files in {}\n{told}\n", folder.written(), folder.path().display())
+}
+
 /// Prints and writes the rounds of sizing beside the printed ones.
-fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, whole: bool) -> Result<(), u8> {
+fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, (whole, alone): (bool, bool)) -> Result<(), u8> {
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
     let title = format!("{}: published and computed", study.title);
     let written = write_rounds(&rows, folder).and_then(|()| write_folder(&title, || text::rounds(&rows), folder));
     written.and_then(|()| folder.complete(&about_inputs(&of.inputs))).map_err(|e| fail(&e))?;
     let told = if whole { format!("\n{}", text::rounds(&rows)) } else { text::rounds_in_brief(&rows) };
-    say(&format!("{}\n{told}  {}\n", study.title, files(folder)));
+    say(&section(&study.title, &told, folder, alone));
     Ok(())
 }
 

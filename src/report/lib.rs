@@ -153,12 +153,7 @@ pub fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), Write
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 #[doc(hidden)]
-pub fn write_sizing(
-    study: &SizingStudy,
-    results: &SizingResults,
-    published: &[RoundRow],
-    folder: &Folder,
-) -> Result<(), WriteError> {
+pub fn write_sizing(study: &SizingStudy, results: &SizingResults, published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
     csv::sizing::rounds(results, folder)?;
     write_rounds(published, folder)?;
     if !results.front.is_empty() {

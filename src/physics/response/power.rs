@@ -67,12 +67,7 @@ pub fn quantities(chain: &Chain, rings: usize) -> Vec<Quantity> {
 /// # Errors
 /// Those of the method.
 #[doc(hidden)]
-pub fn powers(
-    method: &dyn Response,
-    design: &[Mounted],
-    own: Option<Dissipated>,
-    work: &mut Work,
-) -> Result<Vec<Power>, ResponseError> {
+pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>, work: &mut Work) -> Result<Vec<Power>, ResponseError> {
     let (system, n) = (method.system(), method.system().chain.len());
     let sweeps = method.sweep_each(design, &quantities(&system.chain, design.len()), work)?;
     let orders = method.orders().len();

@@ -2,8 +2,8 @@
 
 use super::table::{Table, number};
 use crate::analysis::Results;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 
 /// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit.
 ///

@@ -2,9 +2,9 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::holds;
-use crate::files::{Folder, WriteError};
 
 /// `catalogue.csv`: a row an absorber; without a value where nothing damps a resonance, without a verdict where the study has no limits. None where the study has no catalogue.
 ///

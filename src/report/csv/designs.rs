@@ -3,9 +3,9 @@
 use super::margin;
 use super::table::{Table, in_unit, optional};
 use crate::analysis::{ConditionResult, DesignResult, Results};
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::{Condition, Peak};
-use crate::files::{Folder, WriteError};
 use crate::response::Quantity;
 use crate::units::DEG_PER_RAD;
 

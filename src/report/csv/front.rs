@@ -2,9 +2,9 @@
 
 use super::table::{Table, optional};
 use crate::analysis::{Results, TradeoffResult};
+use crate::files::{Folder, WriteError};
 use crate::input::{FrontSpec, MeasureSpec, Study};
 use crate::optimise::TradeoffPoint;
-use crate::files::{Folder, WriteError};
 
 /// `front.csv`: a row a point: the pair of measures it is a front of, the family, every measure of the front, whether another point is no worse in both of the pair, whether it is the
 /// knee, and the absorbers.

@@ -2,9 +2,9 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::{DesignResult, Results};
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::holds;
-use crate::files::{Folder, WriteError};
 
 /// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, empty where the limit of a rule changes with speed; used: share of the limit at the worst speed; multiplier: per cent
 /// of the objective that one per cent more of the limit would bring, of optima.

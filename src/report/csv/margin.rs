@@ -2,8 +2,8 @@
 
 use super::table::{Table, number, optional, rounded};
 use crate::analysis::{DesignResult, Results};
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::reason::reason;
 use crate::units::PA_PER_MPA;
 

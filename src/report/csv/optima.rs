@@ -2,9 +2,9 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::optimise::Stop;
-use crate::files::{Folder, WriteError};
 
 /// `optima.csv`. `kkt_residual`: length of the steepest-descent step, in logarithms of the parameters; `smallest_curvature`: of the Lagrangian along the directions that first
 /// order leaves free, share of the objective per square of those.

@@ -2,8 +2,8 @@
 
 use super::table::{Table, number, rounded};
 use crate::analysis::Results;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 
 /// Orders with less than this share of a quantity's largest are left out.
 const LEAST: f64 = 0.1;

@@ -2,9 +2,9 @@
 
 use super::table::{Table, in_unit, in_unit_of, number, optional};
 use crate::analysis::Results;
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::HELD;
-use crate::files::{Folder, WriteError};
 
 /// `pareto.csv`.
 ///

@@ -3,8 +3,8 @@
 use super::table::{Table, number, rounded};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{self, OrderSweep, QuantitySweep, Swept};
-use crate::input::Study;
 use crate::files::{Folder, Stream, WriteError};
+use crate::input::Study;
 use crate::reason::reason;
 use crate::response::{Quantity, ResponseError};
 

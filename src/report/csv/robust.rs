@@ -3,9 +3,9 @@
 use super::table::{Table, number, optional};
 use crate::absorber::{Deviation, Mounted};
 use crate::analysis::Results;
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::holds;
-use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 
 /// `robust.csv`: a row a design for the objective, then one for each limit, with the factors on the parameters where each is worst; `tolerance_band.csv`: a row a design and speed. None without tolerances.

@@ -1,8 +1,8 @@
 //! A table on its way to a file, and how numbers are written.
 
+use crate::files::{Folder, Stream, WriteError};
 use crate::input::{MeasureSpec, Study};
 use crate::numerics::rounding::seven_digits;
-use crate::files::{Folder, Stream, WriteError};
 use std::io::Write;
 
 /// A table in memory.

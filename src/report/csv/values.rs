@@ -2,8 +2,8 @@
 
 use super::table::{Table, number, optional};
 use crate::analysis::Results;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 
 /// `values.csv`: the values of `designs.csv` and `absorbers.csv` one below the other, each with its condition, unit and place; `order`: the one that adds most.
 ///

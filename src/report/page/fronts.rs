@@ -3,8 +3,8 @@
 use super::numbers::{digits, list};
 use crate::absorber::Mounted;
 use crate::analysis::{DesignResult, FrontResult, Results, TradeoffResult};
-use crate::input::{FrontSpec, MeasureSpec, Study};
 use crate::csv::in_unit;
+use crate::input::{FrontSpec, MeasureSpec, Study};
 use crate::text::short;
 use maud::{Markup, html};
 use serde_json::{Map, Value, json};

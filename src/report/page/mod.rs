@@ -55,12 +55,7 @@ pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 #[doc(hidden)]
-pub fn write(
-    (study, inputs): (&Study, &[InputFile]),
-    results: &Results,
-    prepared: &Prepared,
-    folder: &Folder,
-) -> Result<(), WriteError> {
+pub fn write((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &Prepared, folder: &Folder) -> Result<(), WriteError> {
     folder.write(PAGE, page(&format!("{} – hartog", study.name), &body((study, inputs), results, prepared, folder)).as_bytes())
 }
 

@@ -2,9 +2,9 @@
 
 use crate::absorber::Parameter;
 use crate::analysis::{DesignResult, Results};
+use crate::files::Folder;
 use crate::input::{InputFile, MeasureSpec, Study};
 use crate::objective::holds;
-use crate::files::Folder;
 use crate::text::{check, dash, notes, short, whole, width};
 use crate::units::DEG_PER_RAD;
 use base64::Engine;

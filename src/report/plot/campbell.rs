@@ -5,8 +5,8 @@ use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
 use crate::analysis::model_check::strongest_orders;
 use crate::engine::Order;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 

@@ -1,9 +1,9 @@
 //! A drawing surface: SVG with sub-pixel coordinates, its PNG, and the look shared by all plots.
 
 use super::pdf::pdf;
-use crate::numerics::elementary::Elementary;
 use crate::files::{Folder, WriteError};
 use crate::formats::Format;
+use crate::numerics::elementary::Elementary;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;

@@ -7,9 +7,9 @@ use crate::benchmark::growth::{Growth, SIZES};
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::speed_accuracy::{Point, Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::numerics::elementary::Elementary;
-use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 

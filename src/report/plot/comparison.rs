@@ -4,8 +4,8 @@ use super::canvas::{self, COLOURS, Drawn, GREY, PALE, Stroke, WIDTH, captioned, 
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Calibration, Results, Sweeps};
 use crate::engine::Order;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 use crate::validation::{Comparison, Role};
 use plotters::prelude::*;

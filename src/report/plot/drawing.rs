@@ -1,8 +1,8 @@
 //! A dimensioned drawing of piston pin, connecting rod and crank throw, all at one scale.
 
 use super::canvas::{self, Area, Drawn, GREY, line, px, text};
-use crate::input::SizingStudy;
 use crate::files::{Folder, WriteError};
+use crate::input::SizingStudy;
 use crate::sizing::{Sized, bodies};
 use crate::units::M_PER_MM;
 use plotters::prelude::*;

@@ -3,9 +3,9 @@
 use super::canvas::{self, COLOURS, Drawn, WIDTH, captioned, fill, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::numerics::C64;
-use crate::files::{Folder, WriteError};
 use plotters::prelude::*;
 
 /// Dark, middle and light, so that they are told apart without colour.

@@ -4,8 +4,8 @@ use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, captioned, fill, line, px
 use crate::analysis::stress_histories::Summary;
 use crate::fatigue::multiaxial::plane::Scratch;
 use crate::fatigue::multiaxial::{Criterion, Limits, Verdict};
-use crate::numerics::elementary::Elementary;
 use crate::files::{Folder, WriteError};
+use crate::numerics::elementary::Elementary;
 use crate::units::PA_PER_MPA;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -4,8 +4,8 @@ use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, p
 use super::labels;
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, TradeoffResult};
-use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::files::{Folder, WriteError};
+use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use plotters::prelude::*;
 
 /// Given designs further out than this many ranges of the fronts are not drawn.

@@ -3,8 +3,8 @@
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{HeatOfDesign, Results};
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use plotters::prelude::*;
 
 /// `heat`: a line a design for what is reached from cold, broken where it overheats; other balances as dots, open where they are not stable; limits as thin lines.

@@ -3,8 +3,8 @@
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{LargePoint, LargeTwistOfDesign, Results};
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 

@@ -5,8 +5,8 @@ use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::crank_diagram::{Diagram, Instant};
 use crate::crankshaft::loads::InPlanes;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::units::{M_PER_MM, N_PER_KN};
 use plotters::prelude::*;
 

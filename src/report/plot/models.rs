@@ -3,8 +3,8 @@
 use super::canvas::{self, COLOURS, WIDTH, fill, line, px};
 use super::chart::decades;
 use crate::benchmark::model_accuracy::ModelError;
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use plotters::prelude::*;
 
 /// Smaller errors are drawn on this.

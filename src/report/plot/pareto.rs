@@ -5,9 +5,9 @@ use super::labels;
 use super::legend::{self, Entry};
 use crate::absorber::TYPES;
 use crate::analysis::Results;
-use crate::input::{Study, UnitOf};
 use crate::csv::in_unit;
 use crate::files::{Folder, WriteError};
+use crate::input::{Study, UnitOf};
 use plotters::prelude::*;
 
 /// A colour for each declared type; what is none of them (a locked ring) is grey.

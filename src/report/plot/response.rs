@@ -4,9 +4,9 @@ use super::canvas::{self, Drawn, Stroke, WIDTH, captioned, line, px, text};
 use super::legend::{self, Entry};
 use crate::analysis::Results;
 use crate::analysis::sweeps::{QuantitySweep, Sweeps, Swept};
+use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::files::{Folder, WriteError};
 use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 

@@ -3,8 +3,8 @@
 use super::canvas::{self, COLOURS, WIDTH, fill, line, px};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, RobustOfDesign};
-use crate::input::Study;
 use crate::files::{Folder, WriteError};
+use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 use plotters::prelude::*;
 

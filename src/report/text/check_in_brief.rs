@@ -1,7 +1,8 @@
 //! What `hartog check` prints on one screen.
 
-use super::check::{engine, unlikely, work};
+use super::check::{engine, unlikely};
 use super::table::significant;
+use super::to_be_computed::work;
 use crate::analysis::model_check;
 use crate::engine::Excitation;
 use crate::engine::excitation::Audit;

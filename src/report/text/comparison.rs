@@ -83,15 +83,16 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
 #[doc(hidden)]
 pub fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
     let count = |role: Role| c.entries.iter().filter(|e| e.role == role && !differs(e)).count();
-    let (predicted, calibrated, errata, unexplained) =
-        (count(Role::Predicted), count(Role::Calibrated), count(Role::Erratum), count(Role::Unexplained));
-    let other = c.entries.iter().filter(|e| differs(e)).count();
-    let numbers = format!(
-        "{} published numbers: {predicted} predicted, {calibrated} fitted to, {errata} errata, {unexplained} unexplained, {other} by other models \
-         or inputs, {} given.",
-        c.entries.len(),
-        count(Role::Given)
-    );
+    let counts = [
+        (count(Role::Predicted), "predicted"),
+        (count(Role::Calibrated), "fitted to"),
+        (count(Role::Erratum), "errata"),
+        (count(Role::Unexplained), "unexplained"),
+        (c.entries.iter().filter(|e| differs(e)).count(), "by other models or inputs"),
+        (count(Role::Given), "given"),
+    ];
+    let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, role)| format!("{n} {role}")).collect();
+    let numbers = format!("{} published numbers: {}.", c.entries.len(), counts.join(", "));
     let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
     let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
     let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());

@@ -7,8 +7,8 @@ use super::width::is_wide;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Absorber, Host, Mounted, Parameter};
 use crate::analysis::{DesignResult, Results};
-use crate::input::{Study, UnitOf};
 use crate::csv::in_unit;
+use crate::input::{Study, UnitOf};
 use crate::response::Quantity;
 use crate::units::DEG_PER_RAD;
 

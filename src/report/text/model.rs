@@ -33,8 +33,7 @@ pub fn reciprocating(study: &Study) -> Option<String> {
 }
 
 /// Which pressure bends the crank; nothing where there is one only.
-#[doc(hidden)]
-pub fn crank_pressure(study: &Study) -> Option<String> {
+pub(crate) fn crank_pressure(study: &Study) -> Option<String> {
     let (Some(_), Some(_)) = (&study.crank, &study.fatigue) else { return None };
     let Source::Cylinder { pressure: Pressure::Otto(otto), .. } = &study.engine.source else { return None };
     let scale = significant(otto.pressure_scale, 4);

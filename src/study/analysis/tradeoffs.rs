@@ -46,12 +46,7 @@ impl Searches<'_> {
     /// # Errors
     /// [`RunError`] where no start of a search has a finite response.
     #[doc(hidden)]
-    pub fn tradeoffs(
-        &self,
-        spec: &OptimiseSpec,
-        optima: &[OptimumResult],
-        clock: &mut Clock,
-    ) -> Result<Vec<TradeoffResult>, RunError> {
+    pub fn tradeoffs(&self, spec: &OptimiseSpec, optima: &[OptimumResult], clock: &mut Clock) -> Result<Vec<TradeoffResult>, RunError> {
         let Some(FrontSpec::Of { points, measures }) = &self.study.front else { return Ok(Vec::new()) };
         let pairs: Vec<[usize; 2]> = (0..measures.len()).flat_map(|i| (i + 1..measures.len()).map(move |j| [i, j])).collect();
         let families = self.families_of_front(spec);

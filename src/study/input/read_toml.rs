@@ -166,11 +166,11 @@ impl<'de> Deserializer<'de> for Node<'de> {
     fn deserialize_enum<V: Visitor<'de>>(self, _: &'static str, _: &'static [&'static str], visitor: V) -> Result<V::Value, Wrong> {
         let span = self.span.clone();
         let variant = match self.value {
-            DeValue::String(word) => Variant { word, value: None },
+            DeValue::String(word) => Variant { word, at: span.clone(), value: None },
             DeValue::Table(table) => {
                 let mut rows = table.into_iter();
                 match (rows.next(), rows.next()) {
-                    (Some((key, value)), None) => Variant { word: key.into_inner(), value: Some(value.into()) },
+                    (Some((key, value)), None) => Variant { at: key.span(), word: key.into_inner(), value: Some(value.into()) },
                     (None, _) => return Err(Wrong::custom("wanted exactly 1 element, found 0 elements").at(span)),
                     _ => return Err(Wrong::custom("wanted exactly 1 element, more than 1 element").at(span)),
                 }
@@ -227,6 +227,7 @@ impl<'de> SeqAccess<'de> for List<'de> {
 /// A word of a list of words, or a table of one key that is such a word.
 struct Variant<'de> {
     word: DeString<'de>,
+    at: Range<usize>,
     value: Option<Node<'de>>,
 }
 
@@ -236,7 +237,7 @@ impl<'de> EnumAccess<'de> for Variant<'de> {
 
     fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Behind<'de>), Wrong> {
         let word: StrDeserializer<'_, Wrong> = self.word.as_ref().into_deserializer();
-        seed.deserialize(word).map(|v| (v, Behind(self.value)))
+        seed.deserialize(word).map(|v| (v, Behind(self.value))).map_err(|e| e.at(self.at))
     }
 }
 

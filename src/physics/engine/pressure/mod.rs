@@ -7,6 +7,7 @@ pub mod wiebe;
 pub use measured::{Measured, PartLoad};
 pub use model::Pressure;
 pub use otto::Otto;
-pub use sampling::{SAMPLE_DEG, each_revolution};
+pub use sampling::SAMPLE_DEG;
+pub(crate) use sampling::each_revolution;
 pub use sampling::{sample_angle, samples};
 pub use wiebe::Wiebe;

@@ -17,8 +17,7 @@ pub fn sample_angle(j: usize) -> f64 {
 }
 
 /// What repeats with every revolution, at the samples of a working cycle.
-#[doc(hidden)]
-pub fn each_revolution<T: Clone>(strokes: u32, at_angle: impl Fn(f64) -> T) -> Vec<T> {
+pub(crate) fn each_revolution<T: Clone>(strokes: u32, at_angle: impl Fn(f64) -> T) -> Vec<T> {
     let revolution: Vec<T> = (0..samples(2)).map(|j| at_angle(sample_angle(j))).collect();
     revolution.iter().cycle().take(samples(strokes)).cloned().collect()
 }

@@ -10,21 +10,17 @@ pub struct Axis {
 }
 
 /// Crank angle from the firing of the cylinder that fires at 0°.
-#[doc(hidden)]
-pub const CRANK_DEG: Axis = Axis { column: "crank_deg", label: "crank angle / °" };
+pub(crate) const CRANK_DEG: Axis = Axis { column: "crank_deg", label: "crank angle / °" };
 /// Speed.
 pub(crate) const SPEED: Axis = Axis { column: "speed_rpm", label: "speed / rpm" };
 /// Order.
 pub(crate) const ORDER: Axis = Axis { column: "order", label: "order" };
 /// Torque.
-#[doc(hidden)]
-pub const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N m" };
+pub(crate) const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N m" };
 /// Force.
-#[doc(hidden)]
-pub const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
+pub(crate) const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
 /// Moment.
-#[doc(hidden)]
-pub const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
+pub(crate) const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
 /// Angle.
 pub(crate) const ANGLE: Axis = Axis { column: "angle_deg", label: "angle / °" };
 

@@ -10,8 +10,9 @@ mod journals;
 mod modes;
 mod responses;
 
+pub use figure::curve;
 pub use figure::{Axis, Curve, Figure, Panel};
-pub use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE, curve};
+pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE};
 pub use modes::HolzerRow;
 pub use modes::holzer;
 

@@ -1,41 +1,18 @@
 //! Chains as other programs write them: a mass-elastic table with the units in its header, or an assembly of openTorsion.
 
 mod assembly;
+mod found;
 mod sheet;
 mod table;
 mod trace;
 mod unit;
 mod words;
 
+pub use found::{FoundChain, FoundStation};
 pub use trace::{FoundTraces, traces};
 
 use super::error::{InputError, Mistake, Place};
 use std::path::Path;
-
-/// A station as it was found, SI.
-#[derive(Debug, Clone, Default, PartialEq)]
-#[doc(hidden)]
-pub struct FoundStation {
-    pub name: String,
-    /// kg m².
-    pub inertia: f64,
-    /// N m/rad; zero for the last.
-    pub stiffness_to_next: f64,
-    /// N m s/rad.
-    pub damping_to_next: f64,
-    /// N m s/rad.
-    pub damping_to_ground: f64,
-    /// Numbers of its throws, from 1.
-    pub throws: Vec<usize>,
-}
-
-/// A chain, and what of the file is not in it.
-#[derive(Debug, Clone, Default, PartialEq)]
-#[doc(hidden)]
-pub struct FoundChain {
-    pub stations: Vec<FoundStation>,
-    pub left_out: Vec<String>,
-}
 
 /// Reads a chain: `.json` is an assembly of openTorsion, all else a table.
 ///

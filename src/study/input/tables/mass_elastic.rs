@@ -25,7 +25,6 @@ const COLUMNS: [&str; 10] = [
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-#[doc(hidden)]
 pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawStation>, InputError> {
     let table = Table::read(path, &COLUMNS)?;
     if let Some(i) = table.header.iter().position(|h| !COLUMNS.contains(&h.as_str())) {

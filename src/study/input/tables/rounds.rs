@@ -9,8 +9,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`InputError`] with row and column.
-#[doc(hidden)]
-pub fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, InputError> {
+pub(crate) fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, InputError> {
     let table = Table::read(path, &["symbol"])?;
     let symbol = table.column("symbol")?;
     let rounds: Vec<usize> = (0..table.header.len()).filter(|c| *c != symbol).collect();

@@ -22,6 +22,6 @@ pub fn check(arguments: &Arguments) -> u8 {
         Ok(study) => study,
         Err(error) => return fail(&error),
     };
-    say(&if arguments.verbose { check::model(&study) } else { check_in_brief(&study) });
+    say(&if arguments.verbose { check::model(&study, true) } else { check_in_brief(&study) });
     DONE
 }

@@ -22,7 +22,7 @@ pub fn write(study: &Study, inputs: &[InputFile], results: &Results, c: &Classif
     let body = html! {
         h1 { (study.engine.name) ": torsional vibration calculation" }
         p { "Speeds " (study.speeds_rpm[0]) " to " (study.speeds_rpm[study.speeds_rpm.len() - 1]) " rpm, orders up to " (study.order_limit) ". Criticals, sums of phase vectors and Holzer's tables are of the chain without absorber; responses are of each design of the study" @if !results.optima.is_empty() { " and of its optima" } "." }
-        (model(study))
+        (model(study, study.on_flexible().is_some()))
         (holzer(c))
         (sums(c))
         (criticals(c))

@@ -47,7 +47,11 @@ fn embedded(data: &serde_json::Value) -> String {
 
 /// That of a run.
 pub(crate) fn prepared(study: &Study, results: &Results) -> Prepared {
-    Prepared { data: embedded(&data::data(study, results)), findings: findings(study, results), model: model(study) }
+    Prepared {
+        data: embedded(&data::data(study, results)),
+        findings: findings(study, results),
+        model: model(study, results.system.flexible.is_some()),
+    }
 }
 
 /// Writes the page about its data; plots of the run are taken from the folder.

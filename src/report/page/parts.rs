@@ -79,11 +79,11 @@ pub(super) fn conditions(results: &Results) -> Markup {
 }
 
 /// What `hartog check` prints: chain, modes, damping, pressure and what is assumed.
-pub(super) fn model(study: &Study) -> Markup {
+pub(super) fn model(study: &Study, on_flexible: bool) -> Markup {
     html! {
         h2 { "The model" }
         p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
-        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study)))) } }
+        div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study, on_flexible)))) } }
     }
 }
 

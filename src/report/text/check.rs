@@ -31,8 +31,8 @@ pub(super) fn unlikely(study: &Study, excitation: &Excitation, in_full: bool) ->
     placeholders(study, in_full) + &remarks + &unlikely
 }
 
-/// Engine, chain, modes, pressure, crank, and what is to be computed.
-pub fn model(study: &Study) -> String {
+/// Engine, chain, modes, pressure, crank, a flexible crank where `with_flexible`, and what is to be computed.
+pub fn model(study: &Study, with_flexible: bool) -> String {
     let excitation = Excitation::new(&study.engine, study.order_limit);
     let unlikely = unlikely(study, &excitation, true);
     format!(
@@ -43,7 +43,7 @@ pub fn model(study: &Study) -> String {
         modes(study, &excitation),
         pressure(study, &excitation)
             + &crank::crank(study).map_or_else(String::new, |c| format!("\n{c}"))
-            + &super::flexible::in_full(study),
+            + &if with_flexible { super::flexible::in_full(study) } else { String::new() },
         work(study, &excitation, usize::MAX),
         if unlikely.is_empty() { unlikely } else { format!("\n{unlikely}") }
     )

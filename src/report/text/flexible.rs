@@ -99,7 +99,8 @@ fn stiffness(study: &Study) -> Option<String> {
 pub(crate) fn in_brief(study: &Study) -> String {
     let (Some(flexible), Some(stiffness)) = (&study.flexible, stiffness(study)) else { return String::new() };
     let lowest: Vec<String> = elastic(flexible).take(MODES_IN_BRIEF).map(|m| kind(m, 1)).collect();
-    format!("  flexible crank: {stiffness}\n    at rest {}\n{}", lowest.join(", "), growing(study))
+    let growing = study.on_flexible().map_or_else(String::new, |_| growing(study));
+    format!("  flexible crank: {stiffness}\n    at rest {}\n{growing}", lowest.join(", "))
 }
 
 /// Webs, masses, modes at rest and at the highest speed; empty without a flexible crank.

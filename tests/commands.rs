@@ -2,6 +2,7 @@
 
 use crate::support::{hartog, read, variant};
 use std::fs;
+use std::path::Path;
 
 /// Of the six of the thesis: without the optimum by a margin, which costs most of its time.
 const BY_TWIST_ONLY: (&str, &str) =
@@ -182,6 +183,47 @@ fn compare_writes_a_page_an_engine() {
             assert!(read(&page, &format!("{plot}.svg")).starts_with("<svg") && page.join(format!("{plot}.png")).is_file(), "{plot}");
         }
     }
+}
+
+/// `compare --verbose` prints every row beside what it says in brief.
+#[test]
+fn compare_in_full() {
+    let folder = tempfile::tempdir().expect("folder");
+    let printed = |more: &[&str]| {
+        let out = folder.path().join(format!("o{}", more.len()));
+        let output = hartog()
+            .args(["compare", "studies/mendes_mwm6.toml"])
+            .args(more)
+            .arg("--out")
+            .arg(out)
+            .assert()
+            .code(0)
+            .get_output()
+            .stdout
+            .clone();
+        String::from_utf8(output).expect("text")
+    };
+    let (brief, full) = (printed(&[]), printed(&["--verbose"]));
+    let rows = |text: &str| text.lines().filter(|l| l.contains("predicted") && l.contains("Hz")).count();
+    assert_eq!((rows(&brief), rows(&full)), (0, 4), "{full}");
+}
+
+/// The page of a run on the chain says nothing of a flexible crank that its engine file describes; that of a run on the flexible crank does.
+#[test]
+fn a_page_tells_of_the_crank_that_was_used() {
+    let folder = tempfile::tempdir().expect("folder");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let page = |crank: &str| {
+        let study = folder.path().join(format!("{crank}.toml"));
+        let text = format!(
+            "engine = {engine:?}\ncrank = \"{crank}\"\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[design]]\nname = \"none\"\n"
+        );
+        std::fs::write(&study, text).expect("written");
+        let out = folder.path().join(crank);
+        hartog().arg("run").arg(&study).arg("--out").arg(&out).assert().code(0);
+        read(&out, "report.html")
+    };
+    assert!(!page("chain").contains("k_held/k_free") && page("flexible").contains("k_held/k_free"));
 }
 
 /// A tolerance that fails is exit code 1, a study without tables exit code 2, each said in words.

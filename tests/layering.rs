@@ -4,30 +4,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// Longest file and longest function, in lines.
 const LONGEST_FILE: usize = 400;
 const LONGEST_FUNCTION: usize = 80;
 
-/// Rooms beside `report`, as its files name them.
-const ROOMS: [&str; 16] = [
-    "units",
-    "numerics",
-    "engine",
-    "absorber",
-    "rotor",
-    "drivetrain",
-    "response",
-    "fatigue",
-    "crankshaft",
-    "sizing",
-    "objective",
-    "optimise",
-    "input",
-    "analysis",
-    "benchmark",
-    "validation",
-];
+/// Those of the map.
+static ROOMS: LazyLock<Vec<String>> = LazyLock::new(rooms);
 
 /// Module path of a file (from the crate) and its code without comments.
 struct Source {
@@ -50,25 +34,25 @@ fn sources(folder: &Path, module: &mut Vec<String>, found: &mut Vec<Source>) {
             sources(&path, module, found);
             module.pop();
         } else if path.extension().is_some_and(|e| e == "rs") && !(module.is_empty() && ["lib", "main"].contains(&stem.as_str())) {
-            let is_mod = stem == "mod";
+            let is_mod = ["mod", "lib"].contains(&stem.as_str());
             let own = module.iter().cloned().chain((!is_mod).then_some(stem)).collect();
             found.push(Source { module: own, is_mod, text: without_comments(&fs::read_to_string(&path).expect("readable sources")) });
         }
     }
 }
 
-/// Crates of the workspace whose modules are rooms; `report` is a room itself.
-const MEMBERS: [&str; 3] = ["physics", "study", "comparison"];
-
+/// A folder with a manifest is a crate of the workspace: its modules are rooms, or it is a room itself.
 fn all_sources() -> Vec<Source> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = Vec::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut Vec::new(), &mut found);
-    found.retain(|s| s.module.last().is_none_or(|m| m != "lib"));
+    sources(&src, &mut Vec::new(), &mut found);
     for source in &mut found {
-        if MEMBERS.contains(&source.module[0].as_str()) {
+        let folder = &source.module[0];
+        if src.join(folder).join("Cargo.toml").is_file() && !ROOMS.contains(folder) {
             source.module.remove(0);
         }
     }
+    found.retain(|s| !s.module.is_empty());
     found
 }
 
@@ -111,7 +95,7 @@ fn paths(source: &Source) -> Vec<Vec<String>> {
         if parts[0] == "crate" {
             let path = parts.split_off(1);
             // the crate of the reports is a room itself
-            let own = source.module.first().is_some_and(|m| m == "report") && path.first().is_some_and(|p| !ROOMS.contains(&p.as_str()));
+            let own = source.module.first().is_some_and(|m| m == "report") && path.first().is_some_and(|p| !ROOMS.contains(p));
             list.push(if own { std::iter::once("report".to_owned()).chain(path).collect() } else { path });
         } else if parts[0] == "super" {
             let up = parts.iter().take_while(|p| *p == "super").count();
@@ -168,9 +152,9 @@ fn violations(rooms: &[String], source: &Source) -> Vec<String> {
 
 #[test]
 fn imports_point_one_way() {
-    let (rooms, all) = (rooms(), all_sources());
+    let (rooms, all) = (&*ROOMS, all_sources());
     assert!(rooms.len() > 10, "{rooms:?}");
-    let found: Vec<String> = all.iter().flat_map(|s| violations(&rooms, s)).collect();
+    let found: Vec<String> = all.iter().flat_map(|s| violations(rooms, s)).collect();
     assert!(found.is_empty(), "{found:#?}");
 }
 
@@ -241,6 +225,30 @@ fn planted_violations_are_caught() {
     let three = |last: &str| vec![source(&["a"], "use crate::b::B;"), source(&["b"], "use crate::c::C;"), source(&["c"], last)];
     assert_eq!(circles(&three("use crate::a::A;")).len(), 3);
     assert!(circles(&three("use crate::units::A;")).is_empty());
+}
+
+/// Files and folders of the sources that the guide and the README name are there.
+#[test]
+fn files_that_the_guide_names_exist() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let chapters = fs::read_dir(root.join("src/guide")).expect("a guide").map(|e| e.expect("readable").path());
+    let pages = chapters.filter(|p| p.extension().is_some_and(|e| e == "md")).chain([root.join("README.md")]);
+    let (mut named, mut lost) = (0, Vec::new());
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("UTF-8");
+        let code = text
+            .split('`')
+            .skip(1)
+            .step_by(2)
+            .filter(|c| c.starts_with("src/") && !c.contains(|c: char| c.is_uppercase() || c.is_whitespace()));
+        for path in code {
+            named += 1;
+            if !root.join(path).exists() {
+                lost.push(format!("{}: {path}", page.display()));
+            }
+        }
+    }
+    assert!(named > 20 && lost.is_empty(), "{named} named, {lost:?}");
 }
 
 /// Every file within 400 lines, every function within 80.

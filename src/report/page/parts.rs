@@ -82,7 +82,7 @@ pub(super) fn conditions(results: &Results) -> Markup {
 pub(super) fn model(study: &Study, on_flexible: bool) -> Markup {
     html! {
         h2 { "The model" }
-        p class="soft" { "As `hartog check` prints it: chain, modes, pressure, crank, and what was computed." }
+        p class="soft" { "As `hartog check --verbose` prints it: chain, modes, pressure, crank (flexible where this response is that of a flexible crank), and what was computed." }
         div class="scroll" { pre { (width::for_a_file(|| width::wrapped(&check::model(study, on_flexible)))) } }
     }
 }

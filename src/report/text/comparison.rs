@@ -91,8 +91,7 @@ pub fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
         (c.entries.iter().filter(|e| differs(e)).count(), "by other models or inputs"),
         (count(Role::Given), "given"),
     ];
-    let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, role)| format!("{n} {role}")).collect();
-    let numbers = format!("{} published numbers: {}.", c.entries.len(), counts.join(", "));
+    let numbers = format!("{} published numbers: {}.", c.entries.len(), super::counted(&counts));
     let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
     let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
     let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());

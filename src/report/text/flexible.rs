@@ -73,7 +73,7 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
     let own = known.map(|m| Modelled::ALL.map(|model| m.of(model).unwrap_or_default()));
     if own.is_some_and(|[_, own, halved, doubled]| own < halved.min(doubled)) {
         lines.push(
-            "  softer and stiffer bearings are both worse: the stiffness given is near the best there is, count on the larger".into(),
+            "  softer and stiffer bearings are both worse: a least twist lies between half and twice the stiffness given, count on the larger".into(),
         );
     }
     if results.system.flexible.is_some() {

@@ -58,6 +58,11 @@ pub use table::dash;
 pub use table::table;
 pub use whole::{notes, whole};
 
+/// Numbers of things, but for those of which there are none.
+pub(crate) fn counted(counts: &[(usize, &str)]) -> String {
+    counts.iter().filter(|(n, _)| *n > 0).map(|(n, things)| format!("{n} {things}")).collect::<Vec<_>>().join(", ")
+}
+
 /// A value with four significant digits.
 pub(crate) fn short(x: f64) -> String {
     if x.is_finite() { table::significant(x, 4) } else { "unbounded".into() }

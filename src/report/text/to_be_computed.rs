@@ -43,17 +43,18 @@ pub(super) fn work(study: &Study, excitation: &Excitation, most: usize) -> Strin
     text.push_str(&designs(study, most));
     text.push_str(&goals(study, most));
     if let Some(p) = &study.published {
-        let amplitudes = p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count();
-        let modes = p.modes.len();
         let counts = [
             (p.frequencies.len(), "natural frequencies"),
-            (modes, "modes of the crank"),
+            (p.modes.len(), "modes of the crank"),
             (p.absorbers.len(), "absorbers"),
-            (amplitudes, "amplitudes"),
+            (p.amplitudes.iter().filter(|a| a.amplitude.is_some()).count(), "amplitudes"),
             (p.quantities.len(), "numbers of the text"),
+            (p.fatigue.len() + p.multiaxial.len(), "rows of safety factors"),
+            (p.stresses.len(), "rows of stresses"),
+            (p.factors.len(), "rows of stress concentration"),
+            (p.histories.len(), "rows of stress histories"),
         ];
-        let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, of)| format!("{n} {of}")).collect();
-        let _ = writeln!(text, "  compared with, for engine {}: {}", p.engine, counts.join(", "));
+        let _ = writeln!(text, "  compared with, for engine {}: {}", p.engine, super::counted(&counts));
     }
     if let Some(c) = &study.calibrate {
         let inputs: Vec<String> = c

@@ -140,3 +140,36 @@ fn the_guide_shows_the_answer() {
     let part = readme.split("```text\n").nth(1).and_then(|t| t.split("```").next()).expect("a block");
     assert!(steady(part).iter().all(|line| shown.contains(line)), "{part}");
 }
+
+/// Without a search limits count in all conditions of a study in which the absorber works: a ring whose rubber is soft at 120 °C holds 0.6 degrees at its reference and not hot, and the answer says so. With a search they count in
+/// those of `[optimise]`, and what is broken in the others is told as not judged.
+#[test]
+fn limits_hold_cold_and_hot() {
+    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let ring = "on.station = \"pulley\"\ntype.rubber = { ring_inertia_kg_m2 = 0.076, stiffness_n_m_per_rad = 60000, loss_factor = 0.4 }\n";
+    let material = "material.temperature.exponential = { per_k = 0.0097, reference_c = 23, between_c = [-30, 120] }\n";
+    let study = format!(
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 50 }}\norder_limit = 12\nconditions = [\"cold\", \"hot\", \"absorber_lost\"]\n\
+         temperatures = {{ cold_c = -30, hot_c = 120 }}\n[[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }}\n\
+         [[design]]\nname = \"ring\"\n[[design.absorber]]\n{ring}{material}",
+        engine.display()
+    );
+    // the search may do no more than find the same ring
+    let search = format!(
+        "[optimise]\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"rubber\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n\
+         stiffness_n_m_per_rad.between = [5.9e4, 6.1e4]\nloss_factor.between = [0.39, 0.41]\n{}",
+        material.replace("material.", "material.rubber.")
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(format!("{name}.toml")), text).expect("written");
+        let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+        let output = c.current_dir(folder.path()).args(["run", &format!("{name}.toml"), "--out", name]).output().expect("runs");
+        unbroken(&(String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)))
+    };
+    let given = run("given", &study);
+    assert!(given.contains("(worst of firing, cold and hot: hot") && given.contains("at most 0.6°: FAILS"), "{given}");
+    let found = run("found", &(study + &search));
+    assert!(found.contains("at most 0.6°: holds"), "{found}");
+    assert!(found.contains("not judged, and broken there: limits in hot (up to 10"), "{found}");
+}

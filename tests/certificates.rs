@@ -67,7 +67,7 @@ fn second_order_of_a_single_peak() {
         of: MeasureSpec { measure: measure(*what), ..study.objective.clone() },
         words: format!("{what:?}"),
         limit: masses.peak((0.0, c), *what),
-        rated_rpm: None,
+        rule: None,
     };
     let parts: Vec<LimitSpec> = of.iter().map(part).collect();
     let targets: Vec<f64> = parts.iter().map(|p| p.limit).collect();

@@ -13,13 +13,13 @@ fn text(path: &Path) -> String {
 }
 
 /// Exit code, standard output and standard error of the command in a folder.
-fn hartog(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+pub fn hartog(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     let output = Command::cargo_bin("hartog").expect("built").current_dir(folder).args(arguments).output().expect("run");
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.code().unwrap_or(-1), text(&output.stdout), text(&output.stderr))
 }
 
-fn written(folder: &Path, name: &str, text: impl AsRef<[u8]>) {
+pub fn written(folder: &Path, name: &str, text: impl AsRef<[u8]>) {
     fs::write(folder.join(name), text).expect("written");
 }
 
@@ -108,10 +108,10 @@ fn every_table_is_read_in_german() {
     }
 }
 
-const CHAIN: &str = "Station;J [kg m2];k [N m/rad]\nhub;0,01;300000\ncrank;0,02;900000\nwheel;0,9;\n";
+pub const CHAIN: &str = "Station;J [kg m2];k [N m/rad]\nhub;0,01;300000\ncrank;0,02;900000\nwheel;0,9;\n";
 
 /// What `import` says of a chain that it refuses.
-fn refused(place: &Path, chain: impl AsRef<[u8]>) -> String {
+pub fn refused(place: &Path, chain: impl AsRef<[u8]>) -> String {
     written(place, "c.csv", chain);
     let (code, _, told) = hartog(place, &["import", "c.csv", "own", "--throws", "crank"]);
     assert!(code == 2 && !place.join("own").exists(), "{told}");
@@ -119,7 +119,7 @@ fn refused(place: &Path, chain: impl AsRef<[u8]>) -> String {
 }
 
 /// Inertias and stiffnesses of the chain that `import` makes of a table; the rest of what it says.
-fn imported(chain: impl AsRef<[u8]>) -> (Vec<[f64; 2]>, String) {
+pub fn imported(chain: impl AsRef<[u8]>) -> (Vec<[f64; 2]>, String) {
     let place = tempfile::tempdir().expect("a folder");
     written(place.path(), "c.csv", chain);
     let (code, out, told) = hartog(place.path(), &["import", "c.csv", "own", "--throws", "crank"]);
@@ -145,6 +145,11 @@ fn heads_and_units_of_four_languages() {
         "Nom;Inertie [kg.m2];Raideur [Nm/rad]",
         "Estação;Momento de inércia [kg m²];Rigidez [N m rad⁻¹]",
         "Station;\"Mass moment\nof inertia [kg m²]\";Stiffness [N m/rad]",
+        // as DIN and ISO 80000 write units, and in a row of their own
+        "Bauteil;Trägheitsmoment / kg m²;Verdrehsteifigkeit / N m/rad",
+        "Bezeichnung;J in kgm2;c in Nm/rad",
+        "Benennung;Drehmasse kg m²;Federrate Nm/rad",
+        "Bezeichnung;Trägheitsmoment;Steifigkeit\n;[kg m²];[N m/rad]",
     ];
     for head in heads {
         let (found, told) = imported(CHAIN.replace("Station;J [kg m2];k [N m/rad]", head));
@@ -305,6 +310,8 @@ fn traces_of_other_countries() {
         ("Ângulo [graus];Pressão [MPa]", 10.0),
         ("Kurbelwinkel in Grad;Zylinderdruck in bar", 1.0),
         ("°KW;bar", 1.0),
+        ("Kurbelwinkel / °KW;Druck / bar", 1.0),
+        ("Angle vilebrequin [°V];Pression [bar]", 1.0),
     ]
     .into_iter()
     .enumerate()
@@ -321,6 +328,9 @@ fn traces_of_other_countries() {
         ("Winkel [°KW];Druck [bar(ü)]", "", "pressures are absolute"),
         ("Winkel [°KW];Überdruck [bar]", "", "pressures are absolute"),
         ("Angle [deg];Gauge pressure [bar]", "", "pressures are absolute"),
+        ("Winkel [°KW];Druck rel. [bar]", "", "pressures are absolute"),
+        ("Kurbelwinkel v. OT [°KW];Druck [bar]", "", "angles before it are negative"),
+        ("Angle BTDC [deg];Pressure [bar]", "", "angles before it are negative"),
         ("Kurbelwinkel nach UT [°];Druck [bar]", "", "expected angles from the firing (top) dead centre"),
         ("Winkel [°KW];Druck [mPa]", "", "did you mean `MPa`?"),
         (

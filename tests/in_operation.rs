@@ -113,7 +113,7 @@ fn limits_are_judged_in_operation() {
         assert!((twist / reference - 1.0).abs() > 0.02, "{twist} against {reference}");
         assert_eq!(d.objective, Some(twist.max(reference)));
         let limit = 0.5 * (twist + reference);
-        s.limits = vec![LimitSpec { of: s.objective.clone(), words: "twist".into(), limit, rated_rpm: None }];
+        s.limits = vec![LimitSpec { of: s.objective.clone(), words: "twist".into(), limit, rule: None }];
         let judged = &s.run().expect("damped").designs[0];
         assert_close(judged.limits[0], twist.max(reference) / limit, 1e-12, 0.0, "the worse of both");
         assert!(judged.limits[0] > 1.0);
@@ -180,7 +180,7 @@ fn a_search_within_a_temperature() {
     };
     let free = s.run().expect("damped");
     let of = MeasureSpec { measure, ..s.objective.clone() };
-    s.limits = vec![LimitSpec { of, words: "temperature".into(), limit: 78.0, rated_rpm: None }];
+    s.limits = vec![LimitSpec { of, words: "temperature".into(), limit: 78.0, rule: None }];
     let held = s.run().expect("damped");
     let (warm, cool) = (&free.optima[0], &held.optima[0]);
     assert!(cool.optimum.outcome.kkt_residual < 1e-8, "{:e}", cool.optimum.outcome.kkt_residual);

@@ -328,7 +328,7 @@ fn limits_at_own_amplitude() {
         (of(s.twist, Over::Order(Order::from_twice(9))), limit),
         (of(ring, Over::Property(Property::RingInertia)), 1.0),
     ];
-    s.limits = measures.map(|(of, limit)| LimitSpec { of, words: String::new(), limit, rated_rpm: None }).to_vec();
+    s.limits = measures.map(|(of, limit)| LimitSpec { of, words: String::new(), limit, rule: None }).to_vec();
     let results = s.run().expect("damped");
     let (d, own) = (&results.designs[0], &results.large_twist[0]);
     let (small, peak) = (d.twist.expect("a peak").value, own.peak.expect("a peak").twist);

@@ -304,7 +304,7 @@ fn limit(study: &mut Study, random: &mut Xoshiro256PlusPlus) {
         let limit = value * random.random_range(0.3..0.98);
         if limit > 0.0 && limit.is_finite() {
             let of = hartog::input::MeasureSpec { measure: kinds[kind].clone(), ..study.objective.clone() };
-            study.limits.push(LimitSpec { of, words: format!("limit {kind}"), limit, rated_rpm: None });
+            study.limits.push(LimitSpec { of, words: format!("limit {kind}"), limit, rule: None });
         }
     }
 }

@@ -137,10 +137,8 @@ pub fn with(masses: TwoMasses, objective: What, limits: &[(What, f64)]) -> Study
     s.designs.clear();
     s.objective.measure = measure(objective);
     let of = |what| MeasureSpec { measure: measure(what), ..s.objective.clone() };
-    s.limits = limits
-        .iter()
-        .map(|(what, limit)| LimitSpec { of: of(*what), words: format!("{what:?}"), limit: *limit, rated_rpm: None })
-        .collect();
+    s.limits =
+        limits.iter().map(|(what, limit)| LimitSpec { of: of(*what), words: format!("{what:?}"), limit: *limit, rule: None }).collect();
     s
 }
 
@@ -206,7 +204,7 @@ fn combined_objectives() {
             of: MeasureSpec { measure: measure(*what), ..s.objective.clone() },
             words: format!("{what:?}"),
             limit,
-            rated_rpm: None,
+            rule: None,
         };
         s.combined =
             Some(CombinedSpec { parts: of.iter().zip(targets).map(part).collect(), weights: weights.clone(), spec: s.objective.clone() });
@@ -332,7 +330,7 @@ fn points_of_fronts_are_optima() {
         assert!(front.points.len() > 10);
         for p in front.points.iter().step_by(3) {
             let mut at = s.clone();
-            let limit = LimitSpec { of: measures[1].clone(), words: "ring".into(), limit: p.values[1] * (1.0 + 1e-9), rated_rpm: None };
+            let limit = LimitSpec { of: measures[1].clone(), words: "ring".into(), limit: p.values[1] * (1.0 + 1e-9), rule: None };
             at.limits.push(limit);
             let found = analysis::run(&at, &Silent).unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
             assert!(

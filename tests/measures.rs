@@ -176,12 +176,8 @@ fn means_over_the_duty() {
     s.duty = vec![point(1000.0, 0.5, 0.3), point(1755.0, 1.0, 0.7)];
     s.objective.measure.over = Over::Mean;
     let power = Measure::new(vec![Quantity::RingTwist(0)], Over::MeanPower);
-    s.limits = vec![LimitSpec {
-        of: MeasureSpec { measure: power, ..s.objective.clone() },
-        words: "mean power".into(),
-        limit: 100.0,
-        rated_rpm: None,
-    }];
+    s.limits =
+        vec![LimitSpec { of: MeasureSpec { measure: power, ..s.objective.clone() }, words: "mean power".into(), limit: 100.0, rule: None }];
     let results = s.run().expect("damped");
     let of = |i: usize| &results.duty[0].points[i];
     assert!(of(0).twist > 0.0 && of(1).twist > 1.1 * of(0).twist, "{:?}", results.duty);

@@ -187,7 +187,7 @@ fn limits_bind() {
     let torque = Measure::new((0..7).map(Quantity::ShaftTorque).collect(), Over::Synthesis);
     let unlimited = free.optima[0].design.torque.expect("shafts").value;
     let of = MeasureSpec { measure: torque, unit: UnitOf::Torque, ..s.objective.clone() };
-    let limit = |limit| LimitSpec { of: of.clone(), words: "torque".into(), limit, rated_rpm: None };
+    let limit = |limit| LimitSpec { of: of.clone(), words: "torque".into(), limit, rule: None };
     s.limits = vec![limit(0.97 * unlimited)];
     let limited = run(&s);
     assert!(limited.limits_hold());

@@ -268,7 +268,7 @@ fn limits_are_judged_in_a_misfire_without_a_search() {
     s.optimise.as_mut().expect("searches").conditions = vec![Condition::Firing, Condition::Misfire];
     let shafts = (0..s.chain.len() - 1).map(Quantity::ShaftTorque).collect();
     let of = MeasureSpec { measure: Measure::new(shafts, Over::Synthesis), ..s.objective.clone() };
-    s.limits = vec![LimitSpec { of, words: "torque".into(), limit: 1.0, rated_rpm: None }];
+    s.limits = vec![LimitSpec { of, words: "torque".into(), limit: 1.0, rule: None }];
     let given = s.designs.iter().find(|d| d.name == "tuned_unity").expect("a design").clone();
     let one = s.evaluate(&given.name, given.absorbers).expect("damped");
     let misfire = one.conditions.iter().find(|c| c.condition == Condition::Misfire).and_then(|c| c.torque).expect("a torque");

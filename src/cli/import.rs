@@ -71,6 +71,11 @@ pub fn import(arguments: &Arguments) -> u8 {
     let arrangement = arguments.engine.arrangement();
     let cylinders = if arrangement == Arrangement::V { 2 * throws } else { throws };
     remarks.iter().for_each(|words| say_to_error(&format!("note: {words}")));
+    if let Some(first) = heavy_first(&found) {
+        say_to_error(&format!(
+            "note: the chain begins with `{first}`, its largest inertia: a table is read from the free end, and the absorber of the study is on its first station"
+        ));
+    }
     let left_out: String = found.left_out.iter().map(|words| format!("Left out: {words}.\n")).collect();
     let stations = found.stations.len();
     let example = Example { arrangement, cylinders, gas, chain: Some(found), traces };
@@ -84,6 +89,12 @@ pub fn import(arguments: &Arguments) -> u8 {
          All that was not imported is an example: replace it, look at what it means with\n  hartog check {folder}/study.toml\nand run with\n  hartog run {folder}/study.toml\n"
     ));
     DONE
+}
+
+/// The first station where no other has as much inertia: a flywheel, most likely.
+fn heavy_first(found: &FoundChain) -> Option<&str> {
+    let (first, others) = found.stations.split_first()?;
+    others.iter().all(|s| s.inertia < first.inertia).then_some(first.name.as_str())
 }
 
 /// Puts throws where they are named; they must be somewhere, and each number once.

@@ -19,7 +19,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 18] = [
+pub(super) const RUN_TABLES: [RunTable; 19] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
@@ -43,6 +43,12 @@ pub(super) const RUN_TABLES: [RunTable; 18] = [
         about: "peak twist of each design by every model of the crank: its chain, the flexible crank, and that with main bearings half and twice as stiff",
         asked: |s| s.on_flexible().is_some(),
         write: |_, r, f| csv::crank_models(r, f),
+    },
+    RunTable {
+        stem: "joints",
+        about: "twist of the design without absorber, the best given one and the best optimum on bearings that are not linear, beside that on linear ones: at the speed of the largest and 3 % beside it; displacement over the reach of the law, the last harmonics, steps of the solution",
+        asked: |s| s.on_flexible().is_some_and(|f| f.spec.joints.is_some()),
+        write: |_, r, f| csv::joints(r, f),
     },
     RunTable {
         stem: "catalogue",
@@ -96,7 +102,7 @@ pub(super) const RUN_TABLES: [RunTable; 18] = [
     RunTable {
         stem: "barred",
         about: "one row for each range of speed that a society's rule bars for a design that breaks its limit",
-        asked: |s| s.limits.iter().any(|l| l.rated_rpm.is_some()),
+        asked: |s| s.limits.iter().any(|l| l.rule.is_some()),
         write: csv::barred,
     },
     RunTable {

@@ -197,7 +197,8 @@ impl Model {
         for (node, polar) in plan.polars {
             model.mass[(6 * node + 5, 6 * node + 5)] += polar;
         }
-        let (k, c) = (spec.bearing.stiffness / 3.0, spec.bearing.damping / 3.0);
+        let own = spec.bearing.point(0, 0, 3);
+        let (k, c) = (own.stiffness, own.damping);
         for node in plan.bearings.iter().flatten().map(|n| 6 * n) {
             for i in 0..2 {
                 model.stiffness[(node + i, node + i)] += k;

@@ -59,7 +59,12 @@ pub struct Margin {
     leading_paths: Vec<Vec<Vec<usize>>>,
     /// For multiaxial criteria.
     pub(super) histories: Option<Histories>,
+    /// What no share of strength is above, by criterion, shaft and row below a speed: without torque, and per N m.
+    rough: Vec<Vec<Vec<(f64, f64)>>>,
 }
+
+/// A torque, N m, beside which all bending and all constants of a rule are nothing.
+const HUGE: f64 = 1e12;
 
 impl Margin {
     /// For the speeds (ascending, rpm) of a sweep and the harmonics of its torque in the cycle; between speeds bending is linear in the square of the speed, the chord of a curve that bends upwards.
@@ -75,7 +80,7 @@ impl Margin {
         let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
         let leading = leading(&locations, &of_shaft, (&table.bending, &table.columns));
         let leading_paths = histories.as_ref().map_or_else(Vec::new, |h| h.bounds.leading(&of_shaft));
-        Some(Self {
+        let mut margin = Self {
             criteria: spec.criteria.clone(),
             locations,
             strength: spec.strength,
@@ -89,7 +94,43 @@ impl Margin {
             leading,
             leading_paths,
             histories,
-        })
+            rough: Vec::new(),
+        };
+        margin.rough = (0..margin.criteria.len()).map(|c| (0..chain.len() - 1).map(|s| margin.rough_of(c, s)).collect()).collect();
+        Some(margin)
+    }
+
+    /// What no share of strength on a shaft is above, by the row below a speed: without torque, and per N m of its half range and its middle. Stresses of bending and torsion add up to no more than their sum, shares of strength
+    /// by amplitude and mean are gauges of convex sets, and between rows bending and mean torque lie on chords: the sum of the two is a bound.
+    fn rough_of(&self, criterion: usize, shaft: usize) -> Vec<(f64, f64)> {
+        if self.is_multiaxial(criterion) {
+            return Vec::new();
+        }
+        let last = self.bending.len() - 1;
+        let of_row = |low: usize| {
+            let leading = || self.criteria[criterion].families().iter().flat_map(|f| &self.leading[low][shaft][*f as usize]).copied();
+            let still = |row: usize, i: usize| {
+                let bending = self.columns[i].map_or(Cycle { amplitude: 0.0, mean: 0.0 }, |column| self.bending[row][column]);
+                self.share_of(criterion, i, bending, (0.0, self.mean_torque[row][shaft].abs()))
+            };
+            let rows = [low, (low + 1).min(last)];
+            let without = leading().flat_map(|i| rows.map(|row| still(row, i))).fold(0.0, f64::max);
+            let none = Cycle { amplitude: 0.0, mean: 0.0 };
+            let slope = leading().map(|i| self.share_of(criterion, i, none, (HUGE, HUGE)) / HUGE).fold(0.0, f64::max);
+            // rounding
+            (without * (1.0 + 1e-9), slope * (1.0 + 1e-9))
+        };
+        (0..=last).map(of_row).collect()
+    }
+
+    /// A bound of [`Self::at_most`] for both of its torques at most `size`; infinite for a multiaxial criterion and beside the range of speeds.
+    pub(crate) fn rough_bound(&self, criterion: usize, shaft: usize, speed_rpm: f64, size: f64) -> f64 {
+        let (at, rows) = (self.place(speed_rpm), &self.rough[criterion][shaft]);
+        if rows.is_empty() || !(0.0..=1.0).contains(&at.fraction) {
+            return f64::INFINITY;
+        }
+        let (without, slope) = rows[at.low];
+        without + slope * size
     }
 
     /// Whether a criterion is the class societies' rule.
@@ -227,8 +268,12 @@ impl Margin {
 
     /// Share of the strength that a location uses under a torque of this half peak-to-peak value and mean; not by a multiaxial criterion.
     fn share_at(&self, criterion: usize, location: usize, at: At, (half_peak_to_peak, mean_torque): (f64, f64)) -> f64 {
+        self.share_of(criterion, location, self.bending_at(location, at), (half_peak_to_peak, mean_torque))
+    }
+
+    /// The same under a cycle of bending.
+    pub(super) fn share_of(&self, criterion: usize, location: usize, bending: Cycle, (half_peak_to_peak, mean_torque): (f64, f64)) -> f64 {
         let s = &self.locations[location];
-        let bending = self.bending_at(location, at);
         let twisting = Cycle { amplitude: half_peak_to_peak * s.torsion, mean: mean_torque * s.torsion };
         match (s.allowable, self.criteria[criterion]) {
             (Some(allowable), _) => self.rule_stress(s.place, bending.amplitude, twisting.amplitude).0 / allowable,

@@ -71,14 +71,8 @@ impl FlexibleCrank {
     /// Solves the tables.
     pub fn new(crank: OnStations, engine: &Engine, asked: Asked) -> Self {
         let throws = crank.rods.len();
-        // all cylinders alike, in the direction of this index
-        let alike = |order: &Order, direction: usize| -> Load {
-            let on = |t: usize| crank.rods[t].iter().zip(engine.layout.firing_on_throw(t)).map(move |(node, deg)| (t, *node, *deg));
-            let phase = |deg: f64| turn(-order.value() * deg * RAD_PER_DEG);
-            (0..throws).flat_map(on).map(|(t, node, deg)| (node, force(crank.directions[t][direction], phase(deg)))).collect()
-        };
         let loads = |order: &Order| -> Vec<Load> {
-            let mut all = vec![alike(order, 0), alike(order, 1)];
+            let mut all = vec![alike(&crank, engine, *order, 0), alike(&crank, engine, *order, 1)];
             all.extend(asked.hosts.iter().map(|s| unit_torque(&crank, *s)));
             if asked.unlike {
                 all.extend((0..throws).flat_map(|t| [alone(&crank, t, 0), alone(&crank, t, 1)]));
@@ -115,20 +109,11 @@ impl FlexibleCrank {
         torques: &[(usize, C64)],
     ) -> Result<DVector<C64>, Singular> {
         let speed = speed_rpm * RAD_PER_S_PER_RPM;
-        let mut all = DVector::from_element(6 * self.crank.shaft.len(), ZERO);
-        let mut add = |load: &Load, factor: C64| {
-            load.iter().for_each(|(node, force)| (0..6).for_each(|k| all[6 * node + k] += factor * force[k]));
-        };
-        let (loads, radius) = (self.transfer.loads(order), self.crank.radius);
-        add(&loads[0], excitation.unit_radial(order, speed_rpm));
-        add(&loads[1], excitation.unit_torque(order, speed_rpm) / radius);
-        for (throw, radial) in excitation.radial_changes(order, speed_rpm) {
-            add(&alone(&self.crank, throw, 0), radial);
+        let loads = self.transfer.loads(order);
+        let mut all = forces(&self.crank, [&loads[0], &loads[1]], excitation, (order, speed_rpm));
+        for (station, torque) in torques {
+            put(&mut all, &unit_torque(&self.crank, *station), *torque);
         }
-        for (throw, torque) in excitation.changes(order, speed_rpm) {
-            add(&alone(&self.crank, throw, 1), torque / radius);
-        }
-        torques.iter().for_each(|(station, torque)| add(&unit_torque(&self.crank, *station), *torque));
         self.crank.shaft.response(Turning { omega: self.orders[order].value() * speed, speed }, &all)
     }
 
@@ -180,6 +165,41 @@ impl FlexibleCrank {
             *twist *= C64::new(1.0, dissipation.loss_factor + omega * dissipation.time) * *stiffness;
         }
         answers
+    }
+}
+
+/// Unit forces of all cylinders, alike, in the direction of an index.
+fn alike(crank: &OnStations, engine: &Engine, order: Order, direction: usize) -> Load {
+    let on = |t: usize| crank.rods[t].iter().zip(engine.layout.firing_on_throw(t)).map(move |(node, deg)| (t, *node, *deg));
+    let phase = |deg: f64| turn(-order.value() * deg * RAD_PER_DEG);
+    (0..crank.rods.len()).flat_map(on).map(|(t, node, deg)| (node, force(crank.directions[t][direction], phase(deg)))).collect()
+}
+
+/// Adds a factor times a load to forces and moments on all nodes.
+fn put(all: &mut DVector<C64>, load: &Load, factor: C64) {
+    load.iter().for_each(|(node, force)| (0..6).for_each(|k| all[6 * node + k] += factor * force[k]));
+}
+
+/// Forces and moments on all nodes at an order of an excitation and a speed; `loads`: all cylinders alike, in both directions.
+fn forces(crank: &OnStations, loads: [&Load; 2], excitation: &Excitation, (order, speed_rpm): (usize, f64)) -> DVector<C64> {
+    let mut all = DVector::from_element(6 * crank.shaft.len(), ZERO);
+    put(&mut all, loads[0], excitation.unit_radial(order, speed_rpm));
+    put(&mut all, loads[1], excitation.unit_torque(order, speed_rpm) / crank.radius);
+    for (throw, radial) in excitation.radial_changes(order, speed_rpm) {
+        put(&mut all, &alone(crank, throw, 0), radial);
+    }
+    for (throw, torque) in excitation.changes(order, speed_rpm) {
+        put(&mut all, &alone(crank, throw, 1), torque / crank.radius);
+    }
+    all
+}
+
+impl OnStations {
+    /// Forces and moments of an engine on all nodes at an order of its excitation (by its index) and a speed.
+    pub(crate) fn forces(&self, engine: &Engine, excitation: &Excitation, (order, speed_rpm): (usize, f64)) -> DVector<C64> {
+        let own = excitation.orders[order];
+        let loads = [0, 1].map(|direction| alike(self, engine, own, direction));
+        forces(self, [&loads[0], &loads[1]], excitation, (order, speed_rpm))
     }
 }
 

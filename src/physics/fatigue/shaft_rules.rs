@@ -52,6 +52,14 @@ impl ShaftRule {
         }
     }
 
+    /// Stress for passing through a barred range quickly over that for continuous running: 1.7/sqrt(c_K) of propulsion shafts \[IACS UR M68\], 2 of cranks \[KR Pt 5 Ch 4\].
+    pub fn transient(self) -> f64 {
+        match self {
+            Self::Propulsion { stress_factor, .. } => 1.7 / stress_factor.sqrt(),
+            Self::Crank { .. } => 2.0,
+        }
+    }
+
     /// The ratio of speeds up to which there is a limit.
     pub fn top(self) -> f64 {
         match self {

@@ -7,6 +7,7 @@ pub mod elementary;
 pub mod ellipsoid;
 pub mod enclosing;
 pub(crate) mod extremes;
+pub(crate) mod gmres;
 pub mod harmonics;
 pub mod hull;
 pub mod interpolation;

@@ -15,6 +15,9 @@ const AT_A_TIME: usize = 4;
 const MOST: usize = 64;
 const MOST_SHARE: f64 = 0.5;
 
+/// A function below this share of the largest of all is what rounding leaves of none (where forces cancel by symmetry, say): its size is that share.
+const NOTHING: f64 = 1e-5;
+
 /// Rational functions with common poles.
 #[derive(Debug, Clone)]
 pub(crate) struct Rational {
@@ -106,19 +109,23 @@ impl Rational {
         None
     }
 
-    /// Largest error at a place over the largest of the samples, of each function against `row`.
+    /// Largest error at a place over the size of the samples, of each function against `row`.
     pub(crate) fn error(&self, x: f64, row: &[C64]) -> f64 {
         let out = self.at(x);
-        let largest = |own: &[C64]| own.iter().map(|y| y.norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let most = |own: &[C64]| own.iter().map(|y| y.norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let floor = NOTHING * most(&self.values);
+        let largest = |own: &[C64]| most(own).max(floor);
         let of = |(c, own): (usize, &[C64])| (out[c] - row[c]).norm() / largest(own);
         self.values.chunks(self.supports.len()).enumerate().map(of).fold(0.0, f64::max)
     }
 }
 
-/// Largest magnitude of every function.
+/// Size of every function: its largest magnitude.
 fn scales(rows: &[Vec<C64>]) -> Vec<f64> {
     let of = |c: usize| rows.iter().map(|row| row[c].norm()).fold(0.0, f64::max);
-    (0..rows[0].len()).map(of).map(|largest| if largest > 0.0 { largest } else { 1.0 }).collect()
+    let all: Vec<f64> = (0..rows[0].len()).map(of).collect();
+    let floor = NOTHING * all.iter().copied().fold(0.0, f64::max);
+    all.into_iter().map(|largest| if largest > 0.0 { largest.max(floor) } else { 1.0 }).collect()
 }
 
 /// Sums of the functions, each over its largest value, with factors on the unit circle that no two share.

@@ -57,13 +57,19 @@ impl Samples {
         (j as f64 + 0.5) * self.step()
     }
 
-    /// Indices of samples of at least `level`, of `sign` f: place by place in the blocks of the first eighth, with those that mirror it.
-    pub(super) fn reaching(&self, sign: f64, level: f64) -> impl Iterator<Item = usize> {
+    /// Takes the indices of samples of at least `level`, of `sign` f: place by place in the blocks of the first eighth, with those that mirror it.
+    pub(super) fn each_reaching(&self, sign: f64, level: f64, mut take: impl FnMut(usize)) {
         let ends = if sign > 0.0 { &self.ends.highs } else { &self.ends.lows };
         let n = self.values.len();
-        let places = (0..BLOCK).filter(move |place| sign * ends[*place] >= level);
-        let columns = places.flat_map(move |place| (place..n / 8).step_by(BLOCK));
-        columns.flat_map(move |j| mirrored(j, n)).filter(move |j| sign * self.values[*j] >= level)
+        for place in (0..BLOCK).filter(|place| sign * ends[*place] >= level) {
+            for j in (place..n / 8).step_by(BLOCK) {
+                for mirror in mirrored(j, n) {
+                    if sign * self.values[mirror] >= level {
+                        take(mirror);
+                    }
+                }
+            }
+        }
     }
 
     /// f' at sample `j` by seven samples: it errs by no more than the sixth power of a step times f^(7)/140.
@@ -84,13 +90,13 @@ impl Samples {
         let (f, last) = (&self.values, self.values.len() - 1);
         let lowest = self.end(sign) - reach;
         let mut best = Local { angle: 0.0, value: f64::NEG_INFINITY, bend: 0.0 };
-        for j in self.reaching(sign, lowest) {
+        self.each_reaching(sign, lowest, |j| {
             let beside = [if j == 0 { last } else { j - 1 }, if j == last { 0 } else { j + 1 }];
             if beside.iter().all(|k| sign * f[*k] <= sign * f[j]) {
                 let top = self.top_at(j, sign);
                 best = if top.value > best.value { top } else { best };
             }
-        }
+        });
         best
     }
 

@@ -159,7 +159,8 @@ impl Synthesiser {
         };
         let mut found: Vec<Local> = Vec::with_capacity(4);
         let mut known: Option<(usize, f64)> = None;
-        let mut high: Vec<usize> = samples.reaching(sign, lowest).collect();
+        let mut high: Vec<usize> = Vec::with_capacity(16);
+        samples.each_reaching(sign, lowest, |j| high.push(j));
         high.sort_unstable();
         // pairs of a sample and the next, at least one of which is high enough
         let (beside, last) = (|j: usize, k: usize| (k + 1) % f.len() == j, high.last().copied());

@@ -109,6 +109,15 @@ impl<'a> PointMetric<'a> {
         most * self.weight(speed_rpm)
     }
 
+    /// No value is above this where half peak-to-peak and size of the middle are not above `size`: at or above [`Self::at_most`], and quicker.
+    pub(crate) fn rough_bound(&self, speed_rpm: f64, size: f64) -> f64 {
+        let most = match self.kind {
+            Kind::HalfRange => size,
+            Kind::Used { margin, criterion, shaft, .. } => margin.rough_bound(criterion, shaft, speed_rpm, size),
+        };
+        most * self.weight(speed_rpm)
+    }
+
     /// No value is above this where the magnitudes of the orders add up to `sum`.
     pub fn bound(&self, speed_rpm: f64, sum: f64) -> f64 {
         self.at_most(speed_rpm, sum, sum)

@@ -44,7 +44,12 @@ impl PeakFinder<'_> {
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let rises: Vec<f64> = (0..sums.len()).map(|i| if self.refine { local_maxima::growth(&sums, i) } else { 1.0 }).collect();
-        let bounds: Vec<f64> = (0..sums.len()).map(|i| metric.bound(speeds.rpm[i], sums[i] * rises[i])).collect();
+        let bound = |i: usize| {
+            let (speed_rpm, sum) = (speeds.rpm[i], sums[i] * rises[i]);
+            let rough = metric.rough_bound(speed_rpm, sum);
+            if rough < keep * best { rough } else { metric.bound(speed_rpm, sum) }
+        };
+        let bounds: Vec<f64> = (0..sums.len()).map(bound).collect();
         // what is refined is found to rounding between the speeds
         let mut screen = Screen::new(&self.synthesiser, if self.refine { Precision::Millionth } else { Precision::Rounding });
         let mut know = |i: usize, (rise, wanted): (f64, f64)| {
@@ -109,10 +114,12 @@ impl PeakFinder<'_> {
             if known.values[j] > f64::NEG_INFINITY {
                 known.values[j] * (1.0 + USED_PER_RANGE * bend / half_peak_to_peak.max(f64::MIN_POSITIVE))
             } else {
-                metric.at_most(speeds.rpm[j], half_peak_to_peak + bend, middle + bend)
+                // a rougher bound often tells
+                let rough = metric.rough_bound(speeds.rpm[j], half_peak_to_peak.max(middle) + bend);
+                if rough < wanted { rough } else { metric.at_most(speeds.rpm[j], half_peak_to_peak + bend, middle + bend) }
             }
         };
-        able(i).max(able(i + 1)) >= wanted
+        able(i) >= wanted || able(i + 1) >= wanted
     }
 
     pub(super) fn synthesised(

@@ -13,7 +13,9 @@
 
 pub mod beam;
 pub mod body;
+pub mod exponential_joint;
 pub mod free_modes;
+pub mod harmonic_balance;
 pub mod shaft;
 pub(crate) mod transfer;
 

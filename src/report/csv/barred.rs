@@ -5,12 +5,23 @@ use crate::analysis::Results;
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
 
-/// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit.
+/// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit; `transient_ratio`: the largest that the rule allows there.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let mut table = Table::new(&["design", "limit", "condition", "critical_rpm", "ratio", "from_rpm", "to_rpm", "speed_ratio", "allowed"]);
+    let mut table = Table::new(&[
+        "design",
+        "limit",
+        "condition",
+        "critical_rpm",
+        "ratio",
+        "from_rpm",
+        "to_rpm",
+        "speed_ratio",
+        "allowed",
+        "transient_ratio",
+    ]);
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
         for b in &d.barred {
             let limit = &study.limits[b.limit];
@@ -22,8 +33,9 @@ pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 number(b.ratio),
                 number(b.from_rpm),
                 number(b.to_rpm),
-                number(b.critical_rpm / limit.rated_rpm.unwrap_or(f64::NAN)),
-                b.allowed.to_string(),
+                number(b.critical_rpm / limit.rule.map_or(f64::NAN, |rule| rule.rated_rpm)),
+                b.objection.is_none().to_string(),
+                number(limit.rule.map_or(f64::NAN, |rule| rule.transient)),
             ]);
         }
     }

@@ -2,9 +2,9 @@
 
 use super::parts::{conditions, limits, model, page, parameters, picture, provenance};
 use super::question::{judged_cells, judged_heads};
-use crate::analysis::Results;
 use crate::analysis::classification::{ABOVE, Classification};
 use crate::analysis::curves::HolzerRow;
+use crate::analysis::{DesignResult, Results, StillBroken};
 use crate::files::{Folder, WriteError};
 use crate::input::{InputFile, Study};
 use crate::names::CLASSIFICATION;
@@ -113,7 +113,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
 fn shafts(c: &Classification) -> Markup {
     html! {
         h2 { "Vibratory torque of the shafts" }
-        p class="soft" { "Largest of the speeds of the study, all orders together; over speed in the plots. Of misfires that of the cylinder whose twist is worst." }
+        p class="soft" { "Largest of the speeds of the study, all orders together; at the speeds of the grid (peaks between them are in the table of designs). Of misfires that of the cylinder whose twist is worst." }
         div class="scroll" { table {
             thead { tr { th { "design" } th { "condition" } th class="words" { "shaft" } th { "torque, N m" } th { "at rpm" } } }
             tbody { @for s in &c.shafts { tr { td { (s.design) } td { (s.condition.name().replace('_', " ")) } td class="words" { (s.shaft) } td { (short(s.torque)) } td { (format!("{:.0}", s.speed_rpm)) } } } }
@@ -121,15 +121,25 @@ fn shafts(c: &Classification) -> Markup {
     }
 }
 
+/// Where a design breaks a limit outside barred ranges.
+fn outside(study: &Study, d: &DesignResult, b: &StillBroken) -> String {
+    format!("{}: {} at {:.0} rpm, {:.1} % of it", d.name, study.limits[b.limit].words, b.speed_rpm, 100.0 * b.ratio)
+}
+
 fn barred(study: &Study, results: &Results) -> Markup {
     let designs = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     let all = || designs().flat_map(|d| d.barred.iter().map(move |b| (d, b)));
-    html! { @if study.limits.iter().any(|l| l.rated_rpm.is_some()) {
+    html! { @if study.limits.iter().any(|l| l.rule.is_some()) {
         h2 { "Barred speed ranges" }
-        @if all().next().is_none() { p { "No design needs one." } } @else {
+        @for l in study.limits.iter().filter(|l| l.rule.is_some() && !l.of.measure.within.ranges.is_empty()) {
+            p { (l.words) ": judged at " (l.of.measure.within.ranges.iter().map(|(a, b)| format!("{a} to {b}")).collect::<Vec<_>>().join(", ")) " rpm alone." }
+        }
+        @let broken: Vec<String> = designs().flat_map(|d| d.still_broken.iter().map(move |b| outside(study, d, b))).collect();
+        @if !broken.is_empty() { p { "Broken where no range can be barred for it:" } ul { @for words in &broken { li class="bad" { (words) } } } }
+        @if all().next().is_none() { p { @if broken.is_empty() { "No design needs one within the speeds of the study." } @else { "No critical speed within the speeds of the study breaks a limit." } } } @else {
             div class="scroll" { table {
-                thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "critical, rpm" } th { "from, rpm" } th { "to, rpm" } th { "rule allows it" } } }
-                tbody { @for (d, b) in all() { tr { td { (d.name) } td class="words" { (study.limits[b.limit].words) } td { (b.condition.name().replace('_', " ")) } td { (format!("{:.0}", b.critical_rpm)) } td { (format!("{:.0}", b.from_rpm)) } td { (format!("{:.0}", b.to_rpm)) } td { (if b.allowed { "yes" } else { "no" }) } } } }
+                thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "critical, rpm" } th { "stress over limit, %" } th { "allowed in passing, %" } th { "from, rpm" } th { "to, rpm" } th { "rule allows it" } } }
+                tbody { @for (d, b) in all() { tr { td { (d.name) } td class="words" { (study.limits[b.limit].words) } td { (b.condition.name().replace('_', " ")) } td { (format!("{:.0}", b.critical_rpm)) } td { (format!("{:.1}", 100.0 * b.ratio)) } td { (dash(study.limits[b.limit].rule.map(|r| format!("{:.1}", 100.0 * r.transient)))) } td { (format!("{:.0}", b.from_rpm)) } td { (format!("{:.0}", b.to_rpm)) } td { (b.objection.map_or("yes".to_owned(), |o| format!("no: {}", o.words()))) } } } }
             } }
         }
     } }

@@ -157,7 +157,7 @@ fn certificates(study: &Study, results: &Results) -> Markup {
     html! { @if !results.optima.is_empty() {
         h2 { "Certificates of the optima" }
         div class="scroll" { table class="sorts" {
-            thead { tr { th { "optimum" } th { (value) } @if several { th class="words" { "of" } } th { "starts that agree" } th { "first-order residual" } th { "active peaks" } th { "other local optima" } th { "evaluations" } } }
+            thead { tr { th { "optimum" } th { (value) } @if several { th class="words" { "of" } } th { "starts that agree" } th { "first-order residual" } th { "active peaks and limits" } th { "other local optima" } th { "evaluations" } } }
             tbody { @for o in &results.optima {
                 @let stages = &o.optimum.stages;
                 tr {

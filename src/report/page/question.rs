@@ -4,6 +4,7 @@ use super::parts::value_of;
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
+use crate::objective::Condition;
 use crate::text::judged::{asked, is_other, of_what, word};
 use crate::text::verdict::{clause, of_design};
 use crate::text::{bounds, dash, short, tolerances};
@@ -85,12 +86,23 @@ fn answer(study: &Study, results: &Results, d: &DesignResult, lead: &str) -> Mar
             ". "
             @if d.objective.is_none() { span class="bad" { "At some speeds no steady motion of it is known. " } }
             @if study.limits.is_empty() { "The study has no limits." }
-            @else if d.within_limits() { span class="good" { "All limits hold." } }
+            @else if d.within_limits() { span class="good" { "All limits hold" (scope(results, d)) "." } }
             @else { span class="bad" { "Limits are broken: no design that holds them all was found." } }
         }
         // bounds are told below, with what lies beyond them
         @let said = told(results, d, |v| !matches!(v, Verdict::OnBound(_)));
         @if !said.is_empty() { ul { @for v in said { li class="bad" { (v) } } } }
+    }
+}
+
+/// What the limits of an optimum within tolerances were judged in.
+fn scope(results: &Results, d: &DesignResult) -> &'static str {
+    let robust = results.optima.iter().any(|o| o.robust && o.design.name == d.name);
+    let operates = d.conditions.iter().any(|c| c.condition == Condition::InOperation);
+    match (robust, operates) {
+        (false, _) => "",
+        (true, false) => " within the tolerances",
+        (true, true) => " within the tolerances at the reference of the material, and as drawn in operation",
     }
 }
 

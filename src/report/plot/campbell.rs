@@ -72,7 +72,8 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
             }
         }
         let met = orders.iter().flat_map(|o| own.iter().map(move |f| (*f / (o.value() * HZ_PER_RPM), *f)));
-        let inside = met.filter(|(speed, f)| (low..=high).contains(speed) && *f <= top);
+        // those just above the range raise what is at its end
+        let inside = met.filter(|(speed, f)| (low..=right).contains(speed) && *f <= top);
         chart.draw_series(inside.map(|p| Circle::new(p, px(4), fill(COLOURS[0], 1.0))))?;
         Ok(())
     })

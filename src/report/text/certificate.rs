@@ -68,7 +68,7 @@ fn survey(s: &Survey) -> String {
         n => format!("{n} hold all limits"),
     };
     let above = if s.above > 0 {
-        format!("{} are higher by a quarter or have no finite response; of the other {asked} ", s.above)
+        format!("{} are above the optimum by a quarter or have no finite response; of the other {asked} ", s.above)
     } else {
         String::new()
     };

@@ -48,9 +48,12 @@ pub fn check_in_brief(study: &Study) -> String {
     if let Some(lowest) = critical.iter().map(|c| c.mode).min() {
         let met: Vec<String> =
             critical.iter().filter(|c| c.mode == lowest).take(CRITICALS).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
-        let more = critical.len() - met.len();
+        let more = critical.iter().filter(|c| c.mode == lowest).count() - met.len();
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
-        _ = writeln!(text, "  critical speeds of mode {lowest}{of_chain} (order @ rpm): {}{more}", met.join(", "));
+        let above = model_check::critical_speeds_above(study, &excitation.orders);
+        let above: Vec<String> = above.iter().filter(|c| c.mode == lowest).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
+        let above = if above.is_empty() { String::new() } else { format!("; just above the range {}", above.join(", ")) };
+        _ = writeln!(text, "  critical speeds of mode {lowest}{of_chain} (order @ rpm): {}{more}{above}", met.join(", "));
     }
     let range = |of: &dyn Fn(&Audit) -> f64| {
         let all = excitation.audit.iter().map(of);

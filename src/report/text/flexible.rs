@@ -2,6 +2,7 @@
 
 use super::table::{significant, table};
 use crate::analysis::{DesignResult, Modelled, Results, crank_at_speed};
+use crate::crankshaft::flexible::{Bearing, LinearBearings};
 use crate::input::{FlexibleModel, Study};
 use crate::rotor::free_modes::FreeMode;
 use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
@@ -70,6 +71,17 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
     {
         lines.push(format!("  its twist with bearings half as stiff {halved}, twice as stiff {doubled}; on the torsional chain {chain}"));
     }
+    if let Some(joints) = results.joints.iter().find(|j| j.design == d.name) {
+        lines.push(match joints.largest() {
+            Some((linear, own)) => format!(
+                "  on its bearings, which are not linear, {}°, on the linear ones near to them {}° ({:+.1} %), at the speed of its largest twist and 3 % beside it",
+                significant(own * DEG_PER_RAD, 4),
+                significant(linear * DEG_PER_RAD, 4),
+                100.0 * (own / linear - 1.0)
+            ),
+            None => "  on its bearings, which are not linear, no periodic motion was found at some speed (`joints.csv`)".into(),
+        });
+    }
     let own = known.map(|m| Modelled::ALL.map(|model| m.of(model).unwrap_or_default()));
     if own.is_some_and(|[_, own, halved, doubled]| own < halved.min(doubled)) {
         lines.push(
@@ -131,6 +143,19 @@ pub(crate) fn in_full(study: &Study) -> String {
         .collect();
     let header = ["throw", "steel as drawn/kg m²", "on the pin/kg m²", "station/kg m²", "counterweights", "density factor"];
     text += &format!("  inertia about the axis is that of the stations:\n{}", table(&header, &throws));
+    if let LinearBearings::Each(all) = &spec.bearing {
+        let list =
+            |of: &dyn Fn(&Bearing) -> f64, points: &[Bearing]| points.iter().map(|b| significant(of(b), 3)).collect::<Vec<_>>().join(", ");
+        let row = |(i, points): (usize, &Vec<Bearing>)| {
+            vec![format!("{}", i + 1), list(&|b| b.stiffness / 1e6, points), list(&|b| b.damping / 1e3, points)]
+        };
+        let rows: Vec<Vec<String>> = all.iter().enumerate().map(row).collect();
+        let header = ["bearing", "k of its points/MN/m", "c/kN s/m"];
+        text += &format!(
+            "  linear bearings nearest to the law over cycles without absorber, means of the lowest, a middle and the highest speed:\n{}",
+            table(&header, &rows)
+        );
+    }
     text + &modes(study, flexible)
 }
 

@@ -31,14 +31,21 @@ fn worst_of(judged: &Judged) -> String {
         return String::new();
     }
     let tolerances = judged.worst_of.contains(&Basis::Tolerances);
-    let others: Vec<Basis> = judged.worst_of.iter().copied().filter(|b| *b != Basis::Tolerances).collect();
+    let is_drawn = |b: &Basis| tolerances && matches!(b, Basis::In(Condition::InOperation) | Basis::OwnAmplitude);
+    let others: Vec<Basis> = judged.worst_of.iter().copied().filter(|b| *b != Basis::Tolerances && !is_drawn(b)).collect();
     let words: Vec<String> = others.iter().map(|b| word(*b)).collect();
+    // tolerances are about the reference of each condition
+    let drawn: Vec<String> = judged.worst_of.iter().filter(|b| is_drawn(b)).map(|b| word(*b)).collect();
     let all = match words.len() {
         _ if tolerances && others == [Basis::In(Condition::Firing)] => "worst".to_owned(),
         1 if !tolerances => return format!("in {}", list(&words)),
         _ => format!("worst of {}", list(&words)),
     };
-    let within = if tolerances { " within its tolerances" } else { "" };
+    let within = match (tolerances, drawn.as_slice()) {
+        (false, _) => String::new(),
+        (true, []) => " within its tolerances".into(),
+        (true, drawn) => format!(" within its tolerances, and of {} as drawn", list(drawn)),
+    };
     let reached = Some(judged.reached_in).filter(|b| *b != Basis::Tolerances).map(word);
     format!("{all}{within}{}", reached.map_or_else(String::new, |r| format!(": {r}")))
 }

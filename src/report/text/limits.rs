@@ -34,7 +34,12 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let held = study.held().len() + in_operation;
     for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
         let worst_in = worst_in(study, &o.design, i, *ratio).filter(|_| held > 1);
-        let worst = worst_in.map_or_else(String::new, |c| format!(", worst in {}", c.name().replace('_', " ")));
+        let worst = match worst_in {
+            None => String::new(),
+            // its name says so
+            Some(c @ Condition::InOperation) => format!(", worst {}", c.name().replace('_', " ")),
+            Some(c) => format!(", worst in {}", c.name().replace('_', " ")),
+        };
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
@@ -60,7 +65,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
         let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
-        let allowed = if b.allowed { "" } else { ": more than the rule allows, which is none above 0.8 of the rated speed" };
+        let allowed = b.objection.map_or_else(String::new, |o| format!(": not allowed, {}", o.words()));
         format!(
             "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
             study.limits[b.limit].words,
@@ -82,7 +87,7 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
         )
     };
     let mut ranges: Vec<&BarredRange> = d.barred.iter().collect();
-    ranges.sort_by_key(|b| b.allowed);
+    ranges.sort_by_key(|b| b.objection.is_none());
     ranges.into_iter().map(line).chain(d.still_broken.iter().map(outside)).collect()
 }
 

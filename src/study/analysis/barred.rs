@@ -25,8 +25,29 @@ pub struct BarredRange {
     pub from_rpm: f64,
     /// rpm.
     pub to_rpm: f64,
-    /// Whether the rule lets a range be barred there: none above 0.8 of the rated speed in normal firing.
-    pub allowed: bool,
+    /// Why the rule does not let it be barred.
+    pub objection: Option<Objection>,
+}
+
+/// Why a rule does not let a range be barred.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Objection {
+    /// The stress in it is above that for passing through.
+    Transient,
+    /// It reaches above 0.8 of the rated speed in normal firing.
+    TooHigh,
+}
+
+impl Objection {
+    /// In words, behind "allowed".
+    #[doc(hidden)]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Transient => "the stress in it is above that for passing through",
+            Self::TooHigh => "it reaches above 0.8 of the rated speed",
+        }
+    }
 }
 
 impl BarredRange {
@@ -61,7 +82,7 @@ pub(crate) fn still_broken(
     barred: &[BarredRange],
 ) -> Result<Vec<StillBroken>, ResponseError> {
     let mut list = Vec::new();
-    for (index, (limit, _)) in wanted.limits.iter().zip(ratios).enumerate().filter(|(_, (l, r))| l.rated_rpm.is_some() && !holds(**r)) {
+    for (index, (limit, _)) in wanted.limits.iter().zip(ratios).enumerate().filter(|(_, (l, r))| l.rule.is_some() && !holds(**r)) {
         let mut worst: Option<StillBroken> = None;
         for condition in wanted.judged_in(design) {
             for finder in engines_in(condition, finders) {
@@ -106,15 +127,15 @@ pub(crate) fn ranges(
 ) -> Result<Vec<BarredRange>, ResponseError> {
     let mut list: Vec<BarredRange> = Vec::new();
     for (index, (limit, ratio)) in wanted.limits.iter().zip(ratios).enumerate() {
-        let Some(rated) = limit.rated_rpm.filter(|_| !holds(*ratio)) else { continue };
+        let Some(rule) = limit.rule.filter(|_| !holds(*ratio)) else { continue };
         for condition in wanted.judged_in(design) {
             for finder in engines_in(condition, finders) {
                 let mounted = absorbers(condition, finder, design)?;
                 let peaks = finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())?;
                 for peak in &peaks {
                     let Some((critical_rpm, own)) = critical(finder, &mounted, limit, (peak, &peaks))? else { continue };
-                    let (from_rpm, to_rpm) = barred(critical_rpm, rated);
-                    let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, allowed: true };
+                    let (from_rpm, to_rpm) = barred(critical_rpm, rule.rated_rpm);
+                    let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, objection: None };
                     // ranges that meet are one, round the critical speed that breaks the limit most
                     list.retain(|r| {
                         let meets =
@@ -124,8 +145,12 @@ pub(crate) fn ranges(
                         }
                         !meets
                     });
-                    range.allowed =
-                        !matches!(condition, Condition::Firing | Condition::InOperation) || range.to_rpm <= HIGHEST_BARRED * rated;
+                    let in_service = matches!(condition, Condition::Firing | Condition::InOperation);
+                    range.objection = match () {
+                        () if range.ratio > rule.transient => Some(Objection::Transient),
+                        () if in_service && range.to_rpm > HIGHEST_BARRED * rule.rated_rpm => Some(Objection::TooHigh),
+                        () => None,
+                    };
                     list.push(range);
                 }
             }

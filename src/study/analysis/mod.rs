@@ -32,6 +32,7 @@ mod life;
 pub mod margins;
 pub mod method_selection;
 pub mod model_check;
+pub mod on_joints;
 #[doc(hidden)]
 pub mod plausibility;
 pub mod progress;
@@ -59,7 +60,7 @@ pub mod verdict;
 
 pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
-pub use barred::{BarredRange, StillBroken};
+pub use barred::{BarredRange, Objection, StillBroken};
 pub use calibrate::{Calibration, calibrate};
 pub use catalogue::Ranked;
 pub use conditions::ConditionResult;
@@ -73,6 +74,7 @@ pub use large_twist::{LargePoint, LargeTwistOfDesign};
 pub use large_twist_measures::AtLargeTwist;
 pub use life::{LifeAt, LifeOverDuty};
 pub use margins::{MarginSweep, SmallestMargin};
+pub use on_joints::{AtSpeedOnJoints, FoundOnJoints, OnJointsOfDesign};
 pub use progress::{Error, Progress, RunError, Silent};
 pub use required_material::MadeOf;
 pub use required_material::over_states;

@@ -33,10 +33,27 @@ pub fn critical_speeds(study: &Study, orders: &[Order]) -> Vec<Critical> {
         .collect()
 }
 
+/// A resonance above the range by no more than this factor raises what is at its end.
+const BESIDE: f64 = 1.15;
+
+/// The same just above the range, in no sequence.
+#[doc(hidden)]
+pub fn critical_speeds_above(study: &Study, orders: &[Order]) -> Vec<Critical> {
+    let high = study.speeds_rpm[study.speeds_rpm.len() - 1];
+    let at = |mode: usize, m: usize, order: Order| Critical { mode: m + 1, order, speed_rpm: study.modes.critical_speed_rpm(mode, order) };
+    let all = study.modes.elastic().enumerate().flat_map(|(m, mode)| orders.iter().map(move |order| at(mode, m, *order)));
+    all.filter(|c| c.speed_rpm > high && c.speed_rpm <= BESIDE * high).collect()
+}
+
 /// Largest resonance of an order (by its index) with one of the first elastic modes: the coordinate of the mode at the speed where they meet, if that
 /// is in the range, with the damping of the chain alone; zero for an order that meets none.
 pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) -> f64 {
-    let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
+    largest_up_to(1.0, study, system, order)
+}
+
+/// The same for a range that ends at `reach` times the highest speed.
+fn largest_up_to(reach: f64, study: &Study, system: &System, order: usize) -> f64 {
+    let (low, high) = (study.speeds_rpm[0], reach * study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let at = |m: usize| {
         let speed = study.modes.critical_speed_rpm(m, system.excitation.orders[order]);
         if !(low..=high).contains(&speed) {
@@ -50,11 +67,12 @@ pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) ->
     study.modes.elastic().take(3).map(at).fold(0.0, f64::max)
 }
 
-/// Indices of the orders with the largest resonances, at most so many, ascending.
+/// Indices of the orders with the largest resonances in the range or just above it, at most so many, ascending.
 #[doc(hidden)]
 pub fn strongest_orders(study: &Study, system: &System, most: usize) -> Vec<usize> {
     let mut orders: Vec<usize> = (0..system.orders()).collect();
-    orders.sort_by(|a, b| largest_resonance(study, system, *b).total_cmp(&largest_resonance(study, system, *a)));
+    let largest = |order: &usize| largest_up_to(BESIDE, study, system, *order);
+    orders.sort_by(|a, b| largest(b).total_cmp(&largest(a)));
     orders.truncate(most);
     orders.sort_unstable();
     orders

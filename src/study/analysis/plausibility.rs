@@ -218,7 +218,7 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
 
 /// A limit by a rule, where the speeds of the study go on beyond that: the last corner of its curve is where it ends.
 fn rule_ends(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
-    limit.rated_rpm?;
+    limit.rule?;
     let end_rpm = limit.of.measure.within.factors.last()?.0;
     (end_rpm < highest_rpm).then(|| Implausible::RuleEnds { limit: limit.words.clone(), end_rpm, highest_rpm })
 }

@@ -11,6 +11,7 @@ use super::heat::HeatOfDesign;
 use super::large_twist::LargeTwistOfDesign;
 use super::margins::MarginSweep;
 use super::method_selection::Choice;
+use super::on_joints::OnJointsOfDesign;
 use super::robust::RobustOfDesign;
 use super::sensitivities::Sensitivity;
 use super::strain::StrainOfDesign;
@@ -169,6 +170,8 @@ pub struct Results {
     pub appearing: Vec<Order>,
     /// Given designs and main optima by other models of the crank, where the response is that of a flexible one.
     pub crank_models: Vec<ByModel>,
+    /// The design without absorber, the best given one and the best optimum on the bearings of the study, where these are not linear.
+    pub joints: Vec<OnJointsOfDesign>,
     /// Largest difference between chain and flexible crank that decided which is computed with, over the larger, where the study leaves that open.
     pub crank_difference: Option<f64>,
     /// Times.

@@ -7,6 +7,8 @@ use super::crank_models;
 use super::duty::{self, DutyOfDesign};
 use super::equivalent_constants::{self, SimplestLaw};
 use super::evaluate::{self, DesignResult};
+use super::on_joints;
+
 use super::evaluation_plan::EvaluationPlan;
 use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
@@ -133,6 +135,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
     let crank_models = crank_models::by_models(study, &shown, (progress, &mut clock))?;
+    let found = optima.iter().filter(|o| o.main && o.objective == 0 && !o.robust).map(|o| &o.design);
+    let joints = on_joints::on_joints(study, (&designs, found), (progress, &mut clock));
     large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
@@ -140,11 +144,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     drop(load_cases);
     drop(finders);
     drop(methods);
-    let system = systems.swap_remove(0);
-    let timing = clock.timing;
-    let study = study.clone();
     Ok(Results {
-        study,
+        study: study.clone(),
         calibration: None,
         method,
         choices,
@@ -167,9 +168,10 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         robust,
         appearing,
         crank_models,
+        joints,
         crank_difference: None,
-        timing,
-        system,
+        timing: clock.timing,
+        system: systems.swap_remove(0),
     })
 }
 

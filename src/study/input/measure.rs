@@ -152,8 +152,17 @@ pub struct LimitSpec {
     pub words: String,
     /// Of the measure, inside.
     pub limit: f64,
-    /// Speed that the curve of a society's rule is in units of, rpm.
-    pub rated_rpm: Option<f64>,
+    /// The society's rule that it is of.
+    pub rule: Option<LimitOfRule>,
+}
+
+/// What a society's rule says beside its curve over speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitOfRule {
+    /// Speed that the curve is in units of, rpm.
+    pub rated_rpm: f64,
+    /// Largest stress in a barred range, which is passed through quickly, over the limit.
+    pub transient: f64,
 }
 
 /// Several measures as one objective.

@@ -306,9 +306,12 @@ fn finished(
         shaft.tie(*node, &motion, (0.0, damping));
     }
     let present: Vec<usize> = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b)).collect();
-    let share = spec.nodes.count() as f64;
-    for bearing in present.iter().filter(|_| carried == Carried::All) {
-        built.bearings[*bearing].iter().for_each(|node| shaft.bear(*node, (spec.bearing.stiffness / share, spec.bearing.damping / share)));
+    for (place, bearing) in present.iter().enumerate().filter(|_| carried == Carried::All) {
+        let nodes = &built.bearings[*bearing];
+        for (point, node) in nodes.iter().enumerate() {
+            let own = spec.bearing.point(place, point, nodes.len());
+            shaft.bear(*node, (own.stiffness, own.damping));
+        }
     }
     if carried == Carried::All {
         let along = Six::new(0.0, 0.0, 1.0, 0.0, 0.0, 0.0);

@@ -8,6 +8,8 @@
 //! balances it as `unbalance` says; where the steel has more than the station, it counts less dense.
 
 mod assembly;
+mod mean_load;
+pub mod on_joints;
 mod row;
 mod spec;
 mod stiffness;
@@ -16,6 +18,7 @@ mod web_factors;
 
 pub use assembly::{Assembled, Balance};
 pub use assembly::{Carried, assemble};
-pub use spec::{Bearing, BearingNodes, End, FlexibleSpec};
+pub use mean_load::mean_load;
+pub use spec::{Bearing, BearingNodes, End, FlexibleSpec, JointSpec, LinearBearings};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;

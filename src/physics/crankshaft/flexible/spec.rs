@@ -1,7 +1,9 @@
 //! What a flexible crank is made of beside dimensions and chain.
 
 use super::web_factors::WebFactors;
+use crate::crankshaft::Crank;
 use crate::drivetrain::throw_stiffness::Step;
+use crate::rotor::exponential_joint::ExponentialJoint;
 
 /// Nodes of a main bearing along its journal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +40,61 @@ pub struct Bearing {
     pub damping: f64,
 }
 
+/// Main bearings as springs and dampers.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LinearBearings {
+    /// All alike: of a bearing, over all its points.
+    Alike(Bearing),
+    /// Of each point of each bearing that is there.
+    Each(Vec<Vec<Bearing>>),
+}
+
+impl LinearBearings {
+    /// Of a point of a bearing (by its place among those that are there) that has `points`.
+    pub fn point(&self, bearing: usize, point: usize, points: usize) -> Bearing {
+        match self {
+            Self::Alike(b) => Bearing { stiffness: b.stiffness / points as f64, damping: b.damping / points as f64 },
+            Self::Each(all) => all[bearing][point],
+        }
+    }
+
+    /// The same with all stiffnesses times a factor.
+    #[must_use]
+    pub fn stiffer(&self, factor: f64) -> Self {
+        let scaled = |b: &Bearing| Bearing { stiffness: b.stiffness * factor, ..*b };
+        match self {
+            Self::Alike(b) => Self::Alike(scaled(b)),
+            Self::Each(all) => Self::Each(all.iter().map(|points| points.iter().map(scaled).collect()).collect()),
+        }
+    }
+}
+
+/// Main bearings that stiffen with the displacement of the journal ([`ExponentialJoint`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointSpec {
+    /// Of the oil film over the journal at the reach of the law, Pa.
+    pub pressure: f64,
+    /// Reach over the diameter of the journal.
+    pub clearance_ratio: f64,
+    /// Stiffness and damping in the middle over those at the reach.
+    pub loose: [f64; 2],
+    /// Damping over stiffness at the reach, s.
+    pub time: f64,
+}
+
+impl JointSpec {
+    /// The law at each point of each main bearing that is there, all stiffness and damping times factors.
+    pub fn joints(&self, crank: &Crank, nodes: BearingNodes, (stiffness, damping): (f64, f64)) -> Vec<ExponentialJoint> {
+        let reach = self.clearance_ratio * crank.journal_diameter;
+        let there = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
+        let of = |b: usize| {
+            let size = [crank.journal_diameter, crank.journal_lengths[b]];
+            ExponentialJoint::of_journal(self.pressure, size, reach, nodes.count(), (self.loose, self.time)).scaled(stiffness, damping)
+        };
+        there.flat_map(|b| std::iter::repeat_n(of(b), nodes.count())).collect()
+    }
+}
+
 /// What is at an end of the crank: the shaft from the end of the outer journal to the middle of the hub or flywheel, and what that weighs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct End {
@@ -62,8 +119,10 @@ pub struct FlexibleSpec {
     pub loss_factor: f64,
     /// Whether gyroscopic and centrifugal terms count.
     pub rotating: bool,
-    /// Of each main bearing, over all its nodes.
-    pub bearing: Bearing,
+    /// Main bearings as they are in all that is linear.
+    pub bearing: LinearBearings,
+    /// The law behind them, where they have one.
+    pub joints: Option<JointSpec>,
     /// Of a main bearing.
     pub nodes: BearingNodes,
     /// The main bearing (from 0) that holds the crank along its axis.

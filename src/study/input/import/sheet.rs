@@ -1,5 +1,6 @@
 //! Tables as other programs save them, with words and units in their heads.
 
+use super::unit::{SURROUNDINGS, Units, is_unit, known, parts, plain, prefix_of_another};
 use crate::input::error::InputError;
 use crate::input::tables::Table;
 use std::path::Path;
@@ -17,7 +18,19 @@ impl Sheet {
     pub(super) fn read(path: &Path, knows: &dyn Fn(&[&str]) -> usize) -> Result<Self, InputError> {
         // one head that means something may be a title or a name
         let score = |cells: &[&str]| Some(knows(cells)).filter(|known| *known > 1).unwrap_or(0);
-        Ok(Self { table: Table::of(path, &score)? })
+        let mut table = Table::of(path, &score)?;
+        // units in a row of their own
+        let units = table.rows.first().filter(|(_, cells)| {
+            let mut said = cells.iter().filter(|cell| !cell.is_empty()).peekable();
+            said.peek().is_some() && said.all(|cell| is_unit(cell))
+        });
+        if let Some((_, units)) = units.cloned() {
+            table.rows.remove(0);
+            for (head, unit) in table.header.iter_mut().zip(units).filter(|(head, unit)| !unit.is_empty() && parts(head).1.is_none()) {
+                *head += &format!(" [{}]", unit.trim_matches(['[', ']', '(', ')']));
+            }
+        }
+        Ok(Self { table })
     }
 
     /// Heads of the columns.
@@ -48,6 +61,34 @@ impl Sheet {
     /// A mistake of the file.
     pub(super) fn whole(&self, message: String) -> InputError {
         self.table.whole(message)
+    }
+
+    /// The factor of a column, from the unit in its head.
+    ///
+    /// # Errors
+    /// [`InputError`] at the head where it names no unit or another one.
+    pub(super) fn factor(&self, column: usize, (units, example): (Units, &str), unit: Option<&str>) -> Result<f64, InputError> {
+        if units.is_empty() {
+            return Ok(1.0);
+        }
+        let Some(unit) = unit else {
+            return Err(self.at_head(column, format!("found no unit, expected one in the header, such as `{example}`")));
+        };
+        if let Some(factor) = known(units, unit) {
+            return Ok(factor);
+        }
+        let all = units.iter().map(|u| u.0).collect::<Vec<_>>().join(", ");
+        let message = format!("found the unit `{unit}`, expected one of {all}");
+        let gauge = ["barg", "psig", "baru", "barue"].contains(&plain(unit).as_str());
+        Err(match prefix_of_another(unit) {
+            Some((found, other)) => {
+                let help =
+                    format!("did you mean `{}`? `{found}` is another power of ten than `{other}`", unit.trim().replacen(found, other, 1));
+                self.at_head_with_help(column, message, help)
+            }
+            None if gauge => self.at_head_with_help(column, message, SURROUNDINGS.into()),
+            None => self.at_head(column, message),
+        })
     }
 
     /// The mistake that a column is missing.

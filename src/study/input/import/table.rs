@@ -1,8 +1,8 @@
 //! A mass-elastic table: a row a station, from the free end, with units in its header.
 
 use super::sheet::Sheet;
-use super::unit::{factor, parts, units};
-use super::words::{Role, is_damping, is_ratio};
+use super::unit::{folded, parts};
+use super::words::{Role, is_damping, is_ratio, is_sum, is_to_previous, units};
 use super::{FoundChain, FoundStation};
 use crate::input::error::InputError;
 use crate::input::letters::fault;
@@ -71,18 +71,24 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
         let (words, unit) = parts(head);
         let Some(role) = role_of(head) else {
             let hint = match () {
-                () if is_damping(&words) => ", which does not say whether it is to the next station or to ground",
+                () if is_damping(&words) => {
+                    ", which does not say whether it is to the next station or to ground, as `Damping to next [N m s/rad]` (Relative Dämpfung) and `Damping to ground [N m s/rad]` (Absolute Dämpfung) do"
+                }
                 () if is_ratio(&words) => ": all is read as of one speed, and a gear has to be put in by `gear_ratio_to_next`",
                 () => "",
             };
             left_out.push(format!("column `{head}`{hint}"));
             continue;
         };
+        if matches!(role, Role::Stiffness | Role::DampingToNext) && is_to_previous(&words) {
+            let message = format!("found `{head}`, expected what lies between a station and the next one, such as `{}`", role.example());
+            return Err(sheet.at_head_with_help(i, message, "move the column up by one row, so that the last station has none".into()));
+        }
         match columns.iter().any(|c| c.0 == role) || role == Role::Name && named.is_some_and(|own| own != i) {
             // a number of the row beside its name
             true if role == Role::Name => left_out.push(format!("column `{head}`")),
             true => return Err(sheet.at_head(i, format!("found a second column like `{}`, expected one", role.example()))),
-            false => columns.push((role, i, factor(sheet, i, (units(role), role.example()), unit.as_deref())?)),
+            false => columns.push((role, i, sheet.factor(i, (units(role), role.example()), unit.as_deref())?)),
         }
     }
     for role in [Role::Name, Role::Inertia, Role::Stiffness] {
@@ -126,8 +132,15 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
             let words = "found a name with control characters or more than 100 letters, expected one that can be printed";
             return Err(sheet.at(row, *column, words.into()));
         }
+        if *role == Role::Name && is_sum(&folded(cell)) {
+            return Err(sheet.at(row, *column, format!("found `{cell}`, expected a station: a row of sums is none")));
+        }
         if *role == Role::Inertia && station.inertia <= 0.0 {
-            return Err(sheet.at(row, *column, format!("found `{cell}`, expected an inertia above zero")));
+            let message = match cell.as_str() {
+                "" => "found no inertia, expected one above zero: a row is a station, and the shaft behind it has no row of its own".into(),
+                cell => format!("found `{cell}`, expected an inertia above zero"),
+            };
+            return Err(sheet.at(row, *column, message));
         }
     }
     Ok(station)

@@ -1,7 +1,7 @@
 //! Pressure over the angle of the crank, a file a speed: a column of angles and one of pressures, with units in the header.
 
 use super::sheet::Sheet;
-use super::unit::{ANGLE, PRESSURE, SURROUNDINGS, Units, factor, known, parts};
+use super::unit::{ANGLE, PRESSURE, SURROUNDINGS, Units, known, parts};
 use super::words::{is_angle, is_pressure};
 use crate::input::error::InputError;
 use crate::input::tables::fault;
@@ -71,15 +71,26 @@ pub fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
 /// Refuses pressures above that of the surroundings and angles from the other dead centre, where heads say so.
 fn meant(sheet: &Sheet, angle: usize, pressure: usize) -> Result<(), InputError> {
     const GAUGE: [&str; 7] = ["uberdruck", "ueberdruck", "relativ", "gauge", "manometr", "surpression", "sobrepress"];
+    const BEFORE: [&str; 4] = ["before", "btdc", "avant", "antes"];
     const BOTTOM: [&str; 4] = ["ut", "bdc", "pmb", "pmi"];
     let head = |column: usize| &sheet.heads()[column];
     let words = parts(head(pressure)).0;
-    if GAUGE.iter().any(|word| words.contains(word)) {
+    let are = |words: &str, list: &[&str]| words.split(|c: char| !c.is_alphanumeric()).any(|word| list.contains(&word));
+    if GAUGE.iter().any(|word| words.contains(word)) || are(&words, &["rel", "gage"]) {
         let message = format!("found `{}`, expected absolute pressures", head(pressure).trim());
         return Err(sheet.at_head_with_help(pressure, message, SURROUNDINGS.into()));
     }
     let lower = head(angle).to_lowercase();
-    if lower.split(|c: char| !c.is_alphanumeric()).any(|word| BOTTOM.contains(&word)) {
+    let squeezed: String = lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
+    if are(&lower, &BEFORE) || ["vor ot", "v ot"].iter().any(|words| squeezed.contains(words)) {
+        let message = format!("found `{}`, expected angles after the firing (top) dead centre", head(angle).trim());
+        return Err(sheet.at_head_with_help(
+            angle,
+            message,
+            "angles before it are negative: turn the signs, and the rows with them".into(),
+        ));
+    }
+    if are(&lower, &BOTTOM) {
         let message = format!("found `{}`, expected angles from the firing (top) dead centre", head(angle).trim());
         return Err(sheet.at_head_with_help(
             angle,
@@ -105,5 +116,5 @@ fn column(sheet: &Sheet, is: fn(&str) -> bool, of: (Units, &str)) -> Result<(usi
         return Err(sheet.at_head(*another, format!("found `{}` and `{}`, expected one column like `{}`", names.0, names.1, of.1)));
     }
     let own = fitting.first().unwrap_or(first);
-    Ok((*own, factor(sheet, *own, of, unit(*own).as_deref())?))
+    Ok((*own, sheet.factor(*own, of, unit(*own).as_deref())?))
 }

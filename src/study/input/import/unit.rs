@@ -1,8 +1,5 @@
 //! Units as heads of tables write them.
 
-use super::sheet::Sheet;
-use super::words::{Role, folded};
-use crate::input::error::InputError;
 use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_PSI};
 
 /// Units as they are written, and how many of what is wanted each is.
@@ -17,7 +14,7 @@ const LB: f64 = 0.453_592_37;
 /// m/s², by which a kgf is a force.
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-const INERTIA: Units = &[
+pub(super) const INERTIA: Units = &[
     ("kg m2", 1.0),
     ("g m2", 1e-3),
     ("kg cm2", 1e-4),
@@ -32,7 +29,7 @@ const INERTIA: Units = &[
     ("lb in2", LB * M_PER_IN * M_PER_IN),
     ("lb ft2", LB * 144.0 * M_PER_IN * M_PER_IN),
 ];
-const STIFFNESS: Units = &[
+pub(super) const STIFFNESS: Units = &[
     ("N m/rad", 1.0),
     ("kN m/rad", 1e3),
     ("MN m/rad", 1e6),
@@ -46,7 +43,7 @@ const STIFFNESS: Units = &[
     ("lb in/deg", LBF_IN * DEG_PER_RAD),
     ("lb ft/deg", LBF_FT * DEG_PER_RAD),
 ];
-const DAMPING: Units = &[
+pub(super) const DAMPING: Units = &[
     ("N m s/rad", 1.0),
     ("kN m s/rad", 1e3),
     ("N m/rad/s", 1.0),
@@ -77,16 +74,6 @@ pub(super) const PRESSURE: (Units, &str) = (
     "Pressure [bar]",
 );
 
-/// Units of what a column holds, in SI.
-pub(super) fn units(role: Role) -> Units {
-    match role {
-        Role::Inertia => INERTIA,
-        Role::Stiffness => STIFFNESS,
-        Role::DampingToNext | Role::DampingToGround => DAMPING,
-        Role::Name | Role::Throws => &[],
-    }
-}
-
 /// The same parts of units in other words: degrees, pounds of force, and factors in another sequence.
 const SAME: [(&str, &str); 17] = [
     ("°", "deg"),
@@ -109,7 +96,7 @@ const SAME: [(&str, &str); 17] = [
 ];
 
 /// A unit without spaces, powers and signs between its parts, in small letters.
-fn plain(unit: &str) -> String {
+pub(super) fn plain(unit: &str) -> String {
     let text = folded(&unit.replace("⁻¹", "-1").replace('²', "2"));
     let text: String = text.chars().filter(|c| c.is_alphanumeric() || ['/', '°', '-'].contains(c)).collect();
     // the s of "lb s²" is a second, that of "lbs in²" a plural
@@ -125,7 +112,7 @@ pub(super) fn known(units: Units, unit: &str) -> Option<f64> {
 }
 
 /// A unit whose first letter means another power of ten than what was meant, with the other: a milli and a mega differ in nothing else.
-fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static str)> {
+pub(super) fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static str)> {
     const PAIRS: [(&str, &str); 4] = [("mN", "MN"), ("mn", "MN"), ("mPa", "MPa"), ("Mbar", "mbar")];
     PAIRS.into_iter().find(|p| unit.trim_start().starts_with(p.0))
 }
@@ -133,35 +120,34 @@ fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static str)> {
 /// What mends a gauge pressure.
 pub(super) const SURROUNDINGS: &str = "pressures are absolute: add that of the surroundings, 1.013 bar or 14.7 psi";
 
-/// The factor of a column, from the unit in its head.
-///
-/// # Errors
-/// [`InputError`] at the head where it names no unit or another one.
-pub(super) fn factor(sheet: &Sheet, column: usize, (units, example): (Units, &str), unit: Option<&str>) -> Result<f64, InputError> {
-    if units.is_empty() {
-        return Ok(1.0);
-    }
-    let Some(unit) = unit else {
-        return Err(sheet.at_head(column, format!("found no unit, expected one in the header, such as `{example}`")));
-    };
-    if let Some(factor) = known(units, unit) {
-        return Ok(factor);
-    }
-    let all = units.iter().map(|u| u.0).collect::<Vec<_>>().join(", ");
-    let message = format!("found the unit `{unit}`, expected one of {all}");
-    let gauge = ["barg", "psig", "baru", "barue"].contains(&plain(unit).as_str());
-    Err(match prefix_of_another(unit) {
-        Some((found, other)) => {
-            let help =
-                format!("did you mean `{}`? `{found}` is another power of ten than `{other}`", unit.trim().replacen(found, other, 1));
-            sheet.at_head_with_help(column, message, help)
-        }
-        None if gauge => sheet.at_head_with_help(column, message, SURROUNDINGS.into()),
-        None => sheet.at_head(column, message),
-    })
+/// Whether this is a unit of any column, in brackets or without.
+pub(super) fn is_unit(text: &str) -> bool {
+    let text = text.trim();
+    let inner = text.strip_prefix(['[', '(']).and_then(|t| t.strip_suffix([']', ')'])).unwrap_or(text);
+    [INERTIA, STIFFNESS, DAMPING, ANGLE.0, PRESSURE.0].iter().any(|units| known(units, inner).is_some())
 }
 
-/// Words of a head, folded, and its unit: in brackets, or behind the words as in our own columns.
+/// Letters without their accents, small: ä is a, as Träger and Trager, and Traeger is left as it is.
+pub(super) fn folded(text: &str) -> String {
+    let plain = |c: char| match c {
+        'à' | 'á' | 'â' | 'ã' | 'ä' => "a".to_owned(),
+        'ç' => "c".to_owned(),
+        'è' | 'é' | 'ê' | 'ë' => "e".to_owned(),
+        'ì' | 'í' | 'î' | 'ï' => "i".to_owned(),
+        'ò' | 'ó' | 'ô' | 'õ' | 'ö' => "o".to_owned(),
+        'ù' | 'ú' | 'û' | 'ü' => "u".to_owned(),
+        'ß' => "ss".to_owned(),
+        'œ' => "oe".to_owned(),
+        // line ends and wide blanks within a head
+        c if c.is_whitespace() => " ".to_owned(),
+        // accents that stand behind their letter
+        '\u{300}'..='\u{36f}' => String::new(),
+        c => c.to_string(),
+    };
+    text.to_lowercase().chars().map(plain).collect::<String>().trim().to_owned()
+}
+
+/// Words of a head, folded, and its unit: in brackets, or behind the words as in our own columns or in those of DIN and ISO 80000 ("Druck / bar").
 pub(super) fn parts(head: &str) -> (String, Option<String>) {
     if let Some((words, unit)) = in_brackets(head) {
         return (folded(words), Some(unit.trim().to_owned()));
@@ -172,10 +158,13 @@ pub(super) fn parts(head: &str) -> (String, Option<String>) {
             return (folded(words), Some(unit.to_owned()));
         }
     }
-    let is_unit = |unit: &str| unit.starts_with("kg") || unit.starts_with(['N', '°']) || ["bar", "MPa", "deg"].contains(&unit.trim());
+    // the longest end that is a unit: "Steifigkeit / kN m/rad" before "rad"
+    let ends = head.char_indices().filter(|(_, c)| c.is_whitespace() || *c == '/').map(|(i, c)| (&head[..i], &head[i + c.len_utf8()..]));
+    let behind =
+        || ends.map(|(words, unit)| (words.trim_end_matches('/'), unit)).find(|(words, unit)| !words.trim().is_empty() && is_unit(unit));
     // "Winkel in °KW", "pression en bar"
     let behind_a_word = || [" in ", " en ", " em "].iter().find_map(|word| head.rsplit_once(word));
-    match head.split_once(',').or_else(|| head.split_once('/').filter(|(_, unit)| is_unit(unit))).or_else(behind_a_word) {
+    match head.split_once(',').or_else(behind_a_word).or_else(behind) {
         Some((words, unit)) => (folded(words), Some(unit.trim().to_owned())),
         None => (folded(head), None),
     }

@@ -1,33 +1,17 @@
 //! What a head says, in English, German, French and Portuguese.
 
-/// Letters without their accents, small: ä is a, as Träger and Trager, and Traeger is left as it is.
-pub(super) fn folded(text: &str) -> String {
-    let plain = |c: char| match c {
-        'à' | 'á' | 'â' | 'ã' | 'ä' => "a".to_owned(),
-        'ç' => "c".to_owned(),
-        'è' | 'é' | 'ê' | 'ë' => "e".to_owned(),
-        'ì' | 'í' | 'î' | 'ï' => "i".to_owned(),
-        'ò' | 'ó' | 'ô' | 'õ' | 'ö' => "o".to_owned(),
-        'ù' | 'ú' | 'û' | 'ü' => "u".to_owned(),
-        'ß' => "ss".to_owned(),
-        'œ' => "oe".to_owned(),
-        // line ends and wide blanks within a head
-        c if c.is_whitespace() => " ".to_owned(),
-        // accents that stand behind their letter
-        '\u{300}'..='\u{36f}' => String::new(),
-        c => c.to_string(),
-    };
-    text.to_lowercase().chars().map(plain).collect::<String>().trim().to_owned()
-}
+use super::unit::{self, Units, known};
 
 const THROW: &[&str] = &["throw", "kropfung", "kroepfung", "maneton", "manivela"];
 const DAMPING: &[&str] = &["damp", "dampf", "daempf", "amort"];
-const TO_GROUND: &[&str] = &["ground", "absolut", "absolu", "extern", "aussen", "terra", "boden"];
+const TO_GROUND: &[&str] =
+    &["ground", "absolut", "absolu", "extern", "aussen", "ausser", "aeusser", "gehaus", "gehaeus", "grund", "terra", "boden"];
 const TO_NEXT: &[&str] = &[
     "next", "relativ", "shaft", "intern", "innere", "welle", "folgend", "nachst", "naechst", "arbre", "suivant", "eixo", "seguinte",
     "proxim",
 ];
-const STIFFNESS: &[&str] = &["stiff", "steif", "raideur", "rigid"];
+const TO_PREVIOUS: &[&str] = &["previous", "preceding", "vorherig", "vorig", "vorgang", "vorgaeng", "precedent", "anterior"];
+const STIFFNESS: &[&str] = &["stiff", "steif", "federrate", "federkonst", "drehfeder", "raideur", "rigid"];
 const INERTIA: &[&str] = &["inertia", "tragheit", "traegheit", "drehmasse", "inertie", "inercia"];
 const STATION: &[&str] = &[
     "station",
@@ -37,6 +21,7 @@ const STATION: &[&str] = &[
     "node",
     "designation",
     "stelle",
+    "bauteil",
     "bezeichnung",
     "benennung",
     "knoten",
@@ -63,6 +48,17 @@ pub(super) fn is_damping(words: &str) -> bool {
     DAMPING.iter().any(|w| words.contains(w))
 }
 
+/// Whether a (folded) head names what lies before a station.
+pub(super) fn is_to_previous(words: &str) -> bool {
+    TO_PREVIOUS.iter().any(|w| words.contains(w))
+}
+
+/// Whether a (folded) name is that of a row of sums.
+pub(super) fn is_sum(words: &str) -> bool {
+    let first = words.split(|c: char| !c.is_alphanumeric()).next().unwrap_or("");
+    ["sum", "summe", "gesamt", "total", "totals", "somme", "soma"].contains(&first)
+}
+
 /// Whether a (folded) head names the ratio of a gear.
 pub(super) fn is_ratio(words: &str) -> bool {
     ["ratio", "ubersetzung", "uebersetzung", "rapport", "relacao", "transmiss"].iter().any(|w| words.contains(w))
@@ -76,15 +72,18 @@ impl Role {
             return Some(Self::Throws);
         }
         if has(DAMPING) {
-            return if has(TO_GROUND) {
+            let begins = |with: &str| words.split(|c: char| !c.is_alphanumeric()).any(|word| word == with);
+            return if has(TO_GROUND) || begins("abs") {
                 Some(Self::DampingToGround)
-            } else if has(TO_NEXT) {
+            } else if has(TO_NEXT) || begins("rel") {
                 Some(Self::DampingToNext)
             } else {
                 None
             };
         }
-        if has(STIFFNESS) || words == "k" {
+        // a c is a stiffness in German and a damping in English: its unit tells
+        let is_rate = || unit.is_some_and(|u| known(units(Self::Stiffness), u).is_some());
+        if has(STIFFNESS) || words == "k" || ["c", "ct", "c_t"].contains(&words) && is_rate() {
             return Some(Self::Stiffness);
         }
         if has(INERTIA) || ["j", "θ", "theta"].contains(&words) {
@@ -122,4 +121,14 @@ pub(super) fn is_pressure(words: &str) -> bool {
 fn named(words: &str, list: &[&str]) -> bool {
     let parts = words.split([' ', '_']).map(|part| part.trim_start_matches('°'));
     parts.filter(|part| !part.is_empty()).any(|part| list.iter().any(|w| part == *w || w.len() > 2 && part.starts_with(w)))
+}
+
+/// Units of what a column holds, in SI.
+pub(super) fn units(role: Role) -> Units {
+    match role {
+        Role::Inertia => unit::INERTIA,
+        Role::Stiffness => unit::STIFFNESS,
+        Role::DampingToNext | Role::DampingToGround => unit::DAMPING,
+        Role::Name | Role::Throws => &[],
+    }
 }

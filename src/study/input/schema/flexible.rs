@@ -56,15 +56,38 @@ pub(crate) struct RawGivenFactors {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBearing {
-    /// Stiffness across the axis, alike in all directions; without it `crank.bearing_stiffness_n_per_m`.
+    /// Stiffness across the axis, alike in all directions; without it and `exponential` `crank.bearing_stiffness_n_per_m`.
     #[schemars(extend("minimum" = 100000, "maximum" = 10000000000000.0, "examples" = [1.2e9]))]
     pub stiffness_n_per_m: Option<At<f64>>,
-    /// Damping across the axis.
+    /// Damping across the axis; required without `exponential`.
     #[schemars(extend("minimum" = 0, "examples" = [9e4]))]
-    pub damping_n_s_per_m: At<f64>,
+    pub damping_n_s_per_m: Option<At<f64>>,
+    /// In place of both: bearings that stiffen with the displacement of the journal. Searches and tables use the linear bearings nearest to them over cycles without absorber, and what they find is computed on the law itself by harmonic balance.
+    pub exponential: Option<At<RawExponential>>,
     /// Points along the journal that share it: its middle, or three over two thirds of its length.
     #[schemars(extend("enum" = [1, 3], "default" = 3, "examples" = [1]))]
     pub nodes: Option<At<i64>>,
+}
+
+/// With r the displacement over the reach, stiffness k_0 (k_f/k_0)^r and damping c_0 (c_f/c_0)^r.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawExponential {
+    /// Pressure of the oil over the journal (length times diameter) at the reach: with it the stiffness there, k_f.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "examples" = [40]))]
+    pub pressure_mpa: At<f64>,
+    /// Reach of the law over the diameter of the journal.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.005, "examples" = [5e-4]))]
+    pub clearance_ratio: At<f64>,
+    /// Stiffness in the middle over that at the reach, k_0/k_f.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1, "examples" = [0.01]))]
+    pub loose_stiffness: At<f64>,
+    /// Damping over stiffness at the reach, c_f/k_f.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 0.1, "examples" = [1e-4]))]
+    pub damping_time_s: At<f64>,
+    /// Damping in the middle over that at the reach, c_0/c_f.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1, "examples" = [0.1]))]
+    pub loose_damping: At<f64>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

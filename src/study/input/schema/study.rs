@@ -43,7 +43,7 @@ pub(crate) struct RawStudy {
     /// Speeds and loads of the engine's use with their shares of time, for means beside the worst case.
     #[serde(default)]
     pub duty: Vec<RawDuty>,
-    /// Conditions in which every design is judged beside normal firing.
+    /// Conditions in which every design is computed beside normal firing. Without `[optimise]` limits are to hold in them, too, but for a locked or lost absorber; with it in its own `conditions`.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true, "examples" = [["misfire", "hot"]]))]
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
     /// How cylinders differ, for the condition `unequal_cylinders`.

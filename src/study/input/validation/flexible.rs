@@ -5,13 +5,14 @@ use super::checked_study::CrankModel;
 use super::derived_chain;
 use super::flexible_model::FlexibleModel;
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, WebFactors, assemble};
+use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, JointSpec, LinearBearings, WebFactors, assemble};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
 use crate::input::schema::engine::RawEngine;
 use crate::input::schema::flexible::{RawBearing, RawEnd, RawFlexible, RawWebFactors};
 use crate::input::schema::study::RawStudy;
+use crate::units::PA_PER_MPA;
 
 /// Bearings, N/m.
 const SOFTEST: f64 = 1e5;
@@ -52,11 +53,27 @@ pub(super) fn of_study<'d>(
     (check, in_engine): (&mut Check, &mut Check),
     (study, engine): (&RawStudy, &RawEngine),
     parts: (Option<&Crank>, &Engine, &Chain),
+    speeds_rpm: &[f64],
     designs: impl Iterator<Item = &'d DesignSpec>,
 ) -> (Option<FlexibleModel>, CrankModel) {
     let flexible = resolve(in_engine, engine, parts);
     let known = flexible.is_some() || !in_engine.mistakes.is_empty();
-    (flexible, asked(check, study, known, designs))
+    let model = asked(check, study, known, designs);
+    // a study on the chain does not ask for what cycles tell of its bearings
+    let (Some(own), Some(crank)) = (&flexible, parts.0) else { return (flexible, model) };
+    if model == CrankModel::Chain || own.spec.joints.is_none() || !check.mistakes.is_empty() {
+        return (flexible, model);
+    }
+    match own.with_nearest_bearings(speeds_rpm, (crank, parts.1, parts.2)) {
+        Ok(settled) => (Some(settled), model),
+        Err(why) => {
+            if let Some(raw) = engine.crank.as_ref().and_then(|c| c.get_ref().flexible.as_ref()) {
+                in_engine
+                    .wrong(raw, format!("found bearings on which no periodic motion of the crank was found, expected other ones: {why}"));
+            }
+            (flexible, model)
+        }
+    }
 }
 
 /// The crank put together, or nothing where a mistake leaves none.
@@ -84,17 +101,7 @@ fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -
     if nodes == BearingNodes::Three && crank.journal_lengths.iter().any(|l| *l < SHORTEST * crank.journal_diameter) {
         check.wrong(at, "found three points along a journal shorter than 0.2 of its diameter, expected `nodes = 1`");
     }
-    let stiffness = match (&raw.bearing.stiffness_n_per_m, crank.bearing_stiffness) {
-        (Some(k), _) => check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m"),
-        (None, Some(k)) => k,
-        (None, None) => {
-            check.wrong(
-                at,
-                "found bearings without stiffness, expected `bearing.stiffness_n_per_m`, or `bearing_stiffness_n_per_m` of [crank]",
-            );
-            return None;
-        }
-    };
+    let (bearing, joints) = bearings(check, at, crank)?;
     let (thrust_at, thrust) = thrust(check, raw, crank)?;
     let density = match (&raw.density_kg_m3, &crank.masses) {
         (Some(d), _) => check.positive(d),
@@ -105,8 +112,7 @@ fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -
         }
     };
     let loss_factor = check.within(&raw.loss_factor, 0.0..=0.5, "a loss factor from 0 to 0.5");
-    let damping = check.not_negative(&raw.bearing.damping_n_s_per_m);
-    if loss_factor == 0.0 && damping == 0.0 {
+    if loss_factor == 0.0 && bearing.damping == 0.0 {
         check.wrong(
             &raw.loss_factor,
             "found neither a loss factor nor damping of the bearings, expected one of them: nothing else damps bending",
@@ -120,13 +126,56 @@ fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -
         density,
         loss_factor,
         rotating: raw.rotating.unwrap_or(true),
-        bearing: Bearing { stiffness, damping },
+        bearing: LinearBearings::Alike(bearing),
+        joints,
         nodes,
         thrust_at,
         thrust,
         front: end(check, at, (raw.front.as_ref(), "front"), first.checked_sub(1).map(|s| chain.stations[s].inertia)),
         rear: end(check, at, (raw.rear.as_ref(), "rear"), behind),
     })
+}
+
+/// Main bearings over all their points, and the law behind them where they have one: then they are linear as in the middle of its reach, until cycles tell better ones.
+fn bearings(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(Bearing, Option<JointSpec>)> {
+    let raw = &at.get_ref().bearing;
+    if let Some(law) = &raw.exponential {
+        for (given, key) in [(&raw.stiffness_n_per_m, "stiffness_n_per_m"), (&raw.damping_n_s_per_m, "damping_n_s_per_m")] {
+            if let Some(given) = given {
+                check.wrong(
+                    given,
+                    format!("found `{key}` beside `exponential`, expected one of them: linear bearings near to the law follow from it"),
+                );
+            }
+        }
+        let own = law.get_ref();
+        let spec = JointSpec {
+            pressure: PA_PER_MPA * check.within(&own.pressure_mpa, 1e-3..=1000.0, "a pressure from 0.001 to 1000 MPa"),
+            clearance_ratio: check.within(&own.clearance_ratio, 1e-6..=5e-3, "a reach from 1e-6 to 0.005 of the diameter"),
+            loose: [&own.loose_stiffness, &own.loose_damping].map(|x| check.within(x, 1e-6..=1.0, "a ratio from 1e-6 to 1")),
+            time: check.within(&own.damping_time_s, 1e-9..=0.1, "a time from 1e-9 to 0.1 s"),
+        };
+        let nodes = if raw.nodes.as_ref().is_some_and(|n| *n.get_ref() == 1) { BearingNodes::One } else { BearingNodes::Three };
+        let first = spec.joints(crank, nodes, (1.0, 1.0)).into_iter().next()?;
+        let middle = |[loose, firm]: [f64; 2]| (loose * firm).sqrt() * nodes.count() as f64;
+        return Some((Bearing { stiffness: middle(first.stiffness), damping: middle(first.damping) }, Some(spec)));
+    }
+    let stiffness = match (&raw.stiffness_n_per_m, crank.bearing_stiffness) {
+        (Some(k), _) => check.within(k, SOFTEST..=STIFFEST, "a stiffness from 1e5 to 1e13 N/m"),
+        (None, Some(k)) => k,
+        (None, None) => {
+            check.wrong(
+                at,
+                "found bearings without stiffness, expected `bearing.stiffness_n_per_m`, or `bearing_stiffness_n_per_m` of [crank]",
+            );
+            return None;
+        }
+    };
+    let Some(damping) = &raw.damping_n_s_per_m else {
+        check.wrong(at, "found bearings without damping, expected `bearing.damping_n_s_per_m`, or `bearing.exponential`");
+        return None;
+    };
+    Some((Bearing { stiffness, damping: check.not_negative(damping) }, None))
 }
 
 /// The factors of the webs, and whether they are an estimate.

@@ -1,16 +1,20 @@
 //! The flexible crank of a study: its modes and tables, found once.
 
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Assembled, Carried, FlexibleSpec, assemble};
+use crate::crankshaft::flexible::on_joints::OnJoints;
+use crate::crankshaft::flexible::{Assembled, Bearing, Carried, FlexibleSpec, LinearBearings, assemble};
 use crate::drivetrain::flexible::{Asked, OnStations};
 use crate::drivetrain::modes::Flexible;
 use crate::drivetrain::{Chain, FlexibleCrank, Modes};
-use crate::engine::Engine;
+use crate::engine::{Engine, Excitation};
 use crate::rotor::free_modes::{FreeMode, free_modes};
 use crate::rotor::shaft::Six;
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+/// Highest order on bearings that are not linear.
+const ORDERS_ON_JOINTS: f64 = 24.0;
 /// Modes that are kept.
 const MODES: usize = 32;
 
@@ -40,7 +44,51 @@ impl FlexibleModel {
     /// In words, where crank and chain do not fit together.
     pub(crate) fn with_bearings(&self, factor: f64, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Result<Self, String> {
         let mut spec = self.spec.clone();
-        spec.bearing.stiffness *= factor;
+        spec.bearing = spec.bearing.stiffer(factor);
+        let assembled = assemble(crank, engine, chain, &spec, Carried::All)?;
+        Ok(Self::new(spec, assembled))
+    }
+
+    /// The crank on its joints, all their stiffness and damping times factors; `None` where the bearings are linear or the torque comes from a table.
+    #[doc(hidden)]
+    pub fn on_joints<'a>(
+        &'a self,
+        (crank, engine): (&Crank, &'a Engine),
+        excitation: &'a Excitation,
+        factors: (f64, f64),
+    ) -> Option<OnJoints<'a>> {
+        let joints = self.spec.joints?.joints(crank, self.spec.nodes, factors);
+        let crank = self.on_stations(crank.crank_radius);
+        Some(OnJoints { assembled: &self.assembled, crank, linear: &self.spec.bearing, joints, engine, excitation })
+    }
+
+    /// Orders that act on the joints: the last harmonics tell what is left out.
+    pub(crate) fn excitation_on_joints(engine: &Engine) -> Excitation {
+        Excitation::new(engine, ORDERS_ON_JOINTS).with_radial(engine)
+    }
+
+    /// The same with the linear bearings nearest to its joints over cycles without absorber: the means of those at the lowest, a middle and the highest speed.
+    ///
+    /// # Errors
+    /// In words, where no periodic motion is found.
+    pub(super) fn with_nearest_bearings(
+        &self,
+        speeds_rpm: &[f64],
+        (crank, engine, chain): (&Crank, &Engine, &Chain),
+    ) -> Result<Self, String> {
+        let excitation = Self::excitation_on_joints(engine);
+        let Some(joints) = self.on_joints((crank, engine), &excitation, (1.0, 1.0)) else { return Ok(self.clone()) };
+        let speeds = [speeds_rpm[0], speeds_rpm[speeds_rpm.len() / 2], speeds_rpm[speeds_rpm.len() - 1]];
+        let at = |speed: f64| joints.at(speed, &[], None).map(|found| found.joints.equivalent).map_err(|why| format!("{speed} rpm: {why}"));
+        let all = speeds.par_iter().map(|speed| at(*speed)).collect::<Result<Vec<_>, _>>()?;
+        let mean = |place: usize, k: usize| all.iter().map(|points| points[place][k]).sum::<f64>() / all.len() as f64;
+        let mut place = 0..;
+        let mut next = || {
+            let place = place.next().unwrap_or(0);
+            Bearing { stiffness: mean(place, 0).max(0.0), damping: mean(place, 1).max(0.0) }
+        };
+        let bearings = self.assembled.bearings.iter().map(|nodes| nodes.iter().map(|_| next()).collect()).collect();
+        let spec = FlexibleSpec { bearing: LinearBearings::Each(bearings), ..self.spec.clone() };
         let assembled = assemble(crank, engine, chain, &spec, Carried::All)?;
         Ok(Self::new(spec, assembled))
     }

@@ -276,14 +276,15 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let robust = study.robust.as_ref().and_then(|r| robust::resolve(check, r, optimise.as_ref(), &designs));
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let conditions = conditions(check, study, &base.engine, optimise.as_ref());
-    let scatter = optimise::scatter(check, study, &base.engine, &conditions);
     let parts = (base.crank.as_ref(), &base.engine, &base.chain);
-    let (flexible, crank_model) = flexible::of_study((check, in_engine), (study, files.engine), parts, designs.iter().chain(sold));
+    let (flexible, crank_model) =
+        flexible::of_study((check, in_engine), (study, files.engine), parts, &base.speeds_rpm, designs.iter().chain(sold));
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
     let checked = Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
         flexible,
         crank_model,
+        scatter: optimise::scatter(check, study, &base.engine, &conditions),
         crank_engine: loads_crank_by_brake_curve(study).then(|| base.engine.of_brake_curve()),
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
         reciprocating: base.reciprocating,
@@ -307,12 +308,11 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         combined,
         limits,
         optimise,
-        held_without_search: vec![Condition::Firing],
+        held_without_search: Vec::new(),
         robust,
         front,
         conditions,
         temperatures,
-        scatter,
         published,
         calibrate,
         crank: base.crank,
@@ -321,5 +321,15 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         placeholders: Vec::new(),
     };
     rows::check(check, study, &checked);
-    Some(checked)
+    Some(checked.judged_in_its_conditions())
+}
+
+impl Study {
+    /// With the conditions that given designs are to hold limits in where nothing is searched: all of the study in which their absorbers work.
+    fn judged_in_its_conditions(mut self) -> Self {
+        let works = |c: &&Condition| !matches!(c, Condition::Firing | Condition::AbsorberLocked | Condition::AbsorberLost);
+        let more = self.conditions.iter().filter(works).filter(|_| !self.limits.is_empty()).copied();
+        self.held_without_search = std::iter::once(Condition::Firing).chain(more).collect();
+        self
+    }
 }

@@ -168,7 +168,7 @@ pub(super) fn combined(check: &mut Check, study: &RawStudy, known: (&[MeasureSpe
     let part = |(spec, target): (MeasureSpec, f64)| LimitSpec {
         words: format!("{} of {target}{}", shown(&spec), spec.unit.suffix()),
         limit: spec.unit.inside(target),
-        rated_rpm: None,
+        rule: None,
         of: spec,
     };
     let first = list[0].clone();
@@ -238,13 +238,13 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
             Bound::Most(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at most {}{}", at.get_ref(), spec.unit.suffix())),
             Bound::Least(Some(at)) => (spec.unit.inside(check.positive(at)), format!("at least {}{}", at.get_ref(), spec.unit.suffix())),
             Bound::Band => (1.0, String::new()),
-            Bound::Rule { words, limit, rated_rpm } => {
+            Bound::Rule { words, limit, rule } => {
                 let words = format!("{words}, {:.4}{} at the rated speed", limit, spec.unit.suffix());
                 limits.push(LimitSpec {
                     words: format!("{} {words}", shown(&spec)),
                     limit: spec.unit.inside(limit),
                     of: spec,
-                    rated_rpm: Some(rated_rpm),
+                    rule: Some(rule),
                 });
                 continue;
             }
@@ -252,7 +252,7 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
         let label = shown(&spec);
         let factor = if spec.measure.within.factors.is_empty() { "" } else { ", times the factor of its speed" };
         let words = format!("{label} {words}{factor}").trim_end().to_owned();
-        limits.push(LimitSpec { of: spec, words, limit, rated_rpm: None });
+        limits.push(LimitSpec { of: spec, words, limit, rule: None });
     }
     limits
 }

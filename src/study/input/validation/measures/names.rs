@@ -1,7 +1,7 @@
 //! What measures are called.
 
 use crate::input::error::At;
-use crate::input::measure::{MeasureSpec, UnitOf};
+use crate::input::measure::{LimitOfRule, MeasureSpec, UnitOf};
 use crate::objective::{Measure, Over, Within};
 use crate::response::Quantity;
 
@@ -20,7 +20,7 @@ pub(super) enum Bound<'r> {
     Rule {
         words: &'static str,
         limit: f64,
-        rated_rpm: f64,
+        rule: LimitOfRule,
     },
 }
 

@@ -6,7 +6,7 @@ use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
 use crate::fatigue::shaft_rules::ShaftRule;
 use crate::input::error::{At, Check};
-use crate::input::measure::{MeasureSpec, UnitOf};
+use crate::input::measure::{LimitOfRule, MeasureSpec, UnitOf};
 use crate::input::schema::fatigue::RawCriterion;
 use crate::input::schema::measure::{
     RawAcceleration, RawAmplitude, RawBand, RawKrCrank, RawKrEngine, RawM68, RawMargin, RawStress, RawTorque, RawTwist, RawVelocity,
@@ -175,9 +175,12 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let limit = of_rule(check, &rule, of, &mut within)?;
     Some(Resolved {
         spec: spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit),
-        bound: Bound::Rule { words: rule.words, limit, rated_rpm: rule.rated_rpm },
+        bound: Bound::Rule { words: rule.words, limit, rule: LimitOfRule { rated_rpm: rule.rated_rpm, transient: rule.rule.transient() } },
     })
 }
+
+/// Speeds are alike within this share.
+const FEW_DIGITS: f64 = 5e-4;
 
 /// A rule with the speed it is in units of.
 struct Rule<'r> {
@@ -234,8 +237,9 @@ fn of_rule(
 ) -> Option<f64> {
     let given = *at_rated.get_ref();
     let found = if given == rated { format!("found {rated} rpm") } else { format!("found {given} rpm, {rated} rpm of the crankshaft") };
-    // written without rounding
-    let top = (rule.top() * rated * 1e6).round() / 1e6;
+    // a rated speed is written with a few digits: 333.3 rpm of a shaft behind a gear of three is 1000 of the crank
+    let nearly = rule.top() * rated;
+    let top = if (of.speeds.1 / nearly - 1.0).abs() <= FEW_DIGITS { of.speeds.1 } else { (nearly * 1e6).round() / 1e6 };
     if of.speeds.0 >= top {
         check.wrong(at_rated, format!("{found}, expected a rated speed of which the study's speeds are no more than {}", rule.top()));
         return None;

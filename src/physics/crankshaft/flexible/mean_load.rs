@@ -1,0 +1,44 @@
+//! What acts on a crank in the mean over a cycle.
+
+use super::Assembled;
+use crate::engine::cycle::{crank_fixed, pin_angles, throw_loads};
+use crate::engine::{Engine, Source};
+use crate::numerics::C64;
+use crate::units::RAD_PER_S_PER_RPM;
+use nalgebra::DVector;
+
+/// Forces and moments on all nodes: the means of what the rods do, and the unbalance of all that turns. Order zero of the crank in turning axes, where the flywheel is held against the mean torque. `None` where the torque of
+/// the engine comes from a table.
+#[doc(hidden)]
+pub fn mean_load(assembled: &Assembled, engine: &Engine, speed_rpm: f64) -> Option<DVector<C64>> {
+    let Source::Cylinder { geometry, .. } = &engine.source else { return None };
+    let speed = speed_rpm * RAD_PER_S_PER_RPM;
+    let loads = throw_loads(engine, speed_rpm)?;
+    let shaft = &assembled.shaft;
+    let mut force = DVector::from_element(6 * shaft.len(), C64::ZERO);
+    for (i, own) in shaft.unbalance().iter().enumerate() {
+        (0..6).for_each(|k| force[6 * i + k] += own[k] * speed * speed);
+    }
+    // counterweights that the stations leave no inertia for pull all the same
+    for ((balance, webs), [outwards, _]) in assembled.balance.iter().zip(&assembled.webs).zip(&assembled.directions) {
+        for node in webs {
+            (0..3).for_each(|k| force[6 * node + k] -= 0.5 * balance.left_out * speed * speed * outwards[k]);
+        }
+    }
+    // the forces of the rods hold all of their own masses
+    let on_pin = geometry.rod_rotating_fraction() * geometry.rod_mass + 0.5 * geometry.oscillating_mass();
+    let (rods, radius) = (engine.layout.rods_per_throw, geometry.slider_crank.crank_radius);
+    for (t, angle) in pin_angles(engine).into_iter().enumerate() {
+        for (rod, node) in assembled.rods[t].iter().enumerate() {
+            let on = &loads.rod_force[t * rods + rod];
+            let each = loads.theta.iter().zip(on).map(|(theta, force)| crank_fixed(*force, theta + angle));
+            let sum = each.fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
+            let of = |k: usize| sum[k] / loads.theta.len() as f64;
+            let radial = of(0) - on_pin * radius * speed * speed;
+            for (direction, value) in assembled.directions[t].iter().zip([radial, of(1)]) {
+                (0..3).for_each(|k| force[6 * node + k] += value * direction[k]);
+            }
+        }
+    }
+    Some(force)
+}

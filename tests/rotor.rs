@@ -110,6 +110,102 @@ fn rigid_rotor() {
     }
 }
 
+/// An overhung disc (Ip/Id 1.9) on a massless cantilever: (k11 - m w²)(k22 - Id w² + Ip W w) = k12² with w seen standing still, forward positive; in turning axes w - W. Its four roots to 1e-8, at a low speed and above the first of them, where
+/// the forward motion is slower than the shaft.
+#[test]
+fn overhung_disc() {
+    let (length, mass, diametral) = (0.3, 25.0, 0.2);
+    let (polar, s) = (1.9 * diametral, round(0.06, 0.0));
+    let mut shaft = straight(length, 1, s);
+    shaft.hold(0, [true; 6]);
+    shaft.hold(1, [false, false, true, false, false, true]);
+    shaft.put(1, &Body { mass, arm: Vector3::zeros(), tensor: Matrix3::from_diagonal(&Vector3::new(diametral, diametral, polar)) });
+    let (ei, shear) = (s.bending[0], s.shear);
+    let flexibility = nalgebra::Matrix2::new(
+        length.powi(3) / (3.0 * ei) + length / shear,
+        length.powi(2) / (2.0 * ei),
+        length.powi(2) / (2.0 * ei),
+        length / ei,
+    );
+    let k = flexibility.try_inverse().expect("stiff");
+    for speed in [150.0, 1500.0] {
+        let left = |w: f64| (k[(0, 0)] - mass * w * w) * (k[(1, 1)] - diametral * w * w + polar * speed * w) - k[(0, 1)].powi(2);
+        // roots by bisection between places where the sign changes
+        let (from, to, steps) = (-6000.0, 9000.0, 30_000);
+        let place = |i: i32| from + (to - from) * f64::from(i) / f64::from(steps);
+        let mut roots = Vec::new();
+        for i in 0..steps {
+            let (mut a, mut b) = (place(i), place(i + 1));
+            if left(a) * left(b) < 0.0 {
+                for _ in 0..80 {
+                    let middle = 0.5 * (a + b);
+                    if left(a) * left(middle) <= 0.0 { b = middle } else { a = middle }
+                }
+                roots.push(0.5 * (a + b));
+            }
+        }
+        assert_eq!(roots.len(), 4, "{roots:?}");
+        for root in roots {
+            let wanted = (root - speed).abs();
+            let found = pole(&shaft, speed, (wanted, 9));
+            assert!((found / wanted - 1.0).abs() < 1e-8, "{speed} rad/s: {found} for {wanted}");
+        }
+    }
+}
+
+/// A crank without throws is a chain: in torsion the frequencies of massless shafts with discs are those of inertias and springs to rounding (1e-10), and no mode is both of torsion and of bending.
+#[test]
+fn a_straight_shaft_is_a_chain() {
+    let (n, length, inertia) = (6, 0.15, 0.03);
+    let s = round(0.05, 0.0);
+    let mut shaft = straight(length * f64::from(n - 1), n as usize - 1, s);
+    for i in 0..n as usize {
+        shaft.put(i, &Body { mass: 4.0, arm: Vector3::zeros(), tensor: Matrix3::from_diagonal(&Vector3::new(0.02, 0.02, inertia)) });
+    }
+    let chain = crate::support::uniform_chain(n as usize, inertia, s.torsion / length);
+    let modes = free_modes(&shaft, 36).expect("modes");
+    let elastic = || modes.iter().filter(|m| m.omega > 0.0);
+    assert!(elastic().all(|m| m.torsion < 1e-9 || m.torsion > 1.0 - 1e-9), "torsion and bending are apart");
+    let torsion: Vec<f64> = elastic().filter(|m| m.torsion > 0.5).map(|m| m.omega / TAU).collect();
+    let of_chain: Vec<f64> = hartog::drivetrain::Modes::new(&chain).frequencies_hz().into_iter().filter(|f| *f > 0.0).collect();
+    assert_eq!(torsion.len(), of_chain.len());
+    for (found, wanted) in torsion.iter().zip(of_chain) {
+        assert!((found / wanted - 1.0).abs() < 1e-10, "{found} for {wanted}");
+    }
+}
+
+/// Bearings at rest under forces between them bear the reactions of the continuous beam on seven supports that loads of cranks are found by (another code: cubic elements of a plane beam): with springs to 1e-8, and with bearings a
+/// thousand times as stiff as the shaft those of rigid supports to 1e-3.
+#[test]
+fn reactions_of_the_continuous_beam() {
+    use hartog::crankshaft::{Beam as Continuous, Support, elements::reactions};
+    let (spans, span) = (6, 0.13f64);
+    let mut s = round(0.08, 0.0);
+    s.shear = f64::INFINITY;
+    let at_support = |i: usize| 2 * i;
+    for (stiffness, is_rigid, tolerance) in [(3e8, false, 1e-8), (1e3 * 48.0 * s.bending[0] / span.powi(3), true, 1e-3)] {
+        let mut shaft = straight(span * spans as f64, 2 * spans, s);
+        shaft.hold(0, [false, false, true, false, false, true]);
+        (0..=spans).for_each(|i| shaft.bear(at_support(i), (stiffness, 0.0)));
+        let support = |i: usize| Support { at: span * i as f64, stiffness: (!is_rigid).then_some(stiffness) };
+        let beam = Continuous {
+            supports: (0..=spans).map(support).collect(),
+            loads_at: (0..spans).map(|i| span * (i as f64 + 0.5)).collect(),
+            rigidity: s.bending[0],
+        };
+        let expected = reactions(&beam).expect("supported").0;
+        for (load, direction) in [(0, 0), (2, 1), (4, 0)] {
+            let unknown = 6 * (2 * load + 1) + direction;
+            let force = DVector::from_fn(6 * shaft.len(), |i, _| nalgebra::Complex::new(f64::from(u8::from(i == unknown)), 0.0));
+            let moved = shaft.response(Turning { omega: 0.0, speed: 0.0 }, &force).expect("held");
+            for i in 0..=spans {
+                let found = -stiffness * moved[6 * at_support(i) + direction].re;
+                assert!((found - expected[(i, load)]).abs() < tolerance, "load {load}, support {i}: {found} for {}", expected[(i, load)]);
+            }
+        }
+    }
+}
+
 /// A bent shaft with everything on it: two webs, bodies off their nodes, bearings, damping.
 fn bent(angle: f64) -> Shaft {
     let turn = |x: f64, y: f64| Vector3::new(x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos(), 0.0);

@@ -206,6 +206,10 @@ pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
     plot::chart::speed_accuracy(&chart.study, &chart.methods, folder)?;
     let models: Vec<_> = std::iter::once(&chart.common.grid).chain(&chart.models).collect();
     plot::models::models(&chart.study, &models, folder)?;
+    if let Some(ladder) = &chart.ladder {
+        csv::chart::crank_ladder(ladder, folder)?;
+        plot::ladder::ladder(&chart.study, ladder, folder)?;
+    }
     plot::chart::growth(&chart.common.growth, folder)?;
     plot::chart::stability(&chart.common.map, folder)
 }

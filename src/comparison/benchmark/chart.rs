@@ -1,5 +1,6 @@
 //! Everything that `hartog chart` measures, put together.
 
+use super::crank_ladder::{self, Ladder};
 use super::evolution::{self, Evolution};
 use super::laws::{self, LawCost};
 use super::margin_methods::{self, MarginCost};
@@ -62,6 +63,8 @@ pub struct Chart<'a> {
     pub laws: Vec<LawCost>,
     /// NSGA-II beside its fronts.
     pub fronts: Vec<Evolution>,
+    /// Models of the crank, where the study computes with a flexible one.
+    pub ladder: Option<Ladder>,
     /// What is the same for all studies.
     pub common: &'a Common,
 }
@@ -74,7 +77,7 @@ impl<'a> Chart<'a> {
     pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
-        progress.stage("random absorbers, simplified models, margins, fronts, laws", 5);
+        progress.stage("random absorbers, simplified models, margins, fronts, laws, cranks", 6);
         let savings = savings::measure(&study)?;
         progress.step();
         let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
@@ -90,7 +93,9 @@ impl<'a> Chart<'a> {
         progress.step();
         let laws = laws::measure(&study)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, margins, laws, fronts, common })
+        let ladder = crank_ladder::measure(&study)?;
+        progress.step();
+        Ok(Self { study, methods, savings, models, margins, laws, fronts, ladder, common })
     }
 
     /// Whether skipping changes nothing.

@@ -1,6 +1,7 @@
 //! What `hartog chart` measures: speed against accuracy of every method, growth of cost, energy balance, stability, and what simpler models cost.
 
 pub mod chart;
+pub mod crank_ladder;
 pub mod energy;
 pub mod evolution;
 pub mod growth;

@@ -5,23 +5,25 @@
 //! for its steps solves it, in axes that turn with the shaft.
 
 use super::exponential_joint::ExponentialJoint;
+use super::waves::{Rows, Waves};
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::gmres::gmres;
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::TAU;
 
-/// Samples to a period of the highest harmonic.
-const SAMPLES: usize = 8;
 /// Balanced: the largest residual over the reach of the joints.
 const CLOSE: f64 = 1e-10;
 /// Steps of Newton's method, and products for each.
 const STEPS: usize = 25;
 const PRODUCTS: usize = 120;
+/// Products of all steps: what takes more is given up.
+const MOST_PRODUCTS: usize = 8000;
 /// What is left of a residual by a step's linear system.
 const SOLVED: f64 = 1e-3;
 /// Shortest share of a step, and of the way from linear bearings to joints.
 const SHORTEST: f64 = 1.0 / 64.0;
+/// Beyond this displacement over the reach a law that grows without end tells nothing of a bearing near to it.
+const FARTHEST: f64 = 1.2;
 
 /// A shaft on linear bearings as the points of its joints see it, by harmonics of its cycle from the mean on.
 #[derive(Debug, Clone)]
@@ -77,54 +79,6 @@ impl std::fmt::Display for NotBalanced {
             f,
             "harmonic balance does not converge: residual {residual:.1e} of the joints' reach after {steps} steps, {share:.3} of the way from linear bearings"
         )
-    }
-}
-
-/// Rows of coefficients (the mean, then cosine parts of all harmonics, then their sine parts), a column each unknown.
-type Rows = DMatrix<f64>;
-
-/// Samples of a cycle from coefficients, and back: of angles to half a turn, whose mirror has the sines with the other sign.
-struct Waves {
-    cosines: DMatrix<f64>,
-    sines: DMatrix<f64>,
-    samples: usize,
-}
-
-impl Waves {
-    fn new(harmonics: usize) -> Self {
-        let samples = SAMPLES * (harmonics + 1).max(2);
-        let angle = |j: usize, m: usize| TAU * ((j * m) % samples) as f64 / samples as f64;
-        let half = samples / 2 + 1;
-        Self {
-            cosines: DMatrix::from_fn(half, harmonics + 1, |j, m| angle(j, m).cosine()),
-            sines: DMatrix::from_fn(half, harmonics, |j, m| angle(j, m + 1).sine()),
-            samples,
-        }
-    }
-
-    fn to_samples(&self, rows: &Rows) -> DMatrix<f64> {
-        let even = self.cosines.ncols();
-        let (even, odd) = (&self.cosines * rows.rows(0, even), &self.sines * rows.rows(even, rows.nrows() - even));
-        let half = self.samples / 2;
-        DMatrix::from_fn(self.samples, rows.ncols(), |j, c| match j <= half {
-            true => even[(j, c)] - odd[(j, c)],
-            false => even[(self.samples - j, c)] + odd[(self.samples - j, c)],
-        })
-    }
-
-    fn to_rows(&self, samples: &DMatrix<f64>) -> Rows {
-        let (n, half) = (self.samples, self.samples / 2);
-        let mirror = |j: usize| (j != 0 && j != half).then(|| n - j);
-        let folded = |sign: f64| {
-            DMatrix::from_fn(half + 1, samples.ncols(), |j, c| samples[(j, c)] + mirror(j).map_or(0.0, |k| sign * samples[(k, c)]))
-        };
-        let (even, odd) = (self.cosines.tr_mul(&folded(1.0)), self.sines.tr_mul(&folded(-1.0)));
-        let weight = 2.0 / n as f64;
-        DMatrix::from_fn(even.nrows() + odd.nrows(), samples.ncols(), |i, c| match i {
-            0 => 0.5 * weight * even[(0, c)],
-            i if i < even.nrows() => weight * even[(i, c)],
-            i => -weight * odd[(i - even.nrows(), c)],
-        })
     }
 }
 
@@ -254,6 +208,9 @@ impl<'a> Problem<'a> {
             if size <= CLOSE {
                 return Ok((x, size));
             }
+            if work.1 > MOST_PRODUCTS {
+                return Err(size);
+            }
             let slopes = &sampled.slopes;
             let rows = |y: &DVector<f64>| Rows::from_column_slice(shape.0, shape.1, y.as_slice());
             let (step, products) = gmres(|y| flat(self.product(slopes, &rows(y))), &-flat(residual.clone()), SOLVED, PRODUCTS);
@@ -282,7 +239,7 @@ fn flat(rows: Rows) -> DVector<f64> {
     DVector::from_vec(rows.data.into())
 }
 
-/// The motion on joints, one for each point, from the motion on linear bearings or from one nearby. Where Newton's method fails from there, it goes from linear bearings in stages.
+/// The motion on joints, one for each point, by Newton's method from the motion on linear bearings or from one nearby.
 ///
 /// # Errors
 /// [`NotBalanced`] where it does not come there.
@@ -290,25 +247,54 @@ pub fn balanced(condensed: &Condensed, joints: &[ExponentialJoint], nearby: Opti
     let problem = Problem::new(condensed, joints);
     let mut work = (0, 0);
     let start = nearby.map_or_else(|| problem.free.clone(), |n| displacements(&n.answers, 2 * joints.len()));
-    if let Ok((x, residual)) = problem.solve(start, 1.0, &mut work) {
-        return Ok(problem.found(&x, residual, (work, 1)));
+    match problem.solve(start, 1.0, &mut work) {
+        Ok((x, residual)) => Ok(problem.found(&x, residual, (work, 1))),
+        Err(residual) => Err(NotBalanced { steps: work.0, residual, share: 0.0 }),
     }
-    let (mut share, mut step, mut stages) = (0.0, 0.25f64, 0);
-    let mut x = problem.free.clone();
-    loop {
-        let to = f64::min(share + step, 1.0);
-        match problem.solve(x.clone(), to, &mut work) {
-            Ok((there, residual)) => {
-                (x, share, stages) = (there, to, stages + 1);
-                if share == 1.0 {
-                    return Ok(problem.found(&x, residual, (work, stages)));
+}
+
+/// The same in stages from linear bearings to the joints.
+///
+/// # Errors
+/// [`NotBalanced`] where it does not come there.
+pub(crate) fn balanced_in_stages(condensed: &Condensed, joints: &[ExponentialJoint]) -> Result<Balanced, NotBalanced> {
+    let problem = Problem::new(condensed, joints);
+    let mut work = (0, 0);
+    match problem.from_linear(&mut work) {
+        Ok((x, residual, stages)) => Ok(problem.found(&x, residual, (work, stages))),
+        Err((residual, share)) => Err(NotBalanced { steps: work.0, residual, share }),
+    }
+}
+
+/// Linear bearings nearest to joints over the motion on the linear bearings that are there, N/m and N s/m of each point; displacements count up to [`FARTHEST`] of the reach.
+pub(crate) fn nearest_to(condensed: &Condensed, joints: &[ExponentialJoint]) -> Vec<[f64; 2]> {
+    let problem = Problem::new(condensed, joints);
+    problem.equivalent(&problem.free)
+}
+
+/// A motion, its residual and how many stages led to it.
+type Reached = (Rows, f64, usize);
+
+impl Problem<'_> {
+    /// From linear bearings to the joints in stages; the residual and the share of the way where that fails.
+    fn from_linear(&self, work: &mut (usize, usize)) -> Result<Reached, (f64, f64)> {
+        let (mut share, mut step, mut stages) = (0.0, 0.25f64, 0);
+        let mut x = self.free.clone();
+        loop {
+            let to = f64::min(share + step, 1.0);
+            match self.solve(x.clone(), to, work) {
+                Ok((there, residual)) => {
+                    (x, share, stages) = (there, to, stages + 1);
+                    if share == 1.0 {
+                        return Ok((x, residual, stages));
+                    }
+                    step *= 1.5;
                 }
-                step *= 1.5;
-            }
-            Err(residual) => {
-                step *= 0.5;
-                if step < SHORTEST {
-                    return Err(NotBalanced { steps: work.0, residual, share });
+                Err(residual) => {
+                    step *= 0.5;
+                    if step < SHORTEST || work.1 > MOST_PRODUCTS {
+                        return Err((residual, share));
+                    }
                 }
             }
         }
@@ -338,7 +324,12 @@ impl Problem<'_> {
             let (mut zz, mut zv, mut vv, mut fz, mut fv) = (0.0, 0.0, 0.0, 0.0, 0.0);
             for j in 0..z.nrows() {
                 let (at, rate) = ([z[(j, 2 * p)], z[(j, 2 * p + 1)]], [v[(j, 2 * p)], v[(j, 2 * p + 1)]]);
-                let f = joint.at(at, rate).force;
+                // farther off as at the farthest
+                let size = at[0].hypotenuse(at[1]) / (FARTHEST * joint.reach);
+                let f = match size > 1.0 {
+                    true => joint.at(at.map(|z| z / size), rate.map(|v| v / size)).force.map(|f| f * size),
+                    false => joint.at(at, rate).force,
+                };
                 for i in 0..2 {
                     zz += at[i] * at[i];
                     zv += at[i] * rate[i];

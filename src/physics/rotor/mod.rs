@@ -18,6 +18,7 @@ pub mod free_modes;
 pub mod harmonic_balance;
 pub mod shaft;
 pub(crate) mod transfer;
+mod waves;
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 

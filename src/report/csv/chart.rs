@@ -2,6 +2,7 @@
 
 use super::table::{Table, number, optional};
 use crate::benchmark::Chart;
+use crate::benchmark::crank_ladder::Ladder;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::savings::Savings;
 use crate::files::{Folder, WriteError};
@@ -172,4 +173,21 @@ fn savings(s: &Savings) -> Vec<[String; 5]> {
     put("receptance", "one point of the kernel".into(), Some(s.point), None, format!("{:.2} ns", 1e9 * s.point));
     put("direct", format!("sweep of {}", s.sweep.label()), Some(s.sweep.seconds), None, format!("{:.3} ms", 1e3 * s.sweep.seconds));
     rows
+}
+
+/// `crank_ladder.csv`: a row a model of the crank with its time and errors, then a row a model and factor on the stiffness of all bearings.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub(crate) fn crank_ladder(ladder: &Ladder, folder: &Folder) -> Result<(), WriteError> {
+    let mut table = Table::new(&["model", "bearing_ratio", "seconds", "peak_error", "margin_error", "optimum_error"]);
+    for r in &ladder.rungs {
+        table.row([r.rung.label().to_owned(), number(1.0), number(r.seconds), number(r.peak), optional(r.margin), optional(r.optimum)]);
+    }
+    for (factor, errors) in &ladder.bearings {
+        for (rung, error) in errors {
+            table.row([rung.label().to_owned(), number(*factor), String::new(), number(*error), String::new(), String::new()]);
+        }
+    }
+    table.save(folder, "crank_ladder.csv")
 }

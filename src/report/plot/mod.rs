@@ -11,6 +11,7 @@ pub mod fatigue;
 mod front;
 mod heat;
 mod labels;
+pub mod ladder;
 mod large_twist;
 mod legend;
 mod margin;

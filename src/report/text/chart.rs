@@ -2,6 +2,7 @@
 
 use super::table::table;
 use crate::analysis::method_selection::Considered;
+use crate::benchmark::crank_ladder::{Ladder, Rung, RungCost};
 use crate::benchmark::energy::Balance;
 use crate::benchmark::evolution::{Evolution, Round};
 use crate::benchmark::growth::{Growth, SIZES};
@@ -32,7 +33,30 @@ pub fn of_study(chart: &Chart) -> String {
     parts.extend((!chart.laws.is_empty()).then(|| laws(&chart.laws)));
     parts.extend((!chart.fronts.is_empty()).then(|| fronts(&chart.fronts)));
     parts.extend((!chart.models.is_empty()).then(|| models("What a simpler model costs, error of the peak:", &chart.models)));
+    parts.extend(chart.ladder.as_ref().map(ladder));
     parts.join("\n")
+}
+
+/// Models of the crank.
+fn ladder(ladder: &Ladder) -> String {
+    let percent = |e: Option<f64>| e.map_or_else(|| "-".into(), |e| format!("{:.2} %", 100.0 * e));
+    let row = |r: &RungCost| {
+        vec![r.rung.label().to_owned(), format!("{:.2}", r.seconds), percent(Some(r.peak)), percent(r.margin), percent(r.optimum)]
+    };
+    let rows: Vec<Vec<String>> = ladder.rungs.iter().map(row).collect();
+    let rungs = table(&["model of the crank", "time/s", "peak", "margin", "optimum"], &rows);
+    let chains: Vec<Rung> = ladder.bearings.first().map_or_else(Vec::new, |b| b.1.iter().map(|e| e.0).collect());
+    let rows: Vec<Vec<String>> = ladder
+        .bearings
+        .iter()
+        .map(|(factor, errors)| std::iter::once(format!("{factor}")).chain(errors.iter().map(|e| percent(Some(e.1)))).collect())
+        .collect();
+    let header: Vec<&str> = std::iter::once("bearings times").chain(chains.iter().map(|r| r.label())).collect();
+    format!(
+        "Largest errors against the flexible crank; an optimum is that of the model, computed on it:\n{rungs}\n\
+         Error of the peak of chains against the flexible crank with stiffer and softer bearings:\n{}",
+        table(&header, &rows)
+    )
 }
 
 /// What is the same for all studies.

@@ -55,7 +55,7 @@ impl OnJointsOfDesign {
 }
 
 /// Speeds beside that of the largest twist, in units of it.
-const BESIDE: [f64; 3] = [0.97, 1.0, 1.03];
+const BESIDE: [f64; 3] = [1.0, 0.97, 1.03];
 
 /// Half peak-to-peak of the twist of a study, from answers by harmonic.
 fn twist(study: &Study, answers: &[nalgebra::DVector<C64>], stations: usize) -> f64 {
@@ -100,11 +100,17 @@ pub(crate) fn on_joints<'r>(
     };
     let of = |d: &&DesignResult| {
         let peak = d.twist.map_or(high, |p| p.speed_rpm);
-        let mut speeds: Vec<f64> = BESIDE.map(|share| (share * peak).clamp(low, high)).to_vec();
-        speeds.dedup();
-        // from one speed to the next
+        let mut speeds: Vec<f64> = Vec::new();
+        for speed in BESIDE.map(|share| (share * peak).clamp(low, high)) {
+            if !speeds.contains(&speed) {
+                speeds.push(speed);
+            }
+        }
+        // from the largest twist to what is beside it
         let mut nearby = None;
-        let found = OnJointsOfDesign { design: d.name.clone(), speeds: speeds.into_iter().map(|s| at(d, s, &mut nearby)).collect() };
+        let mut found: Vec<AtSpeedOnJoints> = speeds.into_iter().map(|s| at(d, s, &mut nearby)).collect();
+        found.sort_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm));
+        let found = OnJointsOfDesign { design: d.name.clone(), speeds: found };
         progress.step();
         found
     };

@@ -11,11 +11,14 @@ use crate::numerics::block_tridiagonal::Columns;
 use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use crate::rotor::exponential_joint::ExponentialJoint;
-use crate::rotor::harmonic_balance::{Balanced, Condensed, NotBalanced, balanced};
-use crate::rotor::shaft::Turning;
+use crate::rotor::harmonic_balance::{Balanced, Condensed, NotBalanced, balanced, balanced_in_stages, nearest_to};
+use crate::rotor::shaft::{Shaft, Turning};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
+
+/// How often linear bearings are replaced by ones nearer to the joints.
+const REPETITIONS: usize = 8;
 
 /// Why there is no motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,13 +86,47 @@ impl OnJoints<'_> {
     /// # Errors
     /// [`NoMotion`] where there is none on linear bearings or the method does not come to the joints.
     pub fn at(&self, speed_rpm: f64, design: &[Mounted], nearby: Option<&OnBoth>) -> Result<OnBoth, NoMotion> {
-        let condensed = self.condensed(speed_rpm, design)?;
-        let joints = balanced(&condensed, &self.joints, nearby.map(|n| &n.joints)).map_err(NoMotion::NotBalanced)?;
+        let given: Vec<[f64; 2]> = self.given();
+        let condensed = self.condensed(speed_rpm, design, &given)?;
+        let joints = match balanced(&condensed, &self.joints, nearby.map(|n| &n.joints)) {
+            Ok(joints) => joints,
+            Err(_) => match balanced_in_stages(&condensed, &self.joints) {
+                Ok(joints) => joints,
+                Err(_) => self.from_nearer(speed_rpm, design, given)?,
+            },
+        };
         Ok(OnBoth { joints, linear: condensed.free })
     }
 
-    /// All that is linear, as the points see it.
-    fn condensed(&self, speed_rpm: f64, design: &[Mounted]) -> Result<Condensed, NoMotion> {
+    /// From linear bearings that are near to the joints over their own motion, found by repetition from stiff ones.
+    fn from_nearer(&self, speed_rpm: f64, design: &[Mounted], given: Vec<[f64; 2]>) -> Result<Balanced, NoMotion> {
+        let stiff = self.joints.iter().map(|j| [j.stiffness[1], j.damping[1]]);
+        let mut linear: Vec<[f64; 2]> = given.into_iter().zip(stiff).map(|(own, stiff)| [0, 1].map(|k| own[k].max(stiff[k]))).collect();
+        for _ in 0..REPETITIONS {
+            let condensed = self.condensed(speed_rpm, design, &linear)?;
+            let near = nearest_to(&condensed, &self.joints);
+            for (own, near) in linear.iter_mut().zip(near) {
+                // half of the way, by ratios
+                (0..2).filter(|k| near[*k] > 0.0).for_each(|k| own[k] = (own[k] * near[k]).sqrt());
+            }
+        }
+        let condensed = self.condensed(speed_rpm, design, &linear)?;
+        balanced(&condensed, &self.joints, None).map_err(NoMotion::NotBalanced)
+    }
+
+    /// Linear bearings of all points, N/m and N s/m.
+    fn given(&self) -> Vec<[f64; 2]> {
+        let nodes = &self.assembled.bearings;
+        let of = |b: usize| (0..nodes[b].len()).map(move |p| self.linear.point(b, p, nodes[b].len()));
+        (0..nodes.len()).flat_map(of).map(|l| [l.stiffness, l.damping]).collect()
+    }
+
+    /// All that is linear, as the points see it on these linear bearings.
+    fn condensed(&self, speed_rpm: f64, design: &[Mounted], linear: &[[f64; 2]]) -> Result<Condensed, NoMotion> {
+        let mut shaft = self.crank.shaft.clone();
+        for ((node, own), given) in self.points().into_iter().zip(linear).zip(self.given()) {
+            shaft.bear(node, (own[0] - given[0], own[1] - given[1]));
+        }
         let speed = speed_rpm * RAD_PER_S_PER_RPM;
         let first = 2.0 / f64::from(self.engine.strokes) * speed;
         let harmonics = self.excitation.harmonics.last().map_or(0, |h| *h as usize);
@@ -103,19 +140,20 @@ impl OnJoints<'_> {
                     Some(order) => self.crank.forces(self.engine, self.excitation, (order, speed_rpm)),
                     None => DVector::from_element(mean.len(), ZERO),
                 };
-                self.harmonic(at, &force, design)
+                self.harmonic((&shaft, at), &force, design)
             })
             .collect::<Result<_, _>>()?;
         let (free, per_force) = all.into_iter().unzip();
-        let nodes = &self.assembled.bearings;
-        let linear = |b: usize| (0..nodes[b].len()).map(move |p| (b, p));
-        let linear = (0..nodes.len()).flat_map(linear).map(|(b, p)| self.linear.point(b, p, nodes[b].len()));
-        Ok(Condensed { speed, first, free, per_force, linear: linear.map(|l| [l.stiffness, l.damping]).collect() })
+        Ok(Condensed { speed, first, free, per_force, linear: linear.to_vec() })
     }
 
     /// Answers under a load and per unit force on each point in each direction, with absorbers.
-    fn harmonic(&self, at: Turning, force: &DVector<C64>, design: &[Mounted]) -> Result<(DVector<C64>, DMatrix<C64>), NoMotion> {
-        let shaft = &self.crank.shaft;
+    fn harmonic(
+        &self,
+        (shaft, at): (&Shaft, Turning),
+        force: &DVector<C64>,
+        design: &[Mounted],
+    ) -> Result<(DVector<C64>, DMatrix<C64>), NoMotion> {
         let (points, stations) = (self.points(), &self.crank.stations);
         // the absorbers turn with the mean as if they were not there
         let sums: Vec<(usize, C64)> = if at.omega == 0.0 {

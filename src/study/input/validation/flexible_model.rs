@@ -38,13 +38,14 @@ impl FlexibleModel {
         Self { spec, assembled, modes: Arc::default(), on_chain: Arc::default(), tables: Arc::default() }
     }
 
-    /// The same with other bearings: every stiffness times a factor.
+    /// The same with another specification.
     ///
     /// # Errors
     /// In words, where crank and chain do not fit together.
-    pub(crate) fn with_bearings(&self, factor: f64, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Result<Self, String> {
+    #[doc(hidden)]
+    pub fn with(&self, change: impl FnOnce(&mut FlexibleSpec), (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Result<Self, String> {
         let mut spec = self.spec.clone();
-        spec.bearing = spec.bearing.stiffer(factor);
+        change(&mut spec);
         let assembled = assemble(crank, engine, chain, &spec, Carried::All)?;
         Ok(Self::new(spec, assembled))
     }
@@ -88,9 +89,7 @@ impl FlexibleModel {
             Bearing { stiffness: mean(place, 0).max(0.0), damping: mean(place, 1).max(0.0) }
         };
         let bearings = self.assembled.bearings.iter().map(|nodes| nodes.iter().map(|_| next()).collect()).collect();
-        let spec = FlexibleSpec { bearing: LinearBearings::Each(bearings), ..self.spec.clone() };
-        let assembled = assemble(crank, engine, chain, &spec, Carried::All)?;
-        Ok(Self::new(spec, assembled))
+        self.with(|spec| spec.bearing = LinearBearings::Each(bearings), (crank, engine, chain))
     }
 
     /// Elastic modes of the crank free at both ends, with hub and flywheel or bare, the lowest first; `None` as of [`Self::modes`].

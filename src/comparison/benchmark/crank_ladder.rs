@@ -94,13 +94,24 @@ pub struct RungCost {
     pub optimum: Option<f64>,
 }
 
+/// Error of each model.
+pub type Errors = Vec<(Rung, f64)>;
+
+/// What a model came to.
+struct Found {
+    rung: Rung,
+    seconds: f64,
+    designs: Vec<DesignResult>,
+    optimum: Option<Vec<Mounted>>,
+}
+
 /// The ladder of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ladder {
     /// From the simplest model up.
     pub rungs: Vec<RungCost>,
     /// Factors on the stiffness of all bearings, and error of the peak twist of each chain against the flexible crank with those.
-    pub bearings: Vec<(f64, Vec<(Rung, f64)>)>,
+    pub bearings: Vec<(f64, Errors)>,
 }
 
 /// Factors on the stiffness of all bearings.
@@ -153,26 +164,26 @@ pub fn measure(study: &Study) -> Result<Option<Ladder>, RunError> {
         let start = Instant::now();
         let results = run(&on, &Silent)?;
         let optimum = results.optima.iter().find(|o| o.main).map(|o| o.design.absorbers.clone());
-        found.push((rung, start.elapsed().as_secs_f64(), results.designs, optimum));
+        found.push(Found { rung, seconds: start.elapsed().as_secs_f64(), designs: results.designs, optimum });
     }
-    let Some((_, _, reference, _)) = found.iter().find(|f| f.0 == Rung::Flexible) else { return Ok(None) };
+    let Some(reference) = found.iter().find(|f| f.rung == Rung::Flexible).map(|f| &f.designs) else { return Ok(None) };
     let best = |absorbers: &[Mounted]| own.evaluate("optimum", absorbers.to_vec()).map(|d| d.objective);
-    let optima = found.iter().map(|f| f.3.as_deref().map(best).transpose()).collect::<Result<Vec<_>, _>>()?;
-    let least = optima.last().copied().flatten().flatten();
-    let cost =
-        |((rung, seconds, designs, _), optimum): (&(Rung, f64, Vec<DesignResult>, Option<Vec<Mounted>>), &Option<Option<f64>>)| RungCost {
-            rung: *rung,
-            seconds: *seconds,
-            peak: worst(designs, reference, twist).unwrap_or(0.0),
-            margin: worst(designs, reference, |d| d.margins.first().map(|m| m.margin)),
-            optimum: optimum.flatten().zip(least).map(|(own, least)| own / least - 1.0),
-        };
+    let optima = found.iter().map(|f| f.optimum.as_deref().map(best).transpose()).collect::<Result<Vec<_>, _>>()?;
+    let optima: Vec<Option<f64>> = optima.into_iter().map(Option::flatten).collect();
+    let least = optima.last().copied().flatten();
+    let cost = |(f, optimum): (&Found, &Option<f64>)| RungCost {
+        rung: f.rung,
+        seconds: f.seconds,
+        peak: worst(&f.designs, reference, twist).unwrap_or(0.0),
+        margin: worst(&f.designs, reference, |d| d.margins.first().map(|m| m.margin)),
+        optimum: optimum.zip(least).map(|(own, least)| own / least - 1.0),
+    };
     let rungs = found.iter().zip(&optima).map(cost).collect();
-    Ok(Some(Ladder { rungs, bearings: bearings(&own, &found.iter().map(|f| (f.0, f.2.as_slice())).collect::<Vec<_>>())? }))
+    Ok(Some(Ladder { rungs, bearings: bearings(&own, &found)? }))
 }
 
 /// Errors of the chains as all bearings get softer or stiffer.
-fn bearings(study: &Study, found: &[(Rung, &[DesignResult])]) -> Result<Vec<(f64, Vec<(Rung, f64)>)>, RunError> {
+fn bearings(study: &Study, found: &[Found]) -> Result<Vec<(f64, Errors)>, RunError> {
     let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else { return Ok(Vec::new()) };
     let mut list = Vec::new();
     for factor in FACTORS {
@@ -182,8 +193,8 @@ fn bearings(study: &Study, found: &[(Rung, &[DesignResult])]) -> Result<Vec<(f64
         own.leave_searches_out();
         own.limits.clear();
         let reference = run(&own, &Silent)?.designs;
-        let chains = found.iter().filter(|f| f.0.is_chain());
-        list.push((factor, chains.filter_map(|(rung, designs)| Some((*rung, worst(designs, &reference, twist)?))).collect()));
+        let chains = found.iter().filter(|f| f.rung.is_chain());
+        list.push((factor, chains.filter_map(|f| Some((f.rung, worst(&f.designs, &reference, twist)?))).collect()));
     }
     Ok(list)
 }

@@ -260,7 +260,7 @@ pub fn balanced(condensed: &Condensed, joints: &[ExponentialJoint], nearby: Opti
 pub(crate) fn balanced_in_stages(condensed: &Condensed, joints: &[ExponentialJoint]) -> Result<Balanced, NotBalanced> {
     let problem = Problem::new(condensed, joints);
     let mut work = (0, 0);
-    match problem.from_linear(&mut work) {
+    match problem.in_stages(&mut work) {
         Ok((x, residual, stages)) => Ok(problem.found(&x, residual, (work, stages))),
         Err((residual, share)) => Err(NotBalanced { steps: work.0, residual, share }),
     }
@@ -277,7 +277,7 @@ type Reached = (Rows, f64, usize);
 
 impl Problem<'_> {
     /// From linear bearings to the joints in stages; the residual and the share of the way where that fails.
-    fn from_linear(&self, work: &mut (usize, usize)) -> Result<Reached, (f64, f64)> {
+    fn in_stages(&self, work: &mut (usize, usize)) -> Result<Reached, (f64, f64)> {
         let (mut share, mut step, mut stages) = (0.0, 0.25f64, 0);
         let mut x = self.free.clone();
         loop {

@@ -92,14 +92,14 @@ impl OnJoints<'_> {
             Ok(joints) => joints,
             Err(_) => match balanced_in_stages(&condensed, &self.joints) {
                 Ok(joints) => joints,
-                Err(_) => self.from_nearer(speed_rpm, design, given)?,
+                Err(_) => self.on_nearer_bearings(speed_rpm, design, given)?,
             },
         };
         Ok(OnBoth { joints, linear: condensed.free })
     }
 
     /// From linear bearings that are near to the joints over their own motion, found by repetition from stiff ones.
-    fn from_nearer(&self, speed_rpm: f64, design: &[Mounted], given: Vec<[f64; 2]>) -> Result<Balanced, NoMotion> {
+    fn on_nearer_bearings(&self, speed_rpm: f64, design: &[Mounted], given: Vec<[f64; 2]>) -> Result<Balanced, NoMotion> {
         let stiff = self.joints.iter().map(|j| [j.stiffness[1], j.damping[1]]);
         let mut linear: Vec<[f64; 2]> = given.into_iter().zip(stiff).map(|(own, stiff)| [0, 1].map(|k| own[k].max(stiff[k]))).collect();
         for _ in 0..REPETITIONS {

@@ -44,7 +44,7 @@ fn worst_of(judged: &Judged) -> String {
     let within = match (tolerances, drawn.as_slice()) {
         (false, _) => String::new(),
         (true, []) => " within its tolerances".into(),
-        (true, drawn) => format!(" within its tolerances, and of {} as drawn", list(drawn)),
+        (true, drawn) => format!(" within its tolerances, and {} as drawn", list(drawn)),
     };
     let reached = Some(judged.reached_in).filter(|b| *b != Basis::Tolerances).map(word);
     format!("{all}{within}{}", reached.map_or_else(String::new, |r| format!(": {r}")))

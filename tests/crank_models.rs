@@ -1,8 +1,9 @@
 //! Studies on the chain, on the flexible crank, and those that leave it open.
 
-use crate::support::study;
+use crate::support::{assert_close, study};
 use hartog::absorber::{Mounted, Tuned};
 use hartog::analysis::Modelled;
+use hartog::benchmark::crank_ladder::{self, Rung};
 use hartog::input::{CrankModel, Study};
 use hartog::objective::Condition;
 use rand::{Rng, SeedableRng};
@@ -148,4 +149,31 @@ fn auto_hides_no_more_than_it_states() {
         chains += usize::from(stated <= open.tolerance);
     }
     assert!(chains > 0, "some engines are within ten per cent");
+}
+
+/// The ladder of `chart` is of the same models as a run's table of other models: the error of the chain as given, and with bearings half and twice as stiff, is that of the twists there (1e-9). The chain of throws that are held is the
+/// limit of stiff bearings: with those a thousand times as stiff it errs least of all chains, and less than with those given.
+#[test]
+fn the_ladder_is_of_the_same_models() {
+    let mut study = designs_alone();
+    study.speeds_rpm = study.speeds_rpm.iter().copied().step_by(5).collect();
+    study.designs.truncate(2);
+    let ladder = crank_ladder::measure(&study).expect("damped").expect("on a flexible crank");
+    let models = study.run().expect("damped").crank_models;
+    let error = |reference: Modelled| {
+        let of = |m: &hartog::analysis::ByModel| (m.of(Modelled::Chain).expect("a twist") / m.of(reference).expect("a twist") - 1.0).abs();
+        models.iter().map(of).fold(0.0, f64::max)
+    };
+    let rung = |rung: Rung| ladder.rungs.iter().find(|r| r.rung == rung).expect("a model");
+    assert_eq!((rung(Rung::Flexible).peak, rung(Rung::Flexible).optimum), (0.0, None), "nothing is searched");
+    assert_close(rung(Rung::Chain).peak, error(Modelled::Flexible), 1e-9, 0.0, "the chain");
+    let with = |factor: f64, rung: Rung| {
+        let errors = &ladder.bearings.iter().find(|b| b.0 == factor).expect("a factor").1;
+        errors.iter().find(|e| e.0 == rung).expect("a chain").1
+    };
+    for (factor, model) in [(0.5, Modelled::BearingsHalved), (2.0, Modelled::BearingsDoubled)] {
+        assert_close(with(factor, Rung::Chain), error(model), 1e-9, 0.0, "bearings");
+    }
+    let held = with(1000.0, Rung::ChainHeld);
+    assert!(held < with(1.0, Rung::ChainHeld) && [Rung::Chain, Rung::ChainFree, Rung::ChainGuided].iter().all(|r| held < with(1000.0, *r)));
 }

@@ -182,17 +182,14 @@ fn twist(study: &Study, found: &OnBoth, stations: usize, on_joints: bool) -> f64
 }
 
 /// The six on the joints of the thesis at three speeds, with orders to 24: Newton's method goes there at once, the journals stay within the reach of the law, and the linear bearings in the middle of the law give a twist that
-/// differs by less than 8 %. Fewer orders (18, 12) are off by less and less the more there are; on joints twice as stiff journals move less. Joints half as stiff are beyond what the method reaches here (the residual stays at some per cent of the reach): they are refused by name.
+/// differs by less than 8 %. Fewer orders (18, 12) are off by less and less the more there are; on joints twice as stiff journals move less. Joints a tenth as stiff are found in stages at 2200 rpm. A study of bearings half as stiff is refused by name: from the linear
+/// bearings that it begins with the method does not converge at one of its speeds, which is a limit of the method and not of the crank.
 #[test]
 #[ignore = "half a minute"]
 fn the_six_on_its_joints() {
-    let (_folder, study) = six();
+    let (folder, study) = six();
     let flexible = study.flexible.as_ref().expect("flexible");
     let crank = study.crank.as_ref().expect("a crank");
-    let excitation = Excitation::new(&study.engine, 24.0).with_radial(&study.engine);
-    let soft = flexible.on_joints((crank, &study.engine), &excitation, (0.1, 0.1)).expect("joints");
-    let why = soft.at(2200.0, &[], None).map(|found| found.joints.residual).expect_err("too soft").to_string();
-    assert!(why.starts_with("harmonic balance does not converge: residual"), "{why}");
     let on = |order_limit: f64, speed: f64, factors: (f64, f64)| {
         let excitation = Excitation::new(&study.engine, order_limit).with_radial(&study.engine);
         let joints = flexible.on_joints((crank, &study.engine), &excitation, factors).expect("joints");
@@ -214,6 +211,14 @@ fn the_six_on_its_joints() {
         let (_, _, stiff) = on(24.0, speed, (2.0, 2.0));
         assert!(stiff.residual <= 1e-10 && stiff.largest < found.largest, "stiffer joints move less");
     }
+    // in stages from linear bearings that are far stiffer
+    let (_, _, soft) = on(24.0, 2200.0, (0.1, 0.1));
+    assert!(soft.residual <= 1e-10 && soft.stages > 1 && soft.largest > 1.0, "softer joints move beyond the reach");
+    let engine = folder.path().join("engines/villalva_i6.toml");
+    let text = std::fs::read_to_string(&engine).expect("an engine");
+    std::fs::write(&engine, text.replace("pressure_mpa = 40", "pressure_mpa = 20")).expect("written");
+    let refused = hartog::input::read(&folder.path().join("villalva_i6_flexible.toml")).expect_err("not reached").to_string();
+    assert!(refused.contains("rpm: harmonic balance does not converge: residual"), "{refused}");
 }
 
 /// A crank of two throws on such bearings: searches run on the linear ones nearest to them, and the engine's best design on the law itself. At the lowest order the journals come to four fifths of the reach; the twist differs by a per cent.

@@ -100,8 +100,8 @@ fn cranks_by_the_rule() {
             let is_maximum =
                 tops.iter().any(|top| (b.critical_rpm - top).abs() < 5.0) || highest.any(|top| (b.critical_rpm - top).abs() < 5.0);
             assert!(is_maximum, "{b:?} is round no maximum: {tops:?}");
-            // passed through at no more than twice the limit, and below 0.8 of the rated speed
-            assert_eq!(b.objection.is_none(), b.to_rpm <= 0.8 * 2600.0 && b.ratio <= 2.0);
+            // of cranks the stress for passing through goes by the yield strength, which is not known: it is not judged
+            assert_eq!(b.objection, (b.to_rpm > 0.8 * 2600.0).then_some(Objection::TooHigh));
             barred += 1;
         }
     }

@@ -52,11 +52,12 @@ impl ShaftRule {
         }
     }
 
-    /// Stress for passing through a barred range quickly over that for continuous running: 1.7/sqrt(c_K) of propulsion shafts \[IACS UR M68\], 2 of cranks \[KR Pt 5 Ch 4\].
-    pub fn transient(self) -> f64 {
+    /// Stress for passing through a barred range quickly over that for continuous running: 1.7/sqrt(c_K) of propulsion shafts \[IACS UR M68\]; `None` of cranks, where the rule goes by the yield strength, which is not
+    /// asked for.
+    pub fn transient(self) -> Option<f64> {
         match self {
-            Self::Propulsion { stress_factor, .. } => 1.7 / stress_factor.sqrt(),
-            Self::Crank { .. } => 2.0,
+            Self::Propulsion { stress_factor, .. } => Some(1.7 / stress_factor.sqrt()),
+            Self::Crank { .. } => None,
         }
     }
 

@@ -75,6 +75,9 @@ pub struct NotBalanced {
 impl std::fmt::Display for NotBalanced {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { steps, residual, share } = self;
+        if !residual.is_finite() {
+            return write!(f, "harmonic balance does not converge: on linear bearings journals go far beyond the joints' reach");
+        }
         write!(
             f,
             "harmonic balance does not converge: residual {residual:.1e} of the joints' reach after {steps} steps, {share:.3} of the way from linear bearings"
@@ -199,7 +202,7 @@ impl<'a> Problem<'a> {
         self.moved(x, &forces)
     }
 
-    /// Newton's method from a motion; the motion, steps, products and residual, or why not.
+    /// Newton's method from a motion, counting steps and products; the motion and its residual, or the residual where it comes no further.
     fn solve(&self, mut x: Rows, share: f64, work: &mut (usize, usize)) -> Result<(Rows, f64), f64> {
         let shape = (x.nrows(), x.ncols());
         let (mut residual, mut sampled) = self.residual(&x, share);
@@ -299,9 +302,7 @@ impl Problem<'_> {
             }
         }
     }
-}
 
-impl Problem<'_> {
     fn found(&self, x: &Rows, residual: f64, ((steps, products), stages): ((usize, usize), usize)) -> Balanced {
         let sampled = self.sampled(x, 1.0);
         let rows = self.waves.to_rows(&sampled.forces);

@@ -1,11 +1,11 @@
 //! `barred.csv`: a row a range of speed that a society's rule bars.
 
-use super::table::{Table, number};
+use super::table::{Table, number, optional};
 use crate::analysis::Results;
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
 
-/// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit; `transient_ratio`: the largest that the rule allows there.
+/// `barred.csv`: of given designs and optima; `ratio`: stress at the critical speed over the limit; `transient_ratio`: the largest that the rule allows there; empty by rules for cranks, of which that is not judged.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -35,7 +35,7 @@ pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 number(b.to_rpm),
                 number(b.critical_rpm / limit.rule.map_or(f64::NAN, |rule| rule.rated_rpm)),
                 b.objection.is_none().to_string(),
-                number(limit.rule.map_or(f64::NAN, |rule| rule.transient)),
+                optional(limit.rule.and_then(|rule| rule.transient)),
             ]);
         }
     }

@@ -1,11 +1,12 @@
 //! Models of the crank: time against error, and the error of chains as bearings get softer.
 
-use super::canvas::{self, COLOURS, Stroke, WIDTH, captioned, fill, line, px, text};
+use super::canvas::{self, Area, COLOURS, Stroke, WIDTH, captioned, fill, line, px, text};
 use super::chart::decades;
 use super::legend::{self, Entry, Mark};
 use crate::benchmark::crank_ladder::{Ladder, Rung};
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
+use plotters::coord::combinators::WithKeyPoints;
 use plotters::prelude::*;
 
 /// Smaller errors are drawn on this.
@@ -15,6 +16,21 @@ const HEIGHT: u32 = 340;
 
 fn colour(rung: Rung) -> RGBColor {
     Rung::ALL.iter().position(|r| *r == rung).and_then(|i| COLOURS.get(i).copied()).unwrap_or(BLACK)
+}
+
+/// A logarithmic axis whose numbers are given.
+type Keyed = WithKeyPoints<LogCoord<f64>>;
+
+/// A chart with logarithmic axes: ranges of both, and where the lower one has numbers.
+fn logarithmic<'a>(
+    area: &Area<'a>,
+    (x, ticks): ((f64, f64), Vec<f64>),
+    y: (f64, f64),
+) -> Result<ChartContext<'a, SVGBackend<'a>, Cartesian2d<Keyed, Keyed>>, Box<dyn std::error::Error>> {
+    let mut on = ChartBuilder::on(area);
+    on.margin(px(8)).margin_right(px(24)).x_label_area_size(px(40)).y_label_area_size(px(62));
+    let (across, up) = ((x.0..x.1).log_scale().with_key_points(ticks), (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)));
+    Ok(on.build_cartesian_2d(across, up)?)
 }
 
 /// Seconds of a run against what each model errs by: a filled circle for the peak, a ring for the margin, a triangle for the optimum; below, the error of the peak of chains over the stiffness of the bearings.
@@ -45,15 +61,7 @@ pub(crate) fn ladder(study: &Study, ladder: &Ladder, folder: &Folder) -> Result<
         let rest = legend::below(&titled, &entries)?;
         let (upper, lower) = rest.split_vertically(px(HEIGHT));
         let own = captioned(&upper, "time of a run with its search: error of the peak ●, of the margin ○, of the optimum ▲", text(15))?;
-        let mut chart = ChartBuilder::on(&own)
-            .margin(px(8))
-            .margin_right(px(24))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(62))
-            .build_cartesian_2d(
-                (x.0..x.1).log_scale().with_key_points(canvas::ticks(x.0, x.1)),
-                (y.0..y.1).log_scale().with_key_points(decades(y.0, y.1)),
-            )?;
+        let mut chart = logarithmic(&own, (x, canvas::ticks(x.0, x.1)), y)?;
         canvas::log_axes!(chart, "time / s", "relative error", &|v| canvas::tick(v));
         for r in &rungs {
             let c = colour(r.rung);
@@ -66,15 +74,7 @@ pub(crate) fn ladder(study: &Study, ladder: &Ladder, folder: &Folder) -> Result<
             canvas::curve(&mut chart, [(own.seconds, y.0), (own.seconds, y.1)], Stroke::dashed(line(BLACK, 12)))?;
         }
         let own = captioned(&lower, "chains against the flexible crank as its bearings get softer and stiffer", text(15))?;
-        let mut chart = ChartBuilder::on(&own)
-            .margin(px(8))
-            .margin_right(px(24))
-            .x_label_area_size(px(40))
-            .y_label_area_size(px(62))
-            .build_cartesian_2d(
-                (bearing_x.0..bearing_x.1).log_scale().with_key_points(decades(bearing_x.0, bearing_x.1)),
-                (bearing_y.0..bearing_y.1).log_scale().with_key_points(decades(bearing_y.0, bearing_y.1)),
-            )?;
+        let mut chart = logarithmic(&own, (bearing_x, decades(bearing_x.0, bearing_x.1)), bearing_y)?;
         canvas::log_axes!(chart, "stiffness of all bearings over that given", "relative error of the peak", &|v| canvas::tick(v));
         for rung in Rung::ALL.into_iter().filter(|r| r.is_chain()) {
             let of = |b: &(f64, Vec<(Rung, f64)>)| b.1.iter().find(|e| e.0 == rung).map(|e| (b.0, e.1.max(LEAST_ERROR)));

@@ -53,7 +53,7 @@ fn ladder(ladder: &Ladder) -> String {
         .collect();
     let header: Vec<&str> = std::iter::once("bearings times").chain(chains.iter().map(|r| r.label())).collect();
     format!(
-        "Largest errors against the flexible crank; an optimum is that of the model, computed on it:\n{rungs}\n\
+        "Largest errors against the flexible crank, times of one run each on all threads; an optimum is that of the model, computed on it:\n{rungs}\n\
          Error of the peak of chains against the flexible crank with stiffer and softer bearings:\n{}",
         table(&header, &rows)
     )

@@ -147,7 +147,7 @@ pub(crate) fn ranges(
                     });
                     let in_service = matches!(condition, Condition::Firing | Condition::InOperation);
                     range.objection = match () {
-                        () if range.ratio > rule.transient => Some(Objection::Transient),
+                        () if rule.transient.is_some_and(|most| range.ratio > most) => Some(Objection::Transient),
                         () if in_service && range.to_rpm > HIGHEST_BARRED * rule.rated_rpm => Some(Objection::TooHigh),
                         () => None,
                     };

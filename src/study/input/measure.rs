@@ -161,8 +161,8 @@ pub struct LimitSpec {
 pub struct LimitOfRule {
     /// Speed that the curve is in units of, rpm.
     pub rated_rpm: f64,
-    /// Largest stress in a barred range, which is passed through quickly, over the limit.
-    pub transient: f64,
+    /// Largest stress in a barred range, which is passed through quickly, over the limit; `None` where that is not judged.
+    pub transient: Option<f64>,
 }
 
 /// Several measures as one objective.

@@ -103,6 +103,11 @@ fn the_shipped_rubber_is_found() {
     {
         assert_close(number(key), truth, 1e-2, 0.0, key);
     }
+    assert!(!text.contains("warning"), "{text}");
+    // a loss factor that is the same at every frequency, over five temperatures
+    let poor = run(&["--type", "spring_pack", "--reference-c", "23"]);
+    let poor = String::from_utf8_lossy(&poor.get_output().stdout).into_owned();
+    assert!(poor.contains("warning: a law of this type does not describe these measurements"), "{poor}");
     for file in ["fit.csv", "fit.svg", "fit.png", "report.html", "summary.json"] {
         assert!(folder.path().join(file).is_file(), "{file}");
     }

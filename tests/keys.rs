@@ -160,8 +160,8 @@ fn ranges_of_the_schema_are_no_narrower_than_those_of_the_reader() {
         });
         for (i, (start, _)) in starts.enumerate() {
             let end = text[start..].find(|c| !number(c)).map_or(text.len(), |n| start + n);
-            // four of the values, others at each number
-            for value in (0..4).map(|k| VALUES[(5 * i + 3 * k) % VALUES.len()]) {
+            // two of the values, others at each number
+            for value in (0..2).map(|k| VALUES[(5 * i + 3 * k) % VALUES.len()]) {
                 let changed = format!("{}{value}{}", &text[..start], &text[end..]);
                 if self::value(&changed).is_none_or(|v| own.is_valid(&v)) {
                     continue;
@@ -180,7 +180,7 @@ fn ranges_of_the_schema_are_no_narrower_than_those_of_the_reader() {
         fs::write(place.path().join(name), &text).expect("written");
     }
     assert!(narrower.is_empty(), "the schema refuses what the reader takes:\n{narrower}");
-    assert!(looked_at > 500, "{looked_at}");
+    assert!(looked_at > 250, "{looked_at}");
 }
 
 /// Files of `tests/bad_input` that the schema of their kind refuses. What it cannot refuse stands in `beyond_the_schema.txt`: relations of

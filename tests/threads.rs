@@ -8,10 +8,10 @@ use std::fs;
 fn threads_change_nothing() {
     let folder = tempfile::tempdir().expect("folder");
     let coarse = [
-        ("step = 10", "step = 100"),
+        ("step = 10", "step = 200"),
         ("order_limit = 12", "order_limit = 6"),
         ("each = [0.076, 0.038, 0.0152, 0.0076]", "each = [0.076]"),
-        ("points = 100", "points = 5"),
+        ("points = 100", "points = 3"),
         ("seed = 1", "seed = 1\nrandom_starts = 0"),
     ];
     let study = variant(folder.path(), "villalva_i6_thesis", &coarse);

@@ -325,6 +325,7 @@ fn a_gear_is_the_chain_reduced_to_one_speed() {
     };
     for g in [-2.0, 0.4, -0.7] {
         let (geared, plain) = (chain(g, true), chain(g, false));
+        assert_close(geared.chain.total_inertia(), plain.chain.total_inertia(), 1e-12, 0.0, "all inertias at the speed of the crank");
         let all = |s: &Study, quantity: Quantity| -> Vec<_> {
             let system = crate::support::system(s);
             let grid = Grid::new(&[900.0, 2400.0, 6100.0], &[]);

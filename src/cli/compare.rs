@@ -6,7 +6,7 @@ use super::progress::Bar;
 use crate::analysis::{self, Calibration, Results, RunError};
 use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
-use crate::input::{self, InputFile, Published, Size, SizingStudy, Study};
+use crate::input::{self, CrankModel, InputFile, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
 use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_folder, write_rounds};
 use crate::sizing::size;
@@ -207,6 +207,13 @@ fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
 /// What a comparison needs: no front, only the conditions that an optimum is to hold in, optima for the ring sizes that were published, and no criterion of fatigue after
 /// the last that an optimum or a table asks for.
 fn only_published_rings(study: &mut Study, published: &Published) {
+    if !published.tells_of_responses() {
+        // the crank by itself is not excited
+        study.leave_searches_out();
+        study.designs.truncate(1);
+        (study.fatigue, study.crank_model) = (None, CrankModel::Chain);
+        return;
+    }
     study.front = None;
     study.more_objectives.clear();
     study.combined = None;

@@ -6,7 +6,7 @@ use super::unit_loads::UnitLoads;
 use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::tresca;
-use crate::fatigue::multiaxial::{Criterion, History, Shear, papadopoulos};
+use crate::fatigue::multiaxial::{Criterion, LoadShares, Shear};
 use std::cell::OnceCell;
 
 /// Steps of the centre of a ball towards the point farthest from it, of this share over their number \[Badoiu & Clarkson 2003\]: its radius is then within two per cent of the smallest one.
@@ -31,6 +31,7 @@ pub(super) struct WebPath {
     /// Products of two loads at every corner, those of different ones twice.
     products: [Vec<f64>; PAIRS.len()],
     ellipsoid: OnceCell<[[f64; 4]; 4]>,
+    shares: OnceCell<LoadShares>,
     /// The same where the torque is larger, if that is asked for.
     risen: Option<Box<Self>>,
 }
@@ -56,7 +57,7 @@ impl WebPath {
             path.corners[a].iter().zip(&path.corners[b]).map(|(x, y)| times * x * y).collect()
         };
         let products = PAIRS.map(product);
-        Self { path, products, ellipsoid: OnceCell::new(), risen }
+        Self { path, products, ellipsoid: OnceCell::new(), shares: OnceCell::new(), risen }
     }
 
     /// Of moment, moment across the throw, shear force and torque at every sample, and where the torque is up to `rise` times as far from its mean.
@@ -90,8 +91,8 @@ impl WebPath {
         let tensors = [units.moment, units.tangential, units.shear, units.torque];
         let mut within = UNBOUNDED;
         if criterion.shear() == Shear::Mean {
-            let corner = |k: usize| -> [f64; 6] { std::array::from_fn(|c| (0..4).map(|l| tensors[l][c] * self.path.corners[l][k]).sum()) };
-            within.mean_shear = papadopoulos::mean_shear(&History::new((0..self.len()).map(corner))) + apart;
+            let shares = self.shares.get_or_init(|| LoadShares::of(self.corners()));
+            within.mean_shear = shares.mean_shear(&tensors.each_ref().map(deviator_of)) + apart;
         } else if criterion.shear() == Shear::Planes {
             within.shear = self.tresca(&tensors, point, &self.ball(point)) + apart;
         } else {

@@ -146,9 +146,12 @@ impl Chain {
         s.stiffness_to_ground - omega * omega * s.inertia + I * (omega * s.damping_to_ground)
     }
 
-    /// Sum of all inertias, kg m².
+    /// Sum of all inertias, kg m²; behind gears each times the square of its speed over that of the crankshaft.
     pub fn total_inertia(&self) -> f64 {
-        self.stations.iter().map(|s| s.inertia).sum()
+        match self.speed_ratios() {
+            None => self.stations.iter().map(|s| s.inertia).sum(),
+            Some(ratios) => self.stations.iter().zip(ratios).map(|(s, ratio)| s.inertia * ratio * ratio).sum(),
+        }
     }
 
     /// Inertias, kg m²: the diagonal of J.

@@ -1,7 +1,7 @@
-//! How far numbers reach, and points of a plane along directions.
+//! How far numbers reach, and points of a plane or of four dimensions along directions.
 
 /// Points that are looked at together.
-pub(super) const LANES: usize = 16;
+pub(crate) const LANES: usize = 16;
 
 /// The largest of some numbers, a power of two of them, by halving.
 #[inline(always)]
@@ -44,6 +44,47 @@ pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 
         }
     }
     all
+}
+
+/// Half the range of points of four dimensions along each direction; of directions a row a dimension. Directions are looked at together, so that no lane has to wait for another.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+pub(crate) fn half_ranges(points: &[[f32; 4]], directions: &[Vec<f32>; 4], out: &mut Vec<f32>) {
+    let [a, b, c, d] = directions;
+    let (a, b, c, d) = (a.as_chunks::<LANES>().0, b.as_chunks::<LANES>().0, c.as_chunks::<LANES>().0, d.as_chunks::<LANES>().0);
+    out.clear();
+    for i in 0..a.len() {
+        let (a, b, c, d) = (a[i], b[i], c[i], d[i]);
+        // the same operation for both ends: compilers mix up lanes of different ones
+        let (mut low, mut high) = ([f32::NEG_INFINITY; LANES], [f32::NEG_INFINITY; LANES]);
+        for p in points {
+            for l in 0..LANES {
+                let v = p[0] * a[l] + p[1] * b[l] + p[2] * c[l] + p[3] * d[l];
+                low[l] = if -v > low[l] { -v } else { low[l] };
+                high[l] = if v > high[l] { v } else { high[l] };
+            }
+        }
+        for l in 0..LANES {
+            low[l] = 0.5 * (low[l] + high[l]);
+        }
+        out.extend_from_slice(&low);
+    }
+    for i in a.len() * LANES..directions[0].len() {
+        let along = |p: &[f32; 4]| (0..4).map(|l| p[l] * directions[l][i]).sum::<f32>();
+        let (low, high) = points.iter().map(along).fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        out.push(0.5 * (high - low));
+    }
+}
+
+/// Sums of rows, each with its weight.
+#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+pub(crate) fn combined<const N: usize>(rows: &[Vec<f32>; N], weights: &[f32; N], out: &mut Vec<f32>) {
+    out.clear();
+    out.resize(rows[0].len(), 0.0);
+    for (row, weight) in rows.iter().zip(weights) {
+        for (sum, x) in out.iter_mut().zip(row) {
+            *sum += weight * x;
+        }
+    }
 }
 
 /// Smallest and largest number; infinities of opposite sign where there is none.

@@ -22,9 +22,10 @@ pub fn check_in_brief(study: &Study) -> String {
     let mut text = engine(study, false);
     let (chain, modes) = (&study.chain, &study.modes);
     let name = |i: usize| chain.stations[i].name.as_str();
+    let referred = if chain.speed_ratios().is_some() { ", referred to the crankshaft" } else { "" };
     _ = writeln!(
         text,
-        "  chain: {} stations from {} to {}, {} kg m² together",
+        "  chain: {} stations from {} to {}, {} kg m² together{referred}",
         chain.len(),
         name(0),
         name(chain.len() - 1),

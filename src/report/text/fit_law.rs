@@ -31,6 +31,9 @@ pub fn fit_law(fit: &LawFit) -> String {
             fit.agreeing.1
         ));
     }
+    if !fit.describes() {
+        text.push_str("  warning: a law of this type does not describe these measurements; what follows is the nearest one\n");
+    }
     let temperature = temperature(fit);
     if let Some((law, off, _)) = &temperature {
         text.push_str(&format!("  the factors follow {law} to a factor of {}\n", significant(*off, 3)));

@@ -56,6 +56,14 @@ fn held(of: Known, (low, high): (f64, f64), (first, last): (f64, f64)) -> String
     format!("{} from {low} to {high} rpm only: {}", known(of), parts.join(", "))
 }
 
+fn rated_above(limit: &str, rated_rpm: f64, highest_rpm: f64) -> String {
+    format!(
+        "the rule of the limit \"{limit}\" is rated at {} rpm of the crankshaft, above the {} rpm at which the study ends: is the rated speed that of the crankshaft or of the shaft?",
+        short(rated_rpm),
+        short(highest_rpm)
+    )
+}
+
 fn sentence(found: &Implausible) -> String {
     match found {
         Implausible::PeakPressure { speed_rpm, bar } => {
@@ -126,6 +134,7 @@ fn sentence(found: &Implausible) -> String {
         Implausible::RuleEnds { limit, end_rpm, highest_rpm } => {
             format!("the rule of the limit \"{limit}\" ends at {end_rpm} rpm: from there to {highest_rpm} rpm nothing is judged by it")
         }
+        Implausible::RatedSpeed { limit, rated_rpm, highest_rpm } => rated_above(limit, *rated_rpm, *highest_rpm),
         Implausible::Tuning { design, absorber, ratio } => format!(
             "the ring of absorber {} of `{design}` swings at {} of the lowest natural frequency of the chain, outside 0.1 to 10: is its stiffness in N m/rad?",
             absorber + 1,

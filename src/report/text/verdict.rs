@@ -40,6 +40,14 @@ fn known_as(of: Property) -> (&'static str, &'static str, f64) {
     }
 }
 
+/// Where a property is taken that follows frequency.
+fn at(of: Property) -> &'static str {
+    match of {
+        Property::Modulus | Property::LossFactor => " at its own frequency",
+        Property::Strain | Property::Viscosity | Property::OwnFrequency => "",
+    }
+}
+
 /// A number with three digits, without zeros that say nothing.
 fn brief(x: f64) -> String {
     let text = significant(x, 3);
@@ -78,7 +86,7 @@ pub(crate) fn clause(verdict: &Verdict, of: &MeasureSpec, design: &[Mounted]) ->
                 Source::Assumed(_) => " (assumption)".into(),
             };
             let own = if factor * value < 1e-3 { format!("{:.0e}", factor * value) } else { brief(factor * value) };
-            format!("{name}{} {own}{unit}, where {} exists{source}", which(*absorber), exists(range))
+            format!("{name}{} {own}{unit}{}, where {} exists{source}", which(*absorber), at(range.of), exists(range))
         }
         Verdict::OnBound(hit) => {
             let declaration = design[hit.absorber].absorber.declaration();

@@ -115,10 +115,19 @@ pub struct LawFit {
     pub agreeing: (usize, usize),
 }
 
+/// Share of the stiffness by which a law that describes measurements is off at most: several times what they scatter by.
+const DESCRIBES: f64 = 0.2;
+
 impl LawFit {
     /// Root of the mean square of the errors.
     pub fn rms(&self) -> f64 {
         (self.points.iter().map(|p| p.error() * p.error()).sum::<f64>() / self.points.len() as f64).sqrt()
+    }
+
+    /// Whether the law describes the measurements: no point of them is off by more than a fifth.
+    #[doc(hidden)]
+    pub fn describes(&self) -> bool {
+        self.worst().is_none_or(|p| p.error() <= DESCRIBES)
     }
 
     /// c1 and c2, K, of the law of Williams, Landel and Ferry that is nearest to the factors, a straight line of (T - T0)/log10 a over T - T0, and the largest ratio that is left; nothing where it is none.

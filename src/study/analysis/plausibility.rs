@@ -108,6 +108,15 @@ pub enum Implausible {
         /// Highest speed of the study, rpm.
         highest_rpm: f64,
     },
+    /// A limit by a society's rule, whose rated speed the study does not reach.
+    RatedSpeed {
+        /// In words.
+        limit: String,
+        /// Of the crankshaft, rpm.
+        rated_rpm: f64,
+        /// Highest speed of the study, rpm.
+        highest_rpm: f64,
+    },
     /// Frequency of a given ring on its held hub over the lowest of the chain.
     Tuning {
         /// Name of the design.
@@ -195,7 +204,9 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     let damped = modes.iter().enumerate().map(|(mode, m)| (mode, study.modes.damping_ratio(*m))).find(|(_, ratio)| *ratio > DAMPING);
     found.extend(damped.map(|(mode, ratio)| Implausible::DampingRatio { mode, ratio }));
     found.extend(rings(study));
-    found.extend(study.limits.iter().filter_map(|limit| rule_ends(limit, study.speeds_rpm[study.speeds_rpm.len() - 1])));
+    let highest_rpm = study.speeds_rpm[study.speeds_rpm.len() - 1];
+    found.extend(study.limits.iter().filter_map(|limit| rule_ends(limit, highest_rpm)));
+    found.extend(study.limits.iter().filter_map(|limit| not_reached(limit, highest_rpm)));
     let stations = &study.chain.stations;
     let damps = stations.iter().any(|s| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0 || s.loss_factor_to_next > 0.0);
     if !damps && study.designs.iter().any(|d| d.absorbers.is_empty()) {
@@ -221,6 +232,13 @@ fn rule_ends(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
     limit.rule?;
     let end_rpm = limit.of.measure.within.factors.last()?.0;
     (end_rpm < highest_rpm).then(|| Implausible::RuleEnds { limit: limit.words.clone(), end_rpm, highest_rpm })
+}
+
+/// A limit by a rule whose rated speed the study does not reach, by more than the digits it is written with.
+fn not_reached(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
+    let rated_rpm = limit.rule?.rated_rpm;
+    let is_above = rated_rpm > highest_rpm * (1.0 + NEAR);
+    is_above.then(|| Implausible::RatedSpeed { limit: limit.words.clone(), rated_rpm, highest_rpm })
 }
 
 /// A study whose speeds the engine file does not cover.

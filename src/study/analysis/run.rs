@@ -186,10 +186,12 @@ fn crank(study: &Study, system: &System, grid: &Grid, progress: &dyn Progress, c
     Some(margin)
 }
 
-/// What one evaluation costs, of the first design with an absorber.
+/// What one evaluation costs, of the first design with an absorber. Multiaxial margins, which may take a minute, are not repeated to be timed.
 fn probe(study: &Study, finder: &PeakFinder, shown: &[&DesignResult], margins: &[Measure]) -> Result<Vec<Timing>, RunError> {
     let Some(d) = shown.iter().find(|d| !d.absorbers.is_empty()) else { return Ok(Vec::new()) };
-    timing_probe::per_design(finder, &d.absorbers, study.twist, margins).map_err(|error| of_design(d, error))
+    let of_extremes = |m: &&Measure| matches!(m.over, Over::Margin(c) if !finder.margin.is_some_and(|model| model.is_multiaxial(c)));
+    let margins: Vec<Measure> = margins.iter().filter(of_extremes).cloned().collect();
+    timing_probe::per_design(finder, &d.absorbers, study.twist, &margins).map_err(|error| of_design(d, error))
 }
 
 /// Modes that each absorber to be optimised can be tuned to.

@@ -10,7 +10,7 @@ use crate::response::{Direct, Quantity, Response, ResponseError, Work};
 const REPEATS: Repeats = Repeats { least: 1, most: 9, seconds: 0.01 };
 
 /// Seconds per design on one thread: squares of the magnitudes of one quantity on the grid, its synthesis at every speed, its refined peak, the torque of
-/// all shafts on the grid, and the smallest margins of the crank by all criteria, refined.
+/// all shafts on the grid, and the smallest margins of the crank by some criteria, refined.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.

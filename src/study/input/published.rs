@@ -224,6 +224,16 @@ pub struct Published {
     pub tolerances: Tolerances,
 }
 
+impl Published {
+    /// Whether a table is of anything but natural frequencies.
+    #[doc(hidden)]
+    pub fn tells_of_responses(&self) -> bool {
+        let Self { absorbers, amplitudes, quantities, fatigue, stresses, factors, multiaxial, histories, .. } = self;
+        let of_designs = !(absorbers.is_empty() && amplitudes.is_empty() && quantities.is_empty());
+        of_designs || !(fatigue.is_empty() && stresses.is_empty() && factors.is_empty() && multiaxial.is_empty() && histories.is_empty())
+    }
+}
+
 /// A printed quantity of the rounds of sizing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RoundQuantity {

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+/// A value of so many characters is shown.
+const SHORT: usize = 40;
+
 /// What a mistake of grammar is, and how to mend it, by the text in which it stands at these bytes.
 pub(super) fn of_grammar(text: &str, span: &Range<usize>, message: &str) -> (String, Option<String>) {
     if let Some(found) = decimal_comma(text, span) {
@@ -20,6 +23,15 @@ pub(super) fn of_grammar(text: &str, span: &Range<usize>, message: &str) -> (Str
         let key = line.split('=').next().unwrap_or("").trim().trim_matches(['[', ']']).rsplit('.').next().unwrap_or("").trim();
         let help = (!key.is_empty()).then(|| format!("`hartog keys {key}` lists them"));
         return (if is_empty { "found an empty table, expected one choice in it".into() } else { message }, help);
+    }
+    if message.starts_with("found another type") {
+        let own = text.get(span.clone()).unwrap_or("").trim();
+        let found = if own.len() > SHORT || own.contains('\n') { "another type".to_owned() } else { format!("`{own}`") };
+        let key = line.split('=').next().unwrap_or("").trim().rsplit('.').next().unwrap_or("").trim();
+        let fixed =
+            if own.parse::<f64>().is_ok() { format!(", such as `{key}.fixed = {own}` where one value is meant") } else { String::new() };
+        let help = (!key.is_empty()).then(|| format!("`hartog keys {key}` lists them{fixed}"));
+        return (format!("found {found}, expected one choice: a table with one key"), help);
     }
     let before_mistake = span.start.saturating_sub(at(span.start)) + 1;
     let help = help.or_else(|| comma_in_brackets(line, before_mistake));

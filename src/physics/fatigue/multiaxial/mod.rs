@@ -37,6 +37,7 @@ pub mod search;
 pub(crate) use criterion::Shear;
 pub use criterion::{Criterion, Limits, Undefined, Verdict, evaluate};
 pub use history::History;
+pub(crate) use papadopoulos::LoadShares;
 pub use plane::Plane;
 pub use plane_state::PlaneState;
 pub use search::Grid;

@@ -3,6 +3,7 @@
 
 use super::history::{History, Weights};
 use crate::numerics::elementary::Elementary;
+use crate::numerics::projections::{LANES, combined, half_ranges};
 use crate::numerics::quadrature::gauss_legendre;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -114,4 +115,47 @@ pub fn mean_shear(history: &History) -> f64 {
         share * 0.25 * (high - low) * (high - low)
     };
     (5.0 * RULE.iter().map(square).sum::<f64>()).sqrt()
+}
+
+/// Four loads over the cycle in single precision, as shares of their largest sizes.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LoadShares {
+    largest: [f64; 4],
+    shares: Vec<[f32; 4]>,
+}
+
+/// More than the rounding of all that is in single precision, of the sum of the largest sizes of sqrt(J2) that each load makes by itself.
+const ROUNDING: f64 = 3e-6;
+
+impl LoadShares {
+    /// Of each load at every sample.
+    pub fn of(loads: [&[f64]; 4]) -> Self {
+        let largest = loads.map(|row| row.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
+        let scale = largest.map(|size| if size > 0.0 { 1.0 / size } else { 0.0 });
+        let share = |j: usize| std::array::from_fn(|l| (loads[l][j] * scale[l]) as f32);
+        Self { largest, shares: (0..loads[0].len()).map(share).collect() }
+    }
+
+    /// At least sqrt(5 <T_a²>) of the rule, Pa, and hardly more, where each load makes these deviators (`deviator_of`) per unit.
+    pub fn mean_shear(&self, deviators: &[[f64; 5]; 4]) -> f64 {
+        static ROWS: LazyLock<[Vec<f32>; 5]> = LazyLock::new(|| {
+            // of the stresses of a deviator, whose parts are those of `deviator_of`; filled up to whole lanes
+            let row = |of: fn(&Weights) -> f64| {
+                let mut row: Vec<f32> = RULE.iter().map(|(w, _)| of(w) as f32).collect();
+                row.resize(row.len().next_multiple_of(LANES), 0.0);
+                row
+            };
+            [row(|w| (2.0 * w[0] - w[1] - w[2]) / 3f64.sqrt()), row(|w| w[1] - w[2]), row(|w| w[3]), row(|w| w[5]), row(|w| w[4])]
+        });
+        let mut directions: [Vec<f32>; 4] = Default::default();
+        for ((direction, deviator), largest) in directions.iter_mut().zip(deviators).zip(self.largest) {
+            combined(&ROWS, &deviator.map(|d| (d * largest) as f32), direction);
+        }
+        let mut half = Vec::new();
+        half_ranges(&self.shares, &directions, &mut half);
+        let square: f64 = half.iter().zip(RULE.iter()).map(|(h, (_, share))| share * f64::from(*h) * f64::from(*h)).sum();
+        let length = |d: &[f64; 5]| d.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let sizes: f64 = deviators.iter().zip(self.largest).map(|(d, largest)| length(d) * largest).sum();
+        (5.0 * square).sqrt() + ROUNDING * sizes
+    }
 }

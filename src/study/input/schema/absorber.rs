@@ -60,7 +60,7 @@ pub(crate) struct RawSeeded {
     /// Inertia of the ring.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
     pub ring_inertia_kg_m2: At<f64>,
-    /// The inertia that the ratio of the closed form is taken with.
+    /// The inertia that the ratio of the closed form is taken with: `modal`, that of the first elastic mode referred to the station, or `whole_chain`, the sum of all.
     #[serde(default)]
     #[schemars(extend("default" = "modal", "examples" = ["whole_chain"]))]
     pub engine_inertia: RawEngineInertia,
@@ -137,7 +137,7 @@ pub(crate) enum RawSize {
     /// Inertia of the ring.
     #[serde(rename = "ring_inertia_kg_m2")]
     RingInertia(RawRange),
-    /// Inertia of the ring over that of the engine.
+    /// Inertia of the ring over the one that `engine_inertia` names: that of the first elastic mode at its station, or of the whole chain.
     InertiaRatio(RawRange),
     /// What a ring of rectangular section fills.
     Box(At<RawBox>),

@@ -248,7 +248,7 @@ pub(crate) enum RawAgainst {
     #[serde(rename = "ring_inertia_kg_m2")]
     #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     RingInertia(At<Vec<At<f64>>>),
-    /// Smallest and largest inertia of the ring over that of the engine.
+    /// Smallest and largest inertia of the ring over the one that `engine_inertia` of its absorber names.
     #[schemars(extend("items" = { "type": "number", "exclusiveMinimum": 0 }, "minItems" = 2, "maxItems" = 2, "examples" = [[0.01, 0.2]]))]
     InertiaRatio(At<Vec<At<f64>>>),
 }

@@ -187,6 +187,13 @@ impl<'a> Context<'a> {
                 check.wrong(raw, format!("found a barred range from {a} to {b} rpm, expected its lower end first"));
             }
             let whole = ranges.first().copied().unwrap_or(self.speeds);
+            if let Some((a, b)) = barred.iter().find(|b| b.0 < b.1 && (b.1 <= whole.0 || b.0 >= whole.1)) {
+                let (from, to) = whole;
+                check.wrong(
+                    raw,
+                    format!("found a barred range from {a} to {b} rpm, expected one within the speeds that count, {from} to {to} rpm"),
+                );
+            }
             let (mut left, mut from) = (Vec::new(), whole.0);
             for (low, high) in barred {
                 if low > from && from < whole.1 {

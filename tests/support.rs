@@ -1,4 +1,5 @@
-//! Shared by all tests.
+//! Shared by all tests: a binary may do without a part of it.
+#![allow(dead_code, reason = "three binaries share it")]
 
 use assert_cmd::Command;
 use hartog::absorber::{Absorber, Mounted, Tuned, Undamped, Viscous};

@@ -98,6 +98,10 @@ impl Progress for Bar {
     }
     fn step(&self) {
         self.0.inc(1);
+        // a search may take more steps than were foreseen
+        if self.0.length().is_some_and(|all| self.0.position() > all) {
+            self.0.set_length(self.0.position());
+        }
     }
 }
 

@@ -191,6 +191,7 @@ pub fn write_classification(
     if !study.limits.is_empty() {
         csv::limits(study, results, folder)?;
         csv::barred(study, results, folder)?;
+        csv::rule_stresses(study, results, folder)?;
     }
     plot::classification(study, results, folder)?;
     page::write_classification(study, inputs, results, found, folder)

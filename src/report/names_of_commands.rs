@@ -48,7 +48,7 @@ impl Names {
     pub fn of_report(study: &Study) -> Self {
         Self::of("report", &[CLASSIFICATION])
             .tables(&["designs", "values", "absorbers", "response", "holzer", "vector_sums", "criticals", "shaft_torques"])
-            .tables_if(!study.limits.is_empty(), &["limits", "barred"])
+            .tables_if(!study.limits.is_empty(), &["limits", "barred", "rule_stresses"])
             .plots(&["campbell", "excitation"])
             .each_design(study)
     }

@@ -19,7 +19,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 19] = [
+pub(super) const RUN_TABLES: [RunTable; 20] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies, peak twist, largest order, shaft torque, heat, ring twist",
@@ -104,6 +104,12 @@ pub(super) const RUN_TABLES: [RunTable; 19] = [
         about: "one row for each range of speed that a society's rule bars for a design that breaks its limit",
         asked: |s| s.limits.iter().any(|l| l.rule.is_some()),
         write: csv::barred,
+    },
+    RunTable {
+        stem: "rule_stresses",
+        about: "one row for each limit by a society's rule of every design: where the stress is nearest to it, in which condition",
+        asked: |s| s.limits.iter().any(|l| l.rule.is_some()),
+        write: csv::rule_stresses,
     },
     RunTable {
         stem: "optima",

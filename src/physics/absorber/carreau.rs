@@ -10,6 +10,7 @@ use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
+use hartog_kernel::kernel;
 use std::sync::Arc;
 
 /// Ring in silicone oil.
@@ -70,7 +71,7 @@ impl Carreau {
 }
 
 /// S at many points. The real part of 1 + (i omega tau)^a is above zero, its imaginary part not below.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn stiffness_each(law: &Carreau, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
     let exponent = (law.flow_index - 1.0) / law.transition;
     by_frequency(at, out, |omega| {

@@ -1,6 +1,7 @@
 //! Where a law is asked for its dynamic stiffness, and that of a spring and a damper.
 
 use crate::numerics::{C64, ImaginaryPower};
+use hartog_kernel::kernel;
 
 /// Where a law is asked for its stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +32,7 @@ pub(super) fn by_frequency(at: &[Operating], out: &mut [C64], of: impl Fn(f64) -
 }
 
 /// (i omega tau)^alpha at many points, for tau > 0.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(super) fn powers(at: &[Operating], tau: f64, alpha: f64) -> Vec<C64> {
     let (power, mut out) = (ImaginaryPower::new(alpha), vec![C64::default(); at.len()]);
     by_frequency(at, &mut out, |omega| power.branchless(omega * tau));

@@ -9,6 +9,7 @@ use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
+use hartog_kernel::kernel;
 use std::sync::Arc;
 
 /// Ring on a spring beside a springpot.
@@ -42,7 +43,7 @@ pub static FRACTIONAL_KELVIN: Declaration = Declaration {
 };
 
 /// S at many points.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn at_each(law: &FractionalKelvin, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
     by_frequency(at, out, |omega| law.stiffness * (1.0 + power.branchless(omega * law.relaxation_time)));
 }

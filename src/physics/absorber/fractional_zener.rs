@@ -9,6 +9,7 @@ use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::elementary::ComplexElementary;
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
+use hartog_kernel::kernel;
 use std::sync::Arc;
 
 /// Ring on rubber of four numbers.
@@ -66,13 +67,13 @@ impl FractionalZener {
 }
 
 /// S at many points.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn at_each(law: &FractionalZener, power: ImaginaryPower, at: &[Operating], out: &mut [C64]) {
     by_frequency(at, out, |omega| law.stiffness_of(power.branchless(omega * law.relaxation_time)));
 }
 
 /// S of multiples of some (i omega tau)^alpha, by numerator and denominator.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn stiffness_each(law: &FractionalZener, share: f64, [z_re, z_im]: &[Vec<f64>; 2], [out_re, out_im, out_below]: [&mut [f64]; 3]) {
     let n = z_re.len();
     let (z_re, z_im, out_re, out_im, out_below) = (&z_re[..n], &z_im[..n], &mut out_re[..n], &mut out_im[..n], &mut out_below[..n]);

@@ -6,6 +6,7 @@ use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::engine::cycle::ThrowLoads;
 use crate::fatigue::Cycle;
+use hartog_kernel::kernel;
 use rayon::prelude::*;
 
 /// What no absorber changes, in rows by speed.
@@ -118,7 +119,7 @@ fn stress(location: &CriticalLocation, own: &InPlane) -> Cycle {
 }
 
 /// Smallest and largest value of a weighted sum of rows.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn range(rows: [&[f64]; 3], weights: [f64; 3]) -> (f64, f64) {
     const LANES: usize = 16;
     let sum = |x: f64, y: f64, z: f64| weights[0] * x + weights[1] * y + weights[2] * z;

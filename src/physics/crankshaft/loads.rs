@@ -6,6 +6,7 @@ use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, pin_angles};
 use crate::numerics::elementary::Elementary;
 use crate::units::RAD_PER_S_PER_RPM;
+use hartog_kernel::kernel;
 
 /// Every so many samples of the pressure, 0.2° apart: a largest value is met within 1e-4 of itself.
 #[doc(hidden)]
@@ -210,7 +211,7 @@ impl CrankLoads<'_> {
 }
 
 /// Adds a multiple of a row to a sum.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
     for (s, v) in sum.iter_mut().zip(row) {
         *s += factor * v;
@@ -218,7 +219,7 @@ fn add(sum: &mut [f64], factor: f64, row: &[f64]) {
 }
 
 /// Moment along and across a throw, and shear force along it, from their parts in axes of the engine.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn turn([moment, shear]: [&[[f64; 2]]; 2], turns: &[(f64, f64)], [along, across, shear_along]: [&mut [f64]; 3]) {
     let out = along.iter_mut().zip(across).zip(shear_along);
     for (((((a, t), s), [mx, my]), [sx, sy]), (sine, cosine)) in out.zip(moment).zip(shear).zip(turns) {

@@ -15,6 +15,7 @@ use crate::fatigue::multiaxial::plane_state::Points;
 use crate::fatigue::multiaxial::{Criterion, Grid, History, Limits, PlaneState, Shear, Undefined, evaluate};
 use crate::numerics::C64;
 use crate::numerics::periodic_sums::PeriodicSums;
+use hartog_kernel::kernel;
 use std::cell::OnceCell;
 
 /// Samples that ranges are taken of together.
@@ -191,14 +192,14 @@ impl Histories {
 }
 
 /// A sum of four rows, each with its weight.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn sum([a, b, c, d]: [&[f64]; 4], w: [f64; 4]) -> Vec<f64> {
     let rows = a.iter().zip(b).zip(c).zip(d);
     rows.map(|(((a, b), c), d)| w[0] * a + w[1] * b + w[2] * c + w[3] * d).collect()
 }
 
 /// Adds the stress of moments and of shear forces, each times its own per unit.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn add(stress: &mut [f64], (by_moment, moment): (f64, &[f64]), (by_shear, shear): (f64, &[f64])) {
     for ((s, m), v) in stress.iter_mut().zip(moment).zip(shear) {
         *s += by_moment * m + by_shear * v;

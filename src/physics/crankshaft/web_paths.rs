@@ -7,6 +7,7 @@ use crate::fatigue::multiaxial::bound::Within;
 use crate::fatigue::multiaxial::history::deviator_of;
 use crate::fatigue::multiaxial::invariants::tresca;
 use crate::fatigue::multiaxial::{Criterion, LoadShares, Shear};
+use hartog_kernel::kernel;
 use std::cell::OnceCell;
 
 /// Steps of the centre of a ball towards the point farthest from it, of this share over their number \[Badoiu & Clarkson 2003\]: its radius is then within two per cent of the smallest one.
@@ -191,7 +192,7 @@ fn from(point: &UnitPoint, c: &[f64; 4]) -> ([f64; 4], f64) {
 }
 
 /// Sums of rows, each with its weight.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn combine(rows: [&[f64]; PAIRS.len()], weights: &[f64; PAIRS.len()], out: &mut [f64]) {
     let n = out.len();
     for (row, weight) in rows.iter().zip(weights) {
@@ -202,7 +203,7 @@ fn combine(rows: [&[f64]; PAIRS.len()], weights: &[f64; PAIRS.len()], out: &mut 
 }
 
 /// The corner with the largest square less twice slope . loads, and that.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn farthest(corners: [&[f64]; 4], squares: &[f64], slope: [f64; 4]) -> (usize, f64) {
     let [a, b, c, d] = corners.map(|row| row.as_chunks::<LANES>().0);
     let squares = squares.as_chunks::<LANES>().0;
@@ -221,7 +222,7 @@ fn farthest(corners: [&[f64]; 4], squares: &[f64], slope: [f64; 4]) -> (usize, f
 }
 
 /// Smallest and largest value of weights . loads.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn ends(corners: [&[f64]; 4], weights: &[f64; 4]) -> (f64, f64) {
     let [a, b, c, d] = corners.map(|row| row.as_chunks::<LANES>().0);
     let w = weights;

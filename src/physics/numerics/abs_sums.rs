@@ -1,11 +1,12 @@
 //! Sums of magnitudes, several terms at a time: the same on every processor.
 
 use super::C64;
+use hartog_kernel::kernel;
 
 const LANES: usize = 8;
 
 /// Sum of magnitudes.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn sum(y: &[C64]) -> f64 {
     let (blocks, rest) = y.as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
@@ -18,7 +19,7 @@ pub(crate) fn sum(y: &[C64]) -> f64 {
 }
 
 /// Sum of weighted magnitudes; as many weights as terms.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn weighted(y: &[C64], weights: &[f64]) -> f64 {
     let ((blocks, rest), (weights, others)) = (y.as_chunks::<LANES>(), weights.as_chunks::<LANES>());
     let mut sums = [0.0; LANES];
@@ -31,7 +32,7 @@ pub(crate) fn weighted(y: &[C64], weights: &[f64]) -> f64 {
 }
 
 /// Sum of the magnitudes of differences; as many terms in both.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn of_difference(a: &[C64], b: &[C64]) -> f64 {
     let ((blocks, rest), (others, other_rest)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
     let mut sums = [0.0; LANES];

@@ -3,6 +3,8 @@
 //! As in linear programming: the farthest point joins the basis, and the smallest ball of those few points is found among the circumballs of their subsets
 //! \[Gärtner 1999\]. The radius grows with every exchange, so that the iteration ends.
 
+use hartog_kernel::kernel;
+
 /// A ball with the points that hold it: the first `count` of the basis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball<const D: usize> {
@@ -84,7 +86,7 @@ fn farthest<const D: usize>(points: &[&[f64]; D], centre: &[f64; D]) -> (usize, 
 const LANES: usize = 16;
 
 /// The same in two dimensions: the distance first, then the point that has it.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn farthest_in_plane(x: &[f64], y: &[f64], centre: [f64; 2]) -> (usize, f64) {
     let distance2 = |x: f64, y: f64| (x - centre[0]) * (x - centre[0]) + (y - centre[1]) * (y - centre[1]);
     let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());

@@ -2,6 +2,7 @@
 
 use super::C64;
 use crate::numerics::elementary::turn;
+use hartog_kernel::kernel;
 use std::f64::consts::TAU;
 
 /// Analyses functions sampled at the same points; the angles of all samples and harmonics are computed once.
@@ -65,7 +66,7 @@ const BLOCK: usize = 256;
 const LANES: usize = 16;
 
 /// Sum of products.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
     let mut sums = [0.0; LANES];

@@ -2,6 +2,7 @@
 
 use crate::numerics::elementary::Elementary;
 use crate::numerics::projections::{LANES, along, extents, range};
+use hartog_kernel::kernel;
 
 /// Directions in which extreme points are looked for, round half a turn: with their opposites a polygon of twice as many sides.
 const DIRECTIONS: usize = 8;
@@ -60,7 +61,7 @@ fn ascending(x: f64) -> u64 {
 }
 
 /// Shares of the spread, from the smallest number: with few digits, which are enough to leave out points that are well inside.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn of_spread(numbers: &[f64]) -> Vec<f32> {
     let (least, most) = range(numbers);
     let scale = if most - least > f64::MIN_POSITIVE { 1.0 / (most - least) } else { 1.0 };
@@ -92,7 +93,7 @@ fn polygon(x: &[f32], y: &[f32]) -> Vec<[f32; 2]> {
 }
 
 /// The first point whose part along a direction is this.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn first(x: &[f32], y: &[f32], d: [f32; 2], wanted: f32) -> usize {
     let (xs, ys) = (x.as_chunks::<LANES>().0, y.as_chunks::<LANES>().0);
     let holds = |(x, y): (&[f32; LANES], &[f32; LANES])| {
@@ -107,7 +108,7 @@ fn first(x: &[f32], y: &[f32], d: [f32; 2], wanted: f32) -> usize {
 }
 
 /// Takes the points that are not well inside a convex polygon; a polygon of one corner or of two has no inside.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn outside(x: &[f32], y: &[f32], polygon: &[[f32; 2]], mut take: impl FnMut(usize)) {
     // corner and step to the next
     let mut sides = [([0.0f32; 2], [0.0f32; 2]); 2 * DIRECTIONS];

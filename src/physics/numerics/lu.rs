@@ -1,6 +1,7 @@
 //! Solution of dense systems by Gauss elimination with exchange of rows \[Golub & Van Loan 2013, algorithm 3.4.1\], a column at a time along the memory: the library's own takes many times as long for fifty
 //! unknowns.
 
+use hartog_kernel::kernel;
 use nalgebra::{DMatrix, DVector};
 
 /// Rows that are computed together: columns are filled up with zeros to a multiple of it, so that no loop has a rest.
@@ -93,7 +94,7 @@ fn eliminate(upper: &mut [f64], lower: &mut [f64], (n, k): (usize, usize)) -> us
 }
 
 /// Two columns at a time: what is below and to the right of them is then read and written half as often.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn factor(upper: &mut [f64], lower: &mut [f64], n: usize) -> Vec<usize> {
     let height = height(n);
     let (mut pivots, mut factors) = (Vec::with_capacity(n), vec![[0.0; 2]; n]);
@@ -124,7 +125,7 @@ fn factor(upper: &mut [f64], lower: &mut [f64], n: usize) -> Vec<usize> {
 }
 
 /// Both triangles; whether the matrix is regular.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn substitute(lower: &[f64], upper: &[f64], n: usize, x: &mut [f64]) -> bool {
     let height = height(n);
     for k in 0..n {

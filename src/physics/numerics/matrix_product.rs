@@ -1,5 +1,6 @@
 //! Products of square matrices, column by column: the library's own goes one element at a time without its platform's kernels, which round differently from machine to machine.
 
+use hartog_kernel::kernel;
 use nalgebra::DMatrix;
 
 /// Rows that are summed together.
@@ -17,7 +18,7 @@ pub(crate) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     out
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn columns(a: &[f64], b: &[f64], out: &mut [f64], n: usize) {
     let (a, groups) = (a.as_chunks::<ROWS>().0, n / ROWS);
     for (b, out) in b.chunks_exact(n).zip(out.chunks_exact_mut(n)) {

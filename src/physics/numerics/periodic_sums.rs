@@ -2,6 +2,7 @@
 
 use super::C64;
 use crate::numerics::elementary::Elementary;
+use hartog_kernel::kernel;
 use std::f64::consts::TAU;
 
 /// Columns that are summed at a time.
@@ -71,7 +72,7 @@ impl PeriodicSums {
     }
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn sum(phasors: &[C64], evens: usize, cosine: &[f64], sine: &[f64], parts: &mut Parts) {
     let (cosine, sine) = (cosine.as_chunks::<LANES>().0, sine.as_chunks::<LANES>().0);
     *parts = [[0.0; LANES]; 4];

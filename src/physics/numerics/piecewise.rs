@@ -5,6 +5,7 @@
 
 use super::C64;
 use crate::numerics::elementary::Elementary;
+use hartog_kernel::kernel;
 use std::f64::consts::PI;
 
 /// Nodes of a piece.
@@ -64,7 +65,7 @@ impl Piecewise {
 }
 
 /// Of every piece, by parts.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn coefficients(to_powers: &[[f64; NODES]; NODES], at_nodes: &[C64]) -> Vec<[[f64; NODES]; 2]> {
     let mut pieces = vec![[[0.0; NODES]; 2]; at_nodes.len() / NODES];
     for ([real, imaginary], values) in pieces.iter_mut().zip(at_nodes.as_chunks::<NODES>().0) {
@@ -76,7 +77,7 @@ fn coefficients(to_powers: &[[f64; NODES]; NODES], at_nodes: &[C64]) -> Vec<[[f6
     pieces
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn evaluate(pieces: &[[[f64; NODES]; 2]], blocks: &[(usize, [f64; LANES])], places: &[[u32; LANES]], out: &mut [C64]) {
     for ((piece, u), places) in blocks.iter().zip(places) {
         let [real, imaginary] = pieces[*piece].each_ref().map(|coefficients| polynomial(coefficients, u));

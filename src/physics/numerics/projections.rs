@@ -1,5 +1,7 @@
 //! How far numbers reach, and points of a plane or of four dimensions along directions.
 
+use hartog_kernel::kernel;
+
 /// Points that are looked at together.
 pub(crate) const LANES: usize = 16;
 
@@ -22,7 +24,7 @@ pub(super) fn along([a, b]: [f32; 2], x: f32, y: f32) -> f32 {
 }
 
 /// Smallest and largest part of the points along each direction.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 2]; N]) -> [(f32, f32); N] {
     let (xs, ys) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
     let mut all = [(f32::INFINITY, f32::NEG_INFINITY); N];
@@ -46,8 +48,8 @@ pub(crate) fn extents<const N: usize>(x: &[f32], y: &[f32], directions: &[[f32; 
     all
 }
 
-/// Half the range of points of four dimensions along each direction; of directions a row a dimension. Directions are looked at together, so that no lane has to wait for another.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+/// Half the range of points of four dimensions along each direction, of which there is a whole number of lanes: a row a dimension. They are looked at together, so that no lane has to wait for another.
+#[kernel]
 pub(crate) fn half_ranges(points: &[[f32; 4]], directions: &[Vec<f32>; 4], out: &mut Vec<f32>) {
     let [a, b, c, d] = directions;
     let (a, b, c, d) = (a.as_chunks::<LANES>().0, b.as_chunks::<LANES>().0, c.as_chunks::<LANES>().0, d.as_chunks::<LANES>().0);
@@ -68,15 +70,10 @@ pub(crate) fn half_ranges(points: &[[f32; 4]], directions: &[Vec<f32>; 4], out: 
         }
         out.extend_from_slice(&low);
     }
-    for i in a.len() * LANES..directions[0].len() {
-        let along = |p: &[f32; 4]| (0..4).map(|l| p[l] * directions[l][i]).sum::<f32>();
-        let (low, high) = points.iter().map(along).fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-        out.push(0.5 * (high - low));
-    }
 }
 
 /// Sums of rows, each with its weight.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn combined<const N: usize>(rows: &[Vec<f32>; N], weights: &[f32; N], out: &mut Vec<f32>) {
     out.clear();
     out.resize(rows[0].len(), 0.0);
@@ -88,7 +85,7 @@ pub(crate) fn combined<const N: usize>(rows: &[Vec<f32>; N], weights: &[f32; N],
 }
 
 /// Smallest and largest number; infinities of opposite sign where there is none.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(crate) fn range(numbers: &[f64]) -> (f64, f64) {
     let (whole, rest) = numbers.as_chunks::<LANES>();
     let (mut low, mut high) = ([f64::NEG_INFINITY; LANES], [f64::NEG_INFINITY; LANES]);

@@ -3,6 +3,7 @@
 use super::C64;
 use super::projections::largest;
 use crate::numerics::elementary::Elementary;
+use hartog_kernel::kernel;
 use std::f64::consts::TAU;
 
 /// Samples that are summed at a time.
@@ -136,7 +137,7 @@ fn odd_sums(phasors: &[[C64; PAIR]], cosine: &[[Lanes; PAIR]], sine: &[[Lanes; P
 }
 
 /// f at equidistant angles of a period, by phasors, cosines and sines, `evens` of them of even harmonics.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn sample(phasors: &[C64], evens: usize, (cosine, sine): (&[Lanes], &[Lanes]), f: &mut [f64]) -> Sampled {
     let (first, rest) = f.split_at_mut(f.len() / 4);
     let (second, rest) = rest.split_at_mut(first.len());

@@ -1,11 +1,12 @@
 //! Sums of consecutive harmonics and their derivatives, several harmonics at a time: the same on every processor.
 
 use super::C64;
+use hartog_kernel::kernel;
 
 const LANES: usize = 8;
 
 /// f = sum of Re(`y[n]` e^{i (n + 1) psi}) and its first three derivatives at psi, by e^{i psi}.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 pub(super) fn derivatives(y: &[C64], turn: C64) -> (f64, f64, f64, f64) {
     let product = |a: (f64, f64), b: (f64, f64)| (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0);
     // powers of the turn by products

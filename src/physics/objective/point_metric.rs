@@ -70,7 +70,7 @@ impl<'a> PointMetric<'a> {
     /// The value of a sum where it may reach `wanted` if it is up to `rise` times as large, else minus infinity; with what bounds the sum.
     pub(crate) fn value_above(&self, screen: &mut Screen, speed_rpm: f64, y: &[C64], (rise, wanted): (f64, f64)) -> Above {
         let weight = self.weight(speed_rpm);
-        let can_matter = |most: Most| self.at_most(speed_rpm, most.half_peak_to_peak * rise, most.middle * rise) >= wanted;
+        let can_matter = |most: Most| self.may_reach(speed_rpm, (most.half_peak_to_peak * rise, most.middle * rise), wanted);
         match self.kind {
             Kind::HalfRange => {
                 let found = screen.extremes_if(y, can_matter);
@@ -116,6 +116,11 @@ impl<'a> PointMetric<'a> {
             Kind::Used { margin, criterion, shaft, .. } => margin.rough_bound(criterion, shaft, speed_rpm, size),
         };
         most * self.weight(speed_rpm)
+    }
+
+    /// Whether [`Self::at_most`] is at or above `wanted`: a rougher bound often tells that it is not.
+    pub(crate) fn may_reach(&self, speed_rpm: f64, (half_peak_to_peak, middle): (f64, f64), wanted: f64) -> bool {
+        self.rough_bound(speed_rpm, half_peak_to_peak.max(middle)) >= wanted && self.at_most(speed_rpm, half_peak_to_peak, middle) >= wanted
     }
 
     /// No value is above this where the magnitudes of the orders add up to `sum`.

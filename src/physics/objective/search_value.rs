@@ -63,7 +63,8 @@ impl<'a> PeakFinder<'a> {
     ///
     /// # Errors
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
-    pub(crate) fn at_least(&self, design: &[Mounted], (measure, peak): (&Measure, &Peak), work: &mut Work) -> Result<f64, ResponseError> {
+    #[doc(hidden)]
+    pub fn at_least(&self, design: &[Mounted], (measure, peak): (&Measure, &Peak), work: &mut Work) -> Result<f64, ResponseError> {
         match peak.over {
             Over::Synthesis | Over::Margin(_) => {
                 let mut y = vec![ZERO; self.system.orders()];

@@ -63,8 +63,8 @@ impl PeakFinder<'_> {
             let (j, known) = near.filter_map(|j| Some((j, most.get(j).copied().flatten()?))).next()?;
             let change = abs_sums::of_difference(phasors(i), phasors(j));
             let own = Most { half_peak_to_peak: known.half_peak_to_peak + change, middle: known.middle + change };
-            let able = metric.at_most(speeds.rpm[i], own.half_peak_to_peak * rises[i], own.middle * rises[i]);
-            (able < wanted).then_some(own)
+            let able = metric.may_reach(speeds.rpm[i], (own.half_peak_to_peak * rises[i], own.middle * rises[i]), wanted);
+            (!able).then_some(own)
         };
         let (mut values, mut top) = (vec![f64::NEG_INFINITY; bounds.len()], best);
         // the largest first: the others need less then

@@ -177,24 +177,53 @@ impl<'a> Follower<'a> {
         Ok(best.into_values().collect())
     }
 
-    /// Where the optimum jumps from one inertia to the next, two branches cross, and a third may be better there: both are searched, and what is better is followed to both sides.
+    /// Points under limits that do worse than the one before, the first and the last of each run: a ring may be too heavy for its limits, or the branch that was followed is not the best one.
+    fn worse_than_lighter(&self, best: &[Outcome]) -> Vec<usize> {
+        let worse = |i: usize| (1..best.len()).contains(&i) && Self::is_better(&best[i - 1], &best[i]);
+        let runs = (1..best.len()).filter(|i| worse(*i) && !(worse(i - 1) && worse(i + 1)));
+        if self.problem.limits.is_empty() { Vec::new() } else { runs.collect() }
+    }
+
+    fn is_better(own: &Outcome, known: &Outcome) -> bool {
+        let (own, known) = (own.merit(), known.merit());
+        own.0 < known.0 || (own.0 == known.0 && own.1 < known.1 * (1.0 - BETTER))
+    }
+
+    /// The best for an inertia of a global search and of steps from the points beside it.
+    fn looked_at(&self, i: usize, best: &[Outcome]) -> Result<(Outcome, Work), ResponseError> {
+        let (mut outcome, mut work) = self.searched(i)?;
+        for beside in [i.checked_sub(1), (i + 1 < best.len()).then_some(i + 1)].into_iter().flatten() {
+            // a step may lead to a design without a finite response
+            let Ok((found, spent)) = self.walk((self.at(beside).space, best[beside].clone()), std::iter::once(i), |_, _| true) else {
+                continue;
+            };
+            work += spent;
+            for (_, own) in found {
+                if Self::is_better(&own, &outcome) {
+                    outcome = own;
+                }
+            }
+        }
+        Ok((outcome, work))
+    }
+
+    /// Where the optimum jumps from one inertia to the next, two branches cross, and a third may be better there: both are searched, and what is better is followed to both sides. So are points that do worse than
+    /// lighter rings.
     fn look_at_jumps(&self, best: &mut [Outcome], work: &mut Work) -> Result<(), ResponseError> {
         let jumps = |i: &usize| {
             let (own, next) = (self.at(*i).space, self.at(i + 1).space);
             let guess = next.point(&retuned(&own, &best[*i].point, self.inertias[i + 1]));
             guess.iter().zip(&best[i + 1].point).any(|(g, p)| (g - p).abs() > JUMP)
         };
-        let beside: BTreeSet<usize> = (0..best.len() - 1).filter(jumps).flat_map(|i| [i, i + 1]).collect();
+        let beside: BTreeSet<usize> =
+            (0..best.len() - 1).filter(jumps).flat_map(|i| [i, i + 1]).chain(self.worse_than_lighter(best)).collect();
         // these are no points of their own
         let silent = Follower { recorder: &|| {}, ..*self };
         let found: Vec<(usize, (Outcome, Work))> =
-            beside.into_par_iter().map(|i| Ok((i, silent.searched(i)?))).collect::<Result<_, ResponseError>>()?;
+            beside.into_par_iter().map(|i| Ok((i, silent.looked_at(i, best)?))).collect::<Result<_, ResponseError>>()?;
         for (i, (outcome, spent)) in found {
             *work += spent;
-            let better = |i: usize, o: &Outcome, best: &[Outcome]| {
-                let (own, known) = (o.merit(), best[i].merit());
-                own.0 < known.0 || (own.0 == known.0 && own.1 < known.1 * (1.0 - BETTER))
-            };
+            let better = |i: usize, o: &Outcome, best: &[Outcome]| Self::is_better(o, &best[i]);
             if !better(i, &outcome, best) {
                 continue;
             }

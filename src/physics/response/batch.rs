@@ -14,6 +14,7 @@ use super::lane::{LANES, Lane};
 use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
 use crate::drivetrain::{Chain, Station};
 use crate::numerics::C64;
+use hartog_kernel::kernel;
 
 /// Points that are solved together: frequencies and torques in, angles out.
 #[derive(Debug, Clone)]
@@ -146,7 +147,7 @@ impl Block {
 }
 
 /// Adds absorbers to what ties their stations to inertial space.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn rings(b: &mut Block, design: &[Mounted]) {
     let omega = b.omega;
     let mut worst = [0.0; LANES];
@@ -249,21 +250,21 @@ fn substitution<const ROW: bool>(b: &mut Block, stations: &[Station]) {
 }
 
 /// A row of stations, without gears.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn along_row(b: &mut Block, stations: &[Station]) {
     elimination::<true>(b, stations);
     substitution::<true>(b, stations);
 }
 
 /// A tree, with gears.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn along_tree(b: &mut Block, stations: &[Station]) {
     elimination::<false>(b, stations);
     substitution::<false>(b, stations);
 }
 
 /// Twist of every ring.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn twists(b: &mut Block, design: &[Mounted]) {
     let omega = b.omega;
     for ((ring, m), s) in b.ring.iter_mut().zip(design).zip(&b.spring) {

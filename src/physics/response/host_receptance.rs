@@ -9,6 +9,7 @@ use crate::absorber::mounted::with_law;
 use crate::absorber::{Absorber, ByFactor, Host, Law, Mounted, Operating};
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+use hartog_kernel::kernel;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -248,7 +249,7 @@ impl Known {
 }
 
 /// The sum over orders of weight Im S/|S (1 - w² J H) - w² J|²; with S = N/d it is weight d Im N/|N (1 - w² J H) - d w² J|².
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn power(known: &[Known], stiffness: [&[f64]; 3]) -> f64 {
     let [re, im, below] = stiffness.map(|part| part.as_chunks::<LANES>().0);
     let mut sums = [0.0; LANES];

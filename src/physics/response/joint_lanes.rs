@@ -5,6 +5,7 @@
 
 use super::lane::{LANES, Lane};
 use crate::absorber::{Absorber, Condensed, Host, Mounted, Operating};
+use hartog_kernel::kernel;
 use nalgebra::{DMatrix, DVector};
 
 /// Where terms are this many times their sum, the direct solve takes over.
@@ -145,7 +146,7 @@ fn single(table: &Table, mounted: &Mounted) -> (Lane, Lane, Lane) {
 }
 
 /// S m - D omega² J_hub and D = S + m with m = -omega² J; and -m.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn fraction(square: &[f64; LANES], spring: &Lane, (ring_inertia, hub_inertia): (f64, f64)) -> (Lane, Lane, Lane) {
     let inertial = square.map(|s| -s * ring_inertia);
     let hub = square.map(|s| s * hub_inertia);
@@ -158,7 +159,7 @@ fn fraction(square: &[f64; LANES], spring: &Lane, (ring_inertia, hub_inertia): (
 }
 
 /// Sums of what acts on each station, and the angles of one or two stations over their denominators.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn angles(p: &mut Points, table: &Table) {
     let n = table.stations.len();
     p.sums.clear();
@@ -193,7 +194,7 @@ fn angles(p: &mut Points, table: &Table) {
     }
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn output(p: &Points, table: &Table, index: usize) -> (Lane, [bool; LANES]) {
     let (base, per_torque) = &table.outputs[index];
     let (mut y, mut size) = (*base, base.norm());

@@ -4,6 +4,7 @@ use crate::absorber::{Absorber, Law, Mounted, Operating, SpringAndDamper};
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::piecewise::Piecewise;
+use hartog_kernel::kernel;
 use std::sync::OnceLock;
 
 /// One table entry a point, in separate arrays so that the loop runs several points at a time.
@@ -158,7 +159,7 @@ pub fn phasors(points: &Points, mounted: &Mounted, first: usize, out: &mut [C64]
     with_spring(points, mounted, first, out.len(), |inertias, spring| phasors_with(points, inertias, spring, first, out));
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn phasors_with(points: &Points, inertias: &Inertias, spring: Spring, first: usize, out: &mut [C64]) {
     each_point!(points, inertias, spring, first, out, |top: (f64, f64), bottom: (f64, f64)| {
         let scale = 1.0 / (bottom.0 * bottom.0 + bottom.1 * bottom.1);
@@ -171,7 +172,7 @@ pub fn squares(points: &Points, mounted: &Mounted, out: &mut [f64]) {
     with_spring(points, mounted, 0, out.len(), |inertias, spring| squares_with(points, inertias, spring, out));
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn squares_with(points: &Points, inertias: &Inertias, spring: Spring, out: &mut [f64]) {
     each_point!(points, inertias, spring, 0, out, |top: (f64, f64), bottom: (f64, f64)| {
         (top.0 * top.0 + top.1 * top.1) / (bottom.0 * bottom.0 + bottom.1 * bottom.1)

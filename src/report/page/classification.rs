@@ -113,7 +113,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
 fn shafts(c: &Classification) -> Markup {
     html! {
         h2 { "Vibratory torque of the shafts" }
-        p class="soft" { "Largest of the speeds of the study, all orders together; at the speeds of the grid (peaks between them are in the table of designs). Of misfires that of the cylinder whose twist is worst." }
+        p class="soft" { "Largest of the speeds of the study, all orders together; at the speeds of the grid (peaks between them are in the table of designs). Of misfires the largest of all cylinders." }
         div class="scroll" { table {
             thead { tr { th { "design" } th { "condition" } th class="words" { "shaft" } th { "torque, N m" } th { "at rpm" } } }
             tbody { @for s in &c.shafts { tr { td { (s.design) } td { (s.condition.name().replace('_', " ")) } td class="words" { (s.shaft) } td { (short(s.torque)) } td { (format!("{:.0}", s.speed_rpm)) } } } }

@@ -5,6 +5,7 @@ use crate::analysis::{DesignResult, Results};
 use crate::files::Folder;
 use crate::input::{InputFile, MeasureSpec, Study};
 use crate::objective::holds;
+use crate::text::limits::not_judged;
 use crate::text::{check, dash, notes, short, whole, width};
 use crate::units::DEG_PER_RAD;
 use base64::Engine;
@@ -59,6 +60,26 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
                 tr { td { (d.name) } td class="words" { (l.words) } td { @if l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { (format!("{:.1}", 100.0 * l.of.unit.ratio(*ratio))) }
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+            } } }
+        } }
+        p class="soft" { "Judged in: " (study.held().iter().map(|c| c.name().replace('_', " ")).collect::<Vec<_>>().join(", ")) "." }
+        @for (d, words) in all().filter_map(|d| Some((d, not_judged(study, d)?))) { p class="bad" { (d.name) ": " (words) "." } }
+        (rule_stresses(study, results))
+    } }
+}
+
+/// Where each design uses most of each limit by a rule.
+fn rule_stresses(study: &Study, results: &Results) -> Markup {
+    let all =
+        || results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).flat_map(|d| d.rule_stresses.iter().map(move |r| (d, r)));
+    html! { @if all().next().is_some() {
+        h3 { "Stress by rules, where it is nearest to its limit" }
+        div class="scroll" { table class="sorts" {
+            thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "cylinder" } th { "at rpm" } th { "of the rated speed" } th { "stress, MPa" } th { "limit there, MPa" } th { "%" } } }
+            tbody { @for (d, r) in all() { @let l = &study.limits[r.limit]; @let limit = l.of.unit.shown(r.of_rated * l.limit); tr {
+                td { (d.name) } td class="words" { (l.words) } td { (r.condition.name().replace('_', " ")) } td { (dash(r.cylinder.map(|c| (c + 1).to_string()))) }
+                td { (format!("{:.0}", r.speed_rpm)) } td { (dash(l.rule.map(|rule| short(r.speed_rpm / rule.rated_rpm)))) }
+                td { (short(r.ratio * limit)) } td { (short(limit)) } td { (format!("{:.1}", 100.0 * r.ratio)) }
             } } }
         } }
     } }

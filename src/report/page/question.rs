@@ -102,7 +102,7 @@ fn scope(results: &Results, d: &DesignResult) -> &'static str {
     match (robust, operates) {
         (false, _) => "",
         (true, false) => " within the tolerances",
-        (true, true) => " within the tolerances at the reference of the material, and as drawn in operation",
+        (true, true) => " within the tolerances, and as drawn in operation",
     }
 }
 

@@ -4,7 +4,7 @@ use super::catalogue::best_of_catalogues;
 use super::designs::{designs, narrow};
 use super::flexible::by_models;
 use super::judged::{sentence, value_of};
-use super::limits::{barred, limits};
+use super::limits::{barred, limits, not_judged};
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
@@ -12,7 +12,7 @@ use crate::absorber::{Host, Mounted};
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{Calibration, DesignResult, OptimumResult, Results};
 use crate::input::{LimitSpec, Study};
-use crate::objective::{Condition, holds};
+use crate::objective::holds;
 use crate::optimise::Survey;
 use crate::text::table::significant;
 
@@ -71,21 +71,6 @@ fn fewer(mut lines: Vec<String>) -> Vec<String> {
     lines
 }
 
-/// Limits that a design breaks in a condition of the study that it is not judged in, while its absorbers work.
-fn not_judged(study: &Study, d: &DesignResult) -> Option<String> {
-    let apart = [Condition::InOperation, Condition::AbsorberLocked, Condition::AbsorberLost];
-    let others = d.conditions.iter().filter(|c| !study.held().contains(&c.condition) && !apart.contains(&c.condition));
-    let broken: Vec<String> = others
-        .filter_map(|c| {
-            let worst = c.limits.iter().copied().filter(|ratio| !holds(*ratio)).reduce(f64::max)?;
-            Some(format!("{} (up to {:.0} %)", c.condition.name().replace('_', " "), 100.0 * worst))
-        })
-        .collect();
-    (!broken.is_empty()).then(|| {
-        format!("  not judged, and broken there: limits in {}; `conditions` of [optimise] says in what they count", broken.join(", "))
-    })
-}
-
 /// The best optimum with what it saves, its certificate and its limits; where nothing was searched, the best of the designs.
 fn found(study: &Study, results: &Results) -> String {
     let judged = |d: &DesignResult| results.judged(d).map_or_else(|| "no steady motion".into(), |j| sentence(study, &j));
@@ -104,7 +89,7 @@ fn found(study: &Study, results: &Results) -> String {
                 put("  the study has no limits".into());
             }
             fewer(limits(study, o)).into_iter().for_each(&mut put);
-            not_judged(study, &o.design).into_iter().for_each(&mut put);
+            not_judged(study, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
         }

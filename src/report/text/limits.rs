@@ -61,6 +61,22 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     lines
 }
 
+/// Limits that a design breaks in a condition of the study that it is not judged in, while its absorbers work.
+pub(crate) fn not_judged(study: &Study, d: &DesignResult) -> Option<String> {
+    let apart = [Condition::InOperation, Condition::AbsorberLocked, Condition::AbsorberLost];
+    let others = d.conditions.iter().filter(|c| !study.held().contains(&c.condition) && !apart.contains(&c.condition));
+    let broken: Vec<String> = others
+        .filter_map(|c| {
+            let (i, worst) = c.limits.iter().copied().enumerate().filter(|l| !holds(l.1)).max_by(|a, b| a.1.total_cmp(&b.1))?;
+            Some(format!("{} ({:.1} % of {})", c.condition.name().replace('_', " "), 100.0 * worst, study.limits[i].words))
+        })
+        .collect();
+    (!broken.is_empty()).then(|| {
+        let what = if study.optimise.is_some() { "; `conditions` of [optimise] says in what they count" } else { "" };
+        format!("not judged, and broken there: limits in {}{what}", broken.join(", "))
+    })
+}
+
 /// A line for each range of speed that a rule bars for a design, those that the rule does not allow first.
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
@@ -117,7 +133,11 @@ fn conflict(study: &Study, c: &Conflict, nearest: &[f64]) -> Vec<String> {
         let limit = &study.limits[party.limit];
         lines.push(match party.loosened {
             Some(factor) => {
-                format!("    {} would have to be {} for all others to hold", words(party.limit), value(limit, factor * limit.limit))
+                format!(
+                    "    {}: the nearest that was found while all others hold is {}",
+                    words(party.limit),
+                    value(limit, factor * limit.limit)
+                )
             }
             None => format!("    {}: however far it is loosened, no design was found that holds the others", words(party.limit)),
         });

@@ -19,7 +19,7 @@ pub(crate) mod judged;
 pub mod keys;
 mod large_twist;
 mod life;
-mod limits;
+pub(crate) mod limits;
 pub mod margin;
 mod materials;
 mod model;

@@ -1,4 +1,4 @@
-//! Ranges of speed that a society's rule bars: round each critical speed at which a design breaks its limit.
+//! Ranges of speed that a society's rule bars: round each critical speed at which a design breaks its limit, as far as it is broken; and the largest stress by a rule.
 
 use super::evaluation_plan::EvaluationPlan;
 use super::systems::engines_in;
@@ -132,9 +132,12 @@ pub(crate) fn ranges(
             for finder in engines_in(condition, finders) {
                 let mounted = absorbers(condition, finder, design)?;
                 let peaks = finder.peaks(&mounted, &limit.of.measure, 1.0 / ratio, &mut Work::default())?;
+                let stress =
+                    Measure { within: Within { factors: Vec::new(), ..limit.of.measure.within.clone() }, ..limit.of.measure.clone() };
+                let tops = if peaks.is_empty() { Vec::new() } else { finder.peaks(&mounted, &stress, 0.0, &mut Work::default())? };
                 for peak in &peaks {
-                    let Some((critical_rpm, own)) = critical(finder, &mounted, limit, (peak, &peaks))? else { continue };
-                    let (from_rpm, to_rpm) = barred(critical_rpm, rule.rated_rpm);
+                    let Some((critical_rpm, own)) = critical(limit, peak, (&peaks, &tops)) else { continue };
+                    let (from_rpm, to_rpm) = extended(finder, &mounted, (limit, peak), barred(critical_rpm, rule.rated_rpm))?;
                     let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, objection: None };
                     // ranges that meet are one, round the critical speed that breaks the limit most
                     list.retain(|r| {
@@ -160,30 +163,114 @@ pub(crate) fn ranges(
     Ok(list)
 }
 
-/// The critical speed that a peak of stress over its limit belongs to, rpm, and that ratio there; nothing where no order resonates or the limit holds.
+/// A top of the stress this near to a peak of stress over its limit, as a share of the speed, is the same resonance.
+const NEAR: f64 = 0.02;
+
+/// The critical speed that a peak of stress over its limit belongs to, rpm, and that ratio there; `None` where no order resonates or the limit holds. `tops`: of the stress itself.
 ///
-/// Where the limit has a corner, the peak may be the corner's alone, on the flank of a critical speed that has a peak of its own, or beside the top of the stress, which then has none.
-fn critical(
-    finder: &PeakFinder,
-    mounted: &[Mounted],
-    limit: &LimitSpec,
-    (peak, all): (&Peak, &[Peak]),
-) -> Result<Option<(f64, f64)>, ResponseError> {
+/// Where the limit has a corner, the peak may be the corner's alone, on the flank of a critical speed that has a peak of its own, or beside the top of the stress, which then has none. Where the limit falls and rises
+/// steeply, as that of cranks round their rated speed, the stress may have no top at all.
+fn critical(limit: &LimitSpec, peak: &Peak, (all, tops): (&[Peak], &[Peak])) -> Option<(f64, f64)> {
     let (of, at) = (&limit.of.measure, peak.speed_rpm);
     if holds(peak.value / limit.limit) || peak.place != Place::Interior {
-        return Ok(None);
+        return None;
     }
-    if !of.within.kinks().any(|kink| is_same_speed(kink, at)) {
-        return Ok(Some((at, peak.value / limit.limit)));
-    }
-    let stress = Measure { within: Within { factors: Vec::new(), ..of.within.clone() }, ..of.clone() };
     let ratio = |top: &Peak| top.value * of.within.weight(top.speed_rpm) / limit.limit;
     let between = |top: &Peak| {
         let (low, high) = (at.min(top.speed_rpm), at.max(top.speed_rpm));
         all.iter().any(|p| (low..=high).contains(&p.speed_rpm) && !is_same_speed(p.speed_rpm, at))
     };
-    let tops = finder.peaks(mounted, &stress, 0.0, &mut Work::default())?;
-    let own = tops.iter().filter(|top| top.place == Place::Interior && !holds(ratio(top)) && !between(top));
-    let nearest = own.min_by(|a, b| (a.speed_rpm - at).abs().total_cmp(&(b.speed_rpm - at).abs()));
-    Ok(nearest.map(|top| (top.speed_rpm, ratio(top))))
+    let is_near = |top: &Peak| (top.speed_rpm / at - 1.0).abs() <= NEAR;
+    let is_corner = of.within.kinks().any(|kink| is_same_speed(kink, at));
+    let own = tops.iter().filter(|top| top.place == Place::Interior && (!holds(ratio(top)) || (!is_corner && is_near(top))));
+    if !is_corner && own.clone().any(is_near) {
+        return Some((at, peak.value / limit.limit));
+    }
+    let nearest = own.filter(|top| !between(top)).min_by(|a, b| (a.speed_rpm - at).abs().total_cmp(&(b.speed_rpm - at).abs()))?;
+    if is_corner { Some((nearest.speed_rpm, ratio(nearest))) } else { Some((at, peak.value / limit.limit)) }
+}
+
+/// Between a speed at which a limit is broken and one at which it holds, the end of what is broken is found to this share.
+const END: f64 = 1e-6;
+
+/// A barred range, rpm, with what lies beside it and is broken, too: by the speeds of the grid, its ends found between two of them.
+fn extended(
+    finder: &PeakFinder,
+    mounted: &[Mounted],
+    (limit, peak): (&LimitSpec, &Peak),
+    (from_rpm, to_rpm): (f64, f64),
+) -> Result<(f64, f64), ResponseError> {
+    let speeds = &finder.grid.speed_rpm;
+    let within = &limit.of.measure.within.ranges;
+    let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+    let (first, last) = (within.first().map_or(first, |r| r.0), within.last().map_or(last, |r| r.1));
+    let below: Vec<f64> = speeds.iter().rev().copied().filter(|s| *s < from_rpm && *s >= first).collect();
+    let above: Vec<f64> = speeds.iter().copied().filter(|s| *s > to_rpm && *s <= last).collect();
+    let is_broken = |speed_rpm: f64| -> Result<bool, ResponseError> {
+        if !(first..=last).contains(&speed_rpm) {
+            return Ok(false);
+        }
+        let there = Peak { speed_rpm, weight: limit.of.measure.within.weight(speed_rpm), ..*peak };
+        let value = finder.at_least(mounted, (&limit.of.measure, &there), &mut Work::default())?;
+        Ok(!holds(value / limit.limit))
+    };
+    let end = |end_rpm: f64, beyond: &[f64]| -> Result<f64, ResponseError> {
+        let mut broken = end_rpm;
+        if !is_broken(broken)? {
+            return Ok(broken);
+        }
+        for speed in beyond {
+            if is_broken(*speed)? {
+                broken = *speed;
+                continue;
+            }
+            let (mut inside, mut outside) = (broken, *speed);
+            while (inside - outside).abs() > END * inside {
+                let middle = 0.5 * (inside + outside);
+                if is_broken(middle)? { inside = middle } else { outside = middle }
+            }
+            return Ok(outside);
+        }
+        Ok(broken)
+    };
+    Ok((end(from_rpm, &below)?, end(to_rpm, &above)?))
+}
+
+/// Where a design uses most of a limit by a rule.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct RuleStress {
+    /// Index of the limit.
+    pub limit: usize,
+    /// In which that is.
+    pub condition: Condition,
+    /// Of a misfire the cylinder (from 0).
+    pub cylinder: Option<usize>,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Stress over the limit there.
+    pub ratio: f64,
+    /// The limit there over that at the rated speed.
+    pub of_rated: f64,
+}
+
+/// The largest of each limit by a rule, over the conditions that the design is judged in.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub(crate) fn rule_stresses(finders: &[PeakFinder], design: &[Mounted], wanted: &EvaluationPlan) -> Result<Vec<RuleStress>, ResponseError> {
+    let mut list = Vec::new();
+    for (index, limit) in wanted.limits.iter().enumerate().filter(|l| l.1.rule.is_some()) {
+        let (of, mut worst) = (&limit.of.measure, None);
+        for condition in wanted.judged_in(design) {
+            for finder in engines_in(condition, finders) {
+                let Some(peak) = finder.peak(&absorbers(condition, finder, design)?, of, &mut Work::default())? else { continue };
+                let (ratio, of_rated) = (peak.value / limit.limit, 1.0 / of.within.weight(peak.speed_rpm));
+                let cylinder = finder.system.excitation.units.misfiring();
+                let own = RuleStress { limit: index, condition, cylinder, speed_rpm: peak.speed_rpm, ratio, of_rated };
+                worst = worst.filter(|w: &RuleStress| w.ratio >= ratio).or(Some(own));
+            }
+        }
+        list.extend(worst);
+    }
+    Ok(list)
 }

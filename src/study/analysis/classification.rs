@@ -58,7 +58,7 @@ pub struct InRange {
 pub struct ShaftTorque {
     /// Name of the design.
     pub design: String,
-    /// The condition; of misfires the one that is worst.
+    /// The condition; of misfires the largest of all cylinders.
     pub condition: Condition,
     /// The stations it joins.
     pub shaft: String,

@@ -3,7 +3,7 @@
 use super::evaluation_plan::{EvaluationPlan, asked, shafts};
 use super::margins::{self, SmallestMargin};
 use super::required_material::{MadeOf, made_of};
-use super::{BarredRange, ConditionResult, RunError, StillBroken, barred, conditions};
+use super::{BarredRange, ConditionResult, RuleStress, RunError, StillBroken, barred, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
 use crate::numerics::C64;
@@ -168,6 +168,8 @@ pub struct DesignResult {
     pub barred: Vec<BarredRange>,
     /// Where it breaks them outside those.
     pub still_broken: Vec<StillBroken>,
+    /// The largest stress over each limit by a rule.
+    pub rule_stresses: Vec<RuleStress>,
     /// Smallest margin of the crank by each criterion of the study.
     pub margins: Vec<SmallestMargin>,
     /// In the other conditions of the study that make a difference to it.
@@ -209,6 +211,7 @@ pub fn evaluate(
     let failed = |error| RunError { what: name.to_owned(), error };
     result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(failed)?;
     result.still_broken = barred::still_broken(finders, design, wanted, &result.limits, &result.barred).map_err(failed)?;
+    result.rule_stresses = barred::rule_stresses(finders, design, wanted).map_err(failed)?;
     result.conditions = conditions;
     Ok(result)
 }
@@ -253,6 +256,7 @@ fn firing(
         limits: Vec::new(),
         barred: Vec::new(),
         still_broken: Vec::new(),
+        rule_stresses: Vec::new(),
         margins: margins::smallest_of(peaks, wanted.margins, work)?,
         conditions: Vec::new(),
     };

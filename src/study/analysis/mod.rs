@@ -60,7 +60,7 @@ pub mod verdict;
 
 pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
-pub use barred::{BarredRange, Objection, StillBroken};
+pub use barred::{BarredRange, Objection, RuleStress, StillBroken};
 pub use calibrate::{Calibration, calibrate};
 pub use catalogue::Ranked;
 pub use conditions::ConditionResult;

@@ -96,6 +96,24 @@ impl QuantitySweep {
     }
 }
 
+impl QuantitySweep {
+    /// To the largest of all cylinders at every speed, where one misfires: `finder` is of the one whose twist is worst.
+    fn raise(
+        &mut self,
+        (finders, grid): (&[PeakFinder], &Grid),
+        design: &[Mounted],
+        (finder, quantity): (&PeakFinder, Quantity),
+        work: &mut Work,
+    ) -> Result<(), ResponseError> {
+        for other in engines_in(self.condition, finders).filter(|f| !std::ptr::eq(*f, finder)) {
+            let phasors = Direct::new(other.system, grid).sweep_each(&absorbers(self.condition, other, design)?, &[quantity], work)?;
+            let totals = other.synthesis(&phasors[0]);
+            self.total.iter_mut().zip(totals).for_each(|(own, total)| *own = own.max(total * self.of.per_si()));
+        }
+        Ok(())
+    }
+}
+
 impl OrderSweep {
     /// Order `n` of `count` in the phasors of a quantity, those of a speed together.
     fn of(of: Swept, (n, count): (usize, usize), phasors: &[C64]) -> Self {
@@ -230,7 +248,11 @@ pub(crate) fn sweeps(
         for ((of, quantity), phasors) in wanted.into_iter().zip(phasors) {
             let keeps_orders = differ && (every_station || of == Swept::Twist);
             let swept = QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), keeps_orders);
-            quantities.push(QuantitySweep { condition: c.condition, ..swept });
+            let mut swept = QuantitySweep { condition: c.condition, ..swept };
+            if let Quantity::ShaftTorque(_) = quantity {
+                swept.raise((finders, grid), design, (finder, quantity), work)?;
+            }
+            quantities.push(swept);
         }
     }
     Ok(Sweeps { design: name.to_owned(), quantities })

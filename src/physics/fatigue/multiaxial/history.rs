@@ -1,5 +1,7 @@
 //! A stress history: the tensor at one point over one cycle.
 
+use hartog_kernel::kernel;
+
 /// Components of the tensor at every sample, Pa: xx, yy, zz, xy, yz, zx.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
@@ -101,7 +103,7 @@ pub(crate) fn deviator_of(tensor: &[f64; 6]) -> [f64; 5] {
     deviator_weights().map(|w| w.iter().zip(tensor).map(|(w, t)| w * t).sum())
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn project(c: &[&[f64]; 6], w: &Weights, out: &mut [f64]) {
     let n = out.len();
     let [a, b, d, e, f, g] = c.map(|c| &c[..n]);
@@ -110,7 +112,7 @@ fn project(c: &[&[f64]; 6], w: &Weights, out: &mut [f64]) {
     }
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn range(c: &[&[f64]; 6], w: &Weights) -> (f64, f64) {
     const LANES: usize = 16;
     let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);

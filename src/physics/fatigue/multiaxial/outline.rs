@@ -8,6 +8,7 @@ use super::papadopoulos;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::smallest_ball_from;
 use crate::numerics::projections::{extents, range};
+use hartog_kernel::kernel;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -119,7 +120,7 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
 }
 
 /// Distances from the least, scaled.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn shares(numbers: &[f64], least: f64, scale: f64) -> Vec<f32> {
     numbers.iter().map(|v| ((v - least) * scale) as f32).collect()
 }

@@ -3,6 +3,7 @@
 use super::history::{History, Weights};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::enclosing::{Ball, smallest_ball_from};
+use hartog_kernel::kernel;
 
 /// A plane by its normal, (sin phi cos theta, sin phi sin theta, cos phi); n and -n are one plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,7 +123,7 @@ impl Scratch {
 }
 
 /// Largest distance to the centre with `k` times the hydrostatic stress at the same time.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn mesoscopic(u: &[f64], v: &[f64], centre: [f64; 2], k: f64, p: &[f64]) -> f64 {
     const LANES: usize = 16;
     let value = |u: f64, v: f64, p: f64| {

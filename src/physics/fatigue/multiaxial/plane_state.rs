@@ -11,6 +11,7 @@ use super::papadopoulos;
 use crate::numerics::enclosing::{smallest_ball, smallest_ball_from};
 use crate::numerics::hull::hull;
 use crate::numerics::projections::range;
+use hartog_kernel::kernel;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
@@ -133,7 +134,7 @@ fn held_by_some(x: &[f64], y: &[f64]) -> Vec<usize> {
 const LANES: usize = 16;
 
 /// Largest sum of the Tresca stress about a centre and of `k` times the hydrostatic stress.
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn largest_sum(normal: &[f64], shear: &[f64], [s0, t0]: [f64; 2], k: f64) -> f64 {
     let sum = |s: f64, t: f64| (0.25 * (s - s0) * (s - s0) + (t - t0) * (t - t0)).sqrt() + k * s / 3.0;
     let (s, t) = (normal.as_chunks::<LANES>(), shear.as_chunks::<LANES>());

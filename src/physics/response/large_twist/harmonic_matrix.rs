@@ -3,6 +3,7 @@
 //! A function is kept as its mean and the phasors of harmonics 1 to H, x = X0 + sum of Re(X_k e^{i k psi}), in reals: X0, Re X1, Im X1, and so on.
 
 use crate::numerics::{C64, ZERO};
+use hartog_kernel::kernel;
 use nalgebra::DMatrix;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
@@ -125,7 +126,7 @@ impl Pairs {
     }
 }
 
-#[cfg_attr(not(feature = "baseline"), multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2", "x86_64+avx", "aarch64+neon")))]
+#[kernel]
 fn add_times(sum: &mut [Vec<f64>; 2], values: [&[f64]; 2], factor: C64) {
     let [re, im] = sum;
     let n = re.len();

@@ -5,7 +5,7 @@ mod found;
 mod sheet;
 mod table;
 mod trace;
-mod unit;
+pub(crate) mod unit;
 mod words;
 
 pub use found::{FoundChain, FoundStation};

@@ -3,7 +3,7 @@
 use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_PSI};
 
 /// Units as they are written, and how many of what is wanted each is.
-pub(super) type Units = &'static [(&'static str, f64)];
+pub(crate) type Units = &'static [(&'static str, f64)];
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 /// N m in a lbf in, and in a lbf ft.
@@ -14,7 +14,7 @@ const LB: f64 = 0.453_592_37;
 /// m/s², by which a kgf is a force.
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-pub(super) const INERTIA: Units = &[
+pub(crate) const INERTIA: Units = &[
     ("kg m2", 1.0),
     ("g m2", 1e-3),
     ("kg cm2", 1e-4),
@@ -29,7 +29,7 @@ pub(super) const INERTIA: Units = &[
     ("lb in2", LB * M_PER_IN * M_PER_IN),
     ("lb ft2", LB * 144.0 * M_PER_IN * M_PER_IN),
 ];
-pub(super) const STIFFNESS: Units = &[
+pub(crate) const STIFFNESS: Units = &[
     ("N m/rad", 1.0),
     ("kN m/rad", 1e3),
     ("MN m/rad", 1e6),
@@ -43,7 +43,7 @@ pub(super) const STIFFNESS: Units = &[
     ("lb in/deg", LBF_IN * DEG_PER_RAD),
     ("lb ft/deg", LBF_FT * DEG_PER_RAD),
 ];
-pub(super) const DAMPING: Units = &[
+pub(crate) const DAMPING: Units = &[
     ("N m s/rad", 1.0),
     ("kN m s/rad", 1e3),
     ("N m/rad/s", 1.0),
@@ -105,7 +105,7 @@ pub(super) fn plain(unit: &str) -> String {
 }
 
 /// The factor of a unit; None where it is none of these.
-pub(super) fn known(units: Units, unit: &str) -> Option<f64> {
+pub(crate) fn known(units: Units, unit: &str) -> Option<f64> {
     let is_wrong_prefix = prefix_of_another(unit).is_some();
     let own = plain(unit);
     units.iter().find(|(name, _)| plain(name) == own && !is_wrong_prefix).map(|u| u.1)
@@ -128,7 +128,7 @@ pub(super) fn is_unit(text: &str) -> bool {
 }
 
 /// Letters without their accents, small: ä is a, as Träger and Trager, and Traeger is left as it is.
-pub(super) fn folded(text: &str) -> String {
+pub(crate) fn folded(text: &str) -> String {
     let plain = |c: char| match c {
         'à' | 'á' | 'â' | 'ã' | 'ä' => "a".to_owned(),
         'ç' => "c".to_owned(),
@@ -148,7 +148,7 @@ pub(super) fn folded(text: &str) -> String {
 }
 
 /// Words of a head, folded, and its unit: in brackets, or behind the words as in our own columns or in those of DIN and ISO 80000 ("Druck / bar").
-pub(super) fn parts(head: &str) -> (String, Option<String>) {
+pub(crate) fn parts(head: &str) -> (String, Option<String>) {
     if let Some((words, unit)) = in_brackets(head) {
         return (folded(words), Some(unit.trim().to_owned()));
     }

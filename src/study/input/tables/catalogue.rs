@@ -1,5 +1,6 @@
 //! Absorbers that can be bought.
 
+use super::named::{CATALOGUE, type_of};
 use super::shown::shown;
 use super::table::Table;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
@@ -71,7 +72,8 @@ const M2_PER_MM2: f64 = 1e-6;
 /// [`InputError`] with file, row and column.
 #[doc(hidden)]
 pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
-    let table = Table::read(path, &["name", "type"])?;
+    let own = ["name", "type"].into_iter().chain(OF_MATERIALS.map(|m| m.0)).chain(TYPES.iter().flat_map(|t| t.parameters).map(|p| p.key));
+    let table = Table::read_named(path, &own.collect::<Vec<_>>(), &CATALOGUE)?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
     if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {
         let found = format!("found column `{}`, expected `geometry` in its [[catalogue]], the shape that is sheared", table.header[column]);
@@ -103,7 +105,7 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         if rows.iter().any(|r| r.name == *own) {
             return Err(table.at(*line, name, format!("found `{own}` a second time, expected different names")));
         }
-        let Some(declaration) = types::find(word) else {
+        let Some(declaration) = types::find(type_of(word)) else {
             let known: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
             return Err(table.at(*line, kind, format!("found type `{}`, expected one of {}", shown(word), known.join(", "))));
         };

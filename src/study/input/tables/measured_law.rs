@@ -1,5 +1,6 @@
 //! Measured stiffness of an absorber.
 
+use super::named::MEASURED;
 use super::table::Table;
 use crate::absorber::measured::MeasuredTable;
 use crate::input::error::InputError;
@@ -18,7 +19,8 @@ const MOST_APART: f64 = 1e6;
 /// [`InputError`] with file, row and column.
 #[doc(hidden)]
 pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
-    let table = Table::read(path, &["frequency_hz", "stiffness_n_m_per_rad"])?;
+    let columns = ["frequency_hz", "stiffness_n_m_per_rad", "loss_factor", "damping_n_m_s_per_rad", "temperature_c"];
+    let table = Table::read_named(path, &columns, &MEASURED)?;
     let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
     let (loss, damping, temperature) =
         (table.optional("loss_factor"), table.optional("damping_n_m_s_per_rad"), table.optional("temperature_c"));

@@ -7,6 +7,7 @@ mod history;
 mod mass_elastic;
 mod measured_law;
 mod multiaxial;
+mod named;
 mod numbers;
 mod published;
 mod records;

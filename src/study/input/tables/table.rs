@@ -2,6 +2,7 @@
 
 use super::encoding::{other_kind, utf8};
 use super::form::{Form, Score};
+use super::named::{self, Named};
 use super::numbers::Convention;
 use super::records::{Record, Records};
 use super::shown::shown;
@@ -43,6 +44,8 @@ pub struct Table {
     /// Line of the header.
     head: u64,
     convention: Convention,
+    /// Of the units of columns that are named in other words; empty where none is.
+    factors: Vec<f64>,
 }
 
 impl Table {
@@ -73,20 +76,50 @@ impl Table {
     /// Cells under a header that has some of these columns, each once.
     pub fn read(path: &Path, columns: &[&str]) -> Result<Self, InputError> {
         let table = Self::of(path, &|cells| columns.iter().filter(|c| cells.contains(c)).count())?;
-        if table.header.is_empty() {
-            return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
-        }
-        for (i, name) in table.header.iter().enumerate() {
-            if table.header[..i].contains(name) {
-                return Err(table.at_head(i, format!("found column `{name}` a second time")));
+        table.once(columns[0])
+    }
+
+    /// The same where heads may say in other words, and with a unit, what the columns are.
+    pub(super) fn read_named(path: &Path, columns: &[&str], list: &[Named]) -> Result<Self, InputError> {
+        let says = |cell: &&str| columns.contains(cell) || named::key(list, cell).is_some();
+        let mut table = Self::of(path, &|cells| cells.iter().filter(|cell| says(cell)).count())?;
+        let mut read = Vec::new();
+        table.factors = vec![1.0; table.header.len()];
+        for (head, factor) in table.header.iter_mut().zip(&mut table.factors).filter(|(head, _)| !columns.contains(&head.as_str())) {
+            if let Some((key, own)) = named::key(list, head) {
+                read.push(format!("`{}` as `{key}`", shown(head)));
+                (*head, *factor) = (key.to_owned(), own);
             }
         }
-        Ok(table)
+        if !read.is_empty() {
+            remark(path, &format!("columns are read: {}", read.join(", ")));
+        }
+        table.once(columns[0])
+    }
+
+    /// Nothing but a header with each of its columns once.
+    fn once(self, first: &str) -> Result<Self, InputError> {
+        if self.header.is_empty() {
+            return Err(self.whole(format!("found an empty table, expected a header with a column `{first}`")));
+        }
+        for (i, name) in self.header.iter().enumerate() {
+            if self.header[..i].contains(name) {
+                return Err(self.at_head(i, format!("found column `{name}` a second time")));
+            }
+        }
+        Ok(self)
     }
 
     /// Cells under the header that `score` tells from other rows.
     pub(crate) fn of(path: &Path, score: Score) -> Result<Self, InputError> {
-        let mut table = Self { path: path.to_path_buf(), header: Vec::new(), rows: Vec::new(), head: 1, convention: Convention::default() };
+        let mut table = Self {
+            path: path.to_path_buf(),
+            header: Vec::new(),
+            rows: Vec::new(),
+            head: 1,
+            convention: Convention::default(),
+            factors: Vec::new(),
+        };
         let bytes = read_bytes(path).map_err(|e| table.whole(e))?;
         only_text(path, &bytes)?;
         let mut text = Vec::new();
@@ -126,8 +159,10 @@ impl Table {
         if cell.is_empty() {
             return Ok(None);
         }
+        let factor = self.factors.get(column).copied().unwrap_or(1.0);
         let read = self.convention.read(cell);
-        read.map(Some).map_err(|e| self.at_with_help(row, column, format!("found `{}`, {}", shown(cell), e.expected), e.help))
+        read.map(|value| Some(value * factor))
+            .map_err(|e| self.at_with_help(row, column, format!("found `{}`, {}", shown(cell), e.expected), e.help))
     }
 
     /// A cell with words that are written to other tables.

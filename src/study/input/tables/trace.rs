@@ -4,6 +4,10 @@
 const SAME_STEP: f64 = 0.05;
 const WIDE: f64 = 1.5;
 const FEW: f64 = 0.05;
+/// Degrees: half the cycle of a four-stroke.
+const FULL_TURN: f64 = 360.0;
+/// The highest pressure of a trace that begins at the other dead centre is so many times that on the side of firing.
+const TURNED: f64 = 2.0;
 /// Fewer rows are no trace.
 const FEWEST: usize = 24;
 
@@ -37,10 +41,31 @@ pub(crate) fn fault(crank_deg: &[f64], traces: &[Vec<f64>], cycle_deg: f64) -> O
         let message = format!("found a cycle of {span} degrees, expected {cycle_deg} (with or without its last angle)");
         return at(Some(rows - 1), message);
     }
-    traces.iter().enumerate().find_map(|(trace, pressures)| {
+    let not_absolute = traces.iter().enumerate().find_map(|(trace, pressures)| {
         let row = pressures.iter().position(|p| *p <= 0.0)?;
         let message = format!("found {}, expected an absolute pressure above zero", pressures[row]);
         Some(TraceFault { row: Some(row), trace: Some(trace), message })
+    });
+    not_absolute.or_else(|| traces.iter().enumerate().find_map(|trace| turned(crank_deg, trace, cycle_deg)))
+}
+
+/// A trace of a four-stroke whose highest pressure is at the change of gas, half a cycle from firing: mean pressures do not tell, but what a cylinder does without burning is that of another stroke.
+fn turned(crank_deg: &[f64], (trace, pressures): (usize, &Vec<f64>), cycle_deg: f64) -> Option<TraceFault> {
+    let turn = 0.5 * cycle_deg;
+    let is_near_firing = |row: usize| ((crank_deg[row] + turn).rem_euclid(cycle_deg) - turn).abs() <= 0.5 * turn;
+    let highest = |near: bool| {
+        let rows = (0..pressures.len()).filter(|row| is_near_firing(*row) == near);
+        rows.max_by(|a, b| pressures[*a].total_cmp(&pressures[*b]))
+    };
+    let (own, row) = (highest(true)?, highest(false)?);
+    let message = format!(
+        "found the highest pressure at {} degrees, expected zero degrees at the dead centre of firing: this trace begins at that between exhaust and inlet, so that its angles are {turn} too large",
+        crank_deg[row]
+    );
+    (turn > FULL_TURN - 1.0 && pressures[row] > TURNED * pressures[own]).then_some(TraceFault {
+        row: Some(row),
+        trace: Some(trace),
+        message,
     })
 }
 

@@ -172,7 +172,9 @@ impl<'a> Context<'a> {
             match pair.get_ref().as_slice() {
                 [a, b] => {
                     let (low, high) = (check.positive(a), check.positive(b));
-                    if !(self.speeds.0 <= low && low < high && high <= self.speeds.1) {
+                    if low >= high {
+                        check.wrong(pair, format!("found {low} to {high} rpm, expected the lower speed first"));
+                    } else if !(self.speeds.0 <= low && low < high && high <= self.speeds.1) {
                         let (from, to) = self.speeds;
                         check.wrong(pair, format!("found {low} to {high} rpm, expected a part of the study's {from} to {to} rpm"));
                     }

@@ -193,6 +193,7 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
     let mut list: Vec<MeasureSpec> = Vec::new();
     for raw in &study.objective {
         let Some(Resolved { spec, bound }) = measure(check, raw, of) else { continue };
+        let by_rule = matches!(bound, Bound::Rule { .. });
         match bound {
             Bound::Most(Some(at)) | Bound::Least(Some(at)) => {
                 check.wrong(at, "found a limit in an objective, expected it in a [[constraint]]")
@@ -201,7 +202,7 @@ pub(super) fn objectives(check: &mut Check, study: &RawStudy, of: Context) -> Ve
             Bound::Band => check.wrong(raw, "found a band of natural frequencies as an objective, expected it in a [[constraint]]"),
             Bound::Most(None) | Bound::Least(None) => {}
         }
-        if !spec.measure.within.factors.is_empty() {
+        if !spec.measure.within.factors.is_empty() && !by_rule {
             check.wrong(raw, "found `factor_by_speed` in an objective, expected it in a [[constraint]]");
         }
         if list.iter().any(|o| o.word == spec.word) {
@@ -227,7 +228,12 @@ pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<Li
         let Some(Resolved { spec, bound }) = measure(check, raw, of) else { continue };
         let (limit, words) = match bound {
             Bound::Most(None) => {
-                check.wrong(raw, format!("found a [[constraint]] of `{}` without a limit, expected its `max` key", spec.key));
+                let help = format!("`hartog keys constraint.{}.` lists its keys", spec.key);
+                check.wrong_with_help(
+                    raw,
+                    format!("found a [[constraint]] of `{}` without a limit, expected its `max_…` key", spec.key),
+                    help,
+                );
                 continue;
             }
             Bound::Least(None) => {

@@ -42,7 +42,7 @@ fn other_models_are_runs_of_their_own() {
 /// The numbers of the guide are those of the study.
 #[test]
 fn table_of_the_guide() {
-    let guide = include_str!("../src/guide/crank_and_fatigue.md");
+    let guide = include_str!("../../src/guide/crank_and_fatigue.md");
     let results = designs_alone().run().expect("damped");
     for design in ["none", "best_on_the_chain"] {
         let row = guide.lines().find(|l| l.starts_with(&format!("| {design} |"))).expect("a row");
@@ -57,7 +57,7 @@ fn table_of_the_guide() {
 #[test]
 #[ignore = "two searches: half a minute"]
 fn optima_of_the_guide() {
-    let guide = include_str!("../src/guide/crank_and_fatigue.md").split_whitespace().collect::<Vec<_>>().join(" ");
+    let guide = include_str!("../../src/guide/crank_and_fatigue.md").split_whitespace().collect::<Vec<_>>().join(" ");
     let mut found = Vec::new();
     for name in ["villalva_i6_flexible", "villalva_v10_flexible"] {
         let mut study = study(name);

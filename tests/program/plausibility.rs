@@ -102,3 +102,48 @@ fn slips_are_told_of() {
         assert!(printed.contains("warning: ") && printed.contains(told), "{to}: {printed}");
     }
 }
+
+/// A measured trace that begins at the dead centre between exhaust and inlet has the right mean pressure and power, and wrong misfires: it is refused. At 88d4460 nothing was said.
+#[test]
+fn a_trace_from_the_other_dead_centre_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let new = folder.path().join("new");
+    hartog(&["new", &new.to_string_lossy(), "--cylinders", "4", "--pressure", "measured"]);
+    let path = new.join("pressure.csv");
+    let text = fs::read_to_string(&path).expect("a file");
+    let (head, rows): (Vec<&str>, Vec<&str>) = text.lines().partition(|l| !l.starts_with(|c: char| c.is_ascii_digit()));
+    let cells = |i: usize| rows[(i + 360) % 720].split_once(',').expect("columns").1;
+    let turned = (0..rows.len()).map(|i| format!("{i},{}", cells(i)));
+    fs::write(&path, head.into_iter().map(str::to_owned).chain(turned).collect::<Vec<_>>().join("\n")).expect("written");
+    let study = new.join("study.toml");
+    let output = Command::new(env!("CARGO_BIN_EXE_hartog")).args(["check", &study.to_string_lossy()]).output().expect("runs");
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("its angles are 360 too large"), "{told}");
+}
+
+/// Limits that are broken in a condition in which they are not judged are told on every page as on the terminal, with the limit; and the page for class says in which conditions limits were judged. At 88d4460 both pages said "holds".
+#[test]
+fn pages_tell_of_limits_that_are_not_judged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let study = folder.path().join("study.toml");
+    let text = format!(
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\nconditions = [\"firing\", \"misfire\"]\n[[design]]\nname = \"none\"\n\
+         [[constraint]]\nvibratory_torque = {{ max_n_m = 3430 }}\n[optimise]\nrandom_starts = 0\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\n\
+         size.ring_inertia_kg_m2.fixed = 0.076\n",
+        engine.display()
+    );
+    fs::write(&study, text).expect("written");
+    for (command, file) in [("run", "report.html"), ("report", "classification.html")] {
+        let out = folder.path().join(command);
+        let output = Command::new(env!("CARGO_BIN_EXE_hartog"))
+            .args([command, &study.to_string_lossy(), "--out", &out.to_string_lossy()])
+            .output()
+            .expect("runs");
+        assert!(output.status.code().is_some_and(|code| code < 2), "{}", String::from_utf8_lossy(&output.stderr));
+        let page = fs::read_to_string(out.join(file)).expect("a page");
+        assert!(page.contains("Judged in: firing."), "{command}");
+        assert!(page.contains("not judged, and broken there: limits in misfire ("), "{command}");
+    }
+}

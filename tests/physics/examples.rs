@@ -1,10 +1,10 @@
 //! The example programs run, and print what `hartog run` prints.
 
-#[path = "../studies/examples/evaluate.rs"]
+#[path = "../../studies/examples/evaluate.rs"]
 pub mod evaluate;
-#[path = "../studies/examples/optimise.rs"]
+#[path = "../../studies/examples/optimise.rs"]
 pub mod optimise;
-#[path = "../studies/examples/own_law.rs"]
+#[path = "../../studies/examples/own_law.rs"]
 pub mod own_law;
 
 use assert_cmd::Command;

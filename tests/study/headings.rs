@@ -1,6 +1,7 @@
 //! What lies where in a chain of another program: to ground, to the next station, to the one before; sums, shafts, the sequence of the rows.
 
 use crate::dialects::{CHAIN, hartog, imported, refused, written};
+use std::path::Path;
 
 /// A damping is to ground or to the next station by the words of its head, full or short; one that says neither is left out with the heads that do. What lies before a station, sums and rows of shafts are
 /// refused: read as between a station and the next one they would give another chain.
@@ -43,4 +44,30 @@ fn what_lies_where_in_a_chain() {
         let told = refused(place.path(), &chain);
         assert!(told.contains(words), "{chain}: {told}");
     }
+}
+
+/// Measured stiffness and catalogues with the heads of a German laboratory, with a title, units and types in words: the same numbers as under our own keys, and a note of what was read as what.
+#[test]
+fn measurements_and_catalogues_with_german_heads() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let own = "temperature_c,frequency_hz,stiffness_n_m_per_rad,loss_factor\n0,5,100500,0.2\n0,500,120000,0.25\n40,5,80000,0.2\n40,500,90125,0.3\n";
+    let german = "Prüfbericht NR 60;;;\r\nTemperatur [°C];Frequenz [Hz];dyn. Drehsteifigkeit [kNm/rad];Verlustfaktor [-]\r\n\
+                  0;5;100,5;0,2\r\n0;500;120;0,25\r\n40;5;80;0,2\r\n40;500;90,125;0,3\r\n";
+    written(folder.path(), "own.csv", own);
+    written(folder.path(), "german.csv", german);
+    let read = |name: &str| hartog::input::tables::measured_law(&folder.path().join(name)).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(format!("{:?}", read("own.csv")), format!("{:?}", read("german.csv")));
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let study = format!(
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 200 }}\norder_limit = 6\n[[objective]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[catalogue]]\non.station = \"pulley\"\nfile = \"catalogue.csv\"\nbest = 1\n",
+        engine.display()
+    );
+    let catalogue = |text: &str| {
+        written(folder.path(), "catalogue.csv", text);
+        let study = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).unwrap_or_else(|e| panic!("{e}"));
+        format!("{:?}", study.catalogues[0].designs)
+    };
+    let keys = "name,type,ring_inertia_kg_m2,stiffness_n_m_per_rad,loss_factor,damping_n_m_s_per_rad\na,rubber,0.04,26687,0.12,\nb,viscous,0.04,,,35\n";
+    let words = "Lieferprogramm 2024;;;;;\r\nBezeichnung;Bauart;Ringträgheit [kg cm²];Drehsteifigkeit [Nm/rad];Verlustfaktor [-];Dämpfung [Nms/rad]\r\na;Gummi;400;26.687;0,12;\r\nb;Viskose;400;;;35\r\n";
+    assert_eq!(catalogue(keys), catalogue(words));
 }

@@ -290,7 +290,7 @@ fn examples_of_the_guide_read_every_table() {
         return;
     }
     let folder = tempfile::tempdir().expect("folder");
-    let chapter = include_str!("../src/guide/other_programs.md");
+    let chapter = include_str!("../../src/guide/other_programs.md");
     let examples: Vec<&str> = chapter.lines().filter(|l| l.starts_with("python3 -c ")).collect();
     let mut made: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for example in &examples {

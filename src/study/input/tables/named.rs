@@ -1,0 +1,63 @@
+//! Columns whose heads say in other words, and with a unit, what our own keys say: as laboratories and makers of dampers write them, in English, German, French and Portuguese.
+
+use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, Units, folded, known, parts};
+
+/// A column that a table may have.
+pub(super) struct Named {
+    key: &'static str,
+    /// One of these stands in a (folded) head.
+    words: &'static [&'static str],
+    /// Empty where it has none.
+    units: Units,
+}
+
+const STIFF: &[&str] = &["stiff", "steif", "federrate", "raideur", "rigid"];
+const DAMP: &[&str] = &["damp", "dampf", "daempf", "amort"];
+const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fator de perda"];
+
+/// Of measured stiffness.
+pub(super) const MEASURED: [Named; 5] = [
+    Named { key: "temperature_c", words: &["temp"], units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
+    Named { key: "frequency_hz", words: &["freq"], units: &[("Hz", 1.0), ("1/s", 1.0), ("kHz", 1e3)] },
+    Named { key: "loss_factor", words: LOSS, units: &[] },
+    Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
+    Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
+];
+
+/// Of catalogues.
+pub(super) const CATALOGUE: [Named; 6] = [
+    Named { key: "name", words: &["name", "bezeichnung", "benennung", "designation", "designacao", "article", "artikel"], units: &[] },
+    Named { key: "type", words: &["bauart", "typ", "tipo"], units: &[] },
+    Named { key: "loss_factor", words: LOSS, units: &[] },
+    Named { key: "ring_inertia_kg_m2", words: &["inertia", "tragheit", "traegheit", "inertie", "inercia"], units: INERTIA },
+    Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
+    Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
+];
+
+/// The key that a head says in other words, and the factor of its unit; `None` where it is none of these, or where its unit is not one of the column's.
+pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
+    let (words, unit) = parts(head);
+    let own = list.iter().find(|n| n.words.iter().any(|w| words.contains(w)))?;
+    let unit = unit.filter(|u| !["", "-", "–", "1"].contains(&u.trim()));
+    match (unit, own.units) {
+        (None, []) => Some((own.key, 1.0)),
+        (Some(unit), units) => known(units, &unit).map(|factor| (own.key, factor)),
+        (None, _) => None,
+    }
+}
+
+/// The type of absorber that a word of another language names; the word itself where it is none.
+pub(super) fn type_of(word: &str) -> &str {
+    const WORDS: [(&str, &str); 8] = [
+        ("gummi", "rubber"),
+        ("kautschuk", "rubber"),
+        ("elastomer", "rubber"),
+        ("caoutchouc", "rubber"),
+        ("borracha", "rubber"),
+        ("visk", "viscous"),
+        ("visc", "viscous"),
+        ("abgestimmt", "tuned"),
+    ];
+    let plain = folded(word);
+    WORDS.iter().find(|(begin, _)| plain.starts_with(begin)).map_or(word, |(_, name)| name)
+}

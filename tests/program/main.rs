@@ -1,0 +1,23 @@
+//! What a user of the program meets: commands, answers, files, pages, messages; and the rules of the code itself. "Equals itself" and "equals the literature" are told apart in each test's first line.
+#![expect(clippy::disallowed_methods, reason = "tests hold results against the elementary functions of the standard library")]
+
+mod answer_screen;
+mod bad_input;
+mod commands;
+mod curves;
+mod fit;
+mod folders;
+mod hostile;
+mod layering;
+mod long;
+mod new;
+mod page;
+mod plausibility;
+mod report;
+#[path = "../support.rs"]
+mod support;
+mod surface;
+mod survival;
+mod tables;
+mod threads;
+mod versions;

@@ -1,0 +1,38 @@
+//! What a study asks for: inputs, conditions, limits, margins, searches, sizing, and what is found. "Equals itself" and "equals the literature" are told apart in each test's first line.
+#![expect(clippy::disallowed_methods, reason = "tests hold results against the elementary functions of the standard library")]
+
+mod answers;
+mod calibration;
+mod catalogue;
+mod certificates;
+mod choice;
+mod comparison;
+mod conditions;
+mod crank_models;
+mod crank_sizing;
+mod derived;
+mod dialects;
+mod from_rust;
+mod generated;
+mod grammar;
+mod headings;
+mod import;
+mod in_operation;
+mod keys;
+mod life;
+mod limited;
+mod limits;
+mod margin;
+mod measures;
+mod multiaxial_margin;
+mod one_order;
+mod progress;
+mod real_absorbers;
+mod robust;
+mod sized;
+mod sizing;
+mod strain;
+#[path = "../support.rs"]
+mod support;
+mod unit_load_bounds;
+mod units_of_keys;

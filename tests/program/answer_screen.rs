@@ -171,3 +171,24 @@ fn limits_hold_cold_and_hot() {
     assert!(found.contains("at most 0.6°: holds"), "{found}");
     assert!(found.contains("not judged, and broken there: limits in hot (10"), "{found}");
 }
+
+/// An optimum as drawn holds its limits; where it breaks one within the tolerances of the study, terminal and page say so beside that. At 88d4460 the page said "All limits hold." with the worst of its objective within the tolerances.
+#[test]
+fn limits_broken_within_tolerances_are_told() {
+    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let study = format!(
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[constraint]]\nvibratory_torque = {{ max_n_m = 2080 }}\n[optimise]\nrandom_starts = 0\n\
+         [[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n[robust]\ntolerance = {{ stiffness_n_m_per_rad = 0.1 }}\n",
+        engine.display()
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("study.toml"), study).expect("written");
+    let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+    let output = c.current_dir(folder.path()).args(["run", "study.toml", "--out", "out"]).output().expect("runs");
+    let told = unbroken(&String::from_utf8_lossy(&output.stdout));
+    let words = "within the tolerances limits are broken: vibratory torque of the shafts at most 2080 N m (100.1 % of it)";
+    assert!(told.contains(words), "{told}");
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).expect("a page");
+    assert!(page.contains("All limits hold as drawn.") && page.contains(words), "the page says so, too");
+    assert!(page.contains("All limits hold within the tolerances."), "that of the robust optimum");
+}

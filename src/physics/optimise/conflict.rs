@@ -46,6 +46,7 @@ pub enum Verdict {
 pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
     let feasibility = survey::feasibility(problem);
     let mut all = starts.to_vec();
+    all.extend(corners(&problem.space.bounds()).into_iter().map(|point| ("corner".into(), point)));
     all.push(("optimum".into(), optimum.outcome.point.clone()));
     let mut nearest = search::optimise(&feasibility, &all, search::Finish::All, &|| {})?;
     let ratio = nearest.outcome.rows.objective();
@@ -77,6 +78,16 @@ pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]
     nearest.outcome.rows = problem.rows(&nearest.outcome.point, &mut Work::default())?;
     nearest.outcome.multipliers = vec![0.0; nearest.outcome.rows.rows.len()];
     Ok(Verdict::Conflict(Box::new(nearest), Conflict { ratio, parties }))
+}
+
+/// Corners of a box are starts where it has no more of them.
+const MOST_CORNERS: usize = 64;
+
+/// The corners of a box; none of one that has too many: rings that are nearly locked and rings on soft springs hold what others break.
+fn corners(bounds: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    let count = 1usize.checked_shl(bounds.len() as u32).filter(|count| *count <= MOST_CORNERS).unwrap_or(0);
+    let corner = |c: usize| bounds.iter().enumerate().map(|(i, b)| if c >> i & 1 == 0 { b.0 } else { b.1 }).collect();
+    (0..count).map(corner).collect()
 }
 
 /// The least ratio of one limit within all others that is found from some points.

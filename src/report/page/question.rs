@@ -6,6 +6,7 @@ use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
 use crate::objective::Condition;
 use crate::text::judged::{asked, is_other, of_what, word};
+use crate::text::limits::broken_within_tolerances;
 use crate::text::verdict::{clause, of_design};
 use crate::text::{bounds, dash, short, tolerances};
 use maud::{Markup, html};
@@ -88,6 +89,7 @@ fn answer(study: &Study, results: &Results, d: &DesignResult, lead: &str) -> Mar
             @if study.limits.is_empty() { "The study has no limits." }
             @else if d.within_limits() { span class="good" { "All limits hold" (scope(results, d)) "." } }
             @else { span class="bad" { "Limits are broken: no design that holds them all was found." } }
+            @if let Some(words) = broken_within_tolerances(study, results, d) { span class="bad" { " But " (words) "." } }
         }
         // bounds are told below, with what lies beyond them
         @let said = told(results, d, |v| !matches!(v, Verdict::OnBound(_)));
@@ -100,6 +102,7 @@ fn scope(results: &Results, d: &DesignResult) -> &'static str {
     let robust = results.optima.iter().any(|o| o.robust && o.design.name == d.name);
     let operates = d.conditions.iter().any(|c| c.condition == Condition::InOperation);
     match (robust, operates) {
+        (false, _) if results.robust.iter().any(|r| r.design == d.name) => " as drawn",
         (false, _) => "",
         (true, false) => " within the tolerances",
         (true, true) => " within the tolerances, and as drawn in operation",

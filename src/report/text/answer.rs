@@ -4,7 +4,7 @@ use super::catalogue::best_of_catalogues;
 use super::designs::{designs, narrow};
 use super::flexible::by_models;
 use super::judged::{sentence, value_of};
-use super::limits::{barred, limits, not_judged};
+use super::limits::{barred, broken_within_tolerances, limits, not_judged};
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
@@ -90,6 +90,7 @@ fn found(study: &Study, results: &Results) -> String {
             }
             fewer(limits(study, o)).into_iter().for_each(&mut put);
             not_judged(study, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
+            broken_within_tolerances(study, results, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
         }

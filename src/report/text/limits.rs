@@ -2,7 +2,7 @@
 
 use super::margin::factor;
 use super::table::significant;
-use crate::analysis::{BarredRange, DesignResult, OptimumResult, StillBroken};
+use crate::analysis::{BarredRange, DesignResult, OptimumResult, Results, StillBroken};
 use crate::input::{LimitSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Property, holds};
 use crate::optimise::Conflict;
@@ -75,6 +75,15 @@ pub(crate) fn not_judged(study: &Study, d: &DesignResult) -> Option<String> {
         let what = if study.optimise.is_some() { "; `conditions` of [optimise] says in what they count" } else { "" };
         format!("not judged, and broken there: limits in {}{what}", broken.join(", "))
     })
+}
+
+/// The limits that a design breaks somewhere within the tolerances of a study, with how much of them it comes to; `None` where it breaks none, and where tolerances were not looked at.
+pub(crate) fn broken_within_tolerances(study: &Study, results: &Results, d: &DesignResult) -> Option<String> {
+    let within = results.robust.iter().find(|r| r.design == d.name)?;
+    let broken = study.limits.iter().zip(&within.limits).filter(|(_, worst)| !holds(worst.value));
+    let words: Vec<String> =
+        broken.map(|(l, worst)| format!("{} ({:.1} % of it)", l.words, 100.0 * l.of.unit.ratio(worst.value))).collect();
+    (!words.is_empty()).then(|| format!("within the tolerances limits are broken: {}", words.join("; ")))
 }
 
 /// A line for each range of speed that a rule bars for a design, those that the rule does not allow first.

@@ -32,6 +32,9 @@ impl Lines {
         let (bar, begun) = (bar.clone(), Instant::now());
         let write = move || {
             while ended.recv_timeout(LINE) == Err(RecvTimeoutError::Timeout) {
+                if bar.message().is_empty() {
+                    continue;
+                }
                 let (stage, done, all) = (bar.message(), bar.position(), bar.length().unwrap_or(0));
                 // a line that nobody reads is no failure of the run
                 let _written = writeln!(std::io::stderr(), "  {stage} {done}/{all}, {:.0} s so far", begun.elapsed().as_secs_f64());

@@ -70,4 +70,13 @@ fn measurements_and_catalogues_with_german_heads() {
     let keys = "name,type,ring_inertia_kg_m2,stiffness_n_m_per_rad,loss_factor,damping_n_m_s_per_rad\na,rubber,0.04,26687,0.12,\nb,viscous,0.04,,,35\n";
     let words = "Lieferprogramm 2024;;;;;\r\nBezeichnung;Bauart;Ringträgheit [kg cm²];Drehsteifigkeit [Nm/rad];Verlustfaktor [-];Dämpfung [Nms/rad]\r\na;Gummi;400;26.687;0,12;\r\nb;Viskose;400;;;35\r\n";
     assert_eq!(catalogue(keys), catalogue(words));
+    // what is not the ring's, not stiffness or no frequency is not taken for it
+    for (head, other) in [("Frequenz [Hz]", "Kreisfrequenz [1/s]"), ("dyn. Drehsteifigkeit [kNm/rad]", "Verluststeifigkeit [kNm/rad]")] {
+        written(folder.path(), "other.csv", german.replace(head, other));
+        let error = hartog::input::tables::measured_law(&folder.path().join("other.csv")).expect_err(other).to_string();
+        assert!(error.contains(other), "{error}");
+    }
+    written(folder.path(), "catalogue.csv", words.replace("Ringträgheit", "Nabenträgheit"));
+    let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("of the hub").to_string();
+    assert!(error.contains("found column `Nabenträgheit [kg cm²]`"), "{error}");
 }

@@ -4,7 +4,7 @@ use crate::absorber::Parameter;
 use crate::analysis::{DesignResult, Results};
 use crate::files::Folder;
 use crate::input::{InputFile, MeasureSpec, Study};
-use crate::objective::holds;
+use crate::objective::{Condition, holds};
 use crate::text::limits::not_judged;
 use crate::text::{check, dash, notes, short, whole, width};
 use crate::units::DEG_PER_RAD;
@@ -62,10 +62,18 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
-        p class="soft" { "Judged in: " (study.held().iter().map(|c| c.name().replace('_', " ")).collect::<Vec<_>>().join(", ")) "." }
+        p class="soft" { "Judged in: " (judged_in(study, results).join(", ")) "." }
         @for (d, words) in all().filter_map(|d| Some((d, not_judged(study, d)?))) { p class="bad" { (d.name) ": " (words) "." } }
         (rule_stresses(study, results))
     } }
+}
+
+/// Conditions that limits are judged in, of some design at least.
+fn judged_in(study: &Study, results: &Results) -> Vec<String> {
+    let mut all = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).flat_map(|d| &d.conditions);
+    let operates = all.any(|c| c.condition == Condition::InOperation);
+    let held = study.held().iter().copied().chain(operates.then_some(Condition::InOperation));
+    held.map(|c| c.name().replace('_', " ")).collect()
 }
 
 /// Where each design uses most of each limit by a rule.

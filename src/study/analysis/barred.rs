@@ -193,7 +193,7 @@ fn critical(limit: &LimitSpec, peak: &Peak, (all, tops): (&[Peak], &[Peak])) -> 
 /// Between a speed at which a limit is broken and one at which it holds, the end of what is broken is found to this share.
 const END: f64 = 1e-6;
 
-/// A barred range, rpm, with what lies beside it and is broken, too: by the speeds of the grid, its ends found between two of them.
+/// A barred range, rpm, with what lies beside it and is broken, too (the width of the rule is taken as the least, an assumption): by the speeds of the grid, its ends found between two of them.
 fn extended(
     finder: &PeakFinder,
     mounted: &[Mounted],

@@ -18,7 +18,7 @@ const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fat
 /// Of measured stiffness.
 pub(super) const MEASURED: [Named; 5] = [
     Named { key: "temperature_c", words: &["temp"], units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
-    Named { key: "frequency_hz", words: &["freq"], units: &[("Hz", 1.0), ("1/s", 1.0), ("kHz", 1e3)] },
+    Named { key: "frequency_hz", words: &["freq"], units: &[("Hz", 1.0), ("kHz", 1e3)] },
     Named { key: "loss_factor", words: LOSS, units: &[] },
     Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
@@ -34,9 +34,35 @@ pub(super) const CATALOGUE: [Named; 6] = [
     Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
 ];
 
-/// The key that a head says in other words, and the factor of its unit; `None` where it is none of these, or where its unit is not one of the column's.
+/// Words that make something else of a column: the inertia of the hub or of the whole damper, the loss of a stiffness, an angular frequency.
+const OTHERS: [&str; 19] = [
+    "nabe",
+    "hub",
+    "moyeu",
+    "cubo",
+    "gehaus",
+    "gehaeus",
+    "housing",
+    "carter",
+    "gesamt",
+    "total",
+    "stiffness loss",
+    "loss stiffness",
+    "verluststeif",
+    "imagin",
+    "kreis",
+    "winkelfreq",
+    "angular",
+    "circular",
+    "puls",
+];
+
+/// The key that a head says in other words, and the factor of its unit; `None` where it is none of these, may be another, or where its unit is not one of the column's.
 pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
     let (words, unit) = parts(head);
+    if OTHERS.iter().any(|w| words.contains(w)) {
+        return None;
+    }
     let own = list.iter().find(|n| n.words.iter().any(|w| words.contains(w)))?;
     let unit = unit.filter(|u| !["", "-", "–", "1"].contains(&u.trim()));
     match (unit, own.units) {
@@ -48,14 +74,17 @@ pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
 
 /// The type of absorber that a word of another language names; the word itself where it is none.
 pub(super) fn type_of(word: &str) -> &str {
-    const WORDS: [(&str, &str); 8] = [
+    // not viscoelastic ones, which are of rubber
+    const WORDS: [(&str, &str); 10] = [
         ("gummi", "rubber"),
         ("kautschuk", "rubber"),
         ("elastomer", "rubber"),
         ("caoutchouc", "rubber"),
         ("borracha", "rubber"),
-        ("visk", "viscous"),
-        ("visc", "viscous"),
+        ("viskos", "viscous"),
+        ("viscous", "viscous"),
+        ("visqueu", "viscous"),
+        ("viscoso", "viscous"),
         ("abgestimmt", "tuned"),
     ];
     let plain = folded(word);

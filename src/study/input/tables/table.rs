@@ -75,8 +75,7 @@ impl Table {
 
     /// Cells under a header that has some of these columns, each once.
     pub fn read(path: &Path, columns: &[&str]) -> Result<Self, InputError> {
-        let table = Self::of(path, &|cells| columns.iter().filter(|c| cells.contains(c)).count())?;
-        table.once(columns[0])
+        Self::read_named(path, columns, &[])
     }
 
     /// The same where heads may say in other words, and with a unit, what the columns are.
@@ -94,20 +93,15 @@ impl Table {
         if !read.is_empty() {
             remark(path, &format!("columns are read: {}", read.join(", ")));
         }
-        table.once(columns[0])
-    }
-
-    /// Nothing but a header with each of its columns once.
-    fn once(self, first: &str) -> Result<Self, InputError> {
-        if self.header.is_empty() {
-            return Err(self.whole(format!("found an empty table, expected a header with a column `{first}`")));
+        if table.header.is_empty() {
+            return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
         }
-        for (i, name) in self.header.iter().enumerate() {
-            if self.header[..i].contains(name) {
-                return Err(self.at_head(i, format!("found column `{name}` a second time")));
+        for (i, name) in table.header.iter().enumerate() {
+            if table.header[..i].contains(name) {
+                return Err(table.at_head(i, format!("found column `{name}` a second time")));
             }
         }
-        Ok(self)
+        Ok(table)
     }
 
     /// Cells under the header that `score` tells from other rows.

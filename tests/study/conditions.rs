@@ -280,3 +280,17 @@ fn conditions_of_the_given_designs() {
         );
     }
 }
+
+/// An inertia is the same in every condition: the lightest ring under a limit in two conditions is no worst of them, the limit is.
+#[test]
+fn an_inertia_is_of_no_condition() {
+    let text = "engine = \"engines/villalva_i6.toml\"\nspeed_rpm = { from = 600, to = 3200, step = 100 }\norder_limit = 6\n\n[[objective]]\nring_inertia = {}\n\n\
+                [[constraint]]\npeak_twist = { from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }\n\n[optimise]\nconditions = [\"firing\", \"misfire\"]\nrandom_starts = 0\n\
+                [[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.between = [0.005, 0.15]\n";
+    let study = hartog::input::Study::from_toml(text, Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/lightest.toml"));
+    let results = study.unwrap_or_else(|e| panic!("{e}")).run().expect("damped");
+    let optimum = results.best_optimum(false).expect("an optimum");
+    let judged = results.judged_optimum(optimum);
+    assert!(judged.is_reference() && judged.other_reference().is_none(), "{judged:?}");
+    assert!(judged.value == optimum.optimum.value() && results.study.held().len() == 2);
+}

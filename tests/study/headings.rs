@@ -33,6 +33,9 @@ fn what_lies_where_in_a_chain() {
         told.contains("as `Damping to next [N m s/rad]` (Relative Dämpfung) and `Damping to ground [N m s/rad]` (Absolute Dämpfung) do"),
         "{told}"
     );
+    // in German tables c is the stiffness and k the damping: their units tell
+    let (_, told) = imported(damped("k").replace("k [N m/rad]", "c [N m/rad]"));
+    assert!(told.contains("column `k [N m s/rad]`, which does not say whether"), "{told}");
     let (_, told) = imported("Station;J [kg m2];k [N m/rad]\nwheel;0,9;900000\ncrank;0,02;300000\nhub;0,01;\n");
     assert!(told.contains("note: the chain begins with `wheel`, its largest inertia"), "{told}");
     let place = tempfile::tempdir().expect("a folder");

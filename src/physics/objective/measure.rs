@@ -147,6 +147,12 @@ impl Measure {
         }
     }
 
+    /// Whether it is of inertias alone, which are the same in every condition.
+    #[doc(hidden)]
+    pub fn is_inertia(&self) -> bool {
+        matches!(self.over, Over::Property(Property::RingInertia | Property::TotalInertia))
+    }
+
     /// In units of one: W, rad, N m.
     #[must_use]
     pub fn in_si(&self) -> Limit {

@@ -11,7 +11,7 @@ use super::minimax::{self, Outcome};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;
 use crate::absorber::Mounted;
-use crate::objective::{HELD, Limit, Over, Property};
+use crate::objective::{HELD, Limit};
 use crate::response::{ResponseError, Work};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -195,7 +195,7 @@ impl<'a> Follower<'a> {
 
     /// What the second measure is where all variables are at their lower bounds, where that is the least of it: of inertias, which grow with their own variables alone.
     fn lowest(&self) -> Result<Option<f64>, ResponseError> {
-        if !matches!(self.second.measure.over, Over::Property(Property::RingInertia | Property::TotalInertia)) {
+        if !self.second.measure.is_inertia() {
             return Ok(None);
         }
         let corner: Vec<f64> = self.problem.space.bounds().iter().map(|bound| bound.0).collect();

@@ -66,8 +66,11 @@ impl Judged {
 }
 
 impl Results {
-    /// Conditions that a design is judged in: those that an optimum is to hold in, and in operation; one that changes nothing is firing.
+    /// Conditions that a design is judged in: those that an optimum is to hold in, and in operation; one that changes nothing is firing, and an inertia is the same in all.
     fn judged_in(&self, d: &DesignResult) -> Vec<Basis> {
+        if self.study.objective.measure.is_inertia() {
+            return vec![Basis::REFERENCE];
+        }
         let held = self.study.held();
         let changes = |c: Condition| d.conditions.iter().any(|own| own.condition == c);
         let mut list = Vec::new();
@@ -119,7 +122,8 @@ impl Results {
         if let Some(first) = self.judged(&o.design).filter(|_| o.objective == 0) {
             return first;
         }
-        let held = self.study.held();
+        let is_inertia = self.study.objective_of(o.objective).measure.is_inertia();
+        let held = if is_inertia { &[Condition::Firing] } else { self.study.held() };
         let worst_of: Vec<Basis> = held.iter().map(|c| Basis::In(*c)).collect();
         // its active peak says where it is reached
         let row = o.optimum.outcome.rows.rows.iter().position(|r| !r.role.is_limit());

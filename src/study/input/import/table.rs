@@ -71,7 +71,7 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
         let (words, unit) = parts(head);
         let Some(role) = role_of(head) else {
             let hint = match () {
-                () if is_damping(&words) => {
+                () if is_damping(&words, unit.as_deref()) => {
                     ", which does not say whether it is to the next station or to ground, as `Damping to next [N m s/rad]` (Relative Dämpfung) and `Damping to ground [N m s/rad]` (Absolute Dämpfung) do"
                 }
                 () if is_ratio(&words) => ": all is read as of one speed, and a gear has to be put in by `gear_ratio_to_next`",

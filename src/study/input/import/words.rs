@@ -43,9 +43,13 @@ pub(super) enum Role {
     Throws,
 }
 
-/// Whether a damping is named that may be to the next station or to ground.
-pub(super) fn is_damping(words: &str) -> bool {
-    DAMPING.iter().any(|w| words.contains(w))
+/// Whether a damping is named, or a sign stands with its unit (k in German), that may be to the next station or to ground.
+pub(super) fn is_damping(words: &str, unit: Option<&str>) -> bool {
+    DAMPING.iter().any(|w| words.contains(w)) || has_unit_of(Role::DampingToNext, unit)
+}
+
+fn has_unit_of(role: Role, unit: Option<&str>) -> bool {
+    unit.is_some_and(|u| known(units(role), u).is_some())
 }
 
 /// Whether a (folded) head names what lies before a station.
@@ -81,9 +85,10 @@ impl Role {
                 None
             };
         }
-        // a c is a stiffness in German and a damping in English: its unit tells
-        let is_rate = || unit.is_some_and(|u| known(units(Self::Stiffness), u).is_some());
-        if has(STIFFNESS) || words == "k" || ["c", "ct", "c_t"].contains(&words) && is_rate() {
+        // c and k are stiffness and damping in German, damping and stiffness in English: their unit tells
+        let is_rate = || has_unit_of(Self::Stiffness, unit);
+        let is_damped = || has_unit_of(Self::DampingToNext, unit);
+        if has(STIFFNESS) || words == "k" && !is_damped() || ["c", "ct", "c_t"].contains(&words) && is_rate() {
             return Some(Self::Stiffness);
         }
         if has(INERTIA) || ["j", "θ", "theta"].contains(&words) {

@@ -202,9 +202,9 @@ pub(crate) struct RawOptimise {
     /// Conditions in which the optimum has to be good: the worst one counts.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true, "default" = ["firing"], "examples" = [["firing", "misfire"]]))]
     pub conditions: Option<At<Vec<At<RawCondition>>>>,
-    /// Whether the optimum is searched at the temperature and strain of operation, too, where a material says how these follow the motion. Without it that is so under limits only, as it takes longer; every design is reported in operation either way.
+    /// Whether the optimum is searched at the temperature and strain of operation, too, where a material says how these follow the motion. Without it that is so under limits only, as it takes longer, and under limits it cannot be left out; every design is reported in operation either way.
     #[schemars(extend("default" = false, "examples" = [true]))]
-    pub in_operation: Option<bool>,
+    pub in_operation: Option<At<bool>>,
     /// A family of absorbers; with several, all are in the design at once.
     pub absorber: At<Vec<RawOptimised>>,
     /// Several objectives as one, in units of their targets.

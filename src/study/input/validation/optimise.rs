@@ -141,8 +141,16 @@ pub(crate) fn resolve(
         let working: Vec<String> = Condition::NAMED.iter().filter(|c| c.has_absorbers()).map(|c| format!("`{}`", c.name())).collect();
         check.wrong(list, format!("found no condition in which an absorber works, expected one of {} among them", working.join(", ")));
     }
-    let in_operation = raw.in_operation.unwrap_or(false);
+    let in_operation = raw.in_operation.as_ref().is_some_and(|o| *o.get_ref());
     Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions, in_operation })
+}
+
+/// Limits hold in operation or not at all: a search that leaves it out would find what does not hold them.
+pub(super) fn under_limits(check: &mut Check, study: &RawStudy) {
+    let asked = study.optimise.as_ref().and_then(|o| o.in_operation.as_ref());
+    if let Some(no) = asked.filter(|o| !*o.get_ref() && !study.constraint.is_empty()) {
+        check.wrong(no, "found `false` beside [[constraint]], expected `true` or nothing: limits are judged in operation, and what holds them is searched there");
+    }
 }
 
 pub(super) fn front(

@@ -14,6 +14,7 @@ use hartog::objective::{Condition, Measure, Over, PeakFinder};
 use hartog::optimise::{LoadCase, Problem, Row};
 use hartog::response::{Direct, Grid, Method, Quantity, Receptance, Response, Work};
 use hartog::units::RAD_PER_S_PER_RPM;
+use std::path::Path;
 
 fn misfiring(study: &Study, cylinder: usize) -> Excitation {
     let e = Excitation::new(&study.engine, study.order_limit);

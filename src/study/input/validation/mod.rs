@@ -249,8 +249,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let temperatures = material_states::of_conditions(check, study);
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
     let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
-    let optimise = study.optimise.as_ref().and_then(|o| optimise::resolve(check, o, &base.engine, (&base.chain, &modes), temperatures));
-    optimise::under_limits(check, study);
+    let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), temperatures);
     let sold = catalogues.iter().flat_map(|c| &c.designs);
     let hub = hub(designs.iter().chain(sold.clone()), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);

@@ -8,6 +8,7 @@ use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
+use crate::input::schema::measure::RawMeasure;
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
@@ -105,11 +106,13 @@ pub(super) fn scatter(check: &mut Check, study: &RawStudy, engine: &Engine, cond
 
 pub(crate) fn resolve(
     check: &mut Check,
-    raw: &RawOptimise,
+    study: &RawStudy,
     engine: &Engine,
     (chain, modes): (&Chain, &Modes),
     temperatures: Temperatures,
 ) -> Option<OptimiseSpec> {
+    let raw = study.optimise.as_ref()?;
+    under_limits(check, raw, &study.constraint);
     let whole = |value: Option<&At<i64>>, default: i64, most: i64, check: &mut Check| {
         let x = value.map_or(default, |v| *v.get_ref());
         if let Some(v) = value
@@ -146,9 +149,8 @@ pub(crate) fn resolve(
 }
 
 /// Limits hold in operation or not at all: a search that leaves it out would find what does not hold them.
-pub(super) fn under_limits(check: &mut Check, study: &RawStudy) {
-    let asked = study.optimise.as_ref().and_then(|o| o.in_operation.as_ref());
-    if let Some(no) = asked.filter(|o| !*o.get_ref() && !study.constraint.is_empty()) {
+fn under_limits(check: &mut Check, raw: &RawOptimise, limits: &[At<RawMeasure>]) {
+    if let Some(no) = raw.in_operation.as_ref().filter(|o| !*o.get_ref() && !limits.is_empty()) {
         check.wrong(no, "found `false` beside [[constraint]], expected `true` or nothing: limits are judged in operation, and what holds them is searched there");
     }
 }

@@ -261,3 +261,20 @@ fn a_page_holds_every_table() {
         assert!(page.contains("What was found, in words") && page.contains("first-order"), "{study}");
     }
 }
+
+/// A question whose objective is the same in every condition names those that its limits are held in.
+#[test]
+fn a_question_names_the_conditions_of_its_limits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let study = folder.path().join("lightest.toml");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let text = format!(
+        "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 200 }}\norder_limit = 6\n\n[[objective]]\nring_inertia = {{}}\n\n\
+         [[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }}\n\n[optimise]\nconditions = [\"firing\", \"misfire\"]\nrandom_starts = 0\n\
+         [[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.between = [0.005, 0.15]\n",
+        engine.display()
+    );
+    std::fs::write(&study, text).expect("written");
+    let page = std::fs::read_to_string(page_of(&study.to_string_lossy(), &folder.path().join("out"))).expect("a page");
+    assert!(page.contains("at most 0.6°, each at the worst of firing and misfire?"), "{}", page.split("</p>").next().unwrap_or_default());
+}

@@ -1,11 +1,12 @@
 //! What was asked, what the answer is, and whether to believe it.
 
 use super::parts::value_of;
+use crate::analysis::judged::Basis;
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
 use crate::objective::Condition;
-use crate::text::judged::{asked, is_other, of_what, word};
+use crate::text::judged::{asked, is_other, list, of_what, word};
 use crate::text::limits::broken_within_tolerances;
 use crate::text::verdict::{clause, of_design};
 use crate::text::{bounds, dash, short, tolerances};
@@ -50,6 +51,12 @@ fn told(results: &Results, d: &DesignResult, wanted: impl Fn(&Verdict) -> bool) 
     found.iter().filter(|v| wanted(v)).map(|v| clause(v, of, &d.absorbers)).collect()
 }
 
+/// Conditions that limits are held in, where the objective is the same in all of them and does not name them.
+fn limits_held_in(study: &Study, judged_in: &str) -> Option<String> {
+    let held: Vec<String> = study.held().iter().map(|c| word(Basis::In(*c))).collect();
+    (judged_in.is_empty() && study.held() != [Condition::Firing]).then(|| list(&held))
+}
+
 /// The question, then an answer each: the best as drawn, and the best within tolerances.
 pub(super) fn question(study: &Study, results: &Results) -> Markup {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
@@ -59,7 +66,8 @@ pub(super) fn question(study: &Study, results: &Results) -> Markup {
         h1 { (study.engine.name) ": " (study.name) }
         p { "Which absorber makes the " (study.objective.label) " smallest from " (low) " to " (high) " rpm"
             @if !judged_in.is_empty() { ", at the worst of " (judged_in) }
-            @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) } }
+            @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) }
+                @if let Some(held) = limits_held_in(study, &judged_in) { ", each at the worst of " (held) } }
             "?"
             @if let Some(spec) = study.robust.as_ref().filter(|_| robust.is_some()) { " And which at its worst within the tolerances of its making (" (tolerances(spec)) ")?" } }
         @if let Some(o) = drawn {

@@ -22,7 +22,7 @@ pub(super) struct RunTable {
 pub(super) const RUN_TABLES: [RunTable; 20] = [
     RunTable {
         stem: "designs",
-        about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions have none), peak twist, largest order, shaft torque, heat, ring twist",
+        about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
         asked: always,
         write: csv::designs,
     },

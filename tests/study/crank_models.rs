@@ -156,7 +156,7 @@ fn auto_hides_no_more_than_it_states() {
 #[test]
 fn the_ladder_is_of_the_same_models() {
     let mut study = designs_alone();
-    study.speeds_rpm = study.speeds_rpm.iter().copied().step_by(20).collect();
+    study.speeds_rpm = study.speeds_rpm.iter().copied().step_by(5).collect();
     (study.order_limit, study.refine_peaks) = (6.0, false);
     study.designs.truncate(2);
     let ladder = crank_ladder::measure(&study).expect("damped").expect("on a flexible crank");

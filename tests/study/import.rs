@@ -301,3 +301,12 @@ fn import_refuses_the_traces_that_check_refuses() {
         "{told}"
     );
 }
+
+/// The rows of a chain that the guide shows are those of the file that it names.
+#[test]
+fn the_guide_shows_rows_of_a_chain() {
+    let read = |path: &str| std::fs::read_to_string(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("text");
+    let guide = read("src/guide/own_engine.md");
+    let shown = guide.split("```csv\nstation,").nth(1).and_then(|rest| rest.split("```").next()).expect("rows");
+    assert!(read("studies/engines/mendes_mwm6_chain.csv").starts_with(&format!("station,{shown}")), "{shown}");
+}

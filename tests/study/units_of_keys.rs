@@ -35,8 +35,8 @@ fn powers(unit: &str) -> [i32; 3] {
     }
 }
 
-/// Factors by which kilogram, metre and second are smaller: no small powers of them make another, or one.
-const SMALLER: [f64; 3] = [1.01, 1.013, 1.0171];
+/// Factors by which kilogram, metre and second are smaller: products of their powers up to the fourth differ from one by 7e-4 at least.
+const SMALLER: [f64; 3] = [1.01, 1.0179, 1.0107];
 
 /// Factor by which numbers in a unit grow with [`SMALLER`].
 fn larger(unit: &str) -> f64 {

@@ -62,14 +62,14 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
-        p class="soft" { "Judged in: " (judged_in(study, results).join(", ")) "." }
+        p class="soft" { "Judged in: " (limits_judged_in(study, results).join(", ")) "." }
         @for (d, words) in all().filter_map(|d| Some((d, not_judged(study, d)?))) { p class="bad" { (d.name) ": " (words) "." } }
         (rule_stresses(study, results))
     } }
 }
 
 /// Conditions that limits are judged in, of some design at least.
-fn judged_in(study: &Study, results: &Results) -> Vec<String> {
+pub(super) fn limits_judged_in(study: &Study, results: &Results) -> Vec<String> {
     let mut all = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).flat_map(|d| &d.conditions);
     let operates = all.any(|c| c.condition == Condition::InOperation);
     let held = study.held().iter().copied().chain(operates.then_some(Condition::InOperation));

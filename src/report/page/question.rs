@@ -1,7 +1,6 @@
 //! What was asked, what the answer is, and whether to believe it.
 
-use super::parts::value_of;
-use crate::analysis::judged::Basis;
+use super::parts::{limits_judged_in, value_of};
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
@@ -51,23 +50,18 @@ fn told(results: &Results, d: &DesignResult, wanted: impl Fn(&Verdict) -> bool) 
     found.iter().filter(|v| wanted(v)).map(|v| clause(v, of, &d.absorbers)).collect()
 }
 
-/// Conditions that limits are held in, where the objective is the same in all of them and does not name them.
-fn limits_held_in(study: &Study, judged_in: &str) -> Option<String> {
-    let held: Vec<String> = study.held().iter().map(|c| word(Basis::In(*c))).collect();
-    (judged_in.is_empty() && study.held() != [Condition::Firing]).then(|| list(&held))
-}
-
 /// The question, then an answer each: the best as drawn, and the best within tolerances.
 pub(super) fn question(study: &Study, results: &Results) -> Markup {
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let judged_in = asked(results);
+    // the objective may be the same in conditions that its limits are judged in
+    let (judged_in, limits_in) = (asked(results), limits_judged_in(study, results));
     let (drawn, robust) = (results.best_optimum(false), results.best_optimum(true));
     html! {
         h1 { (study.engine.name) ": " (study.name) }
         p { "Which absorber makes the " (study.objective.label) " smallest from " (low) " to " (high) " rpm"
             @if !judged_in.is_empty() { ", at the worst of " (judged_in) }
             @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) }
-                @if let Some(held) = limits_held_in(study, &judged_in) { ", each at the worst of " (held) } }
+                @if judged_in.is_empty() && limits_in != ["firing"] { ", each at the worst of " (list(&limits_in)) } }
             "?"
             @if let Some(spec) = study.robust.as_ref().filter(|_| robust.is_some()) { " And which at its worst within the tolerances of its making (" (tolerances(spec)) ")?" } }
         @if let Some(o) = drawn {

@@ -148,10 +148,10 @@ pub(crate) fn resolve(
     Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions, in_operation })
 }
 
-/// Limits hold in operation or not at all: a search that leaves it out would find what does not hold them.
+/// Limits are judged in operation: a search that leaves it out may find what does not hold them there.
 fn under_limits(check: &mut Check, raw: &RawOptimise, limits: &[At<RawMeasure>]) {
     if let Some(no) = raw.in_operation.as_ref().filter(|o| !*o.get_ref() && !limits.is_empty()) {
-        check.wrong(no, "found `false` beside [[constraint]], expected `true` or nothing: limits are judged in operation, and what holds them is searched there");
+        check.wrong(no, "found `false` beside [[constraint]], expected `true` or nothing: limits are judged in operation, so that the search looks there, too");
     }
 }
 

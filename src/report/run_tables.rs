@@ -19,7 +19,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 20] = [
+pub(super) const RUN_TABLES: [RunTable; 22] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -49,6 +49,18 @@ pub(super) const RUN_TABLES: [RunTable; 20] = [
         about: "twist of the design without absorber, the best given one and the best optimum on bearings that are not linear, beside that on linear ones: at the speed of the largest and 3 % beside it; displacement over the reach of the law, the last harmonics, steps of the solution",
         asked: |s| s.on_flexible().is_some_and(|f| f.spec.joints.is_some()),
         write: |_, r, f| csv::joints(r, f),
+    },
+    RunTable {
+        stem: "web_loads",
+        about: "webs of the design without absorber, the best given one and the best optimum on the flexible crank: half peak-to-peak of the moment in the plane of the throw in the middle of a web where it is largest, the same at that speed without vibration, and what vibration adds at most over all speeds to the amplitude of its nominal bending stress",
+        asked: on_webs,
+        write: |_, r, f| csv::web_loads(r, f),
+    },
+    RunTable {
+        stem: "web_margins",
+        about: "smallest margin of the same designs at the speeds of the study, the webs bent as the flexible crank bends them, beside that by the continuous beam which searches and other tables use",
+        asked: on_webs,
+        write: |_, r, f| csv::web_margins(r, f),
     },
     RunTable {
         stem: "catalogue",
@@ -136,6 +148,10 @@ pub(super) const RUN_TABLES: [RunTable; 20] = [
         write: csv::front,
     },
 ];
+
+fn on_webs(study: &Study) -> bool {
+    study.on_flexible().is_some() && study.fatigue.is_some()
+}
 
 fn always(_: &Study) -> bool {
     true

@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 #[path = "flexible_crank/independent.rs"]
 mod independent;
+#[path = "flexible_crank/webs.rs"]
+mod webs;
 
 fn six() -> Study {
     Study::read("studies/villalva_i6_flexible.toml").expect("a study")

@@ -4,6 +4,7 @@ use crate::support::{assert_close, study};
 use hartog::absorber::{Mounted, Tuned};
 use hartog::analysis::Modelled;
 use hartog::benchmark::crank_ladder::{self, Rung};
+use hartog::crankshaft::MarginCriterion;
 use hartog::input::{CrankModel, Study};
 use hartog::objective::Condition;
 use rand::{Rng, SeedableRng};
@@ -51,6 +52,37 @@ fn table_of_the_guide() {
         let own: Vec<String> = found.twist.iter().map(|t| format!("{:.4}", t.1.to_degrees())).collect();
         assert_eq!(printed, own, "{design}");
     }
+}
+
+/// What the guide says of the webs is what the study finds: margin by its own webs and by the beam, place, speed, stress that vibration adds. The rule for one throw by itself has no such margin.
+#[test]
+fn webs_of_the_guide() {
+    let guide = include_str!("../../src/guide/crank_and_fatigue.md").split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut study = Study { fatigue: study("villalva_i6_flexible").fatigue, ..designs_alone() };
+    study.designs.retain(|d| ["none", "best_on_the_chain"].contains(&d.name.as_str()));
+    let results = study.run().expect("damped");
+    let webs = results.webs.iter().find(|w| w.design == "best_on_the_chain").expect("a design");
+    let margin = &webs.margins[0];
+    let by_beam = results.margins.iter().find(|m| m.design == webs.design).expect("margins").smallest(0);
+    assert_close(by_beam.into_iter().fold(f64::INFINITY, f64::min), margin.beam, 1e-12, 0.0, "the smallest of the sweep");
+    let told = format!(
+        "adds up to {:.0} MPa in the last web, and its margin by Goodman is {:.2} instead of {:.2}, at {} and {} rpm",
+        webs.added() / 1e6,
+        margin.margin,
+        margin.beam,
+        margin.fillet,
+        margin.speed_rpm
+    );
+    assert!(guide.contains(&told), "{told}");
+    let last = webs.webs.last().expect("a web");
+    assert!(last.rear && last.throw == 5 && last.added == webs.added());
+    let rule = study.fatigue.expect("fatigue").criteria.iter().position(|c| *c == MarginCriterion::IacsM53);
+    assert!(webs.margins.iter().all(|m| Some(m.criterion) != rule));
+    assert!(study_on_chain().run().expect("damped").webs.is_empty(), "the chain asks for nothing");
+}
+
+fn study_on_chain() -> Study {
+    Study { crank_model: CrankModel::Chain, fatigue: study("villalva_i6_flexible").fatigue, ..designs_alone() }
 }
 
 /// And what searches find: the row of the optimum, and what each optimum costs on the other model, of the six and of the V10.

@@ -1,6 +1,6 @@
 //! Local bending stress of every location over the working cycle, at every speed of a sweep.
 
-use super::loads::{CrankLoads, CrankModel, InPlane, Section as History};
+use super::loads::{CrankLoads, CrankModel, InPlane, STRIDE, Section as History};
 use super::{Crank, CriticalLocation, Family, Place};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
@@ -22,16 +22,20 @@ pub struct Table {
     pub histories: Vec<Vec<History>>,
 }
 
-/// Every so many samples of the loads are enough for histories: 1° apart.
-const APART: usize = 5;
+/// Loads of all webs over the cycle at a speed (its index), in the place of those of a continuous beam: front and rear of every throw, [`OTHER_STRIDE`] samples of the pressure apart.
+pub type OtherWebs<'a> = &'a (dyn Fn(usize) -> Vec<InPlane> + Sync);
+
+/// Every so many samples of the pressure, 0.5° apart: a largest value is met within 1e-3 of itself.
+pub(crate) const OTHER_STRIDE: usize = 5;
+
+/// Every so many samples of the pressure are enough for histories: 1° apart.
+const APART: usize = 10;
 
 /// The table. Nothing where the torque comes from a table.
 pub fn table(
-    engine: &Engine,
-    chain: &Chain,
-    crank: &Crank,
+    (engine, chain, crank): (&Engine, &Chain, &Crank),
     locations: &[CriticalLocation],
-    speeds_rpm: &[f64],
+    (speeds_rpm, others): (&[f64], Option<OtherWebs>),
     with_histories: bool,
 ) -> Option<Table> {
     let model = CrankModel::new(engine, crank)?;
@@ -48,27 +52,33 @@ pub fn table(
             None => sections.push((section, vec![i])),
         }
     }
-    let row = |place: &mut ThrowLoads, speed: &f64| {
+    let stride = if others.is_some() { OTHER_STRIDE } else { STRIDE };
+    let row = |place: &mut ThrowLoads, (i, speed): (usize, &f64)| {
+        let others = others.map(|of| of(i));
+        let other = |throw: usize, rear: bool| others.as_ref().map(|all| all[2 * throw + usize::from(rear)].clone());
         let loads = model.in_place_of(std::mem::take(place), *speed);
         let mut local = vec![Cycle { amplitude: 0.0, mean: 0.0 }; count];
         let mut webs = vec![None; if with_histories { 2 * crank.throws() } else { 0 }];
         for (section, own) in &sections {
-            let in_plane = section.loads(crank, &loads);
+            let replaced = if let Section::Web(throw, rear) = section { other(*throw, *rear) } else { None };
+            let in_plane = replaced.unwrap_or_else(|| section.loads(crank, &loads));
             for (i, column) in own.iter().filter_map(|i| Some((*i, columns[*i]?))) {
                 local[column] = stress(&locations[i], &in_plane);
             }
             if let (true, Section::Web(throw, rear)) = (with_histories, section) {
-                webs[2 * throw + usize::from(*rear)] = Some(history(&in_plane));
+                webs[2 * throw + usize::from(*rear)] = Some(history(&in_plane, stride));
             }
         }
-        let missing = |(i, known): (usize, Option<History>)| known.unwrap_or_else(|| history(&loads.web(i / 2, i % 2 == 1)));
+        let missing = |(i, known): (usize, Option<History>)| {
+            known.unwrap_or_else(|| history(&other(i / 2, i % 2 == 1).unwrap_or_else(|| loads.web(i / 2, i % 2 == 1)), stride))
+        };
         let webs = webs.into_iter().enumerate().map(missing).collect();
         let mean_torque = mean_torque(chain, &loads);
         *place = loads.place();
         (local, mean_torque, webs)
     };
     // loads of one speed take the place of the last: they are large
-    let rows: Vec<_> = speeds_rpm.par_iter().map_init(ThrowLoads::default, row).collect();
+    let rows: Vec<_> = speeds_rpm.par_iter().enumerate().map_init(ThrowLoads::default, row).collect();
     let mut table = Table { columns, ..Table::default() };
     for (bending, mean_torque, histories) in rows {
         table.bending.push(bending);
@@ -78,8 +88,9 @@ pub fn table(
     Some(table)
 }
 
-fn history(section: &InPlane) -> History {
-    [&section.moment, &section.tangential, &section.shear].map(|load| load.iter().step_by(APART).copied().collect())
+/// Of loads so many samples of the pressure apart.
+fn history(section: &InPlane, stride: usize) -> History {
+    [&section.moment, &section.tangential, &section.shear].map(|load| load.iter().step_by(APART / stride).copied().collect())
 }
 
 /// A section of the crank, and how its loads are found.

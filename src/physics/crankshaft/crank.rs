@@ -153,7 +153,8 @@ impl Crank {
     }
 
     /// Thickness of the web that bears, m: without overlap, a recess deeper than its fillet leaves less of it \[IACS UR M53\] section 2.1.2.
-    pub(crate) fn bearing_web(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn bearing_web(&self) -> f64 {
         let undercut = (self.pin_recess - self.pin_fillet).max(0.0);
         if self.overlap() < 0.0 { self.web_thickness - undercut } else { self.web_thickness }
     }

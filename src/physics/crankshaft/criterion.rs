@@ -76,6 +76,12 @@ impl MarginCriterion {
         matches!(self, Self::IacsM53 | Self::IacsM53Continuous)
     }
 
+    /// Whether it takes the bending of the whole crank on all its bearings, not of one throw by itself.
+    #[doc(hidden)]
+    pub fn bends_the_whole_crank(self) -> bool {
+        self != Self::IacsM53
+    }
+
     /// Which locations it judges.
     pub fn families(self) -> &'static [Family] {
         match self {

@@ -70,9 +70,21 @@ impl Margin {
     /// For the speeds (ascending, rpm) of a sweep and the harmonics of its torque in the cycle; between speeds bending is linear in the square of the speed, the chord of a curve that bends upwards.
     /// Nothing where the torque comes from a table or a throw has no shaft beside it.
     pub fn new(engine: &Engine, chain: &Chain, crank: &Crank, spec: &FatigueSpec, speeds_rpm: &[f64], harmonics: &[u32]) -> Option<Self> {
+        Self::with_webs((engine, chain, crank), spec, speeds_rpm, harmonics, None)
+    }
+
+    /// The same with other loads of the webs than those of a continuous beam. The class rule bends one throw by itself, whatever these are.
+    #[doc(hidden)]
+    pub fn with_webs(
+        (engine, chain, crank): (&Engine, &Chain, &Crank),
+        spec: &FatigueSpec,
+        speeds_rpm: &[f64],
+        harmonics: &[u32],
+        webs: Option<bending::OtherWebs>,
+    ) -> Option<Self> {
         let locations = locations(chain, crank, spec)?;
         let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
-        let table = bending::table(engine, chain, crank, &locations, speeds_rpm, multiaxial)?;
+        let table = bending::table((engine, chain, crank), &locations, (speeds_rpm, webs), multiaxial)?;
         let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &locations, table.histories));
         let own = |shaft: usize, family: Family| {
             (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect()

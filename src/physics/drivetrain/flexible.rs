@@ -117,6 +117,49 @@ impl FlexibleCrank {
         self.crank.shaft.response(Turning { omega: self.orders[order].value() * speed, speed }, &all)
     }
 
+    /// The crank itself.
+    pub(crate) fn on_stations(&self) -> &OnStations {
+        &self.crank
+    }
+
+    /// Tables of other answers to the forces of all cylinders alike, in both directions, and to a unit torque on each station that may carry absorbers.
+    pub(crate) fn other_answers(&self, answers: Vec<Answer>) -> Transfer {
+        let loads = |n: usize| self.transfer.loads(n)[..2 + self.hosts.len()].to_vec();
+        let (low, high) = self.speeds_rpm;
+        let range = (low * RAD_PER_S_PER_RPM, high * RAD_PER_S_PER_RPM);
+        let orders: Vec<f64> = self.orders.iter().map(|o| o.value()).collect();
+        Transfer::new(self.crank.shaft.clone(), orders, (0..self.orders.len()).map(loads).collect(), answers, range)
+    }
+
+    /// Those answers under the forces of an engine whose cylinders are alike and torques on stations.
+    ///
+    /// # Errors
+    /// [`Singular`] at an undamped resonance.
+    pub(crate) fn answered(
+        &self,
+        transfer: &Transfer,
+        excitation: &Excitation,
+        (order, speed_rpm): (usize, f64),
+        torques: &[(usize, C64)],
+    ) -> Result<Vec<C64>, Singular> {
+        let speed = speed_rpm * RAD_PER_S_PER_RPM;
+        let point = transfer.at(order, speed)?;
+        let mut all = vec![ZERO; transfer.answers()];
+        let radial = (0, excitation.unit_radial(order, speed_rpm));
+        let tangential = (1, excitation.unit_torque(order, speed_rpm) / self.crank.radius);
+        [radial, tangential].into_iter().for_each(|load| transfer.add(load, order, (&point, None), &mut all));
+        for (station, torque) in torques {
+            match self.hosts.iter().position(|s| s == station) {
+                Some(host) => transfer.add((2 + host, *torque), order, (&point, None), &mut all),
+                None => {
+                    let own = transfer.solved(order, speed, &[unit_torque(&self.crank, *station)])?;
+                    all.iter_mut().zip(own).for_each(|(sum, y)| *sum += y * torque);
+                }
+            }
+        }
+        Ok(all)
+    }
+
     /// An order of the excitation at a speed.
     pub(crate) fn at(&self, (order, speed_rpm): (usize, f64), rows: Option<Arc<[usize]>>) -> Result<CrankPoint, Singular> {
         Ok(CrankPoint { point: self.transfer.at(order, speed_rpm * RAD_PER_S_PER_RPM)?, order, speed_rpm, rows })

@@ -5,6 +5,7 @@ use super::factored::Factored;
 use super::lane::{LANES, Lane};
 use super::output::Output;
 use super::{Grid, Quantity, Response, ResponseError, Work};
+use crate::absorber::condensed::Hub;
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
@@ -174,6 +175,19 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<C64, ResponseError> {
         Factored::new(self.system).phasor(design, quantity, (order, speed_rpm), work)
+    }
+
+    /// Torque of every absorber on its station at an order (an index) and a speed, N m.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] at an undamped resonance.
+    #[doc(hidden)]
+    pub fn absorber_torques(&self, design: &[Mounted], at: (usize, f64), work: &mut Work) -> Result<Vec<(usize, C64)>, ResponseError> {
+        let mut solver = Factored::new(self.system);
+        solver.ask(design, &[]);
+        solver.solve(design, at, work)?;
+        let of = |(hub, z): (usize, &Hub)| (z.station, -solver.hub(hub, z.numerator, &solver.x));
+        Ok(solver.condensed.hubs.iter().enumerate().map(of).collect())
     }
 
     /// Derivatives of the phasors of `quantity` at one speed with respect to the parameters of absorber `index` of the design

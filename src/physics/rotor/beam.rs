@@ -147,6 +147,12 @@ impl Beam {
         OnNodes { stiffness: self.turned(self.local_stiffness()), mass, gyroscopic: gyro, turning: turning + self.turned(self.string()) }
     }
 
+    /// What the part of the shaft behind its first and its second end exerts on the part before it, in turning axes: force, then moment, by the motions of both nodes.
+    pub(crate) fn through_ends(&self) -> [SMatrix<f64, 6, 12>; 2] {
+        let stiffness = self.turned(self.local_stiffness());
+        [-stiffness.fixed_rows::<6>(0), stiffness.fixed_rows::<6>(6).into_owned()]
+    }
+
     /// N/L [1 -1; -1 1] on both transverse motions.
     fn string(&self) -> Pair {
         let mut k = Pair::zeros();

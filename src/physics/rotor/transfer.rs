@@ -78,6 +78,11 @@ impl Transfer {
         }
     }
 
+    /// How many answers there are to a load.
+    pub(crate) fn answers(&self) -> usize {
+        self.answers.len()
+    }
+
     /// Loads of an order.
     pub(crate) fn loads(&self, order: usize) -> &[Load] {
         &self.loads[order]

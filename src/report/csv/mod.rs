@@ -31,6 +31,7 @@ mod strain;
 mod table;
 mod timing;
 mod values;
+mod webs;
 
 pub use absorbers::absorbers;
 pub use barred::barred;
@@ -58,3 +59,4 @@ pub use table::number;
 pub(crate) use table::{in_unit, rounded};
 pub use timing::timing;
 pub use values::values;
+pub(crate) use webs::{web_loads, web_margins};

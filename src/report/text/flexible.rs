@@ -5,7 +5,7 @@ use crate::analysis::{DesignResult, Modelled, Results, crank_at_speed};
 use crate::crankshaft::flexible::{Bearing, LinearBearings};
 use crate::input::{FlexibleModel, Study};
 use crate::rotor::free_modes::FreeMode;
-use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
+use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, PA_PER_MPA, RAD_PER_S_PER_RPM};
 use std::fmt::Write;
 
 /// Modes that are told of.
@@ -82,6 +82,7 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
             None => "  on its bearings, which are not linear, no periodic motion was found at some speed (`joints.csv`)".into(),
         });
     }
+    lines.extend(by_webs(results, d));
     let own = known.map(|m| Modelled::ALL.map(|model| m.of(model).unwrap_or_default()));
     if own.is_some_and(|[_, own, halved, doubled]| own < halved.min(doubled)) {
         lines.push(
@@ -92,6 +93,20 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
         lines.extend(growing(&results.study).lines().map(|l| format!("  {l}")));
     }
     lines
+}
+
+/// A line on margins by the webs of the flexible crank, by the study's first criterion that they have.
+fn by_webs(results: &Results, d: &DesignResult) -> Option<String> {
+    let webs = results.webs.iter().find(|w| w.design == d.name)?;
+    let margin = webs.margins.first()?;
+    let criterion = results.study.fatigue.as_ref()?.criteria.get(margin.criterion)?;
+    Some(format!(
+        "  its margin by {} is {} with the webs bent as the flexible crank bends them, {} by the beam on rigid bearings; their vibration adds up to {} MPa to the nominal stress (`web_loads.csv`)",
+        criterion.name(),
+        significant(margin.margin, 4),
+        significant(margin.beam, 4),
+        significant(webs.added() / PA_PER_MPA, 3),
+    ))
 }
 
 /// Stiffness of a throw by what its bearings hold; nothing without a flexible crank.

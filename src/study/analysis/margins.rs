@@ -108,7 +108,17 @@ pub fn sweep(
     design: &[Mounted],
     step: &(dyn Fn() + Sync),
 ) -> Result<Option<MarginSweep>, ResponseError> {
-    let Some(model) = finder.margin else { return Ok(None) };
+    finder.margin.map(|model| sweep_by(model, finder, grid, (name, design), step)).transpose()
+}
+
+/// The same by a model of the margins on the speeds of `grid`.
+pub(super) fn sweep_by(
+    model: &Margin,
+    finder: &PeakFinder,
+    grid: &Grid,
+    (name, design): (&str, &[Mounted]),
+    step: &(dyn Fn() + Sync),
+) -> Result<MarginSweep, ResponseError> {
     let direct = Direct::new(finder.system, grid);
     let mut shafts: Vec<usize> = model.locations.iter().map(|l| l.shaft).collect();
     shafts.sort_unstable();
@@ -136,5 +146,5 @@ pub fn sweep(
         used: rows.iter().map(|row| row.used[k]).collect(),
     };
     let judged = rows.iter().map(|row| row.judged).sum();
-    Ok(Some(MarginSweep { design: name.to_owned(), fillets: fillets.into_iter().enumerate().map(of).collect(), judged }))
+    Ok(MarginSweep { design: name.to_owned(), fillets: fillets.into_iter().enumerate().map(of).collect(), judged })
 }

@@ -57,6 +57,7 @@ pub mod timing_probe;
 mod tradeoffs;
 #[doc(hidden)]
 pub mod verdict;
+mod web_stress;
 
 pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
@@ -85,3 +86,4 @@ pub use sensitivities::Sensitivity;
 pub use strain::{StrainAt, StrainOfDesign};
 pub use sweeps::Sweeps;
 pub use timing::Timing;
+pub use web_stress::{Web, WebMargin, WebsOfDesign};

@@ -66,16 +66,11 @@ fn twist(study: &Study, answers: &[nalgebra::DVector<C64>], stations: usize) -> 
     Synthesiser::new(&harmonics).extremes(&phasors).half_peak_to_peak
 }
 
-/// The design without absorber, the best given one and the best optimum on their joints; nothing where the bearings of the study are linear.
-pub(crate) fn on_joints<'r>(
-    study: &Study,
-    (designs, optima): (&'r [DesignResult], impl Iterator<Item = &'r DesignResult>),
-    (progress, clock): (&dyn Progress, &mut Clock),
-) -> Vec<OnJointsOfDesign> {
+/// Designs on their joints; nothing where the bearings of the study are linear.
+pub(crate) fn on_joints(study: &Study, shown: &[&DesignResult], (progress, clock): (&dyn Progress, &mut Clock)) -> Vec<OnJointsOfDesign> {
     let Some((flexible, crank)) = study.on_flexible().zip(study.crank.as_ref()) else { return Vec::new() };
     let excitation = FlexibleModel::excitation_on_joints(&study.engine);
     let Some(joints) = flexible.on_joints((crank, &study.engine), &excitation, (1.0, 1.0)) else { return Vec::new() };
-    let shown = of_note(designs, optima);
     progress.stage("bearings that are not linear", shown.len());
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let at = |d: &DesignResult, speed_rpm: f64, nearby: &mut Option<OnBoth>| {
@@ -120,7 +115,7 @@ pub(crate) fn on_joints<'r>(
 }
 
 /// The design without absorber, the given one with the smallest objective and the best optimum.
-fn of_note<'r>(designs: &'r [DesignResult], optima: impl Iterator<Item = &'r DesignResult>) -> Vec<&'r DesignResult> {
+pub(super) fn of_note<'r>(designs: &'r [DesignResult], optima: impl Iterator<Item = &'r DesignResult>) -> Vec<&'r DesignResult> {
     fn lowest<'r>(all: impl Iterator<Item = &'r DesignResult>) -> Option<&'r DesignResult> {
         let of = |d: &DesignResult| d.objective.unwrap_or(f64::INFINITY);
         all.reduce(|a, b| if of(b) < of(a) { b } else { a })

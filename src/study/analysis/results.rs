@@ -17,6 +17,7 @@ use super::sensitivities::Sensitivity;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
+use super::web_stress::WebsOfDesign;
 use crate::absorber::{Declaration, Deviation};
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
@@ -172,6 +173,8 @@ pub struct Results {
     pub crank_models: Vec<ByModel>,
     /// The design without absorber, the best given one and the best optimum on the bearings of the study, where these are not linear.
     pub joints: Vec<OnJointsOfDesign>,
+    /// The same designs' webs by the loads of the flexible crank, where the study has `[fatigue]`.
+    pub webs: Vec<WebsOfDesign>,
     /// Largest difference between chain and flexible crank that decided which is computed with, over the larger, where the study leaves that open.
     pub crank_difference: Option<f64>,
     /// Times.

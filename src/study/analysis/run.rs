@@ -7,21 +7,21 @@ use super::crank_models;
 use super::duty::{self, DutyOfDesign};
 use super::equivalent_constants::{self, SimplestLaw};
 use super::evaluate::{self, DesignResult};
-use super::on_joints;
-
 use super::evaluation_plan::EvaluationPlan;
 use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
 use super::method_selection::{self, Choice, Strategy};
 use super::model_check::highest_frequency_hz;
-use super::results::Results;
+use super::on_joints;
+use super::results::{OptimumResult, Results};
 use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::{Clock, Timing};
+use super::web_stress::{WebsOfDesign, web_stress};
 use super::{Progress, RunError, Silent, calibrate, families, timing_probe};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
@@ -134,9 +134,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
-    let crank_models = crank_models::by_models(study, &shown, (progress, &mut clock))?;
-    let found = optima.iter().filter(|o| o.main && o.objective == 0 && !o.robust).map(|o| &o.design);
-    let joints = on_joints::on_joints(study, (&designs, found), (progress, &mut clock));
+    let flexible = on_flexible(study, (&finders[0], &margins), (&designs, &optima, &shown), progress, &mut clock)?;
     large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
@@ -167,12 +165,36 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         large_twist,
         robust,
         appearing,
-        crank_models,
-        joints,
+        crank_models: flexible.crank_models,
+        joints: flexible.joints,
+        webs: flexible.webs,
         crank_difference: None,
         timing: clock.timing,
         system: systems.swap_remove(0),
     })
+}
+
+/// What only a flexible crank has.
+struct OnFlexible {
+    crank_models: Vec<crank_models::ByModel>,
+    joints: Vec<on_joints::OnJointsOfDesign>,
+    webs: Vec<WebsOfDesign>,
+}
+
+/// Designs by other models of the crank, and a few of them on bearings that are not linear and by the loads of their webs.
+fn on_flexible(
+    study: &Study,
+    (firing, margins): (&PeakFinder, &[MarginSweep]),
+    (designs, optima, shown): (&[DesignResult], &[OptimumResult], &[&DesignResult]),
+    progress: &dyn Progress,
+    clock: &mut Clock,
+) -> Result<OnFlexible, RunError> {
+    let crank_models = crank_models::by_models(study, shown, (progress, clock))?;
+    let found = optima.iter().filter(|o| o.main && o.objective == 0 && !o.robust).map(|o| &o.design);
+    let of_note = on_joints::of_note(designs, found);
+    let joints = on_joints::on_joints(study, &of_note, (progress, clock));
+    let webs = web_stress((study, firing), margins, &of_note, (progress, clock))?;
+    Ok(OnFlexible { crank_models, joints, webs })
 }
 
 /// The crank's margin, where the study judges it.

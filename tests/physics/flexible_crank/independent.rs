@@ -29,11 +29,11 @@ pub struct Model {
 
 /// A section: stiffness EA, GJ, EI along y and z, kappa GA, mass per length, squares of y and z per mass.
 #[derive(Clone, Copy)]
-struct Section {
-    ea: f64,
-    gj: f64,
-    ei: [f64; 2],
-    kga: f64,
+pub struct Section {
+    pub ea: f64,
+    pub gj: f64,
+    pub ei: [f64; 2],
+    pub kga: f64,
     mass: f64,
     squares: [f64; 2],
 }
@@ -50,7 +50,7 @@ fn round(crank: &Crank, d: f64, density: f64, stiffer: f64) -> Section {
     Section { ea: e * a, gj: 2.0 * g * i, ei: [e * i; 2], kga: kappa * g * a, mass: density * a, squares: [i / a; 2] }
 }
 
-fn web(crank: &Crank, spec: &FlexibleSpec, density: f64) -> Section {
+pub fn web_of(crank: &Crank, spec: &FlexibleSpec, density: f64) -> Section {
     let (w, b, e) = (crank.web_thickness, crank.web_breadth, crank.young_modulus);
     let (g, f) = (e / 2.6, spec.web_factors);
     let (l, s) = (w.max(b), w.min(b));
@@ -66,7 +66,7 @@ fn web(crank: &Crank, spec: &FlexibleSpec, density: f64) -> Section {
 }
 
 /// Field of a bent beam by (v1, slope1, v2, slope2): displacement, rotation, curvature and shear strain at x.
-fn bent(ei: f64, kga: f64, l: f64, x: f64) -> [[f64; 4]; 4] {
+pub fn bent(ei: f64, kga: f64, l: f64, x: f64) -> [[f64; 4]; 4] {
     let ratio = ei / kga;
     let v = |x: f64| [1.0, x, x * x, x * x * x];
     let phi = |x: f64| [0.0, 1.0, 2.0 * x, 3.0 * x * x + 6.0 * ratio];
@@ -307,7 +307,7 @@ impl Plan {
         self.directions.push([outwards, Vector3::new(-angle.sin(), angle.cos(), 0.0)]);
         let (journal, pin) = (round(crank, crank.journal_diameter, density, 1.0), round(crank, crank.pin_diameter, density, 1.0));
         let (stub_j, stub_p) = (round(crank, crank.journal_diameter, 0.0, 2.0), round(crank, crank.pin_diameter, 0.0, 2.0));
-        let section = web(crank, spec, density);
+        let section = web_of(crank, spec, density);
         let radius = 0.5 * crank.web_breadth;
         let half_disc = density * w * PI * radius * radius / 2.0;
         let centre = 4.0 * radius / (3.0 * PI);

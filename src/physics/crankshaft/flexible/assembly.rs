@@ -3,6 +3,7 @@
 use super::row::{Join, Material, Row};
 use super::spec::{BearingNodes, End, FlexibleSpec};
 use super::throw::{self, Nodes, Turned, plate};
+use super::web_section::WebSection;
 use crate::crankshaft::Crank;
 use crate::drivetrain::Chain;
 use crate::engine::cycle::pin_angles;
@@ -51,6 +52,8 @@ pub struct Assembled {
     pub rods: Vec<Vec<usize>>,
     /// Both webs on the axis, of each throw.
     pub webs: Vec<[usize; 2]>,
+    /// Both webs cut in their middle, of each throw.
+    pub sections: Vec<[WebSection; 2]>,
     /// Outwards and in the direction of rotation, of each throw.
     pub directions: Vec<[Vector3<f64>; 2]>,
     /// Nodes of the main bearings that are there.
@@ -262,6 +265,11 @@ pub fn assemble(crank: &Crank, engine: &Engine, chain: &Chain, spec: &FlexibleSp
     finished((crank, chain), (spec, carried), (built, polars), throws, (directions, balance))
 }
 
+/// The webs of a throw cut in their middle.
+fn sections(row: &Row, [front, rear]: [usize; 2], directions: &[Vector3<f64>; 2]) -> [WebSection; 2] {
+    [front, rear - 2].map(|first| WebSection::new(first, &row.joins[first..first + 2], directions))
+}
+
 /// Hub and flywheel, bearings, ties to the ground, and what only turns.
 fn finished(
     (crank, chain): (&Crank, &Chain),
@@ -332,6 +340,7 @@ fn finished(
     });
     Ok(Assembled {
         shafts: shafts.collect(),
+        sections: built.throws.iter().zip(&directions).map(|(t, d)| sections(&built.row, t.webs, d)).collect(),
         rods: built.throws.iter().map(|t| t.rods.clone()).collect(),
         webs: built.throws.iter().map(|t| t.webs).collect(),
         bearings: present.iter().map(|b| built.bearings[*b].clone()).collect(),

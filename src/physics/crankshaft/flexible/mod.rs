@@ -15,6 +15,8 @@ mod spec;
 mod stiffness;
 mod throw;
 mod web_factors;
+mod web_loads;
+mod web_section;
 
 pub use assembly::{Assembled, Balance};
 pub use assembly::{Carried, assemble};
@@ -22,3 +24,5 @@ pub use mean_load::mean_load;
 pub use spec::{Bearing, BearingNodes, End, FlexibleSpec, JointSpec, LinearBearings};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;
+pub use web_loads::{QuasiStatic, WebLoads, in_plane};
+pub use web_section::{WebLoad, WebSection};

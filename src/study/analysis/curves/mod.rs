@@ -9,6 +9,7 @@ mod figure;
 mod journals;
 mod modes;
 mod responses;
+mod webs;
 
 pub use figure::curve;
 pub use figure::{Axis, Curve, Figure, Panel};
@@ -62,7 +63,9 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
         figures.extend(cylinder::torque(&study, *speed));
         figures.extend(crank_loads::bearings(&study, *speed));
         figures.extend(crank_loads::crank_loads(&study, *speed));
-        figures.extend(journals::journals(&study, &system, *speed).map_err(|error| RunError { what: "the flexible crank".into(), error })?);
+        let of_crank = |error| RunError { what: "the flexible crank".into(), error };
+        figures.extend(journals::journals(&study, &system, *speed).map_err(of_crank)?);
+        figures.extend(webs::webs(&study, &system, *speed).map_err(of_crank)?);
         progress.step();
     }
     figures.extend(balance::balance(&study, speeds[speeds.len() - 1]));

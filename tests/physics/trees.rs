@@ -41,6 +41,26 @@ fn two_geared_shafts_by_hand() {
     assert_close(found[0], (k * (1.0 / pinion + g * g / wheel)).sqrt() / TAU, 1e-12, 0.0, "Hz");
 }
 
+/// A station that a rigid mesh makes one body with another is refused by that other's name, with what gives the mesh a torque.
+#[test]
+fn a_station_of_a_rigid_mesh_is_named_by_its_body() {
+    let folder = tempfile::tempdir().expect("folder");
+    let engine =
+        "name = \"tree\"\nstrokes = 2\n[layout.in_line]\nfiring_order = [1]\nfiring_deg = [0]\n[pressure.harmonics]\nfile = \"h.csv\"\n";
+    let stations = station("crank", 0.1, "throws = [1]\nstiffness_to_next_n_m_per_rad = 1e4")
+        + &station("pinion", 0.02, "gear_ratio_to_next = 3")
+        + &station("wheel", 0.5, "");
+    fs::write(folder.path().join("engine.toml"), format!("{engine}{stations}")).expect("written");
+    fs::write(folder.path().join("h.csv"), "order,amplitude_n_m,phase_deg\n1,100,0\n").expect("written");
+    let text = "engine = \"engine.toml\"\nspeed_rpm = { from = 100, to = 200, step = 10 }\n[[objective]]\npeak_twist = { from = \"crank\", to = \"pinion\" }\n[[design]]\nname = \"none\"\n";
+    let error = Study::from_toml(text, folder.path().join("study.toml")).expect_err("no station of that name").to_string();
+    assert!(
+        error.contains("found station `pinion`, expected `wheel`: their mesh is rigid, so that both are one body of that name"),
+        "{error}"
+    );
+    assert!(error.contains("give `pinion` a `stiffness_to_next_n_m_per_rad`"), "{error}");
+}
+
 /// Source: [Friswell et al. 2010] Dynamics of Rotating Machines, chapter 9, a motor that drives two rotors through equal gears in a rigid mesh:
 /// 425.4, 634.1, 3247.2 Hz, and section 9.6.3, four gears: 10.304, 20.479, 24.423 Hz. All printed digits.
 #[test]

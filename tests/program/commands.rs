@@ -91,6 +91,31 @@ fn failing_limit_is_exit_code_one() {
     assert!(folder.path().join("o/designs.csv").is_file());
 }
 
+/// Where nothing is searched, it is the best absorber of the catalogues that is to hold the limits: exit code 1 where it does not.
+#[test]
+fn failing_catalogue_is_exit_code_one() {
+    let folder = tempfile::tempdir().expect("folder");
+    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    fs::write(
+        folder.path().join("c.csv"),
+        "name,type,ring_inertia_kg_m2,stiffness_n_m_per_rad,damping_n_m_s_per_rad\na,tuned,0.04,30000,20\n",
+    )
+    .expect("written");
+    for (degrees, code) in [(5.0, 0), (0.01, 1)] {
+        let study = format!(
+            "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 100 }}\norder_limit = 6\n[[objective]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = {degrees} }}\n[[catalogue]]\non.station = \"pulley\"\nfile = \"c.csv\"\nbest = 1\n",
+            engine.display()
+        );
+        fs::write(folder.path().join("s.toml"), study).expect("written");
+        hartog().arg("run").arg(folder.path().join("s.toml")).arg("--out").arg(folder.path().join("o")).assert().code(code);
+        // a limit that is used up by so much, a hundred being all of it
+        let limits = fs::read_to_string(folder.path().join("o/limits.csv")).expect("a table");
+        let row: Vec<&str> = limits.lines().find(|l| l.starts_with('a')).expect("a row").split(',').collect();
+        let [value, limit, used] = [3, 4, 6].map(|i| row[i].parse::<f64>().expect("a number"));
+        assert!((used - 100.0 * value / limit).abs() < 1e-6 && row[7] == if code == 0 { "true" } else { "false" }, "{limits}");
+    }
+}
+
 /// A resonance without damping: exit code 2 and a named error with order, speed and frequency; no table is left behind.
 #[test]
 fn undamped_resonance_is_exit_code_two() {

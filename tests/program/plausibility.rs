@@ -42,12 +42,13 @@ fn shipped_studies_are_likely() {
 /// ring held by kN m/rad, angles of firing of a two-stroke in a four-stroke; and a rule that ends below the speeds of the study.
 #[test]
 fn slips_are_told_of() {
-    let slips: [(&str, &str, &str, &str); 14] = [
+    let slips: [(&str, &str, &str, &str); 15] = [
         ("engine.toml", "crank_radius_mm = 50 ", "crank_radius_mm = 100 ", "`crank_radius_mm` is half the stroke"),
         ("engine.toml", "bore_mm = 95", "bore_mm = 9.5", "the bore is 9.500 mm"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 200 ", "of critical, above 20 %"),
         ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 0.9", "is its stiffness in N m/rad"),
         ("engine.toml", "stiffness_to_next_n_m_per_rad = 9e5", "stiffness_to_next_n_m_per_rad = 900", "would twist a shaft between throws"),
+        ("engine.toml", "inertia_kg_m2 = 0.02", "inertia_kg_m2 = 2", "its reciprocating masses m r² ="),
         ("engine.toml", "piston_mass_kg = 0.9", "piston_mass_kg = 900", "is its mass in kg"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 0 ", "nothing damps the chain"),
         ("engine.toml", "firing_deg = [0.0, 180.0, 360.0, 540.0]", "firing_deg = [0, 90, 180, 270]", "no cylinder fires for 450"),

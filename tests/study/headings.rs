@@ -36,17 +36,33 @@ fn what_lies_where_in_a_chain() {
     // in German tables c is the stiffness and k the damping: their units tell
     let (_, told) = imported(damped("k").replace("k [N m/rad]", "c [N m/rad]"));
     assert!(told.contains("column `k [N m s/rad]`, which does not say whether"), "{told}");
+    let (_, told) = imported(damped("Drehsteifigkeit gegen Gehäuse").replace("[N m s/rad]", "[N m/rad]"));
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("a stiffness to ground, which has to be put in by `stiffness_to_ground_n_m_per_rad`"), "{told}");
     let (_, told) = imported("Station;J [kg m2];k [N m/rad]\nwheel;0,9;900000\ncrank;0,02;300000\nhub;0,01;\n");
     assert!(told.contains("note: the chain begins with `wheel`, its largest inertia"), "{told}");
     let place = tempfile::tempdir().expect("a folder");
     for (chain, words) in [
         (CHAIN.replace("k [N m/rad]", "Steifigkeit zur vorherigen Masse [N m/rad]"), "move the column up by one row"),
         (format!("{CHAIN}Summe;0,93;\n"), "found `Summe`, expected a station"),
+        (CHAIN.replace("J [kg m2]", "Trägheitsmoment ×10⁻⁴ [kg m2]"), "found `×10⁻⁴` beside the unit"),
+        (CHAIN.replace("J [kg m2]", "Trägheitsmoment x 10^3 [kg m2]"), "found `x 10^3` beside the unit"),
         (CHAIN.replace("hub;0,01;300000", "hub;0,01;\nshaft;;300000"), "found no inertia, expected one above zero: a row is a station"),
     ] {
         let told = refused(place.path(), &chain);
         assert!(told.contains(words), "{chain}: {told}");
     }
+}
+
+/// A column that is left out says nothing of how numbers are written: `1.1` in a column of positions does not make `1.450` one and a half.
+#[test]
+fn columns_that_are_left_out_say_nothing_of_decimals() {
+    let place = tempfile::tempdir().expect("a folder");
+    let chain = "Pos.;Station;J [kg cm²];k [N m/rad]\n1.1;hub;100;300000\n1.2;crank;200;900000\n1.3;wheel;1.450;\n";
+    assert!(refused(place.path(), chain).contains("found `1.450`, expected a number that can be read in one way"));
+    let other = chain.replace("100;300000", "100,5;300000");
+    let (_, told) = imported(other);
+    assert!(told.contains("`1.450` in row 4 is read as 1450"), "{told}");
 }
 
 /// Measured stiffness and catalogues with the heads of a German laboratory, with a title, units and types in words: the same numbers as under our own keys, and a note of what was read as what.
@@ -73,6 +89,17 @@ fn measurements_and_catalogues_with_german_heads() {
     let keys = "name,type,ring_inertia_kg_m2,stiffness_n_m_per_rad,loss_factor,damping_n_m_s_per_rad\na,rubber,0.04,26687,0.12,\nb,viscous,0.04,,,35\n";
     let words = "Lieferprogramm 2024;;;;;\r\nBezeichnung;Bauart;Ringträgheit [kg cm²];Drehsteifigkeit [Nm/rad];Verlustfaktor [-];Dämpfung [Nms/rad]\r\na;Gummi;400;26.687;0,12;\r\nb;Viskose;400;;;35\r\n";
     assert_eq!(catalogue(keys), catalogue(words));
+    // a share in per cent, the tangent of the loss angle, and two columns for one key
+    assert_eq!(catalogue(keys), catalogue(&words.replace("Verlustfaktor [-]", "tan δ [%]").replace(";0,12;", ";12,0;")));
+    let twice = words.replace("Bezeichnung;", "Artikel-Nr.;Bezeichnung;").replace("\r\na;", "\r\n7;a;").replace("\r\nb;", "\r\n8;b;");
+    written(folder.path(), "catalogue.csv", twice);
+    let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("two names").to_string();
+    assert!(
+        error.contains("found columns `Artikel-Nr.` and `Bezeichnung`, which both are read as `name`, expected one of them"),
+        "{error}"
+    );
+    written(folder.path(), "catalogue.csv", words.replace("Drehsteifigkeit [Nm/rad]", "Drehsteifigkeit x10³ [Nm/rad]"));
+    assert!(hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).is_err(), "a factor beside the unit");
     // what is not the ring's, not stiffness or no frequency is not taken for it
     for (head, other) in [("Frequenz [Hz]", "Kreisfrequenz [1/s]"), ("dyn. Drehsteifigkeit [kNm/rad]", "Verluststeifigkeit [kNm/rad]")] {
         written(folder.path(), "other.csv", german.replace(head, other));

@@ -1,5 +1,6 @@
 //! Rubber at the temperature and strain of its own motion, both at once: what a design comes to then, and whether its limits hold.
 
+use crate::limited::{optimum, read};
 use crate::limits::{TwoMasses, What, with};
 use crate::support::assert_close;
 use hartog::absorber::{Absorber, Cooling, Geometry, Kraus, Material, Mounted, RUBBER, TemperatureLaw, Thermal, ToAir, WithMaterial};
@@ -229,4 +230,36 @@ fn measured_values_have_no_balance_of_heat() {
         assert!(refused.contains("a balance of heat needs a law of temperature") && refused.contains("`hartog fit`"), "{refused}");
         assert!(!refused.contains("ideal") && !refused.contains("expected `temperature` beside it"), "{refused}");
     }
+}
+
+/// How far a parameter may drift before a limit breaks is told of the absorber in operation, as the limit is judged there: a little less than that holds it, a little more does not.
+#[test]
+fn drifts_are_those_of_operation() {
+    let mut s = read("in_operation");
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(6).collect();
+    let limit = s.limits.remove(0);
+    s.objective = limit.of.clone();
+    s.optimise.as_mut().expect("optimises").in_operation = true;
+    let least = optimum(&s).optimum.value();
+    s.limits = vec![hartog::input::LimitSpec { limit: 1.03 * least, ..limit }];
+    let found = optimum(&s);
+    let (design, mut looked_at) = (found.optimum.design.clone(), 0);
+    s.optimise = None;
+    let evaluated = |parameter: usize, factor: f64| {
+        let law = design[0].absorber.law().expect("a ring");
+        let mut values = law.values();
+        values[parameter] *= factor;
+        let moved = vec![Mounted { absorber: Absorber::Ring(law.rebuilt(&values)), ..design[0].clone() }];
+        s.evaluate("moved", moved).expect("damped").limits[0]
+    };
+    for drift in found.sensitivities.iter().filter(|d| d.limited) {
+        for (sign, most) in [(1.0, drift.drift.0), (-1.0, drift.drift.1)] {
+            let Some(most) = most.filter(|m| *m > 1e-3) else { continue };
+            let (inside, beyond) =
+                (evaluated(drift.parameter, 1.0 + sign * 0.99 * most), evaluated(drift.parameter, 1.0 + sign * 1.01 * most));
+            assert!(inside <= 1.0 + hartog::objective::HELD && beyond > 1.0, "{} {sign}: {most} {inside} {beyond}", drift.parameter);
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 0, "{:?}", found.sensitivities);
 }

@@ -16,7 +16,7 @@ use std::path::Path;
 /// Limits hold to this share.
 const HELD: f64 = 1e-6;
 
-fn read(name: &str) -> Study {
+pub fn read(name: &str) -> Study {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/limited").join(format!("{name}.toml"));
     hartog::input::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -118,7 +118,7 @@ fn n_pow(n: usize, d: usize) -> usize {
     n.pow(u32::try_from(d).expect("few"))
 }
 
-fn optimum(study: &Study) -> OptimumResult {
+pub fn optimum(study: &Study) -> OptimumResult {
     analysis::run(study, &Silent).unwrap_or_else(|e| panic!("{e}")).optima.remove(0)
 }
 

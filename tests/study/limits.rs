@@ -1,7 +1,7 @@
 //! Limits on Den Hartog's problem, damped and undamped, against a brute-force search over stiffness and damping by formulas of two masses.
 
 use crate::support::{assert_close, h_infinity_peak, study};
-use hartog::absorber::TUNED;
+use hartog::absorber::{TUNED, VISCOUS};
 use hartog::analysis::{self, OptimumResult, Silent};
 use hartog::drivetrain::Modes;
 use hartog::input::{CombinedSpec, FrontSpec, LimitSpec, MeasureSpec, Size, Study};
@@ -253,6 +253,23 @@ fn limits_in_conflict() {
     for ratio in &found.design.limits[..2] {
         assert_close(*ratio, conflict.ratio, 1e-6, 0.0, "the nearest design is shown");
     }
+}
+
+/// Where no family holds all limits, the one is shown that is least beyond the limit it is furthest beyond, not the one with the least twist.
+#[test]
+fn the_nearest_of_all_families_is_shown() {
+    let masses = TwoMasses { damping_ratio: 0.02, ring: 0.1 };
+    let least = masses.within(What::Twist, &[]);
+    let possible = masses.within(What::RingTwist, &[]);
+    let mut s = with(masses, What::Twist, &[(What::Twist, 0.98 * least), (What::RingTwist, 0.5 * possible)]);
+    s.optimise.as_mut().expect("optimises").absorbers[0].types = vec![&TUNED, &VISCOUS];
+    let results = analysis::run(&s, &Silent).expect("damped");
+    let excess = |o: &OptimumResult| o.design.limits.iter().copied().fold(0.0, f64::max);
+    let shown = results.best_optimum(false).expect("an optimum");
+    assert_eq!(results.optima.len(), 2);
+    assert!(results.optima.iter().all(|o| o.conflict.is_some() && excess(o) >= excess(shown)));
+    let [a, b] = [&results.optima[0], &results.optima[1]];
+    assert!((excess(a) - excess(b)).abs() > 1e-3, "the two differ");
 }
 
 /// Source: [Nishihara & Asami 2002]. The front of twist against a free ring inertia is the exact optimum of each ring, to 1e-6, between the bounds of the ring; the front of twist against the

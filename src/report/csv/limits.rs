@@ -23,7 +23,7 @@ pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite() && limit.of.measure.within.factors.is_empty())),
                 number(unit.shown(limit.limit)),
                 unit.symbol().to_owned(),
-                optional(Some(100.0 * unit.ratio(*ratio)).filter(|v| v.is_finite())),
+                optional(Some(100.0 * ratio).filter(|v| v.is_finite())),
                 holds(*ratio).to_string(),
                 optional(prices.map(|p| p[i])),
             ]);

@@ -56,9 +56,9 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
     html! { @if !study.limits.is_empty() {
         h2 { "Limits" }
         div class="scroll" { table class="sorts" {
-            thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "of the limit, %" } th { "" } } }
+            thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "used, %" } th { "" } } }
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                tr { td { (d.name) } td class="words" { (l.words) } td { @if l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { (format!("{:.1}", 100.0 * l.of.unit.ratio(*ratio))) }
+                tr { td { (d.name) } td class="words" { (l.words) } td { @if l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { (format!("{:.1}", 100.0 * ratio)) }
                     td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }

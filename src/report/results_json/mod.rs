@@ -176,7 +176,7 @@ struct Point {
     /// Where the front tells of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     limits_hold: Option<bool>,
-    /// Whether another point is no worse in both measures.
+    /// Of a front over ring inertia: whether a limit is broken, or a lighter ring of the same type does as well. Of a pair of measures: whether another point of any family is no worse in both.
     dominated: bool,
     knee: bool,
 }

@@ -5,6 +5,7 @@ use super::designs::{designs, narrow};
 use super::flexible::by_models;
 use super::judged::{sentence, value_of};
 use super::limits::{barred, broken_within_tolerances, limits, not_judged};
+use super::margin::below_acceptable;
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
@@ -80,7 +81,11 @@ fn found(study: &Study, results: &Results) -> String {
     let named = |d: &DesignResult| format!("{}: {of} {}", d.name, judged(d));
     match (results.best_optimum(false), results.best_given()) {
         (Some(o), given) => {
-            let nearest = if o.conflict.is_some() { "No design was found that holds all limits; nearest to them is " } else { "" };
+            let nearest = if o.conflict.is_some() {
+                "No design was found that holds all limits; nearest to them, by the limit that it is furthest beyond, is "
+            } else {
+                ""
+            };
             put(format!("{nearest}{}", named(&o.design)));
             parameters(study, &o.design).into_iter().for_each(&mut put);
             put(format!("  {}", savings(study, results, &o.design, given)));
@@ -224,10 +229,11 @@ fn notes(study: &Study, results: &Results) -> String {
         }
     }
     text.push_str(&failures(study, results));
+    below_acceptable(study, results).iter().for_each(|line| text.extend([line.as_str(), "\n"]));
     text.push_str(&best_of_catalogues(study, results));
     text.push_str(&fronts(study, results));
     let broken = |(i, limit): (usize, &LimitSpec)| {
-        let by: Vec<&str> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| d.name.as_str()).collect();
+        let by: Vec<String> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| format!("`{}`", d.name)).collect();
         (!by.is_empty()).then(|| format!("Limit {}: broken by {}.", limit.words, by.join(", ")))
     };
     fewer(study.limits.iter().enumerate().filter_map(broken).collect()).iter().for_each(|line| text.extend([line.as_str(), "\n"]));

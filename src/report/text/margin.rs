@@ -53,16 +53,30 @@ pub fn margins(study: &Study, results: &Results) -> String {
     if let Some(crank) = study.crank.as_ref().filter(|c| !c.assumed.is_empty()) {
         let _ = writeln!(text, "  Assumed dimensions of the crank: {}. Margins are as good as those.", crank.assumed.join(", "));
     }
-    for (i, c) in fatigue.criteria.iter().enumerate() {
-        let Some(least) = c.acceptable() else { continue };
-        let below: Vec<&str> =
-            all.iter().filter(|d| d.margins.iter().any(|m| m.criterion == i && m.margin < least)).map(|d| d.name.as_str()).collect();
-        let words = if below.is_empty() { "every design reaches it".to_owned() } else { format!("not reached by {}", below.join(", ")) };
-        let _ = writeln!(text, "  {} asks for at least {least}: {words}.", c.name());
+    let below = below_acceptable(study, results);
+    for c in fatigue.criteria.iter().filter(|c| c.acceptable().is_some()) {
+        let told = below.iter().find(|line| line.starts_with(&format!("{} asks", c.name())));
+        let least = c.acceptable().unwrap_or_default();
+        match told {
+            Some(line) => _ = writeln!(text, "  {line}"),
+            None => _ = writeln!(text, "  {} asks for at least {least}: every design reaches it.", c.name()),
+        }
     }
     text.push_str(&multiaxial(fatigue, &all));
     text.push_str(&differ(study, results));
     text
+}
+
+/// A line for each criterion with a least margin that designs do not reach.
+pub(super) fn below_acceptable(study: &Study, results: &Results) -> Vec<String> {
+    let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
+    let line = |(i, c): (usize, &MarginCriterion)| {
+        let least = c.acceptable()?;
+        let is_below = |d: &&DesignResult| d.margins.iter().any(|m| m.criterion == i && m.margin < least);
+        let below: Vec<String> = all().filter(is_below).map(|d| format!("`{}`", d.name)).collect();
+        (!below.is_empty()).then(|| format!("{} asks for at least {least}: not reached by {}.", c.name(), below.join(", ")))
+    };
+    study.fatigue.iter().flat_map(|f| f.criteria.iter().enumerate()).filter_map(line).collect()
 }
 
 /// One sentence a multiaxial criterion: how far it is from the first one over the designs, whether it prefers another, and how much mean stress counts in it.

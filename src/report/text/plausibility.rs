@@ -64,6 +64,15 @@ fn rated_above(limit: &str, rated_rpm: f64, highest_rpm: f64) -> String {
     )
 }
 
+fn throw_inertia(station: usize, inertia: f64, reciprocating: f64) -> String {
+    format!(
+        "a throw of station {} has {} kg m², its reciprocating masses m r² = {} kg m²: 0.4 to 60 times that is usual; is it in kg m²?",
+        station + 1,
+        short(inertia),
+        short(reciprocating)
+    )
+}
+
 fn sentence(found: &Implausible) -> String {
     match found {
         Implausible::PeakPressure { speed_rpm, bar } => {
@@ -119,6 +128,7 @@ fn sentence(found: &Implausible) -> String {
             short(*longest),
             short(*even)
         ),
+        Implausible::ThrowInertia { station, inertia, reciprocating } => throw_inertia(*station, *inertia, *reciprocating),
         Implausible::Undamped => {
             "nothing damps the chain, so that a resonance without absorber has no finite amplitude: the engine file may say `damping.fraction_of_critical`".into()
         }
@@ -136,7 +146,7 @@ fn sentence(found: &Implausible) -> String {
         }
         Implausible::RatedSpeed { limit, rated_rpm, highest_rpm } => rated_above(limit, *rated_rpm, *highest_rpm),
         Implausible::Tuning { design, absorber, ratio } => format!(
-            "the ring of absorber {} of `{design}` swings at {} of the lowest natural frequency of the chain, outside 0.1 to 10: is its stiffness in N m/rad?",
+            "the ring of absorber {} of `{design}` swings at {} of the nearest natural frequency of the chain, outside 0.1 to 10: is its stiffness in N m/rad?",
             absorber + 1,
             short(*ratio)
         ),

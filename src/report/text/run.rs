@@ -152,7 +152,7 @@ pub fn summary(study: &Study, results: &Results) -> String {
             UnitOf::Life => value_of(&limit.of, d.limits[i] * limit.limit),
             _ => format!("{:.0} %", 100.0 * d.limits[i]),
         };
-        let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("{} ({})", d.name, size(d))).collect();
+        let list: Vec<String> = results.designs.iter().filter(broken).map(|d| format!("`{}` ({})", d.name, size(d))).collect();
         if !list.is_empty() {
             let _ = writeln!(text, "Limit {}: broken by {}.", limit.words, list.join(", "));
         }

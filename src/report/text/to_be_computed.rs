@@ -123,7 +123,7 @@ fn goals(study: &Study, most: usize) -> String {
         let _ = writeln!(text, "  limit: {}", limit.words);
     }
     if study.limits.len() > most {
-        let _ = writeln!(text, "  and {} more limits", study.limits.len() - most);
+        let _ = writeln!(text, "  and {} more of the limits", study.limits.len() - most);
     }
     if let Some(o) = &study.optimise {
         for a in &o.absorbers {

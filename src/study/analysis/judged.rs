@@ -140,7 +140,8 @@ impl Results {
     #[doc(hidden)]
     pub fn best_optimum(&self, robust: bool) -> Option<&OptimumResult> {
         let asked = self.optima.iter().filter(|o| o.objective == 0 && o.robust == robust && o.main);
-        asked.min_by(|a, b| self.order(&a.design, &b.design))
+        let excess = |o: &OptimumResult| if o.design.within_limits() { 0.0 } else { o.design.limits.iter().copied().fold(1.0, f64::max) };
+        asked.min_by(|a, b| excess(a).total_cmp(&excess(b)).then_with(|| self.order(&a.design, &b.design)))
     }
 
     /// The best given design with an absorber, in the same order.

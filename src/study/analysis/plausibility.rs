@@ -1,6 +1,7 @@
 //! Inputs that are possible but unlikely: most often a wrong unit or a wrong dimension.
 
 use crate::absorber::two_stage::CARRIED;
+use crate::drivetrain::Station;
 use crate::engine::excitation::Audit;
 use crate::engine::{Geometry, Pressure, Source};
 use crate::input::{LimitSpec, Size, Study};
@@ -88,6 +89,15 @@ pub enum Implausible {
         /// Degrees.
         even: f64,
     },
+    /// A throw whose inertia, kg m², is far from what its reciprocating masses ask for, m r², kg m².
+    ThrowInertia {
+        /// Index of its station.
+        station: usize,
+        /// Of the station by throw, kg m².
+        inertia: f64,
+        /// Of the reciprocating masses, all cylinders of a throw, kg m².
+        reciprocating: f64,
+    },
     /// A chain without damping in a design without absorber.
     Undamped,
     /// Lowest natural frequency of the chain, Hz.
@@ -117,7 +127,7 @@ pub enum Implausible {
         /// Highest speed of the study, rpm.
         highest_rpm: f64,
     },
-    /// Frequency of a given ring on its held hub over the lowest of the chain.
+    /// Frequency of a given ring on its held hub over the nearest natural frequency of the chain.
     Tuning {
         /// Name of the design.
         design: String,
@@ -168,6 +178,8 @@ const ROD_RATIO: std::ops::RangeInclusive<f64> = 0.1..=0.5;
 const FREQUENCY: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// Of critical: shafts have 0.005 to 0.05.
 const DAMPING: f64 = 0.2;
+/// Inertia of a throw over m r² of its reciprocating masses: shipped engines have 1.5 to 12.
+const THROW: std::ops::RangeInclusive<f64> = 0.4..=60.0;
 /// Optima lie between one half and three.
 const TUNING: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
@@ -192,6 +204,7 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         found.extend(
             pause(study).filter(|(longest, even)| *longest > PAUSE * even).map(|(longest, even)| Implausible::Firing { longest, even }),
         );
+        found.extend(throw_inertia(study));
         found.extend(beyond_what_is_known(study));
         found.extend(of_cylinder(geometry, study.speeds_rpm.iter().copied().fold(0.0, f64::max)));
     }
@@ -199,7 +212,8 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
         found.extend(beyond_what_is_known(study));
     }
     let modes: Vec<usize> = study.modes.elastic().collect();
-    let lowest = modes.first().map(|m| study.modes.omega[*m] * HZ_PER_RAD_PER_S);
+    let frequencies: Vec<f64> = modes.iter().map(|m| study.modes.omega[*m] * HZ_PER_RAD_PER_S).collect();
+    let lowest = frequencies.first().copied();
     found.extend(lowest.filter(|f| !FREQUENCY.contains(f)).map(Implausible::NaturalFrequency));
     let damped = modes.iter().enumerate().map(|(mode, m)| (mode, study.modes.damping_ratio(*m))).find(|(_, ratio)| *ratio > DAMPING);
     found.extend(damped.map(|(mode, ratio)| Implausible::DampingRatio { mode, ratio }));
@@ -214,17 +228,34 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     }
     for design in &study.designs {
         for (absorber, m) in design.absorbers.iter().enumerate() {
-            let (Some(stiffness), Some(lowest)) = (m.absorber.stiffness().filter(|k| *k > 0.0), lowest) else { continue };
+            let Some(stiffness) = m.absorber.stiffness().filter(|k| *k > 0.0) else { continue };
             if m.absorber.value(CARRIED.key).is_some_and(|torque| torque > 0.0) {
                 continue;
             }
-            let ratio = (stiffness / m.absorber.ring_inertia()).sqrt() * HZ_PER_RAD_PER_S / lowest;
+            // a low mode of a shafting, say, is none of a damper that the crank has
+            let own = (stiffness / m.absorber.ring_inertia()).sqrt() * HZ_PER_RAD_PER_S;
+            let far = |f: &f64| (own / f).max(f / own);
+            let Some(ratio) = frequencies.iter().min_by(|a, b| far(a).total_cmp(&far(b))).map(|f| own / f) else { continue };
             if ratio.is_finite() && !TUNING.contains(&ratio) {
                 found.push(Implausible::Tuning { design: design.name.clone(), absorber, ratio });
             }
         }
     }
     found
+}
+
+/// The station of throws whose inertia is farthest from the reciprocating masses of its cylinders, where that is too far.
+fn throw_inertia(study: &Study) -> Option<Implausible> {
+    let per_cylinder = 2.0 * study.engine.reciprocating_inertia()?;
+    let reciprocating = per_cylinder * study.engine.layout.rods_per_throw as f64;
+    let own = |(station, s): (usize, &Station)| (!s.throws.is_empty()).then(|| (station, s.inertia / s.throws.len() as f64));
+    let far = |inertia: f64| {
+        let ratio = inertia / reciprocating;
+        (ratio / THROW.end()).max(THROW.start() / ratio)
+    };
+    let all = study.chain.stations.iter().enumerate().filter_map(own).filter(|(_, inertia)| far(*inertia) > 1.0);
+    let (station, inertia) = all.max_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
+    Some(Implausible::ThrowInertia { station, inertia, reciprocating })
 }
 
 /// A limit by a rule, where the speeds of the study go on beyond that: the last corner of its curve is where it ends.

@@ -23,7 +23,7 @@ use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
-use crate::objective::Condition;
+use crate::objective::{Condition, holds};
 use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Survey, Tradeoff};
 
 /// An optimum with what is reported of it.
@@ -196,8 +196,12 @@ impl Results {
         self.optima.iter().any(|o| o.design.name == name)
     }
 
-    /// Whether every limit holds for every optimum, and none of those that are shown overheats.
+    /// Whether every limit holds for every optimum (where nothing was searched: for the best absorber of the catalogues), and none of those that are shown overheats.
     pub fn limits_hold(&self) -> bool {
+        let sold = self.catalogue.first().filter(|_| self.study.optimise.is_none());
+        if sold.is_some_and(|best| !holds(best.over_limit)) {
+            return false;
+        }
         let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.overheats();
         self.optima.iter().all(|o| o.design.within_limits()) && !self.heat.iter().any(overheats)
     }

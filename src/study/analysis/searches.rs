@@ -225,7 +225,7 @@ impl<'a> Searches<'a> {
         let natures = optimum.outcome.rows.rows.iter().map(nature).collect::<Result<_, _>>().map_err(failed)?;
         // those of the materials' reference: in operation the state of the material follows, too
         let sensitivities =
-            sensitivities(&at_reference, mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
+            sensitivities((&at_reference, &scenarios), mounted, &self.study.measures_of(objective), &self.study.limits).map_err(failed)?;
         let load_case = |r: &Row| {
             let load_case = &scenarios[r.load_case];
             RowCase { condition: load_case.condition, cylinder: load_case.cylinder, deviation: load_case.deviation.cloned() }

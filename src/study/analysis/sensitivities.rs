@@ -32,12 +32,12 @@ pub struct Sensitivity {
 /// Peaks that differ by less than this share are level.
 const LEVEL: f64 = 1e-6;
 
-/// Each measure, then each limit, by each parameter of a design: the steepest of the level peaks of all load cases, by their exact gradients.
+/// Each measure, then each limit, by each parameter of a design: the steepest of the level peaks of all load cases, by their exact gradients. `judged`: load cases in which limits are to hold, in operation among them.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 pub(crate) fn sensitivities(
-    load_cases: &[LoadCase],
+    (load_cases, judged): (&[LoadCase], &[LoadCase]),
     design: &[Mounted],
     measures: &[&MeasureSpec],
     limits: &[LimitSpec],
@@ -46,13 +46,13 @@ pub(crate) fn sensitivities(
         measures.iter().map(|m| (*m, None)).chain(limits.iter().map(|l| (&l.of, Some(l.limit)))).collect();
     // the first error in this order, whichever comes first in time
     let each: Vec<Result<Vec<Sensitivity>, ResponseError>> =
-        of.into_par_iter().map(|(spec, limit)| of_measure(load_cases, design, spec, limit)).collect();
+        of.into_par_iter().map(|(spec, limit)| of_measure((load_cases, judged), design, spec, limit)).collect();
     Ok(each.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
 }
 
 /// One measure by each parameter.
 fn of_measure(
-    load_cases: &[LoadCase],
+    (load_cases, judged): (&[LoadCase], &[LoadCase]),
     design: &[Mounted],
     spec: &MeasureSpec,
     limit: Option<f64>,
@@ -80,7 +80,7 @@ fn of_measure(
         if !(more.is_finite() && less.is_finite()) {
             return None;
         }
-        let drift = |sign: f64| limit.and_then(|l| breaks(load_cases, design, (&spec.measure, l), (absorber, parameter), sign));
+        let drift = |sign: f64| limit.and_then(|l| breaks(judged, design, (&spec.measure, l), (absorber, parameter), sign));
         // of a margin or a life it is the inverse that rises
         let sign = if spec.unit.is_inverse() { -1.0 } else { 1.0 };
         Some(Sensitivity {

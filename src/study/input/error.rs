@@ -263,6 +263,8 @@ pub struct Check<'a> {
     pub source: &'a Source,
     /// Found so far.
     pub mistakes: Vec<Mistake>,
+    /// Stations of the engine that a rigid mesh makes one body with another, and that.
+    pub(crate) meshed: Vec<(String, String)>,
 }
 
 /// Mistakes of a file that have a place: more than are ever told.
@@ -274,7 +276,7 @@ const LARGEST: f64 = 1e20;
 impl<'a> Check<'a> {
     /// Nothing found yet.
     pub fn new(source: &'a Source) -> Self {
-        Self { source, mistakes: Vec::new() }
+        Self { source, mistakes: Vec::new(), meshed: Vec::new() }
     }
 
     /// Records a mistake.

@@ -28,7 +28,7 @@ pub(super) fn webs(study: &Study, system: &System, speed_rpm: f64) -> Result<Opt
         let of = |throw: usize| {
             let own = all.column(4 * (2 * throw + rear) + load as usize);
             let own: Vec<f64> = own.iter().step_by(APART).copied().collect();
-            curve(format!("throw {}", throw + 1), angles.iter().step_by(APART).copied(), own.into_iter())
+            curve(format!("throw {}", throw + 1), angles.iter().step_by(APART).copied(), own)
         };
         Panel {
             title: format!("{title}, {} webs", ["front", "rear"][rear]),

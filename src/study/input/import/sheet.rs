@@ -1,6 +1,6 @@
 //! Tables as other programs save them, with words and units in their heads.
 
-use super::unit::{SURROUNDINGS, Units, is_unit, known, parts, plain, prefix_of_another};
+use super::unit::{SURROUNDINGS, Units, is_unit, known, parts, plain, prefix_of_another, scale};
 use crate::input::error::InputError;
 use crate::input::tables::Table;
 use std::path::Path;
@@ -31,6 +31,12 @@ impl Sheet {
             }
         }
         Ok(Self { table })
+    }
+
+    /// Says which columns are read: the others say nothing of how numbers are written.
+    pub(super) fn reads(&mut self, columns: &[usize]) {
+        self.table.learn_from(columns);
+        self.table.tell_convention();
     }
 
     /// Heads of the columns.
@@ -70,6 +76,12 @@ impl Sheet {
     pub(super) fn factor(&self, column: usize, (units, example): (Units, &str), unit: Option<&str>) -> Result<f64, InputError> {
         if units.is_empty() {
             return Ok(1.0);
+        }
+        if let Some(scale) = self.heads().get(column).and_then(|head| scale(&parts(head).0).map(str::to_owned)) {
+            return Err(self.at_head(
+                column,
+                format!("found `{scale}` beside the unit, expected the numbers themselves in a unit such as in `{example}`"),
+            ));
         }
         let Some(unit) = unit else {
             return Err(self.at_head(column, format!("found no unit, expected one in the header, such as `{example}`")));

@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::unit::{folded, parts};
-use super::words::{Role, is_damping, is_ratio, is_sum, is_to_previous, units};
+use super::words::{Role, is_damping, is_ratio, is_stiffness_to_ground, is_sum, is_to_previous, units};
 use super::{FoundChain, FoundStation};
 use crate::input::error::InputError;
 use crate::input::letters::fault;
@@ -29,8 +29,10 @@ fn knows(cells: &[&str]) -> usize {
 /// # Errors
 /// [`InputError`] at the cell that is not understood.
 pub(super) fn read(path: &Path) -> Result<FoundChain, InputError> {
-    let sheet = Sheet::read(path, &knows)?;
+    let mut sheet = Sheet::read(path, &knows)?;
     let (columns, left_out) = columns(&sheet)?;
+    let numbers: Vec<usize> = columns.iter().filter(|c| c.0 != Role::Name).map(|c| c.1).collect();
+    sheet.reads(&numbers);
     let stations = sheet.rows().iter().map(|(row, cells)| station(&sheet, &columns, *row, cells)).collect::<Result<Vec<_>, _>>()?;
     check_line(&sheet, &columns, &stations)?;
     Ok(FoundChain { stations, left_out })
@@ -73,6 +75,9 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
             let hint = match () {
                 () if is_damping(&words, unit.as_deref()) => {
                     ", which does not say whether it is to the next station or to ground, as `Damping to next [N m s/rad]` (Relative Dämpfung) and `Damping to ground [N m s/rad]` (Absolute Dämpfung) do"
+                }
+                () if is_stiffness_to_ground(&words) => {
+                    ", a stiffness to ground, which has to be put in by `stiffness_to_ground_n_m_per_rad`"
                 }
                 () if is_ratio(&words) => ": all is read as of one speed, and a gear has to be put in by `gear_ratio_to_next`",
                 () => "",

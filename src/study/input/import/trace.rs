@@ -34,12 +34,13 @@ fn knows(cells: &[&str]) -> usize {
 pub fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
     let mut found = FoundTraces::default();
     for (speed, path) in files {
-        let sheet = Sheet::read(path, &knows)?;
+        let mut sheet = Sheet::read(path, &knows)?;
         let (angle, pressure) = (column(&sheet, is_angle, ANGLE)?, column(&sheet, is_pressure, PRESSURE)?);
         if angle.0 == pressure.0 {
             return Err(sheet.lacks(PRESSURE.1));
         }
         meant(&sheet, angle.0, pressure.0)?;
+        sheet.reads(&[angle.0, pressure.0]);
         let cell = |(row, cells): &(u64, Vec<String>), column: usize| {
             let value = sheet.number(*row, column, &cells[column])?;
             value.ok_or_else(|| sheet.at(*row, column, "found an empty cell, expected a number".into()))

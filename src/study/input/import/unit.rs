@@ -127,6 +127,19 @@ pub(super) fn is_unit(text: &str) -> bool {
     [INERTIA, STIFFNESS, DAMPING, ANGLE.0, PRESSURE.0].iter().any(|units| known(units, inner).is_some())
 }
 
+/// A power of ten among the words of a head, outside its unit: "×10⁻⁴", "x 10^3", "·1000".
+pub(crate) fn scale(words: &str) -> Option<&str> {
+    let is_sign = |c: char| ['x', '×', '·', '*', '⋅'].contains(&c);
+    let is_one =
+        |rest: &str| rest.trim_start().starts_with("10") || rest.trim_start().starts_with("1e") || rest.trim_start().starts_with("1.000");
+    let begins = |(i, c): (usize, char)| {
+        // an x that ends a word is none
+        let alone = !words[..i].ends_with(char::is_alphanumeric);
+        (is_sign(c) && alone && is_one(&words[i + c.len_utf8()..])).then_some(&words[i..])
+    };
+    words.char_indices().find_map(begins).or_else(|| words.find("10^").map(|i| &words[i..])).map(str::trim)
+}
+
 /// Letters without their accents, small: ä is a, as Träger and Trager, and Traeger is left as it is.
 pub(crate) fn folded(text: &str) -> String {
     let plain = |c: char| match c {

@@ -52,6 +52,12 @@ fn has_unit_of(role: Role, unit: Option<&str>) -> bool {
     unit.is_some_and(|u| known(units(role), u).is_some())
 }
 
+/// Whether a (folded) head names a stiffness to ground.
+pub(super) fn is_stiffness_to_ground(words: &str) -> bool {
+    let has = |list: &[&str]| list.iter().any(|w| words.contains(w));
+    has(STIFFNESS) && has(TO_GROUND) && !has(TO_NEXT)
+}
+
 /// Whether a (folded) head names what lies before a station.
 pub(super) fn is_to_previous(words: &str) -> bool {
     TO_PREVIOUS.iter().any(|w| words.contains(w))
@@ -88,6 +94,9 @@ impl Role {
         // c and k are stiffness and damping in German, damping and stiffness in English: their unit tells
         let is_rate = || has_unit_of(Self::Stiffness, unit);
         let is_damped = || has_unit_of(Self::DampingToNext, unit);
+        if is_stiffness_to_ground(words) {
+            return None;
+        }
         if has(STIFFNESS) || words == "k" && !is_damped() || ["c", "ct", "c_t"].contains(&words) && is_rate() {
             return Some(Self::Stiffness);
         }

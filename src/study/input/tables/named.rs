@@ -1,6 +1,6 @@
 //! Columns whose heads say in other words, and with a unit, what our own keys say: as laboratories and makers of dampers write them, in English, German, French and Portuguese.
 
-use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, Units, folded, known, parts};
+use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, Units, folded, known, parts, scale};
 
 /// A column that a table may have.
 pub(super) struct Named {
@@ -13,13 +13,15 @@ pub(super) struct Named {
 
 const STIFF: &[&str] = &["stiff", "steif", "federrate", "raideur", "rigid"];
 const DAMP: &[&str] = &["damp", "dampf", "daempf", "amort"];
-const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fator de perda"];
+const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fator de perda", "tan δ", "tanδ", "tan delta"];
+/// Of one, or in per cent.
+const SHARE: Units = &[("", 1.0), ("percent", 0.01)];
 
 /// Of measured stiffness.
 pub(super) const MEASURED: [Named; 5] = [
     Named { key: "temperature_c", words: &["temp"], units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
     Named { key: "frequency_hz", words: &["freq"], units: &[("Hz", 1.0), ("kHz", 1e3)] },
-    Named { key: "loss_factor", words: LOSS, units: &[] },
+    Named { key: "loss_factor", words: LOSS, units: SHARE },
     Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
 ];
@@ -28,7 +30,7 @@ pub(super) const MEASURED: [Named; 5] = [
 pub(super) const CATALOGUE: [Named; 6] = [
     Named { key: "name", words: &["name", "bezeichnung", "benennung", "designation", "designacao", "article", "artikel"], units: &[] },
     Named { key: "type", words: &["bauart", "typ", "tipo"], units: &[] },
-    Named { key: "loss_factor", words: LOSS, units: &[] },
+    Named { key: "loss_factor", words: LOSS, units: SHARE },
     Named { key: "ring_inertia_kg_m2", words: &["inertia", "tragheit", "traegheit", "inertie", "inercia"], units: INERTIA },
     Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
@@ -60,14 +62,15 @@ const OTHERS: [&str; 19] = [
 /// The key that a head says in other words, and the factor of its unit; `None` where it is none of these, may be another, or where its unit is not one of the column's.
 pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
     let (words, unit) = parts(head);
-    if OTHERS.iter().any(|w| words.contains(w)) {
+    if OTHERS.iter().any(|w| words.contains(w)) || scale(&words).is_some() {
         return None;
     }
     let own = list.iter().find(|n| n.words.iter().any(|w| words.contains(w)))?;
     let unit = unit.filter(|u| !["", "-", "–", "1"].contains(&u.trim()));
     match (unit, own.units) {
         (None, []) => Some((own.key, 1.0)),
-        (Some(unit), units) => known(units, &unit).map(|factor| (own.key, factor)),
+        (None, units) if units.iter().any(|u| u.0.is_empty()) => Some((own.key, 1.0)),
+        (Some(unit), units) => known(units, if unit.trim() == "%" { "percent" } else { &unit }).map(|factor| (own.key, factor)),
         (None, _) => None,
     }
 }

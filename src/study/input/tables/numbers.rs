@@ -106,6 +106,11 @@ impl Convention {
         Self { delimiter: Some(delimiter), ..Self::default() }
     }
 
+    /// The same delimiter, nothing learnt.
+    pub(crate) fn anew(&self) -> Self {
+        Self { delimiter: self.delimiter, ..Self::default() }
+    }
+
     /// Takes note of a cell. Where commas separate columns nothing is to be learnt.
     pub(crate) fn note(&mut self, row: u64, cell: &str) {
         if self.delimiter == Some(',') || !cell.contains(['.', ',']) {

@@ -82,7 +82,8 @@ impl Table {
     pub(super) fn read_named(path: &Path, columns: &[&str], list: &[Named]) -> Result<Self, InputError> {
         let says = |cell: &&str| columns.contains(cell) || named::key(list, cell).is_some();
         let mut table = Self::of(path, &|cells| cells.iter().filter(|cell| says(cell)).count())?;
-        let mut read = Vec::new();
+        table.tell_convention();
+        let (mut read, written) = (Vec::new(), table.header.clone());
         table.factors = vec![1.0; table.header.len()];
         for (head, factor) in table.header.iter_mut().zip(&mut table.factors).filter(|(head, _)| !columns.contains(&head.as_str())) {
             if let Some((key, own)) = named::key(list, head) {
@@ -97,8 +98,17 @@ impl Table {
             return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
         }
         for (i, name) in table.header.iter().enumerate() {
-            if table.header[..i].contains(name) {
-                return Err(table.at_head(i, format!("found column `{name}` a second time")));
+            if let Some(first) = table.header[..i].iter().position(|other| other == name) {
+                let found = if written[first] == written[i] {
+                    format!("found column `{name}` a second time")
+                } else {
+                    format!(
+                        "found columns `{}` and `{}`, which both are read as `{name}`, expected one of them",
+                        shown(&written[first]),
+                        shown(&written[i])
+                    )
+                };
+                return Err(table.at_head(i, found));
             }
         }
         Ok(table)
@@ -131,7 +141,7 @@ impl Table {
             }
         }
         remark_on_encoding(path, records.foreign.as_ref());
-        form.remark().into_iter().chain(table.convention.remark()).for_each(|words| remark(path, &words));
+        form.remark().into_iter().for_each(|words| remark(path, &words));
         Ok(table)
     }
 
@@ -146,6 +156,20 @@ impl Table {
         }
         self.rows.push((row, (0..columns).map(|c| record.get(c).unwrap_or("").to_owned()).collect()));
         Ok(())
+    }
+
+    /// Learns from these columns alone what separates decimals: others, which are left out, say nothing of them.
+    pub(crate) fn learn_from(&mut self, columns: &[usize]) {
+        let mut convention = self.convention.anew();
+        for (row, cells) in &self.rows {
+            columns.iter().filter_map(|c| cells.get(*c)).for_each(|cell| convention.note(*row, cell));
+        }
+        self.convention = convention;
+    }
+
+    /// How a number was read that could be read in two ways, told to the user.
+    pub(crate) fn tell_convention(&self) {
+        self.convention.remark().into_iter().for_each(|words| remark(&self.path, &words));
     }
 
     /// A cell as a number; nothing where it is empty.

@@ -147,6 +147,7 @@ fn mistakes(in_engine: Check, check: Check) -> InputError {
 pub(super) fn resolve(files: &Files) -> Result<Study, InputError> {
     let mut in_engine = Check::new(files.engine_source);
     let mut check = Check::new(files.source);
+    check.meshed = tree::meshed(&files.engine.station);
     let mut placeholders = placeholders::resolve(&mut in_engine, &files.engine.placeholder);
     placeholders.extend(placeholders::resolve(&mut check, &files.study.placeholder));
     let Some(base) = base(files, &mut check, &mut in_engine) else { return Err(mistakes(in_engine, check)) };

@@ -24,6 +24,15 @@ pub fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl 
 pub fn station(check: &mut Check, chain: &Chain, name: &At<String>) -> Option<usize> {
     let found = chain.find(name.get_ref());
     if found.is_none() {
+        if let Some((_, into)) = check.meshed.iter().find(|m| m.0 == *name.get_ref()) {
+            let message = format!(
+                "found station `{}`, expected `{into}`: their mesh is rigid, so that both are one body of that name",
+                name.get_ref()
+            );
+            let help = format!("for a torque of the mesh give `{}` a `stiffness_to_next_n_m_per_rad`, that of the teeth", name.get_ref());
+            check.wrong_with_help(name, message, help);
+            return None;
+        }
         let names: Vec<&str> = chain.stations.iter().take(24).map(|s| s.name.as_str()).collect();
         check.wrong_with_help(
             name,

@@ -102,6 +102,27 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize, is_derived: bool) -> Op
     Some(Link { to, gear, is_rigid })
 }
 
+/// Stations whose mesh is rigid, each with the one that it is one body with.
+pub(super) fn meshed(raw: &[RawStation]) -> Vec<(String, String)> {
+    let is_rigid = |s: &RawStation| s.gear_ratio_to_next.is_some() && s.stiffness_to_next_n_m_per_rad.is_none();
+    let next = |i: usize| match &raw[i].next {
+        Some(next) => raw.iter().position(|other| other.name.get_ref() == next.get_ref()),
+        None => Some(i + 1).filter(|n| *n < raw.len()),
+    };
+    let into = |i: usize| {
+        let mut to = next(i)?;
+        // a mesh may lead into another one, and a ring of them is refused elsewhere
+        for _ in 0..raw.len() {
+            if !is_rigid(&raw[to]) {
+                break;
+            }
+            to = next(to)?;
+        }
+        Some((raw[i].name.get_ref().clone(), raw[to].name.get_ref().clone()))
+    };
+    (0..raw.len()).filter(|i| is_rigid(&raw[*i])).filter_map(into).collect()
+}
+
 /// Every station must have a path to one root.
 fn one_root(check: &mut Check, raw: &[RawStation], to: &[Option<usize>]) {
     let roots: Vec<usize> = (0..to.len()).filter(|i| to[*i].is_none()).collect();

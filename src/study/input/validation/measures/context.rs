@@ -121,7 +121,12 @@ impl<'a> Context<'a> {
         let Some(named) = named else { return Some((0..self.absorbers.max(1)).map(Quantity::RingTwist).collect()) };
         let index = usize::try_from(*named.get_ref()).ok().filter(|i| (1..=self.absorbers).contains(i));
         if index.is_none() {
-            check.wrong(named, format!("found absorber {}, expected one from 1 to {}", named.get_ref(), self.absorbers));
+            let expected = match self.absorbers {
+                0 => "no design with an absorber was read".to_owned(),
+                1 => "expected 1, the only one".to_owned(),
+                most => format!("expected one from 1 to {most}"),
+            };
+            check.wrong(named, format!("found absorber {}, {expected}", named.get_ref()));
         }
         index.map(|i| vec![Quantity::RingTwist(i - 1)])
     }

@@ -6,10 +6,12 @@
 use super::Problem;
 use super::adaptive_levels::{Level, SAME, distinct, gaps, middle};
 use super::checkpoint::Remembers;
+use super::conflict;
 use super::load_case::largest;
 use super::minimax::{self, Outcome};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;
+use super::survey;
 use crate::absorber::Mounted;
 use crate::objective::{HELD, Limit};
 use crate::response::{ResponseError, Work};
@@ -50,6 +52,8 @@ fn end(outcome: &Outcome) -> Known<'_> {
     (&outcome.point, Some(&outcome.curvature))
 }
 
+/// Of the random points of a whole box.
+const SEED: u64 = 1;
 /// Levels that are looked at from all starts, ends included.
 const KNOTS: usize = 5;
 /// An optimum that is lower than another by more than this share is a better one.
@@ -146,17 +150,30 @@ impl<'a> Follower<'a> {
         self.best_of_points(most, &all, work)
     }
 
+    /// An optimum within the limits of a problem: by a global search, where that ends outside them by the points of the whole box, and by what comes nearest to all limits. `None` where none of these holds them.
+    fn within_limits(&self, problem: &Problem, work: &mut Work) -> Result<Option<Optimum>, ResponseError> {
+        let starts = (self.starts)(&problem.space);
+        let mut optimum = search::optimise(problem, &starts, Finish::All, &|| {})?;
+        if !optimum.outcome.rows.hold() && !problem.space.variables.is_empty() {
+            survey::survey(problem, &mut optimum, SEED);
+        }
+        if !optimum.outcome.rows.hold()
+            && let conflict::Verdict::Found(outcome) = conflict::judge(problem, &optimum, &starts)?
+        {
+            optimum.design = problem.space.design(&outcome.point);
+            optimum.outcome = *outcome;
+        }
+        *work += optimum.stages.seeds;
+        *work += optimum.stages.search;
+        *work += optimum.stages.minimax;
+        Ok(optimum.outcome.rows.hold().then_some(optimum))
+    }
+
     /// The least of the first measure by a global search, and the starts that led there.
     fn searched(&self, work: &mut Work) -> Result<Option<(Level, Vec<String>)>, ResponseError> {
         let limits = self.limits(f64::MAX);
         let problem = self.within(&limits, self.problem.objectives);
-        let optimum = search::optimise(&problem, &(self.starts)(&problem.space), Finish::All, &|| {})?;
-        *work += optimum.stages.seeds;
-        *work += optimum.stages.search;
-        *work += optimum.stages.minimax;
-        if !optimum.outcome.rows.hold() {
-            return Ok(None);
-        }
+        let Some(optimum) = self.within_limits(&problem, work)? else { return Ok(None) };
         let values = self.values(&optimum.outcome.point, &mut Work::default())?;
         let starts = optimum.level_starts().map(str::to_owned).collect();
         Ok(Some((Level { most: f64::MAX, values, outcome: optimum.outcome }, starts)))
@@ -218,14 +235,8 @@ impl<'a> Follower<'a> {
         }
         let seconds = [self.second.measure.in_si()];
         let least_second = self.within(self.problem.limits, &seconds);
-        let found = search::optimise(&least_second, &(self.starts)(&least_second.space), Finish::All, &|| {})?;
-        *work += found.stages.seeds;
-        *work += found.stages.search;
-        *work += found.stages.minimax;
+        let Some(found) = self.within_limits(&least_second, work)? else { return Ok(None) };
         let least = found.outcome.rows.objective();
-        if !found.outcome.rows.hold() {
-            return Ok(None);
-        }
         // designs that are level in the second measure differ in the first; the least of the second may be one without a finite first, as a ring without damping is
         for above in ABOVE_LEAST {
             let most = (least * (1.0 + HELD)).max(least + above * (last.values[1] - least));

@@ -6,6 +6,9 @@ use crate::files::{Folder, WriteError};
 use crate::input::{FrontSpec, MeasureSpec, Study};
 use crate::optimise::TradeoffPoint;
 
+/// Of every absorber.
+const KEYS: [&str; 3] = ["ring_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s_per_rad"];
+
 /// `front.csv`: a row a point: the pair of measures it is a front of, the family, every measure of the front, whether another point is no worse in both of the pair, whether it is the
 /// knee, and the absorbers.
 ///
@@ -18,11 +21,19 @@ pub fn front(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wr
     let Some(FrontSpec::Of { measures, .. }) = &study.front else { return Ok(()) };
     let points = || results.tradeoffs.iter().flat_map(|t| &t.families).flat_map(|f| &f.1.points);
     let most = points().map(|p| p.design.len()).max().unwrap_or(0);
+    // of types that have more than a spring and a damper
+    let mut others: Vec<&str> = Vec::new();
+    let declared = points().flat_map(|p| &p.design).filter_map(|m| m.absorber.declaration());
+    for key in declared.flat_map(|d| d.parameters).map(|p| p.key) {
+        if !KEYS.contains(&key) && !others.contains(&key) {
+            others.push(key);
+        }
+    }
     let mut header: Vec<String> = ["front", "absorbers", "point"].map(str::to_owned).to_vec();
     header.extend(measures.iter().map(|m| m.column.clone()));
     header.extend(["dominated", "knee", "kkt_residual"].map(str::to_owned));
     for i in 1..=most {
-        header.extend(["ring_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s_per_rad"].map(|k| format!("{k}_{i}")));
+        header.extend(KEYS.iter().chain(&others).map(|k| format!("{k}_{i}")));
     }
     let mut table = Table::new(&header.iter().map(String::as_str).collect::<Vec<_>>());
     for t in &results.tradeoffs {
@@ -37,6 +48,7 @@ pub fn front(study: &Study, results: &Results, folder: &Folder) -> Result<(), Wr
                     row.push(optional(absorber.map(|a| a.ring_inertia())));
                     row.push(optional(absorber.and_then(|a| a.stiffness())));
                     row.push(optional(absorber.and_then(|a| a.damping())));
+                    row.extend(others.iter().map(|key| optional(absorber.and_then(|a| a.value(key)))));
                 }
                 table.row(row);
             }

@@ -130,13 +130,14 @@ fn judged_in(study: &Study, results: &Results) -> String {
 /// Columns of the narrow table besides the design, those that are given up last first.
 const NARROW: [&str; 5] = ["twist/°", "at/rpm", "torque/N m", "ring/kg m²", "k/N m/rad"];
 
-/// The table on one screen: the first `most` designs, given ones before optima, and as many columns as fit the width.
+/// The table on one screen (rings of all absorbers together): the first `most` designs, given ones before optima, and as many columns as fit the width.
 pub(super) fn narrow(study: &Study, results: &Results, most: usize) -> String {
     let all: Vec<&DesignResult> = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).collect();
     let judged = is_apart(study, results);
     let limited = !study.limits.is_empty();
     let row = |d: &&DesignResult| {
-        let first = d.absorbers.first().map(|m| &m.absorber);
+        let alone = d.absorbers.first().map(|m| &m.absorber).filter(|_| d.absorbers.len() == 1);
+        let rings = d.absorbers.iter().map(|m| m.absorber.ring_inertia()).sum::<f64>();
         let mut row = vec![d.name.clone()];
         if judged {
             let own = results.judged(d);
@@ -150,8 +151,8 @@ pub(super) fn narrow(study: &Study, results: &Results, most: usize) -> String {
             dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),
             dash(d.twist.map(|p| format!("{:.0}", p.speed_rpm))),
             dash(d.torque.map(|p| format!("{:.0}", p.value))),
-            dash(first.map(|a| significant(a.ring_inertia(), 4))),
-            dash(first.and_then(Absorber::stiffness).map(|k| significant(k, 5))),
+            dash((!d.absorbers.is_empty()).then(|| significant(rings, 4))),
+            dash(alone.and_then(Absorber::stiffness).map(|k| significant(k, 5))),
         ]);
         row
     };

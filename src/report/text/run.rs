@@ -179,7 +179,7 @@ fn answer(study: &Study, results: &Results) -> String {
         (true, _) => "",
         (false, true) => " within the limits",
         (false, false) if results.designs.iter().any(|d| !d.absorbers.is_empty() && d.within_limits()) => "",
-        (false, false) => " (none is within the limits)",
+        (false, false) => " (no design with an absorber is within the limits)",
     };
     match (best, results.best_optimum(false)) {
         (Some(best), Some(own)) => {

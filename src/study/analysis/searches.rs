@@ -1,6 +1,6 @@
 //! The searches of a study: optima and fronts.
 
-use super::evaluate::{self, Classifier};
+use super::evaluate::{self, Classifier, DesignResult};
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Family};
 use super::results::{FrontResult, OptimumResult, RowCase};
@@ -12,10 +12,11 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
-use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
+use crate::objective::{Condition, HELD, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::front::KnownOptimum;
+use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
@@ -208,6 +209,8 @@ impl<'a> Searches<'a> {
         }
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
+        let others = conflict.is_none() && within.is_none();
+        let design = self.as_reported(&problem, (&mut optimum, others), &name)?;
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
         let second_order = if conflict.is_some() || !first_order {
@@ -216,7 +219,6 @@ impl<'a> Searches<'a> {
             second_order::second_order(&problem, &optimum.outcome, &mut Work::default())
         };
         let mounted = optimum.design.as_slice();
-        let design = evaluate::evaluate(self.finders, &name, mounted, self.wanted, &mut Work::default());
         let classifier = Classifier::new(self.finders[0].system, self.study.twist);
         let nature = |r: &Row| {
             let load_case = &scenarios[r.load_case];
@@ -236,7 +238,7 @@ impl<'a> Searches<'a> {
         let (prices, on_bounds) =
             (shadow_prices::prices(&optimum.outcome, self.limits.len()), shadow_prices::on_bounds(&problem.space, &optimum.outcome));
         Ok(OptimumResult {
-            design: design?,
+            design,
             optimum,
             natures,
             load_cases,
@@ -254,6 +256,26 @@ impl<'a> Searches<'a> {
             robust: within.is_some(),
             reference,
         })
+    }
+
+    /// The numbers of an optimum. A limit may jump between two speeds that a search looks at, as a temperature does where a balance of heat is lost: where the design then breaks one, the best of the other local optima
+    /// that holds them takes its place.
+    fn as_reported(&self, problem: &Problem, (optimum, others): (&mut Optimum, bool), name: &str) -> Result<DesignResult, RunError> {
+        let evaluated = |design: &[Mounted]| evaluate::evaluate(self.finders, name, design, self.wanted, &mut Work::default());
+        let own = evaluated(&optimum.design)?;
+        if own.within_limits() || !others {
+            return Ok(own);
+        }
+        for (i, other) in optimum.others.iter().enumerate() {
+            let values: Vec<Vec<f64>> = other.design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect();
+            let Ok(outcome) = minimax::minimise(problem, &problem.space.point(&values), &mut Work::default()) else { continue };
+            let design = problem.space.design(&outcome.point);
+            let Some(found) = evaluated(&design).ok().filter(|d| d.within_limits() && outcome.rows.hold()) else { continue };
+            optimum.others.drain(..=i);
+            (optimum.design, optimum.outcome) = (design, outcome);
+            return Ok(found);
+        }
+        Ok(own)
     }
 
     /// Holds an optimum against designs that no start comes from, and keeps what is better; where it breaks a limit, looks for what does not.
@@ -327,6 +349,23 @@ impl<'a> Searches<'a> {
         optima.iter().filter(asked).filter_map(along).collect()
     }
 
+    /// Load cases of a study, and the absorbers of a family in operation where optima of the study are judged there.
+    pub(super) fn load_cases_of(&self, spec: &OptimiseSpec, space: &Space) -> Vec<LoadCase<'a>> {
+        let middle: Vec<f64> = space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect();
+        let judged = (spec.in_operation || !self.limits.is_empty()) && !Condition::InOperation.changes_nothing(&space.design(&middle));
+        let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
+        self.load_cases.iter().cloned().chain(judged.then_some(operation)).collect()
+    }
+
+    /// How far a design, as it is reported, is beyond the limit that it is furthest beyond, over that; zero without limits, infinite where it has no finite response.
+    pub(super) fn excess_as_reported(&self, design: &[Mounted]) -> f64 {
+        if self.limits.is_empty() {
+            return 0.0;
+        }
+        let found = evaluate::evaluate(self.finders, "front", design, self.wanted, &mut Work::default());
+        found.map_or(f64::INFINITY, |d| d.limits.iter().fold(0.0, |m: f64, ratio| m.max(ratio - 1.0)))
+    }
+
     /// The fronts, with the time of each, beginning with optima that are known.
     ///
     /// # Errors
@@ -342,9 +381,16 @@ impl<'a> Searches<'a> {
             let space = families::family(spec, &families::Choice { types, rings: vec![Some(inertias[0])] }, self.modes);
             let failed = |error| RunError { what: format!("front of {} absorbers", declaration.name), error };
             let known = self.known_along(spec, &space, optima);
-            let problem = self.problem(space, 0);
+            let load_cases = self.load_cases_of(spec, &space);
+            let problem = Problem { load_cases: &load_cases, ..self.problem(space, 0) };
             let (front, seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
-            let front = front.map_err(failed)?;
+            let mut front = front.map_err(failed)?;
+            front.points.par_iter_mut().for_each(|p| {
+                let excess = self.excess_as_reported(&p.design);
+                if excess > p.excess.max(HELD) {
+                    (p.excess, p.dominated) = (excess, true);
+                }
+            });
             let others = front.points.par_iter().map(|p| self.others(&p.design)).collect::<Result<Vec<_>, _>>().map_err(failed)?;
             Ok((FrontResult { declaration, front, others }, seconds))
         };

@@ -7,7 +7,7 @@ use super::searches::Searches;
 use super::timing::{Clock, timed};
 use crate::absorber::{Host, Mounted};
 use crate::input::{FrontSpec, OptimiseSpec};
-use crate::objective::Limit;
+use crate::objective::{HELD, Limit};
 use crate::optimise::tradeoff::{Follower, mark};
 use crate::optimise::{Optimum, Problem, Space, Tradeoff, largest};
 use crate::response::{ResponseError, Work};
@@ -57,8 +57,9 @@ impl Searches<'_> {
         let follow = |of: &[usize; 2], (name, space, spec): &(String, Space, OptimiseSpec)| {
             let (first, second) = (measures[of[0]].measure.in_si(), measures[of[1]].measure.in_si());
             let failed = |error: ResponseError| RunError { what: format!("front of {name}"), error };
+            let load_cases = self.load_cases_of(spec, space);
             let problem = Problem {
-                load_cases: self.load_cases,
+                load_cases: &load_cases,
                 space: space.clone(),
                 objectives: std::slice::from_ref(&first),
                 weights: &[],
@@ -74,7 +75,10 @@ impl Searches<'_> {
         for (of, found) in pairs.into_iter().zip(found) {
             let mut fronts: Vec<Tradeoff> = Vec::new();
             for ((name, ..), (front, seconds)) in families.iter().zip(found) {
-                let front = front?;
+                let mut front = front?;
+                let held: Vec<bool> = front.points.par_iter().map(|p| self.excess_as_reported(&p.design) <= HELD).collect();
+                let mut held = held.into_iter();
+                front.points.retain(|_| held.next().unwrap_or(true));
                 let mut work = front.minimax;
                 work += front.searches;
                 clock.beside(&format!("front_{name}"), seconds, work);

@@ -1,7 +1,7 @@
 //! The `hartog` command.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use hartog::cli::{chart, check, compare, curves, fatigue, fit, import, keys, new, report, run, shell, size};
+use hartog::cli::{chart, check, compare, curves, fatigue, fit, import, keys, matrices, new, report, run, shell, size};
 use hartog::report::formats::Format;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -47,6 +47,8 @@ enum Command {
     Fatigue(fatigue::Arguments),
     /// Fit the law of a type of absorber to measured stiffness over frequency and temperature, with standard errors.
     Fit(fit::Arguments),
+    /// Read the matrices of a crank from a finite-element program and say what they are, or write those of a study's flexible crank.
+    Matrices(matrices::Arguments),
     /// Write the calculation that a classification society asks for: Holzer's tables, vector sums, criticals, torques, misfire.
     Report(report::Arguments),
     /// Size piston pin, connecting rod and crank from operating data, and write the engine and study that follow.
@@ -93,6 +95,7 @@ fn main() -> ExitCode {
         Command::Curves(arguments) => curves::curves(&arguments),
         Command::Fatigue(arguments) => fatigue::fatigue(&arguments),
         Command::Fit(arguments) => fit::fit(&arguments),
+        Command::Matrices(arguments) => matrices::matrices(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::Size(arguments) => size::size(&arguments),
     })

@@ -8,6 +8,7 @@ pub mod fatigue;
 pub mod fit;
 pub mod import;
 pub mod keys;
+pub mod matrices;
 pub mod new;
 mod place;
 pub mod progress;

@@ -12,6 +12,8 @@ pub mod formats;
 pub(crate) mod journal;
 mod lines;
 mod manifest;
+#[doc(hidden)]
+pub mod matrices;
 mod names;
 mod names_of_commands;
 mod page;

@@ -43,6 +43,11 @@ impl Names {
         Self { command, lists: false, files: files.chain([JOURNAL.to_owned()]).collect(), tables: Vec::new(), plots: Vec::new() }
     }
 
+    pub(super) fn with_files(mut self, names: Vec<String>) -> Self {
+        self.files.extend(names);
+        self
+    }
+
     pub(super) fn tables(mut self, stems: &[&str]) -> Self {
         self.tables.extend(stems.iter().map(|s| (*s).to_owned()));
         self

@@ -1,5 +1,6 @@
 //! The names of the files of each command.
 
+use super::matrices::MatrixFormat;
 use super::names::{CLASSIFICATION, Names, PAGE, RESULTS, UNFINISHED};
 use super::run_tables::{RUN_TABLES, has_large_twist, materials};
 use crate::input::{FrontSpec, RETUNED, Study};
@@ -69,6 +70,13 @@ impl Names {
     #[doc(hidden)]
     pub fn of_chart() -> Self {
         Self::of("chart", &[PAGE]).both(&["speed_accuracy"]).plots(&["models", "growth", "stability"])
+    }
+
+    /// Those of `hartog matrices`.
+    #[doc(hidden)]
+    pub fn of_matrices() -> Self {
+        let all: Vec<String> = MatrixFormat::files().collect();
+        Self::of("matrices", &[PAGE]).with_files(all)
     }
 
     /// Those of `hartog curves`.

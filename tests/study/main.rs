@@ -23,6 +23,7 @@ mod life;
 mod limited;
 mod limits;
 mod margin;
+mod matrices;
 mod measures;
 mod multiaxial_margin;
 mod one_order;

@@ -16,7 +16,9 @@ pub mod body;
 pub mod exponential_joint;
 pub mod free_modes;
 pub mod harmonic_balance;
+pub mod reduction;
 pub mod shaft;
+pub mod structure;
 pub(crate) mod transfer;
 mod waves;
 

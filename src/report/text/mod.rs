@@ -28,7 +28,7 @@ mod robust;
 mod run;
 mod sizing;
 mod strain;
-mod table;
+pub(crate) mod table;
 mod to_be_computed;
 pub(crate) mod verdict;
 mod whole;

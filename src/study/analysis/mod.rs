@@ -23,6 +23,7 @@ pub mod families;
 pub mod fit_law;
 #[doc(hidden)]
 pub mod heat;
+mod inertia_fronts;
 #[doc(hidden)]
 pub mod judged;
 #[doc(hidden)]

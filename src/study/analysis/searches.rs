@@ -3,24 +3,23 @@
 use super::evaluate::{self, Classifier, DesignResult};
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Family};
-use super::results::{FrontResult, OptimumResult, RowCase};
+use super::results::{OptimumResult, RowCase};
 use super::search_in_operation::{is_worse_in_operation, search_in_operation};
 use super::sensitivities::sensitivities;
-use super::timing::{Clock, timed};
+use super::timing::Clock;
 use super::{Progress, RunError};
+use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::{Declaration, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
-use crate::objective::{Condition, HELD, Limit, Measure, Over, PeakFinder};
+use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
 use crate::optimise::conflict::{self, Conflict, Verdict};
-use crate::optimise::front::KnownOptimum;
 use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, front, largest, robust, search,
+    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, largest, robust, search,
     second_order, shadow_prices, starts, survey, verification_scan,
 };
 use crate::response::{ResponseError, Work};
@@ -54,7 +53,7 @@ struct LookedOver {
 #[doc(hidden)]
 pub struct Searches<'a> {
     pub(super) study: &'a Study,
-    finders: &'a [PeakFinder<'a>],
+    pub(super) finders: &'a [PeakFinder<'a>],
     pub(super) load_cases: &'a [LoadCase<'a>],
     /// Each by itself, in SI units.
     pub(super) objectives: Vec<Limit>,
@@ -64,7 +63,7 @@ pub struct Searches<'a> {
     combined: Vec<Limit>,
     pub(super) limits: Vec<Limit>,
     pub(super) modes: &'a [Vec<EngineMode>],
-    wanted: &'a EvaluationPlan<'a>,
+    pub(super) wanted: &'a EvaluationPlan<'a>,
     pub(super) progress: &'a dyn Progress,
 }
 
@@ -98,7 +97,7 @@ impl<'a> Searches<'a> {
         self.progress.memory().map(|memory| Remembers { memory, search })
     }
 
-    fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
+    pub(super) fn problem(&self, space: Space, objective: usize) -> Problem<'_> {
         let (objectives, weights) = match (self.objectives.get(objective), &self.study.combined) {
             (Some(_), _) if !self.duty[objective].0.is_empty() => (self.duty[objective].0.as_slice(), self.duty[objective].1.as_slice()),
             (None, Some(combined)) => (self.combined.as_slice(), combined.weights.as_slice()),
@@ -333,75 +332,9 @@ impl<'a> Searches<'a> {
     }
 
     /// The study's other objectives for a design, at their worst in the load cases.
-    fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
+    pub(super) fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
         let value = |measure: &Measure| largest(self.load_cases.iter(), design, measure, &mut Work::default());
         self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
-    }
-
-    /// Optima by the first objective of families that differ from this one in the ring they hold.
-    fn known_along<'o>(&self, spec: &OptimiseSpec, space: &Space, optima: &'o [OptimumResult]) -> Vec<KnownOptimum<'o>> {
-        let families = families::wanted(spec, self.modes);
-        let asked = |o: &&OptimumResult| o.objective == 0 && !o.robust && o.conflict.is_none();
-        let along = |o: &'o OptimumResult| {
-            let family = families.iter().find(|f| f.family == o.family)?;
-            family.space.is_but_for_ring(space).then(|| KnownOptimum { space: family.space.clone(), outcome: &o.optimum.outcome })
-        };
-        optima.iter().filter(asked).filter_map(along).collect()
-    }
-
-    /// Load cases of a study, and the absorbers of a family in operation where optima of the study are judged there.
-    pub(super) fn load_cases_of(&self, spec: &OptimiseSpec, space: &Space) -> Vec<LoadCase<'a>> {
-        let middle: Vec<f64> = space.bounds().iter().map(|b| 0.5 * (b.0 + b.1)).collect();
-        let judged = (spec.in_operation || !self.limits.is_empty()) && !Condition::InOperation.changes_nothing(&space.design(&middle));
-        let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
-        self.load_cases.iter().cloned().chain(judged.then_some(operation)).collect()
-    }
-
-    /// How far a design, as it is reported, is beyond the limit that it is furthest beyond, over that; zero without limits, infinite where it has no finite response.
-    pub(super) fn excess_as_reported(&self, design: &[Mounted]) -> f64 {
-        if self.limits.is_empty() {
-            return 0.0;
-        }
-        let found = evaluate::evaluate(self.finders, "front", design, self.wanted, &mut Work::default());
-        found.map_or(f64::INFINITY, |d| d.limits.iter().fold(0.0, |m: f64, ratio| m.max(ratio - 1.0)))
-    }
-
-    /// The fronts, with the time of each, beginning with optima that are known.
-    ///
-    /// # Errors
-    /// [`RunError`] where none of the starts at an inertia has a finite response.
-    pub fn fronts(&self, spec: &OptimiseSpec, optima: &[OptimumResult], clock: &mut Clock) -> Result<Vec<FrontResult>, RunError> {
-        let Some(FrontSpec::OverInertia(inertias)) = &self.study.front else { return Ok(Vec::new()) };
-        let all = families::types(spec);
-        self.progress.stage("fronts", 2 * inertias.len() * all.len());
-        let step = || self.progress.step();
-        // a front is of one absorber: validation sees to it
-        let follow = |types: Vec<&'static Declaration>| {
-            let declaration = types[0];
-            let space = families::family(spec, &families::Choice { types, rings: vec![Some(inertias[0])] }, self.modes);
-            let failed = |error| RunError { what: format!("front of {} absorbers", declaration.name), error };
-            let known = self.known_along(spec, &space, optima);
-            let load_cases = self.load_cases_of(spec, &space);
-            let problem = Problem { load_cases: &load_cases, ..self.problem(space, 0) };
-            let (front, seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
-            let mut front = front.map_err(failed)?;
-            front.points.par_iter_mut().for_each(|p| {
-                let excess = self.excess_as_reported(&p.design);
-                if excess > p.excess.max(HELD) {
-                    (p.excess, p.dominated) = (excess, true);
-                }
-            });
-            let others = front.points.par_iter().map(|p| self.others(&p.design)).collect::<Result<Vec<_>, _>>().map_err(failed)?;
-            Ok((FrontResult { declaration, front, others }, seconds))
-        };
-        let found: Vec<Result<(FrontResult, f64), RunError>> = all.into_par_iter().map(follow).collect();
-        let mut results = Vec::new();
-        for front in found {
-            let (result, seconds) = front?;
-            clock.beside(&format!("front_{}", result.declaration.name), seconds, result.front.work);
-            results.push(result);
-        }
-        Ok(results)
     }
 }
 

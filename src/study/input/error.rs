@@ -103,6 +103,12 @@ impl InputError {
         self
     }
 
+    /// One mistake of a whole file.
+    #[doc(hidden)]
+    pub fn of_file(path: &Path, message: impl Into<String>) -> Self {
+        Mistake { message: message.into(), place: Place::File(path.to_path_buf()), help: None }.into()
+    }
+
     /// Mistakes in the order of the lines they stand in.
     pub(crate) fn sorted(mut mistakes: Vec<Mistake>) -> Self {
         mistakes.sort_by_key(|m| match &m.place {

@@ -6,6 +6,7 @@ mod files;
 pub mod import;
 pub mod keys;
 mod letters;
+pub mod matrices;
 pub mod measure;
 pub mod published;
 mod read_toml;

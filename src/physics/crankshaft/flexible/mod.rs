@@ -10,6 +10,7 @@
 mod assembly;
 mod mean_load;
 pub mod on_joints;
+mod reduced;
 mod row;
 mod spec;
 mod stiffness;
@@ -21,6 +22,7 @@ mod web_section;
 pub use assembly::{Assembled, Balance};
 pub use assembly::{Carried, assemble};
 pub use mean_load::mean_load;
+pub use reduced::reduced;
 pub use spec::{Bearing, BearingNodes, End, FlexibleSpec, JointSpec, LinearBearings};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;

@@ -217,7 +217,7 @@ fn six_against_a_model_of_its_own() {
 }
 
 #[test]
-#[ignore = "three minutes: twelve speeds, four orders"]
+#[ignore = "a quarter of a minute: twelve speeds, four orders"]
 fn six_against_a_model_of_its_own_over_speed() {
     let speeds: Vec<f64> = (0..12).map(|i| 605.3 + 235.0 * f64::from(i)).collect();
     against_its_own(&speeds, &[0.5, 3.0, 4.5, 6.0]);

@@ -11,6 +11,9 @@ use std::fmt::Write;
 /// Modes that are told of.
 const MODES: usize = 16;
 const MODES_IN_BRIEF: usize = 5;
+/// Twists on the chain over those on the flexible crank of the same engine: bearings make some tens of per cent.
+const ALIKE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
+
 /// What its stations do by themselves, as the first line of a run tells it.
 pub(crate) fn frequencies(study: &Study, results: &Results) -> String {
     let list = |all: Vec<f64>| all.iter().take(4).map(|f| format!("{f:.2}")).collect::<Vec<_>>().join(", ");
@@ -81,6 +84,12 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
             ),
             None => "  on its bearings, which are not linear, no periodic motion was found at some speed (`joints.csv`)".into(),
         });
+    }
+    if let Some(ratio) = known.and_then(|m| Some(m.of(Modelled::Chain)? / m.of(Modelled::Flexible)?)).filter(|r| !ALIKE.contains(r)) {
+        lines.push(format!(
+            "  chain and flexible crank differ by a factor of {} in this: do the stiffnesses of the one fit the dimensions of the other (`hartog check --verbose`)?",
+            significant(ratio.max(1.0 / ratio), 3)
+        ));
     }
     lines.extend(by_webs(results, d));
     let own = known.map(|m| Modelled::ALL.map(|model| m.of(model).unwrap_or_default()));

@@ -114,7 +114,9 @@ pub(crate) fn broken_within_tolerances(study: &Study, results: &Results, d: &Des
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
         let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
-        let allowed = b.objection.map_or_else(String::new, |o| format!(": not allowed, {}", o.words()));
+        let rated = study.limits[b.limit].rule.map(|r| r.rated_rpm).filter(|r| (b.from_rpm..=b.to_rpm).contains(r));
+        let rated = rated.map_or_else(String::new, |r| format!(", the rated {r} rpm among them"));
+        let allowed = rated + &b.objection.map_or_else(String::new, |o| format!(": not allowed, {}", o.words()));
         format!(
             "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
             study.limits[b.limit].words,

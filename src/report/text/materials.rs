@@ -14,7 +14,10 @@ pub fn heat(results: &Results) -> String {
     }
     let rows: Vec<Vec<String>> = results.heat.iter().map(row).collect();
     let header = ["design", "hottest/°C", "at/rpm", "limit/°C", "twist/°", "at/rpm", "heat/W"];
-    let mut text = format!("In balance of heat, each speed by itself, reached from cold:\n{}", table(&header, &rows));
+    let mut text = format!(
+        "In balance of heat at the speeds of the study, each by itself, reached from cold (a limit counts between them, too):\n{}",
+        table(&header, &rows)
+    );
     for d in &results.heat {
         let several: Vec<&HeatAt> = d.points.iter().filter(|p| p.balances.len() > 1).collect();
         if let [first, .., last] = several.as_slice() {
@@ -110,7 +113,7 @@ pub fn made_of(results: &Results) -> String {
     let header = ["design", "absorber", "shape/cm³", "G'/MPa", "at/Hz", "loss factor", "viscosity/Pa s", "strain/%"];
     let table = table(&header, &rows);
     format!(
-        "What the absorbers have to be made of, in the shape that is given, and the shear strain at the largest twist:\n{table}{beyond}"
+        "What the absorbers have to be made of, in the shape that is given, and the shear strain at the largest twist at the reference:\n{table}{beyond}"
     )
 }
 

@@ -46,14 +46,14 @@ pub struct Arguments {
     /// A study whose chain the structure is held against (TOML).
     #[arg(long, value_name = "STUDY")]
     pub study: Option<PathBuf>,
-    /// Modes with the interface held beside it, of a study's crank.
-    #[arg(long, value_name = "N", default_value_t = 20)]
-    pub modes: usize,
+    /// Modes with the interface held beside it, of a study's crank [default: 20].
+    #[arg(long, value_name = "N")]
+    pub modes: Option<usize>,
     /// Format to write.
     #[arg(long, value_enum)]
     pub to: Option<To>,
     /// Output folder [default: out/FILE_matrices].
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", requires = "to")]
     pub out: Option<PathBuf>,
 }
 
@@ -112,7 +112,8 @@ impl From<To> for MatrixFormat {
     }
 }
 
-/// Most modes that are kept.
+/// Modes that are kept, and at most.
+const MODES: usize = 20;
 const MOST_MODES: usize = 500;
 
 /// The crank of a study, free, with hub and flywheel.
@@ -122,6 +123,27 @@ fn of_study(study: &Study, modes: usize) -> Result<Structure, String> {
     };
     let assembled = assemble(crank, &study.engine, &study.chain, &flexible.spec, Carried::Ends)?;
     reduced(&assembled, modes).ok_or_else(|| "its mass matrix is not positive definite".into())
+}
+
+fn is_study(arguments: &Arguments) -> bool {
+    arguments.file.extension().is_some_and(|e| e == "toml")
+}
+
+/// An option that says nothing of what is read.
+fn without_use(arguments: &Arguments) -> Option<&'static str> {
+    let of_files = [
+        (arguments.mass.is_some(), "--mass"),
+        (arguments.gyroscopic.is_some(), "--gyroscopic"),
+        (arguments.turning.is_some(), "--turning"),
+        (arguments.dof.is_some(), "--dof"),
+        (arguments.nodes.is_some(), "--nodes"),
+        (arguments.study.is_some(), "--study"),
+        (!matches!(arguments.units, Units::Si), "--units"),
+        (!matches!(arguments.axis, Axis::Z), "--axis"),
+    ];
+    let of_study = [(arguments.modes.is_some(), "--modes")];
+    let given = if is_study(arguments) { &of_files[..] } else { &of_study[..] };
+    given.iter().find(|o| o.0).map(|o| o.1)
 }
 
 /// Inertia of a chain and its stiffness from end to end.
@@ -134,9 +156,9 @@ fn of_chain(study: &Study) -> OfChain {
 /// The structure, in axes with z along the crank, and the chain that it is held against.
 fn read(arguments: &Arguments) -> Result<(Structure, Option<OfChain>), InputError> {
     let study = |path: &PathBuf| input::read(path);
-    if arguments.file.extension().is_some_and(|e| e == "toml") {
+    if is_study(arguments) {
         let own = study(&arguments.file)?;
-        let reduced = of_study(&own, arguments.modes).map_err(|words| InputError::of_file(&arguments.file, words))?;
+        let reduced = of_study(&own, arguments.modes.unwrap_or(MODES)).map_err(|words| InputError::of_file(&arguments.file, words))?;
         return Ok((reduced, None));
     }
     let chain = arguments.study.as_ref().map(study).transpose()?.map(|s| of_chain(&s));
@@ -166,8 +188,12 @@ fn read(arguments: &Arguments) -> Result<(Structure, Option<OfChain>), InputErro
 
 /// Reads a structure, prints what it is found to be, and writes it.
 pub fn matrices(arguments: &Arguments) -> u8 {
-    if arguments.modes > MOST_MODES {
-        return fail(&format!("error: found --modes {}, expected at most {MOST_MODES}", arguments.modes));
+    if let Some(modes) = arguments.modes.filter(|m| *m > MOST_MODES) {
+        return fail(&format!("error: found --modes {modes}, expected at most {MOST_MODES}"));
+    }
+    if let Some(option) = without_use(arguments) {
+        let of = if is_study(arguments) { "a study, whose crank is computed" } else { "matrices, which have their modes" };
+        return fail(&format!("error: found {option} with {of}, expected it without"));
     }
     let (found, inputs) = input::noted(|| read(arguments));
     let (found, chain) = match found {

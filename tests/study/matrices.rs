@@ -245,6 +245,18 @@ fn a_substructure_of_calculix() {
     assert_close(read(UnitSystem::Si).stiffness[(3, 1)], -0.928_443_088_375_7e8, 1e-13, 0.0, "the second number of the fourth row");
 }
 
+/// Options that say nothing of what is read are refused by name.
+#[test]
+fn options_without_use() {
+    let study = "studies/villalva_i6_flexible.toml";
+    let (code, told) = hartog(&[study, "--units", "mm_t"]);
+    assert!(code == 2 && told.contains("found --units with a study, whose crank is computed, expected it without"), "{told}");
+    let (code, told) = hartog(&["tests/matrices/sub_throw.mtx", "--modes", "3"]);
+    assert!(code == 2 && told.contains("found --modes with matrices, which have their modes"), "{told}");
+    let (code, told) = hartog(&["studies/den_hartog.toml"]);
+    assert!(code == 2 && told.contains("found an engine without [crank.flexible]"), "{told}");
+}
+
 /// What is no matrix of a structure is refused with its line, or its file.
 #[test]
 fn what_is_refused() {

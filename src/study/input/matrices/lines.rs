@@ -3,8 +3,8 @@
 use crate::input::error::{InputError, Source};
 use crate::rotor::structure::Unknown;
 
-/// Largest number of unknowns: beyond, dense matrices take minutes.
-pub(super) const MOST: usize = 2000;
+/// Largest number of unknowns: beyond, modes of dense matrices take minutes.
+pub(super) const MOST: usize = 1000;
 
 /// A value with its place: row and column from 0, line of the file from 1.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -195,7 +195,7 @@ pub fn objections(s: &Structure, chain: Option<OfChain>) -> Vec<String> {
     if let Some(hz) = c.frequencies_hz.as_ref().and_then(|f| f.first()).filter(|f| **f < SLOW_HZ) {
         all.push(format!("its lowest elastic frequency is {} Hz, below 10: are the units right?", significant(*hz, 3)));
     }
-    if c.mass.is_some() && c.frequencies_hz.is_none() {
+    if s.mass.is_some() && c.frequencies_hz.is_none() {
         all.push("its mass matrix is not positive definite".into());
     }
     if let (Some(chain), Some(own)) = (chain, c.polar_inertia) {

@@ -245,6 +245,19 @@ fn a_substructure_of_calculix() {
     assert_close(read(UnitSystem::Si).stiffness[(3, 1)], -0.928_443_088_375_7e8, 1e-13, 0.0, "the second number of the fourth row");
 }
 
+/// A mass that is negative somewhere is told of, wherever nodes are, with exit code 1.
+#[test]
+fn a_mass_below_zero() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str, text: &str| {
+        fs::write(folder.path().join(name), text).expect("written");
+        folder.path().join(name).to_string_lossy().into_owned()
+    };
+    let (k, m, dof) = (at("k.sti", "1 1 4\n1 2 -4\n2 2 4\n"), at("m.mas", "1 1 1\n2 2 -1\n"), at("k.dof", "1.1\n2.1\n"));
+    let (code, told) = hartog(&[&k, "--mass", &m, "--dof", &dof]);
+    assert!(code == 1 && told.contains("its mass matrix is not positive definite"), "{told}");
+}
+
 /// Options that say nothing of what is read are refused by name.
 #[test]
 fn options_without_use() {

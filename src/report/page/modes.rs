@@ -14,9 +14,9 @@ use serde_json::{Map, Value, json};
 pub(super) fn modes() -> Markup {
     html! {
         h2 { "Natural frequencies and mode shapes" }
-        p class="soft" { "Orders of the engine that meet a natural frequency excite it. Grey: the engine without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
+        p class="soft" { "Orders of the engine that meet a natural frequency excite it; drawn are the twelve with the largest resonances of the engine without absorber. Grey: the engine without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
         div id="campbell" {}
-        div class="tools" { label { "Mode of the chain " select id="mode" {} } }
+        div class="tools" { label { "Mode of the torsional chain " select id="mode" {} } }
         div id="shape" {}
     }
 }
@@ -34,6 +34,7 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
         json!({ "hz": hz, "angles": own().map(|r| digits(r.angle)).collect::<Vec<_>>() })
     };
     let shapes: Vec<Value> = (1..=rows.iter().map(|r| r.mode).max().unwrap_or(0)).map(shape).collect();
+    let alone = if results.system.flexible.is_some() { "flexible crank alone" } else { "chain alone" };
     let stations: Vec<&str> = study.chain.stations.iter().map(|s| s.name.as_str()).collect();
-    json!({ "orders": orders, "chain": list(&results.system.modes.frequencies_hz()), "designs": designs, "shapes": shapes, "stations": stations, "row": study.chain.is_row() })
+    json!({ "orders": orders, "chain": list(&results.system.modes.frequencies_hz()), "designs": designs, "shapes": shapes, "stations": stations, "row": study.chain.is_row(), "flexible": results.system.flexible.is_some(), "alone": alone })
 }

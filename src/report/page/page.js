@@ -147,7 +147,7 @@ function showFront() {
 function showCampbell() {
   const modes = data.modes, low = Math.min(...data.speeds), high = Math.max(...data.speeds), right = 1.03 * high;
   const reached = Math.max(0, ...modes.orders.map(o => o.hz_per_rpm)) * high;
-  const systems = [{ name: "chain alone", frequencies: modes.chain, colour: "var(--soft)", dash: "" }];
+  const systems = [{ name: modes.alone, frequencies: modes.chain, colour: "var(--soft)", dash: "" }];
   for (const name of names.filter(n => chosen.has(n) && modes.designs[n])) systems.push({ name, frequencies: modes.designs[name], ...style(name) });
   for (const s of systems) s.frequencies = s.frequencies.filter(f => f <= reached);
   const top = 1.05 * Math.max(...systems.flatMap(s => s.frequencies), modes.chain[0] || 1), list = [];
@@ -155,7 +155,7 @@ function showCampbell() {
   for (const s of systems) {
     s.frequencies.forEach((f, i) => list.push({ name: s.name, quiet: i > 0, x: [0, right], y: [f, f], colour: s.colour, dash: s.dash }));
     const met = modes.orders.flatMap(o => s.frequencies.map((f, mode) => ({ order: o.name, f, mode, speed: f / o.hz_per_rpm }))).filter(m => m.speed >= low && m.speed <= high);
-    list.push({ name: s.name, quiet: true, points: true, size: 4, colour: s.colour, x: met.map(m => m.speed), y: met.map(m => m.f), tell: i => s.name + ": order " + met[i].order + " meets " + short(met[i].f) + " Hz at " + short(met[i].speed) + " rpm", click: i => { if (s === systems[0] && met[i].mode < modes.shapes.length) { by("mode").value = met[i].mode; showShape(); } } });
+    list.push({ name: s.name, quiet: true, points: true, size: 4, colour: s.colour, x: met.map(m => m.speed), y: met.map(m => m.f), tell: i => s.name + ": order " + met[i].order + " meets " + short(met[i].f) + " Hz at " + short(met[i].speed) + " rpm", click: i => { if (s === systems[0] && !modes.flexible && met[i].mode < modes.shapes.length) { by("mode").value = met[i].mode; showShape(); } } });
   }
   campbell.band = [low, high];
   campbell.show(list);

@@ -68,7 +68,7 @@ fn survey(s: &Survey) -> String {
         n => format!("{n} hold all limits"),
     };
     let above = if s.above > 0 {
-        format!("{} are above the optimum by a quarter or have no finite response; of the other {asked} ", s.above)
+        format!("{} are above the optimum by a quarter or have no finite response; of the other {asked}, ", s.above)
     } else {
         String::new()
     };
@@ -77,7 +77,10 @@ fn survey(s: &Survey) -> String {
     } else {
         "none of these, nor what the best of them lead to, is lower within the limits"
     };
-    format!("  {of} {above}{held}; {} were followed: {result}", s.followed)
+    match s.followed {
+        0 => format!("  {of} {above}{held}; none of them was worth following"),
+        followed => format!("  {of} {above}{held}; {followed} were followed: {result}"),
+    }
 }
 
 fn starts(o: &OptimumResult) -> String {

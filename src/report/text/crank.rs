@@ -82,7 +82,8 @@ fn bearings(study: &Study) -> Option<String> {
             b.number.to_string(),
             significant(b.largest / N_PER_KN, 4),
             format!("{:.0}", b.theta * DEG_PER_RAD),
-            format!("{:.0}", b.towards * DEG_PER_RAD),
+            // no -0
+            format!("{:.0}", (b.towards * DEG_PER_RAD).round() + 0.0),
             significant(b.turning / N_PER_KN, 3),
         ]
     };

@@ -120,7 +120,13 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
     Figure {
         name: "campbell".into(),
         title: format!("{}: Campbell diagram of the chain", study.engine.name),
-        panels: vec![Panel { title: "natural frequencies and orders that resonate".into(), x: SPEED, y: FREQUENCY, curves, y_top: None }],
+        panels: vec![Panel {
+            title: "natural frequencies and the twelve orders with the largest resonances, without absorber".into(),
+            x: SPEED,
+            y: FREQUENCY,
+            curves,
+            y_top: None,
+        }],
     }
 }
 

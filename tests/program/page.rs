@@ -166,13 +166,13 @@ fn pages_of_other_commands_work_in_a_browser() {
             let sorts = "document.querySelectorAll('details').forEach(d => d.open = true); document.querySelector('th button').click(); \
                          const f = document.querySelector('input[type=search]'); f.value = 'no such value'; f.dispatchEvent(new Event('input')); \
                          if ([...document.getElementById(f.dataset.of).tBodies[0].rows].some(r => !r.hidden)) told.push('rows stay'); \
-                         const inches = document.getElementById('inches'), metric = [...document.querySelectorAll('table.sorts th')].filter(h => /_mm$/.test(h.textContent)); \
+                         const inches = document.getElementById('inches'), metric = [...document.querySelectorAll('table.sorts th')].filter(h => /, mm$/.test(h.textContent)); \
                          const cells = () => metric.map(h => Number(h.closest('table').tBodies[0].rows[0].cells[h.cellIndex].textContent)), before = cells(); \
                          if (inches) { inches.click(); cells().forEach((v, i) => { if (!(Math.abs(v * 25.4 / before[i] - 1) < 1e-3)) told.push(before[i] + ' mm became ' + v); }); }";
             let (dom, told) = after(browser, &page, width, &format!("{CONTRAST} {sorts}"));
             assert_eq!(told, "", "{command:?}");
             assert!(dom.contains("aria-sort=\"ascending\"") && dom.contains("data:image/svg+xml"), "{command:?}");
-            assert!(command[0] != "size" || dom.contains("crankpin_diameter_in"), "{command:?}: no inches");
+            assert!(command[0] != "size" || dom.contains("crankpin diameter, in"), "{command:?}: no inches");
         }
     }
 }

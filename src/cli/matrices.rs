@@ -5,10 +5,10 @@ use super::place::chosen;
 use crate::crankshaft::flexible::{Carried, assemble, reduced};
 use crate::input::matrices::{MatrixFiles, UnitSystem, structure};
 use crate::input::{self, InputError, Study};
-use crate::report::matrices::{MatrixFormat, OfChain, matrices as told, objections, write_matrices};
+use crate::report::matrices::{MatrixFormat, matrices as told, write_matrices};
 use crate::report::{Folder, Job, Names, about_inputs, write_folder};
-use crate::rotor::structure::Structure;
-use nalgebra::Matrix3;
+use crate::rotor::structure::{CrankAxis, Structure};
+use crate::rotor::structure_checks::OfChain;
 use std::path::PathBuf;
 
 /// Arguments of `matrices`.
@@ -174,16 +174,16 @@ fn read(arguments: &Arguments) -> Result<(Structure, Option<OfChain>), InputErro
         },
     };
     let found = structure(&files)?;
-    let axes = match arguments.axis {
-        Axis::Z => return Ok((found, chain)),
-        Axis::X => Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0),
-        Axis::Y => Matrix3::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+    let axis = match arguments.axis {
+        Axis::X => CrankAxis::X,
+        Axis::Y => CrankAxis::Y,
+        Axis::Z => CrankAxis::Z,
     };
-    let turned = found.turned(&axes);
-    let turned = turned.ok_or_else(|| {
-        InputError::of_file(&arguments.file, "found a node that moves along some axes only, expected all three where --axis turns them")
-    });
-    Ok((turned?, chain))
+    if axis == CrankAxis::Z {
+        return Ok((found, chain));
+    }
+    let words = "found a node that moves along some axes only, expected all three where --axis turns them";
+    Ok((found.along(axis).ok_or_else(|| InputError::of_file(&arguments.file, words))?, chain))
 }
 
 /// Reads a structure, prints what it is found to be, and writes it.
@@ -200,8 +200,9 @@ pub fn matrices(arguments: &Arguments) -> u8 {
         Ok(found) => found,
         Err(error) => return fail(&error),
     };
-    let printed = || told(&found, chain);
-    let ends = if objections(&found, chain).is_empty() { DONE } else { FAILED };
+    let checks = found.checks();
+    let printed = || told(&found, &checks, chain);
+    let ends = if checks.objections(chain).is_empty() { DONE } else { FAILED };
     let Some(to) = arguments.to else {
         say(&printed());
         return ends;

@@ -1,8 +1,8 @@
 //! Matrices of structures for other programs, and what is found of them.
 
 use crate::files::{Folder, WriteError};
-use crate::numerics::elementary::Elementary;
 use crate::rotor::structure::{Structure, Unknown};
+use crate::rotor::structure_checks::{Checks, Objection, OfChain};
 use crate::text::table::significant;
 use nalgebra::DMatrix;
 use std::fmt::Write;
@@ -151,83 +151,44 @@ pub fn write_matrices(s: &Structure, format: MatrixFormat, folder: &Folder) -> R
     folder.write("nodes.csv", format!("node,x,y,z\n{places}").as_bytes())
 }
 
-/// What the chain of an engine has, to hold a structure against: total inertia, kg m², and torsional stiffness between its ends, N m/rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OfChain {
-    /// kg m².
-    pub inertia: f64,
-    /// N m/rad.
-    pub stiffness: f64,
-}
-
-/// What does not hold of a structure, a line each.
-#[doc(hidden)]
-pub fn objections(s: &Structure, chain: Option<OfChain>) -> Vec<String> {
-    const RESIDUAL: f64 = 1e-5;
-    const ALIKE: f64 = 1e-6;
-    const OFF_AXIS: f64 = 5e-3;
-    const SLOW_HZ: f64 = 10.0;
-    let c = s.checks();
-    let mut all = Vec::new();
-    if let Some(r) = c.rigid_residual.filter(|r| *r > RESIDUAL) {
-        all.push(format!(
-            "motion as a rigid body meets a stiffness of {} of the largest, above 1e-5: is it free, are places and units right?",
-            significant(r, 3)
-        ));
-    }
-    if let Some(n) = c.rigid_modes.filter(|n| *n != 6) {
-        all.push(format!("{n} rigid modes, expected six of a free body"));
-    }
-    if let Some(m) = c.mass.filter(|m| m.iter().any(|x| (x / m[0] - 1.0).abs() > ALIKE)) {
-        all.push(format!(
-            "its mass is {}, {} and {} kg along x, y and z, expected the same",
-            significant(m[0], 7),
-            significant(m[1], 7),
-            significant(m[2], 7)
-        ));
-    }
-    if let Some(off) = c.centre.map(|p| p.x.hypotenuse(p.y)).filter(|off| *off > OFF_AXIS) {
-        all.push(format!(
-            "its centre of mass lies {} mm beside the z axis, above 5 mm: is that the axis of the crank (--axis)?",
-            significant(1e3 * off, 3)
-        ));
-    }
-    if let Some(hz) = c.frequencies_hz.as_ref().and_then(|f| f.first()).filter(|f| **f < SLOW_HZ) {
-        all.push(format!("its lowest elastic frequency is {} Hz, below 10: are the units right?", significant(*hz, 3)));
-    }
-    if s.mass.is_some() && c.frequencies_hz.is_none() {
-        all.push("its mass matrix is not positive definite".into());
-    }
-    if let (Some(chain), Some(own)) = (chain, c.polar_inertia) {
-        let ratio = own / chain.inertia;
-        if !(0.01..=100.0).contains(&ratio) {
-            all.push(format!(
-                "its inertia about the axis is {} times that of the chain: looks like mm and t, say --units mm_t",
-                significant(ratio, 3)
-            ));
-        } else if (ratio - 1.0).abs() > 0.03 {
-            all.push(format!("its inertia about the axis is {} % off that of the chain, above 3 %", significant(100.0 * (ratio - 1.0), 3)));
+/// What is unlikely, in words.
+fn words(objection: &Objection) -> String {
+    let of = |x: f64| significant(x, 3);
+    let off = |ratio: f64| significant(100.0 * (ratio - 1.0), 3);
+    match *objection {
+        Objection::NegativeStiffness(n) => format!("its stiffness has {n} negative eigenvalues: it is no structure at rest"),
+        Objection::NegativeMass => "its mass matrix is not positive definite".into(),
+        Objection::HeldSomewhere(r) => {
+            format!(
+                "motion as a rigid body meets a stiffness of {} of the largest, above 1e-5: is it free, are places and units right?",
+                of(r)
+            )
         }
-    }
-    if let (Some(chain), Some(own)) = (chain, c.torsional_stiffness) {
-        let ratio = own / chain.stiffness;
-        if (ratio - 1.0).abs() > 0.15 {
-            all.push(format!("its torsional stiffness is {} % off that of the chain, above 15 %", significant(100.0 * (ratio - 1.0), 3)));
+        Objection::RigidModes(n) => format!("{n} rigid modes, expected six of a free body"),
+        Objection::UnequalMass(m) => {
+            let [x, y, z] = m.map(|m| significant(m, 7));
+            format!("its mass is {x}, {y} and {z} kg along x, y and z, expected the same")
         }
+        Objection::BesideTheAxis(off) => {
+            format!("its centre of mass lies {} mm beside the z axis, above 5 mm: is that the axis of the crank (--axis)?", of(1e3 * off))
+        }
+        Objection::Slow(hz) => format!("its lowest elastic frequency is {} Hz, below 10: are the units right?", of(hz)),
+        Objection::Extent(m) => format!("its nodes lie within {} m, expected 0.03 to 40 m: are the units right (--units)?", of(m)),
+        Objection::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
+            format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", of(ratio))
+        }
+        Objection::Inertia(ratio) => format!("its inertia about the axis is {} % off that of the chain, above 3 %", off(ratio)),
+        Objection::TorsionalStiffness(ratio) => format!("its torsional stiffness is {} % off that of the chain, above 15 %", off(ratio)),
     }
-    all
 }
 
 /// What a structure is found to be.
 #[doc(hidden)]
-pub fn matrices(s: &Structure, chain: Option<OfChain>) -> String {
-    let c = s.checks();
+pub fn matrices(s: &Structure, c: &Checks, chain: Option<OfChain>) -> String {
     let modal = s.unknowns.iter().filter(|u| u.component == 0).count();
     let mut text = format!("{} unknowns of {} nodes, {modal} of them of modes\n", s.unknowns.len(), s.nodes());
     let mut line = |words: &str, value: Option<String>| _ = value.map(|value| writeln!(text, "  {words:<34}{value}"));
     let of = |x: f64, unit: &str| format!("{} {unit}", significant(x, 7));
-    line("asymmetry of K", Some(format!("{:.1e}", c.asymmetry)));
-    line("asymmetry of M", c.mass_asymmetry.map(|x| format!("{x:.1e}")));
     line("stiffness against rigid motion", c.rigid_residual.map(|x| format!("{x:.1e} of the largest")));
     line("rigid modes", c.rigid_modes.map(|n| n.to_string()));
     line("mass", c.mass.map(|m| of(m[0], "kg")));
@@ -238,8 +199,11 @@ pub fn matrices(s: &Structure, chain: Option<OfChain>) -> String {
     line("  of the chain", chain.map(|own| of(own.stiffness, "N m/rad")));
     let hz = |f: &Vec<f64>| f.iter().take(10).map(|x| significant(*x, 6)).collect::<Vec<_>>().join(", ");
     line("elastic frequencies/Hz", c.frequencies_hz.as_ref().map(hz));
-    for words in objections(s, chain) {
-        _ = writeln!(text, "warning: {words}");
+    if s.places.is_empty() {
+        text.push_str("  without the places of its nodes (--nodes) nothing is told of rigid motion, mass, centre, inertia and torsion\n");
+    }
+    for objection in c.objections(chain) {
+        _ = writeln!(text, "warning: {}", words(&objection));
     }
     text
 }

@@ -21,6 +21,16 @@ fn six() -> Study {
     Study::read("studies/villalva_i6_flexible.toml").expect("a study")
 }
 
+/// With nothing but what its crank vibrates with.
+fn alone() -> Study {
+    let mut study = six();
+    (study.optimise, study.front, study.fatigue) = (None, None, None);
+    study.more_objectives.clear();
+    study.conditions.clear();
+    study.duty.clear();
+    study
+}
+
 /// A throw with free ends and no factors on its webs twists by (L_j + W/2)/(G J_j) + (L_p + W/2)/(G J_p) + 2 R/(E I_edge): Castigliano's theorem, half of each half web counting at twice its stiffness.
 #[test]
 fn throw_by_castigliano() {
@@ -174,11 +184,7 @@ fn designs(study: &Study) -> [Vec<Mounted>; 3] {
 
 /// Twists by order of the tables against a dense model of its own: elements from energies, masses as points that turn, rings with unknowns of their own, forces from the cycle.
 fn against_its_own(speeds: &[f64], orders: &[f64]) {
-    let mut study = six();
-    (study.optimise, study.front, study.fatigue) = (None, None, None);
-    study.more_objectives.clear();
-    study.conditions.clear();
-    study.duty.clear();
+    let study = alone();
     let results = study.run().expect("results");
     let grid = Grid::new(&study.speeds_rpm, &[]);
     let direct = Direct::new(&results.system, &grid);

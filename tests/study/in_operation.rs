@@ -4,6 +4,7 @@ use crate::limited::{optimum, read};
 use crate::limits::{TwoMasses, What, measure, with};
 use crate::support::assert_close;
 use hartog::absorber::{Absorber, Cooling, Geometry, Kraus, Material, Mounted, RUBBER, TemperatureLaw, Thermal, ToAir, WithMaterial};
+use hartog::analysis::OptimumResult;
 use hartog::input::{DesignSpec, LimitSpec, MeasureSpec, Study};
 use hartog::numerics::{C64, I};
 use hartog::objective::{Condition, Measure, Over, PeakFinder};
@@ -262,6 +263,19 @@ fn drifts_are_those_of_operation() {
         }
     }
     assert!(looked_at > 0, "{:?}", found.sensitivities);
+    beside_a_jump(found, &s.limits[0]);
+}
+
+/// A limit of which four per cent are left stands beside a jump where a thousandth of a parameter breaks it, but not where two per cent do, nor where it is used up or broken.
+fn beside_a_jump(mut found: OptimumResult, limit: &LimitSpec) {
+    let mut told = |change: f64, ratio: f64| {
+        found.sensitivities.iter_mut().filter(|s| s.limited).for_each(|s| s.drift = (None, Some(change)));
+        found.jump(limit, ratio).map(|jump| jump.change)
+    };
+    assert_eq!(told(0.001, 0.96), Some(-0.001));
+    assert_eq!(told(0.02, 0.96), None);
+    assert_eq!(told(1e-6, 0.999), None);
+    assert_eq!(told(0.001, 1.04), None);
 }
 
 /// Points of a front under limits are judged as optima are, in operation, too: each point, evaluated as a given design, has the value of the front and holds the limits; and none of them beats the optimum of its bounds.

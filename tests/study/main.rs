@@ -24,6 +24,7 @@ mod limited;
 mod limits;
 mod margin;
 mod matrices;
+mod matrices_read;
 mod measures;
 mod multiaxial_margin;
 mod one_order;

@@ -45,6 +45,19 @@ fn massive(k: &DMatrix<f64>, m: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     (order.iter().map(|&i| eigen.eigenvalues[i]).collect(), vectors)
 }
 
+/// The same with any mass matrix, symmetric; `None` where that is not positive definite.
+pub(crate) fn of_full_mass(k: &DMatrix<f64>, m: &DMatrix<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
+    let lower = m.clone().cholesky()?.unpack();
+    let half = lower.solve_lower_triangular(k)?.transpose();
+    let reduced = lower.solve_lower_triangular(&half)?;
+    let eigen = SymmetricEigen::new((&reduced + reduced.transpose()) * 0.5);
+    let mut order: Vec<usize> = (0..k.nrows()).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+    let vectors = DMatrix::from_columns(&order.iter().map(|i| eigen.eigenvectors.column(*i).into_owned()).collect::<Vec<_>>());
+    let shapes = lower.tr_solve_lower_triangular(&vectors)?;
+    Some((DVector::from_iterator(order.len(), order.iter().map(|i| eigen.eigenvalues[*i])), shapes))
+}
+
 /// Share of the sum of squares below which an element of a vector counts as none: it moves an eigenvalue by less than rounding.
 const NONE: f64 = 1e-14;
 /// Eigenvalues of diag(d) + v v' for ascending d, ascending; `squares` are those of the elements of v. One lies above each d and below the next \[Golub & Van Loan 2013, section 8.4.3\], where

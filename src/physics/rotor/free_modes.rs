@@ -1,8 +1,9 @@
 //! Undamped modes of a shaft at rest, and of which kind each is.
 
 use super::shaft::{Shaft, Six};
+use crate::numerics::eigen::of_full_mass;
 use crate::numerics::{C64, eigen};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 /// Below this share of the highest square of a frequency a mode is rigid: what rounding leaves of zero.
 const RIGID: f64 = 1e-12;
@@ -38,19 +39,13 @@ pub fn free_modes(shaft: &Shaft, count: usize) -> Option<Vec<FreeMode>> {
     let free = shaft.free();
     let part = |all: DMatrix<f64>| DMatrix::from_fn(free.len(), free.len(), |i, j| all[(free[i], free[j])]);
     let (m, k) = (part(shaft.mass_matrix()), part(shaft.stiffness_matrix()));
-    let lower = m.cholesky()?.unpack();
-    let half = lower.solve_lower_triangular(&k)?.transpose();
-    let reduced = lower.solve_lower_triangular(&half)?;
-    let eigen = SymmetricEigen::new((&reduced + reduced.transpose()) * 0.5);
-    let mut order: Vec<usize> = (0..free.len()).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-    let largest = eigen.eigenvalues[*order.last()?];
-    let mode = |i: &usize| {
-        let own = lower.tr_solve_lower_triangular(&eigen.eigenvectors.column(*i).into_owned())?;
-        let square = eigen.eigenvalues[*i];
-        Some(of(shaft, &free, &own, if square > RIGID * largest { square.sqrt() } else { 0.0 }))
+    let (squares, shapes) = of_full_mass(&k, &m)?;
+    let largest = squares[squares.len().checked_sub(1)?];
+    let mode = |i: usize| {
+        let omega = if squares[i] > RIGID * largest { squares[i].sqrt() } else { 0.0 };
+        of(shaft, &free, &shapes.column(i).into_owned(), omega)
     };
-    order.iter().take(count).map(mode).collect()
+    Some((0..squares.len().min(count)).map(mode).collect())
 }
 
 /// A mode from its unknowns.

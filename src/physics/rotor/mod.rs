@@ -19,6 +19,7 @@ pub mod harmonic_balance;
 pub mod reduction;
 pub mod shaft;
 pub mod structure;
+pub mod structure_checks;
 pub(crate) mod transfer;
 mod waves;
 

@@ -3,7 +3,8 @@
 //! With interface unknowns b and the others i, x = T (x_b, q): T = [1 0; -K_ii⁻¹ K_ib Phi], Phi the lowest modes with the interface held, of unit modal mass. Every matrix X becomes T' X T. Without modes that is Guyan's
 //! reduction \[Guyan 1965\]; with all of them nothing is lost \[Craig & Bampton 1968\].
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use crate::numerics::eigen::of_full_mass;
+use nalgebra::DMatrix;
 
 /// A reduction.
 #[derive(Debug, Clone)]
@@ -35,7 +36,7 @@ impl Reduction {
         if modes == 0 {
             return Some(Self { basis, omega: Vec::new() });
         }
-        let (square, shapes) = modes_of(&part(stiffness, &rest, &rest), &part(mass, &rest, &rest))?;
+        let (square, shapes) = of_full_mass(&part(stiffness, &rest, &rest), &part(mass, &rest, &rest))?;
         let omega: Vec<f64> = square.iter().take(modes).map(|s| s.max(0.0).sqrt()).collect();
         for k in 0..omega.len() {
             rest.iter().enumerate().for_each(|(i, row)| basis[(*row, interface.len() + k)] = shapes[(i, k)]);
@@ -47,17 +48,4 @@ impl Reduction {
     pub fn of(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
         self.basis.transpose() * x * &self.basis
     }
-}
-
-/// Squares of the frequencies (rad²/s²), ascending, and shapes of unit modal mass of K x = s M x; `None` where M is not positive definite.
-pub(crate) fn modes_of(stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
-    let lower = mass.clone().cholesky()?.unpack();
-    let half = lower.solve_lower_triangular(stiffness)?.transpose();
-    let reduced = lower.solve_lower_triangular(&half)?;
-    let eigen = SymmetricEigen::new((&reduced + reduced.transpose()) * 0.5);
-    let mut order: Vec<usize> = (0..stiffness.nrows()).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-    let vectors = DMatrix::from_columns(&order.iter().map(|i| eigen.eigenvectors.column(*i).into_owned()).collect::<Vec<_>>());
-    let shapes = lower.tr_solve_lower_triangular(&vectors)?;
-    Some((DVector::from_iterator(order.len(), order.iter().map(|i| eigen.eigenvalues[*i])), shapes))
 }

@@ -3,9 +3,8 @@
 use super::numbers::{digits, list};
 use crate::analysis::Results;
 use crate::analysis::curves::holzer;
-use crate::analysis::model_check::strongest_orders;
+use crate::analysis::model_check::{DRAWN_ORDERS, strongest_orders};
 use crate::input::Study;
-use crate::plot::campbell::MOST_ORDERS;
 use crate::units::HZ_PER_RPM;
 use maud::{Markup, html};
 use serde_json::{Map, Value, json};
@@ -14,7 +13,7 @@ use serde_json::{Map, Value, json};
 pub(super) fn modes() -> Markup {
     html! {
         h2 { "Natural frequencies and mode shapes" }
-        p class="soft" { "Orders of the engine that meet a natural frequency excite it; drawn are the twelve with the largest resonances of the engine without absorber. Grey: the engine without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
+        p class="soft" { "Orders of the engine that meet a natural frequency excite it; drawn are at most " (DRAWN_ORDERS) ", those with the largest resonances of the engine without absorber. Grey: the engine without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
         div id="campbell" {}
         div class="tools" { label { "Mode of the torsional chain " select id="mode" {} } }
         div id="shape" {}
@@ -23,7 +22,7 @@ pub(super) fn modes() -> Markup {
 
 /// What the script draws: order lines, frequencies of the chain and of each design, and the first shapes of the chain.
 pub(super) fn data(study: &Study, results: &Results) -> Value {
-    let orders = strongest_orders(study, &results.system, MOST_ORDERS).into_iter().map(|n| results.system.excitation.orders[n]);
+    let orders = strongest_orders(study, &results.system, DRAWN_ORDERS).into_iter().map(|n| results.system.excitation.orders[n]);
     let orders: Vec<Value> = orders.map(|o| json!({ "name": o.to_string(), "hz_per_rpm": o.value() * HZ_PER_RPM })).collect();
     let designs = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).filter(|d| !d.absorbers.is_empty());
     let designs: Map<String, Value> = designs.map(|d| (d.name.clone(), list(&d.frequencies_hz))).collect();

@@ -3,18 +3,15 @@
 use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, fill, line, px, text};
 use super::legend::{self, Entry, Mark};
 use crate::analysis::Results;
-use crate::analysis::model_check::strongest_orders;
+use crate::analysis::model_check::{DRAWN_ORDERS, strongest_orders};
 use crate::engine::Order;
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::units::HZ_PER_RPM;
 use plotters::prelude::*;
 
-/// Order lines drawn: those with the largest resonances in the range.
-pub(crate) const MOST_ORDERS: usize = 12;
-
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let chosen = strongest_orders(study, &results.system, MOST_ORDERS);
+    let chosen = strongest_orders(study, &results.system, DRAWN_ORDERS);
     let orders: Vec<Order> = chosen.iter().map(|n| results.system.excitation.orders[*n]).collect();
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
     let right = canvas::round_up(1.02 * high).min(1.15 * high);

@@ -1,7 +1,7 @@
 //! The flexible crank: its modes and stiffness, and designs by other models of the crank.
 
 use super::table::{significant, table};
-use crate::analysis::{DesignResult, Modelled, Results, crank_at_speed};
+use crate::analysis::{ByModel, DesignResult, Modelled, Results, crank_at_speed};
 use crate::crankshaft::flexible::{Bearing, LinearBearings};
 use crate::input::{FlexibleModel, Study};
 use crate::rotor::free_modes::FreeMode;
@@ -11,9 +11,6 @@ use std::fmt::Write;
 /// Modes that are told of.
 const MODES: usize = 16;
 const MODES_IN_BRIEF: usize = 5;
-/// Twists on the chain over those on the flexible crank of the same engine: bearings make some tens of per cent.
-const ALIKE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
-
 /// What its stations do by themselves, as the first line of a run tells it.
 pub(crate) fn frequencies(study: &Study, results: &Results) -> String {
     let list = |all: Vec<f64>| all.iter().take(4).map(|f| format!("{f:.2}")).collect::<Vec<_>>().join(", ");
@@ -39,7 +36,7 @@ pub fn crank_models(results: &Results) -> String {
     if results.crank_models.is_empty() {
         return text;
     }
-    let row = |d: &crate::analysis::ByModel| -> Vec<String> {
+    let row = |d: &ByModel| -> Vec<String> {
         let twist = |model: &Modelled| d.of(*model).map_or_else(|| "-".into(), |t| significant(t * DEG_PER_RAD, 4));
         std::iter::once(d.design.clone()).chain(Modelled::ALL.iter().map(twist)).collect()
     };
@@ -85,10 +82,10 @@ pub(crate) fn by_models(results: &Results, d: &DesignResult) -> Vec<String> {
             None => "  on its bearings, which are not linear, no periodic motion was found at some speed (`joints.csv`)".into(),
         });
     }
-    if let Some(ratio) = known.and_then(|m| Some(m.of(Modelled::Chain)? / m.of(Modelled::Flexible)?)).filter(|r| !ALIKE.contains(r)) {
+    if let Some(ratio) = known.and_then(ByModel::far_apart) {
         lines.push(format!(
             "  chain and flexible crank differ by a factor of {} in this: do the stiffnesses of the one fit the dimensions of the other (`hartog check --verbose`)?",
-            significant(ratio.max(1.0 / ratio), 3)
+            significant(ratio, 3)
         ));
     }
     lines.extend(by_webs(results, d));

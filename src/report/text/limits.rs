@@ -10,11 +10,6 @@ use crate::optimise::Conflict;
 /// A smaller gain, per cent of the objective, is rounding.
 const WORTH_SAYING: f64 = 1e-6;
 
-/// A limit of which less than this share is left breaks at any drift.
-const LEAST_LEFT: f64 = 0.01;
-/// Relative change of a parameter over what is left of a limit, below which no steady rise breaks it: measures rise with some tenth power at most.
-const JUMP: f64 = 0.05;
-
 /// A value of a limited measure in its unit.
 fn value(limit: &LimitSpec, inside: f64) -> String {
     match limit.of.unit {
@@ -67,22 +62,17 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     lines
 }
 
-/// What is to be said where a limit that is not used up breaks at a change of a parameter of which a steady rise would ask far more: the design stands beside a jump, as where a balance of heat is lost.
+/// Where a design stands beside a jump of a limited measure, in words.
 fn beside_a_jump(o: &OptimumResult, limit: &LimitSpec, ratio: f64) -> Option<String> {
-    let left = 1.0 - ratio;
-    let own = o.sensitivities.iter().filter(|s| s.limited && s.key == limit.of.key && s.place == limit.of.place);
-    let both = own.flat_map(|s| [(s, 1.0, s.drift.0), (s, -1.0, s.drift.1)]);
-    let (s, sign, drift) = both.filter_map(|(s, sign, d)| Some((s, sign, d?))).min_by(|a, b| a.2.total_cmp(&b.2))?;
-    (holds(ratio) && left > LEAST_LEFT && drift < JUMP * left).then(|| {
-        let declared = o.design.absorbers[s.absorber].absorber.declaration();
-        let label = declared.map_or("", |d| d.parameters[s.parameter].label);
-        let symbol = label.split_once('/').map_or(label, |(symbol, _)| symbol);
-        format!(
-            "; BESIDE A JUMP: broken where {symbol} of absorber {} changes by {} %",
-            s.absorber + 1,
-            significant(100.0 * sign * drift, 2)
-        )
-    })
+    let jump = o.jump(limit, ratio)?;
+    let declared = o.design.absorbers[jump.absorber].absorber.declaration();
+    let label = declared.map_or("", |d| d.parameters[jump.parameter].label);
+    let symbol = label.split_once('/').map_or(label, |(symbol, _)| symbol);
+    Some(format!(
+        "; BESIDE A JUMP: broken where {symbol} of absorber {} changes by {} %",
+        jump.absorber + 1,
+        significant(100.0 * jump.change, 2)
+    ))
 }
 
 /// Limits that a design breaks in a condition of the study that it is not judged in, while its absorbers work.

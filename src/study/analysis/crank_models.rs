@@ -61,11 +61,21 @@ pub struct ByModel {
 }
 
 impl ByModel {
+    /// The factor between the twists on chain and flexible crank, above one, where it is larger than bearings make it: the two are then not of one engine.
+    #[doc(hidden)]
+    pub fn far_apart(&self) -> Option<f64> {
+        let ratio = self.of(Modelled::Chain)? / self.of(Modelled::Flexible)?;
+        Some(ratio.max(1.0 / ratio)).filter(|r| *r > ALIKE)
+    }
+
     /// The twist by a model, rad.
     pub fn of(&self, model: Modelled) -> Option<f64> {
         self.twist.iter().find(|t| t.0 == model).map(|t| t.1)
     }
 }
+
+/// Twists of one engine by both models differ by less than this factor: bearings make some tens of per cent.
+const ALIKE: f64 = 2.0;
 
 /// A largest twist, rad, and its speed, rpm.
 type Twist = (f64, f64);

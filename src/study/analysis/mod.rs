@@ -26,6 +26,7 @@ pub mod heat;
 mod inertia_fronts;
 #[doc(hidden)]
 pub mod judged;
+mod jumps;
 #[doc(hidden)]
 pub mod large_twist;
 mod large_twist_measures;

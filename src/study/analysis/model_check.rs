@@ -67,6 +67,10 @@ fn largest_up_to(reach: f64, study: &Study, system: &System, order: usize) -> f6
     study.modes.elastic().take(3).map(at).fold(0.0, f64::max)
 }
 
+/// Order lines of a Campbell diagram: those with the largest resonances.
+#[doc(hidden)]
+pub const DRAWN_ORDERS: usize = 12;
+
 /// Indices of the orders with the largest resonances in the range or just above it, at most so many, ascending.
 #[doc(hidden)]
 pub fn strongest_orders(study: &Study, system: &System, most: usize) -> Vec<usize> {

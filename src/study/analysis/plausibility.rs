@@ -178,7 +178,7 @@ const ROD_RATIO: std::ops::RangeInclusive<f64> = 0.1..=0.5;
 const FREQUENCY: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// Of critical: shafts have 0.005 to 0.05.
 const DAMPING: f64 = 0.2;
-/// Inertia of a throw over m r² of its reciprocating masses: shipped engines have 1.5 to 12.
+/// Inertia of a throw over m r² of its reciprocating masses: shipped engines have 1.2 to 3.9.
 const THROW: std::ops::RangeInclusive<f64> = 0.4..=60.0;
 /// Optima lie between one half and three.
 const TUNING: std::ops::RangeInclusive<f64> = 0.1..=10.0;

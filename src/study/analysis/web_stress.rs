@@ -37,7 +37,7 @@ pub struct Web {
     pub moment: f64,
     /// The same at that speed without vibration, N m.
     pub still: f64,
-    /// What vibration adds at most, over all speeds, to the amplitude of nominal bending stress in the web, Pa: the additional stress of \[IACS UR M53\].
+    /// What vibration adds at most, over all speeds, to the amplitude of nominal bending stress in the web, Pa: the part of the additional stress of \[IACS UR M53\] that is neither misalignment nor axial.
     pub added: f64,
 }
 

@@ -1,7 +1,7 @@
 //! What the webs of the flexible crank carry: against the field of the strains of another model, equilibrium of a throw, and the limit of slow running.
 
 use super::independent::{Model, bent, web_of};
-use super::{designs, six};
+use super::{alone, designs};
 use hartog::crankshaft::Crank;
 use hartog::crankshaft::flexible::{Bearing, BearingNodes, Carried, LinearBearings, WebFactors, WebLoad, WebLoads, assemble};
 use hartog::input::Study;
@@ -9,16 +9,6 @@ use hartog::response::{Direct, Grid, Work};
 use nalgebra::{Complex, DVector, Vector3};
 
 type C = Complex<f64>;
-
-/// The six with nothing but what its crank vibrates with.
-fn alone() -> Study {
-    let mut study = six();
-    (study.optimise, study.front, study.fatigue) = (None, None, None);
-    study.more_objectives.clear();
-    study.conditions.clear();
-    study.duty.clear();
-    study
-}
 
 /// Moments and force in the middle of a web whose first node is `first`, from the field of its strains there: E I times curvature, G J times twist and E A times stretch, the mean of both elements. In the order of
 /// `WebLoad::ALL`.

@@ -1,7 +1,7 @@
 //! Mode shapes with their nodes, Holzer's table of each mode, and the sums of phase vectors by which orders drive a mode.
 
 use super::figure::{Axis, Curve, Figure, ORDER, Panel, SPEED, curve};
-use crate::analysis::model_check::{critical_speeds, largest_resonance, strongest_orders};
+use crate::analysis::model_check::{DRAWN_ORDERS, critical_speeds, largest_resonance, strongest_orders};
 use crate::drivetrain::System;
 use crate::input::Study;
 use crate::numerics::C64;
@@ -11,8 +11,6 @@ const STATION: Axis = Axis { column: "station", label: "station" };
 const RELATIVE: Axis = Axis { column: "relative_amplitude", label: "relative amplitude" };
 const VECTOR_SUM: Axis = Axis { column: "vector_sum", label: "sum of phase vectors" };
 const FREQUENCY: Axis = Axis { column: "frequency_hz", label: "frequency / Hz" };
-/// Order lines shown: those with the largest resonances.
-const MOST_ORDERS: usize = 12;
 /// Modes shown.
 const MODES: usize = 4;
 
@@ -111,7 +109,7 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
     let highest = critical.iter().map(|c| c.mode).max().unwrap_or(1).min(frequencies.len());
     let mode = |(i, f): (usize, &f64)| curve(format!("mode {}", i + 1), [low, high], [*f, *f]);
     let mut curves: Vec<Curve> = frequencies[..highest].iter().enumerate().map(mode).collect();
-    let orders = strongest_orders(study, system, MOST_ORDERS).into_iter().filter(|n| largest_resonance(study, system, *n) > 0.0);
+    let orders = strongest_orders(study, system, DRAWN_ORDERS).into_iter().filter(|n| largest_resonance(study, system, *n) > 0.0);
     for order in orders.map(|n| system.excitation.orders[n]) {
         let end = critical.iter().filter(|c| c.order == order).map(|c| c.speed_rpm).fold(low, f64::max);
         let line = curve(format!("order {order}"), [low, end], [low, end].map(|s| s * order.value() * HZ_PER_RPM));
@@ -121,7 +119,7 @@ pub(super) fn campbell(study: &Study, system: &System) -> Figure {
         name: "campbell".into(),
         title: format!("{}: Campbell diagram of the chain", study.engine.name),
         panels: vec![Panel {
-            title: "natural frequencies and the twelve orders with the largest resonances, without absorber".into(),
+            title: format!("natural frequencies and at most {DRAWN_ORDERS} orders, those with the largest resonances without absorber"),
             x: SPEED,
             y: FREQUENCY,
             curves,

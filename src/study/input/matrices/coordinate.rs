@@ -24,7 +24,7 @@ pub(super) fn matrix_market(lines: &Lines) -> Result<Raw, InputError> {
         return Err(lines.wrong(1, symmetry, format!("found `{symmetry}`, expected general, symmetric or skew-symmetric")));
     }
     let Some((line, sizes)) = all.next() else { return Ok(Raw::default()) };
-    // as many entries as there are need not be an index
+    let count = sizes.split_whitespace().nth(2).map(|count| lines.whole(line, count)).transpose()?;
     let sizes: Vec<usize> = sizes.split_whitespace().take(2).map(|s| Ok(lines.index(line, s)? + 1)).collect::<Result<_, InputError>>()?;
     let (Some(rows), Some(columns)) = (sizes.first().copied(), sizes.get(1).copied()) else {
         return Err(lines.wrong(line, "", "found no size, expected numbers of rows and columns"));
@@ -32,8 +32,9 @@ pub(super) fn matrix_market(lines: &Lines) -> Result<Raw, InputError> {
     if rows != columns {
         return Err(lines.wrong(line, "", format!("found {rows} rows and {columns} columns, expected a square matrix")));
     }
-    let mut raw = Raw { size: Some(rows), is_full: symmetry == "general", skew: symmetry == "skew-symmetric", ..Raw::default() };
-    let lowest = |column: usize| if symmetry == "general" { 0 } else { column + usize::from(raw.skew) };
+    let mut raw = Raw { size: Some(rows), is_full: symmetry == "general", ..Raw::default() };
+    let skew = usize::from(symmetry == "skew-symmetric");
+    let lowest = |column: usize| if symmetry == "general" { 0 } else { column + skew };
     let (mut row, mut column) = (lowest(0), 0);
     for (line, text) in all {
         let parts: Vec<&str> = text.split_whitespace().collect();
@@ -43,12 +44,20 @@ pub(super) fn matrix_market(lines: &Lines) -> Result<Raw, InputError> {
                 row += 1;
                 if row == rows {
                     column += 1;
-                    row = if symmetry == "general" { 0 } else { column + usize::from(raw.skew) };
+                    row = lowest(column);
                 }
             }
             continue;
         }
         raw.entries.push(entry(lines, line, &parts)?);
+    }
+    let expected = match count {
+        Some(count) if !is_array => count,
+        _ if !is_array => return Err(lines.wrong(line, "", "found no number of entries, expected rows, columns and that")),
+        _ => (0..columns).map(|column| (rows - lowest(column).min(rows)) as u64).sum(),
+    };
+    if raw.entries.len() as u64 != expected {
+        return Err(lines.wrong(line, "", format!("found {} entries, expected {expected}, as it says here", raw.entries.len())));
     }
     Ok(raw)
 }

@@ -25,8 +25,6 @@ pub(super) struct Raw {
     pub unknowns: Option<Vec<Unknown>>,
     /// Whether the file says that both triangles stand in it.
     pub is_full: bool,
-    /// Whether an entry below the diagonal is minus the one above.
-    pub skew: bool,
 }
 
 /// A file with its lines.
@@ -35,9 +33,14 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
+    /// The text without a mark of its encoding.
+    pub fn text(&self) -> &'a str {
+        self.source.text().trim_start_matches('\u{feff}')
+    }
+
     /// Lines with their numbers from 1.
     pub fn all(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
-        self.source.text().lines().enumerate().map(|(i, line)| (i + 1, line))
+        self.text().lines().enumerate().map(|(i, line)| (i + 1, line))
     }
 
     /// A mistake in a line; at some text of it where that stands there.

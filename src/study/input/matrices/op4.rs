@@ -50,6 +50,9 @@ pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
     };
     let mut raw = Raw { size: Some(rows), ..Raw::default() };
     while let Some((line, text)) = all.next() {
+        if is_header(text) {
+            return Err(lines.wrong(line, "", "found a second matrix, expected one a file"));
+        }
         let cells: Vec<&str> = text.split_whitespace().collect();
         let [column, row, count] = cells.as_slice() else {
             return Err(lines.wrong(line, "", format!("found `{}`, expected column, first row and count", text.trim())));
@@ -72,7 +75,7 @@ pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
         }
         // behind the last column there is one that says nothing
         if column > columns {
-            break;
+            continue;
         }
         raw.entries.extend(own.into_iter().enumerate().map(|(i, (value, line))| Entry { row: first + i, column: column - 1, value, line }));
     }

@@ -12,74 +12,165 @@ use std::path::{Path, PathBuf};
 /// Relative difference of an entry and its mirror image that is rounding.
 const SYMMETRIC: f64 = 1e-6;
 
-/// A matrix with its unknowns, where its file names them.
-#[derive(Debug, Clone, PartialEq)]
-struct Read {
-    values: DMatrix<f64>,
-    unknowns: Option<Vec<Unknown>>,
+/// Which matrix a file is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Stiffness,
+    Mass,
+    Gyroscopic,
+    Turning,
 }
 
-/// Reads a matrix; `named`: unknowns that another file names.
-fn read(path: &Path, named: Option<&[Unknown]>) -> Result<Read, InputError> {
+impl Kind {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness",
+            Self::Mass => "mass",
+            Self::Gyroscopic => "gyroscopic matrix",
+            Self::Turning => "turning matrix",
+        }
+    }
+
+    /// What an entry is of its mirror image.
+    fn mirrored(self) -> f64 {
+        if self == Self::Gyroscopic { -1.0 } else { 1.0 }
+    }
+}
+
+/// What a file says, by its own form.
+fn raw(lines: &Lines, kind: Kind) -> Result<Raw, InputError> {
+    let upper = lines.text().to_uppercase();
+    let first = upper.lines().find(|l| !l.trim().is_empty()).unwrap_or("");
+    if first.starts_with("%%MATRIXMARKET") {
+        coordinate::matrix_market(lines)
+    } else if upper.contains("*USER ELEMENT") {
+        user_element::read(lines, if kind == Kind::Mass { "MASS" } else { "STIFFNESS" })
+    } else if upper.lines().any(|l| l.starts_with("DMIG")) {
+        dmig::read(lines)
+    } else if op4::is_header(first) {
+        op4::read(lines)
+    } else if first.contains(',') || first.starts_with('*') {
+        abaqus::read(lines)
+    } else {
+        coordinate::triplets(lines)
+    }
+}
+
+/// Unknowns in their sequence.
+#[derive(Debug, Clone, Copy)]
+enum Named<'a> {
+    /// Not yet.
+    Not,
+    /// In a file of their own: what a matrix without names is of.
+    ByFile(&'a [Unknown]),
+    /// By the stiffness, in a sequence that says nothing of other matrices.
+    ByStiffness(&'a [Unknown]),
+}
+
+impl Named<'_> {
+    fn by(self) -> &'static str {
+        match self {
+            Self::Not => "nothing",
+            Self::ByFile(_) => "--dof",
+            Self::ByStiffness(_) => "the stiffness",
+        }
+    }
+}
+
+/// Reads a matrix over unknowns in their sequence, which is that of its file where there is none yet.
+fn read(path: &Path, kind: Kind, named: Named) -> Result<(DMatrix<f64>, Vec<Unknown>), InputError> {
     let source = Source::read(path)?;
     let lines = Lines { source: &source };
-    let upper = source.text().to_uppercase();
-    let first = upper.lines().find(|l| !l.trim().is_empty()).unwrap_or("");
-    let raw = if first.starts_with("%%MATRIXMARKET") {
-        coordinate::matrix_market(&lines)?
-    } else if upper.contains("*USER ELEMENT") {
-        user_element::read(&lines)?
-    } else if upper.lines().any(|l| l.starts_with("DMIG")) {
-        dmig::read(&lines)?
-    } else if op4::is_header(first) {
-        op4::read(&lines)?
-    } else if first.contains(',') || first.starts_with('*') {
-        abaqus::read(&lines)?
-    } else {
-        coordinate::triplets(&lines)?
+    let raw = raw(&lines, kind)?;
+    let unknowns = match (&raw.unknowns, named) {
+        (None, Named::ByFile(known)) => known.to_vec(),
+        (None, Named::Not | Named::ByStiffness(_)) => {
+            let message = format!(
+                "found a {} without names of its unknowns, expected them in a file of their own (--dof): a line each, `node.component`",
+                kind.name()
+            );
+            return Err(InputError::of_file(path, message));
+        }
+        (Some(own), named) => {
+            if let Some(twice) = own.iter().enumerate().find(|(i, u)| own[..*i].contains(u)) {
+                let (node, component) = (twice.1.node, twice.1.component);
+                return Err(InputError::of_file(path, format!("found unknown {node}.{component} a second time, expected each once")));
+            }
+            match named {
+                Named::Not => own.clone(),
+                Named::ByFile(known) | Named::ByStiffness(known) => known.to_vec(),
+            }
+        }
     };
-    assembled(&lines, path, raw, named)
+    let values = placed(&lines, path, &raw, (kind, &unknowns))?;
+    // what a file names itself stands by its names
+    let Some(own) = &raw.unknowns else { return Ok((values, unknowns)) };
+    let place = |u: &Unknown| unknowns.iter().position(|o| o == u);
+    let places: Vec<Option<usize>> = own.iter().map(place).collect();
+    if let Some((u, _)) = own.iter().zip(&places).find(|p| p.1.is_none()) {
+        let message =
+            format!("found unknown {}.{} in the {}, expected those that are named by {}", u.node, u.component, kind.name(), named.by());
+        return Err(InputError::of_file(path, message));
+    }
+    if let (Kind::Stiffness, Some(lacks)) = (kind, unknowns.iter().find(|u| !own.contains(u))) {
+        let message =
+            format!("found no unknown {}.{} in the stiffness, expected all that {} names", lacks.node, lacks.component, named.by());
+        return Err(InputError::of_file(path, message));
+    }
+    // where a mass names some of them only, the others have none
+    let mut all = DMatrix::zeros(unknowns.len(), unknowns.len());
+    for (i, row) in places.iter().enumerate() {
+        for (j, column) in places.iter().enumerate() {
+            if let (Some(row), Some(column)) = (row, column) {
+                all[(*row, *column)] = values[(i, j)];
+            }
+        }
+    }
+    Ok((all, unknowns))
 }
 
-/// The matrix: one triangle is mirrored, both are compared.
-fn assembled(lines: &Lines, path: &Path, raw: Raw, named: Option<&[Unknown]>) -> Result<Read, InputError> {
-    let largest = raw.entries.iter().map(|e| e.row.max(e.column) + 1).max().unwrap_or(0);
-    let size = named.map(<[Unknown]>::len).or(raw.unknowns.as_ref().map(Vec::len)).or(raw.size).unwrap_or(largest);
-    if raw.entries.is_empty() || size == 0 {
-        return Err(InputError::of_file(
-            path,
-            "found no entry, expected a matrix: Matrix Market, rows of `row column value`, a substructure, DMIG or OP4",
-        ));
+/// The matrix in the sequence of its file: one triangle is mirrored.
+fn placed(lines: &Lines, path: &Path, raw: &Raw, (kind, known): (Kind, &[Unknown])) -> Result<DMatrix<f64>, InputError> {
+    let size = raw.unknowns.as_ref().map_or(known.len(), Vec::len);
+    if raw.entries.is_empty() && raw.size.is_none() {
+        let message = "found no entry, expected a matrix: Matrix Market, rows of `row column value`, a substructure, DMIG or OP4";
+        return Err(InputError::of_file(path, message));
     }
     if let Some(e) = raw.entries.iter().find(|e| e.row.max(e.column) >= size) {
-        let found =
-            format!("found row {} and column {}, expected at most {size} of each, as many as there are unknowns", e.row + 1, e.column + 1);
+        let (row, column) = (e.row + 1, e.column + 1);
+        let found = format!("found row {row} and column {column}, expected at most {size} of each, as many as there are unknowns");
         return Err(lines.wrong(e.line, "", found));
     }
     if let Some(own) = raw.size.filter(|own| *own != size) {
         return Err(InputError::of_file(path, format!("found a matrix of {own} rows, expected {size}, one an unknown")));
     }
-    let mut known: HashMap<(usize, usize), (f64, usize)> = HashMap::new();
+    let mut seen: HashMap<(usize, usize), usize> = HashMap::new();
     for e in &raw.entries {
-        let other = known.insert((e.row, e.column), (e.value, e.line));
-        if let Some((value, line)) = other.filter(|o| o.0 != e.value) {
+        if let Some(line) = seen.insert((e.row, e.column), e.line) {
             let (row, column) = (e.row + 1, e.column + 1);
-            let found =
-                format!("found row {row}, column {column} a second time, {} after {value} in line {line}, expected each once", e.value);
-            return Err(lines.wrong(e.line, "", found));
+            return Err(lines.wrong(
+                e.line,
+                "",
+                format!("found row {row}, column {column} a second time after line {line}, expected each once"),
+            ));
         }
     }
     // of a sequence of unknowns of its own one triangle may lie on both sides of the diagonal
-    let is_one = !raw.is_full && raw.entries.iter().all(|e| e.row == e.column || !known.contains_key(&(e.column, e.row)));
-    let sign = if raw.skew { -1.0 } else { 1.0 };
+    let is_one = !raw.is_full && raw.entries.iter().all(|e| e.row == e.column || !seen.contains_key(&(e.column, e.row)));
     let mut values = DMatrix::zeros(size, size);
     for e in &raw.entries {
         values[(e.row, e.column)] = e.value;
         if is_one && e.row != e.column {
-            values[(e.column, e.row)] = sign * e.value;
+            values[(e.column, e.row)] = kind.mirrored() * e.value;
         }
     }
-    Ok(Read { values, unknowns: raw.unknowns })
+    let off = (&values - values.transpose() * kind.mirrored()).amax() / values.amax().max(f64::MIN_POSITIVE);
+    if off > SYMMETRIC {
+        let (name, wanted) = (kind.name(), if kind == Kind::Gyroscopic { "minus it" } else { "the same" });
+        let message = format!("found a {name} that differs from its mirror image by {off:.1e} of its largest entry, expected {wanted}");
+        return Err(InputError::of_file(path, message));
+    }
+    Ok((&values + values.transpose() * kind.mirrored()) * 0.5)
 }
 
 /// Units in which a finite-element program computes.
@@ -116,26 +207,12 @@ pub struct MatrixFiles {
 #[doc(hidden)]
 pub fn structure(files: &MatrixFiles) -> Result<Structure, InputError> {
     let named = files.unknowns.as_deref().map(unknowns).transpose()?;
-    let own = read(&files.stiffness, named.as_deref())?;
-    let count = own.values.nrows();
-    let unknowns = named.or(own.unknowns.clone()).ok_or_else(|| {
-        InputError::of_file(
-            &files.stiffness,
-            "found a matrix without names of its unknowns, expected them in a file of their own (--dof): a line each, `node.component`",
-        )
-    })?;
-    let other = |path: &PathBuf| -> Result<DMatrix<f64>, InputError> {
-        let found = read(path, files.unknowns.is_some().then_some(&unknowns[..]))?;
-        if found.values.nrows() != count || found.unknowns.as_ref().is_some_and(|u| *u != unknowns) {
-            return Err(InputError::of_file(
-                path,
-                format!("found a matrix of {} unknowns, expected the {count} of the stiffness in the same sequence", found.values.nrows()),
-            ));
-        }
-        Ok(found.values)
-    };
-    let mass = files.mass.as_ref().map(other).transpose()?;
-    let [gyroscopic, turning] = [0, 1].map(|k| files.rotating[k].as_ref().map(other).transpose());
+    let (stiffness, unknowns) = read(&files.stiffness, Kind::Stiffness, named.as_deref().map_or(Named::Not, Named::ByFile))?;
+    let of_others = if named.is_some() { Named::ByFile(&unknowns) } else { Named::ByStiffness(&unknowns) };
+    let other = |path: Option<&PathBuf>, kind: Kind| path.map(|path| read(path, kind, of_others).map(|found| found.0)).transpose();
+    let mass = other(files.mass.as_ref(), Kind::Mass)?;
+    let gyroscopic = other(files.rotating[0].as_ref(), Kind::Gyroscopic)?;
+    let turning = other(files.rotating[1].as_ref(), Kind::Turning)?;
     let (length, scale) = match files.units {
         UnitSystem::Si => (1.0, 1.0_f64),
         UnitSystem::MmTonne => (1e-3, 1e-3),
@@ -148,20 +225,9 @@ pub fn structure(files: &MatrixFiles) -> Result<Structure, InputError> {
         (UnitSystem::MmTonne, _) => 1e3,
     };
     let d: Vec<f64> = unknowns.iter().map(factor).collect();
-    let si = |x: DMatrix<f64>| DMatrix::from_fn(count, count, |i, j| scale * d[i] * x[(i, j)] * d[j]);
-    let symmetric = |x: DMatrix<f64>, path: &Path, what: &str| -> Result<DMatrix<f64>, InputError> {
-        let off = (&x - x.transpose()).amax() / x.amax().max(f64::MIN_POSITIVE);
-        if off > SYMMETRIC {
-            return Err(InputError::of_file(
-                path,
-                format!("found a {what} that differs from its mirror image by {off:.1e} of its largest entry, expected a symmetric one"),
-            ));
-        }
-        Ok((&x + x.transpose()) * 0.5)
-    };
-    let stiffness = symmetric(si(own.values), &files.stiffness, "stiffness")?;
-    let mass = mass.map(|m| symmetric(si(m), files.mass.as_deref().unwrap_or(&files.stiffness), "mass")).transpose()?;
-    Ok(Structure { unknowns, places, stiffness, mass, gyroscopic: gyroscopic?.map(si), turning: turning?.map(si) })
+    let si = |x: DMatrix<f64>| DMatrix::from_fn(d.len(), d.len(), |i, j| scale * d[i] * x[(i, j)] * d[j]);
+    let [mass, gyroscopic, turning] = [mass, gyroscopic, turning].map(|x| x.map(si));
+    Ok(Structure { stiffness: si(stiffness), mass, gyroscopic, turning, unknowns, places })
 }
 
 /// Names of unknowns: lines `node.component`, or both with a blank or a comma between.
@@ -174,6 +240,10 @@ fn unknowns(path: &Path) -> Result<Vec<Unknown>, InputError> {
         let (Some(node), Some(component), None) = (parts.next(), parts.next(), parts.next()) else {
             return Err(lines.wrong(line, text.trim(), format!("found `{}`, expected `node.component`", text.trim())));
         };
+        // 7.01 may be meant as 7.1 or 7.10
+        if component.len() > 1 {
+            return Err(lines.wrong(line, text.trim(), format!("found component `{component}`, expected a digit from 0 to 6")));
+        }
         let unknown = Unknown { node: lines.whole(line, node)?, component: lines.component(line, component)? };
         if all.contains(&unknown) {
             return Err(lines.wrong(line, text.trim(), format!("found `{}` a second time, expected each unknown once", text.trim())));
@@ -202,7 +272,9 @@ fn places(path: &Path, unknowns: &[Unknown], length: f64) -> Result<BTreeMap<u64
         for (k, column) in axes.iter().enumerate() {
             place[k] = length * table.filled(*line, *column, &cells[*column])?;
         }
-        all.insert(number as u64, place);
+        if all.insert(number as u64, place).is_some() {
+            return Err(table.at(*line, node, format!("found node {number} a second time, expected each once")));
+        }
     }
     if let Some(missing) = unknowns.iter().find(|u| u.component > 0 && !all.contains_key(&u.node)) {
         return Err(table.whole(format!("found no node {}, expected the places of all nodes that the matrices move", missing.node)));

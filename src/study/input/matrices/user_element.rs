@@ -14,7 +14,8 @@ enum Part {
     Other,
 }
 
-pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
+/// `wanted`: the matrix of it, STIFFNESS or MASS.
+pub(super) fn read(lines: &Lines, wanted: &str) -> Result<Raw, InputError> {
     let (mut nodes, mut components, mut values): (Vec<u64>, Vec<u8>, Vec<(f64, usize)>) = (Vec::new(), Vec::new(), Vec::new());
     let mut part = Part::Head;
     for (line, text) in lines.all().filter(|l| !l.1.trim().is_empty()) {
@@ -30,7 +31,7 @@ pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
         } else if upper.starts_with("*USER ELEMENT") {
             part = Part::Nodes;
         } else if upper.starts_with("*MATRIX") {
-            part = if upper.contains("STIFFNESS") && values.is_empty() { Part::Values } else { Part::Other };
+            part = if upper.contains(wanted) && values.is_empty() { Part::Values } else { Part::Other };
         } else if upper.starts_with('*') {
             part = Part::Other;
         } else if part == Part::Nodes || part == Part::Components {
@@ -51,7 +52,7 @@ pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
     }
     if values.len() != n * (n + 1) / 2 {
         let found =
-            format!("found {} numbers of the stiffness, expected {}: the lower triangle of {n} unknowns", values.len(), n * (n + 1) / 2);
+            format!("found {} numbers of `TYPE={wanted}`, expected {}: the lower triangle of {n} unknowns", values.len(), n * (n + 1) / 2);
         return Err(lines.wrong(values.last().map_or(1, |v| v.1), "", found));
     }
     let rows = (0..n).flat_map(|row| (0..=row).map(move |column| (row, column)));

@@ -60,7 +60,7 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize, is_derived: bool) -> Op
     let numbers = [&s.stiffness_to_next_n_m_per_rad, &s.damping_to_next_n_m_s_per_rad, &s.loss_factor_to_next, &s.gear_ratio_to_next];
     let first = numbers.into_iter().flatten().next();
     let has_stiffness = is_derived || s.stiffness_to_next_n_m_per_rad.is_some();
-    let is_rigid = gear.is_some() && !has_stiffness;
+    let is_rigid = meshes_rigidly(s, is_derived);
     if let (true, Some(lost)) = (is_rigid, [&s.damping_to_next_n_m_s_per_rad, &s.loss_factor_to_next].into_iter().flatten().next()) {
         check.wrong(
             lost,
@@ -102,9 +102,15 @@ fn link(check: &mut Check, raw: &[RawStation], i: usize, is_derived: bool) -> Op
     Some(Link { to, gear, is_rigid })
 }
 
+/// Whether nothing but a gear joins a station to the next.
+fn meshes_rigidly(s: &RawStation, is_derived: bool) -> bool {
+    s.gear_ratio_to_next.is_some() && s.stiffness_to_next_n_m_per_rad.is_none() && !is_derived
+}
+
 /// Stations whose mesh is rigid, each with the one that it is one body with.
 pub(super) fn meshed(raw: &[RawStation]) -> Vec<(String, String)> {
-    let is_rigid = |s: &RawStation| s.gear_ratio_to_next.is_some() && s.stiffness_to_next_n_m_per_rad.is_none();
+    // one with a stiffness by formula is a station of the chain, and found there
+    let is_rigid = |s: &RawStation| meshes_rigidly(s, false);
     let next = |i: usize| match &raw[i].next {
         Some(next) => raw.iter().position(|other| other.name.get_ref() == next.get_ref()),
         None => Some(i + 1).filter(|n| *n < raw.len()),

@@ -42,3 +42,45 @@ fn catalogues_of_materials() {
         assert!(error.contains(what), "{row}: {error}");
     }
 }
+
+/// Rows of a catalogue with a material are ranked as given designs of the same material are judged, cold, hot and in operation; a limit on the temperature holds for what is tuned anew, and is refused where no row says what cools it.
+#[test]
+fn rows_follow_temperature() {
+    let folder = tempfile::tempdir().expect("folder");
+    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let material = "temperature.exponential = { per_k = 0.006, reference_c = 40, between_c = [-30, 120] }\n\
+                    cooling = { air_c = 50, hub_c = 80, to_air.disc = { diameter_mm = 170, width_mm = 30 }, to_hub_w_per_k = 1.5, limit_c = 120 }\n";
+    let study = |of_rows: &str, limit: &str| {
+        std::fs::write(folder.path().join("c.csv"), ROWS).expect("writable");
+        let text = format!(
+            "engine = '{}'\nspeed_rpm = {{ from = 800, to = 3200, step = 50 }}\norder_limit = 6\nconditions = [\"cold\", \"hot\"]\n\
+             temperatures = {{ cold_c = -20, hot_c = 90 }}\n[[objective]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n{limit}\
+             [[design]]\nname = \"given\"\n[[design.absorber]]\non.station = \"pulley\"\n\
+             type.rubber = {{ ring_inertia_kg_m2 = 0.04, stiffness_n_m_per_rad = 30000, loss_factor = 0.2 }}\n[design.absorber.material]\n{material}\
+             [[catalogue]]\nfile = \"c.csv\"\non.station = \"pulley\"\nbest = 2\nfree = {{ stiffness_n_m_per_rad = 0.4 }}\n{of_rows}",
+            engine.display()
+        );
+        hartog::input::Study::from_toml(&text, folder.path().join("study.toml"))
+    };
+    const ROWS: &str =
+        "name,type,ring_inertia_kg_m2,stiffness_n_m_per_rad,loss_factor\nr1,rubber,0.04,30000,0.2\nr2,rubber,0.04,60000,0.2\n";
+    let with = format!("[catalogue.material.rubber]\n{material}");
+    let limit = "[[constraint]]\ntemperature = { absorber = 1, max_c = 90 }\n";
+    let results = study(&with, limit).unwrap_or_else(|e| panic!("{e}")).run().expect("damped");
+    let design = |name: &str| results.designs.iter().find(|d| d.name == name).expect("shown");
+    let (given, sold) = (design("given"), design("r1"));
+    assert_eq!((given.objective, &given.limits), (sold.objective, &sold.limits));
+    assert_eq!(given.conditions.len(), 3, "cold, hot and in operation");
+    let ranked = results.catalogue.iter().find(|r| r.design == "r1").expect("ranked");
+    assert_eq!((ranked.objective, ranked.over_limit), (sold.objective, sold.limits.iter().copied().fold(0.0, f64::max)));
+    assert!(!sold.within_limits() && design("r1_retuned").within_limits());
+    let refused = |of_rows: &str, limit: &str, told: &str| {
+        let error = study(of_rows, limit).expect_err(told).to_string();
+        assert!(error.contains(told), "{error}");
+    };
+    refused("", limit, "cool");
+    refused(&with.replace("rubber", "viscous"), "", "found a material of type `viscous`, expected one of rubber");
+    refused(&format!("{with}properties.loss_factor.fixed = 0.2\n"), "", "found properties of the material of a catalogue");
+    let shape = "geometry.sleeve = { inner_diameter_mm = 118, outer_diameter_mm = 130, length_mm = 25 }\n";
+    refused(&format!("{shape}{with}{shape}"), "", "found what is sheared a second time");
+}

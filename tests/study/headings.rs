@@ -1,6 +1,7 @@
 //! What lies where in a chain of another program: to ground, to the next station, to the one before; sums, shafts, the sequence of the rows.
 
 use crate::dialects::{CHAIN, hartog, imported, refused, written};
+use hartog::input::tables::HistoryReader;
 use std::path::Path;
 
 /// A damping is to ground or to the next station by the words of its head, full or short; one that says neither is left out with the heads that do. What lies before a station, sums and rows of shafts are
@@ -65,6 +66,41 @@ fn columns_that_are_left_out_say_nothing_of_decimals() {
     assert!(told.contains("`1.450` in row 4 is read as 1450"), "{told}");
 }
 
+/// Histories of stress and stresses per unit load as programs of finite elements and German offices head them: the same numbers as under our own keys. One number behind an S is a principal stress, and a component with two heads has
+/// none.
+#[test]
+fn stresses_with_other_heads() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows = "a;0;10,5;2;0;1;-3;4\na;120;-20;1;0;2;0;0\na;240;5;0;0,5;0;1;0\n";
+    let own = "point;crank_deg;sxx_mpa;syy_mpa;szz_mpa;sxy_mpa;syz_mpa;szx_mpa\n";
+    let read = |heads: &str, rows: &str| {
+        written(folder.path(), "stress.csv", format!("{heads}{rows}"));
+        let reader = HistoryReader::open(&folder.path().join("stress.csv")).map_err(|e| e.to_string())?;
+        let points: Result<Vec<_>, _> = reader.collect();
+        points.map(|p| format!("{p:?}")).map_err(|e| e.to_string())
+    };
+    let expected = read(own, rows);
+    assert!(expected.is_ok(), "{expected:?}");
+    for heads in [
+        "Punkt;Kurbelwinkel [°KW];Sxx [MPa];Syy [MPa];Szz [MPa];Sxy [MPa];Syz [MPa];Szx [MPa]\n",
+        "Spannungen aus FE;;;;;;;\nKnoten;Winkel [°];S11 (N/mm²);S22 (N/mm²);S33 (N/mm²);S12 (N/mm²);S23 (N/mm²);S13 (N/mm²)\n",
+        "Point;Crank angle [deg];σ_x [MPa];σ_y [MPa];σ_z [MPa];τ_xy [MPa];τ_yz [MPa];τ_xz [MPa]\n",
+        "Node;phi [deg];SX [MPa];SY [MPa];SZ [MPa];SXY [MPa];SYZ [MPa];SXZ [MPa]\n",
+    ] {
+        assert_eq!(read(heads, rows), expected, "{heads}");
+    }
+    let in_pa = rows.replace("10,5;2;", "1,05E7;2;");
+    assert_eq!(read(&own.replace("sxx_mpa", "Sxx [Pa]"), &in_pa.replace("-20;", "-2E7;").replace("240;5;", "240;5E6;")), expected);
+    let refused = |heads: &str, told: &str| {
+        let error = read(heads, rows).expect_err(told);
+        assert!(error.contains(told), "{error}");
+    };
+    refused(&own.replace("sxx_mpa", "S1 [MPa]"), "found no column `sxx_mpa`");
+    refused(&own.replace("sxx_mpa", "Sxx"), "found no column `sxx_mpa`");
+    refused(&own.replace("sxx_mpa", "Sxx [mm]"), "found no column `sxx_mpa`");
+    refused(&own.replace("syy_mpa", "σx [MPa]"), "found columns `sxx_mpa` and `σx [MPa]`, which both are read as `sxx_mpa`");
+}
+
 /// Measured stiffness and catalogues with the heads of a German laboratory, with a title, units and types in words: the same numbers as under our own keys, and a note of what was read as what.
 #[test]
 fn measurements_and_catalogues_with_german_heads() {
@@ -109,4 +145,38 @@ fn measurements_and_catalogues_with_german_heads() {
     written(folder.path(), "catalogue.csv", words.replace("Ringträgheit", "Nabenträgheit"));
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("of the hub").to_string();
     assert!(error.contains("found column `Nabenträgheit [kg cm²]`"), "{error}");
+}
+
+/// Traces that an engine file names itself, under the heads of an indicating system: speed and load in the head of each, another unit of pressure and angle. Pressures above that of the surroundings and angles before the dead centre are
+/// not taken.
+#[test]
+fn traces_of_an_engine_file_with_other_heads() {
+    let place = tempfile::tempdir().expect("a folder");
+    let (code, _, told) = hartog(place.path(), &["new", "own", "--cylinders", "4", "--pressure", "measured"]);
+    assert_eq!(code, 0, "{told}");
+    let own = place.path().join("own");
+    let table = std::fs::read_to_string(own.join("pressure.csv")).expect("a table");
+    let read = || hartog::input::read(&own.join("study.toml")).map(|s| format!("{:?}", s.engine.source)).map_err(|e| e.to_string());
+    let expected = read().expect("its own heads");
+    let headed = |angle: &str, [first, second]: [&str; 2]| {
+        written(&own, "pressure.csv", table.replace("crank_deg,800_rpm_bar,4000_rpm_bar", &format!("{angle},{first},{second}")));
+        read()
+    };
+    let bar = ["p 800 1/min [bar]", "p 4000 1/min [bar]"];
+    for (angle, pressures) in [
+        ("Kurbelwinkel [°KW]", ["Zylinderdruck 800 U/min [bar]", "Zylinderdruck 4000 U/min [bar]"]),
+        ("Crank angle [deg]", ["800rpm 100% [bar abs]", "4000rpm 100% [bara]"]),
+        ("angle / °CA", bar),
+    ] {
+        assert_eq!(headed(angle, pressures).as_ref(), Ok(&expected), "{angle}");
+    }
+    for (angle, pressures, told) in [
+        ("Winkel v. OT [°]", bar, "found columns `Winkel v. OT [°]`"),
+        ("Winkel [°]", ["Überdruck 800 1/min [bar]", bar[1]], "found column `Überdruck 800 1/min [bar]`"),
+        ("Winkel [°]", ["p [bar]", bar[1]], "found column `p [bar]`"),
+        ("Winkel [°]", ["p 800 1/min [N]", bar[1]], "found column `p 800 1/min [N]`"),
+    ] {
+        let error = headed(angle, pressures).expect_err(told);
+        assert!(error.contains(told), "{error}");
+    }
 }

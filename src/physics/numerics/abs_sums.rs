@@ -45,3 +45,13 @@ pub(crate) fn of_difference(a: &[C64], b: &[C64]) -> f64 {
     let norm = |(a, b): (&C64, &C64)| ((a.re - b.re) * (a.re - b.re) + (a.im - b.im) * (a.im - b.im)).sqrt();
     rest.iter().zip(other_rest).map(norm).fold(sums.iter().sum(), |sum, d| sum + d)
 }
+
+/// Magnitudes of second derivatives of terms at the middle one of three places, by their slopes to both sides; `distances`: to the place before and to that after. As many terms in all.
+#[kernel]
+pub(crate) fn second_derivatives(before: &[C64], at: &[C64], after: &[C64], distances: [f64; 2], out: &mut [f64]) {
+    let ([low, high], middle) = (distances.map(|d| 1.0 / d), 2.0 / (distances[0] + distances[1]));
+    for (((b, y), a), out) in before.iter().zip(at).zip(after).zip(out) {
+        let (re, im) = ((a.re - y.re) * high - (y.re - b.re) * low, (a.im - y.im) * high - (y.im - b.im) * low);
+        *out = (re * re + im * im).sqrt() * middle;
+    }
+}

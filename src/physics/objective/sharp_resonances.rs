@@ -4,7 +4,7 @@
 use super::peak_search::PeakFinder;
 use super::speeds::{SMOOTH, Speeds};
 use crate::absorber::Mounted;
-use crate::numerics::C64;
+use crate::numerics::{C64, abs_sums};
 use crate::response::{Quantity, ResponseError, Work};
 use std::ops::Range;
 
@@ -29,6 +29,56 @@ pub(super) fn bend(rpm: &[f64], i: usize, y: impl Fn(usize) -> C64) -> f64 {
     DOUBT * 0.125 * h * h * inside.map(second).fold(0.0, f64::max)
 }
 
+/// [`bend`] of every order of a sweep, interval after interval.
+struct Bends<'s> {
+    rpm: &'s [f64],
+    sweep: &'s [C64],
+    orders: usize,
+    /// Magnitudes of second derivatives at two speeds, with the index of the latter.
+    second: [Vec<f64>; 2],
+    latter: Option<usize>,
+}
+
+impl<'s> Bends<'s> {
+    fn new(rpm: &'s [f64], sweep: &'s [C64], orders: usize) -> Self {
+        Self { rpm, sweep, orders, second: [const { Vec::new() }; 2], latter: None }
+    }
+
+    /// Puts the second derivatives at a speed last; zero at the ends of the range.
+    fn push(&mut self, j: usize) {
+        self.second.swap(0, 1);
+        self.latter = Some(j);
+        let (last, orders) = (self.rpm.len() - 1, self.orders);
+        let own = &mut self.second[1];
+        own.clear();
+        own.resize(orders, 0.0);
+        if j > 0 && j < last {
+            let y = |j: usize| &self.sweep[j * orders..(j + 1) * orders];
+            let distances = [self.rpm[j] - self.rpm[j - 1], self.rpm[j + 1] - self.rpm[j]];
+            abs_sums::second_derivatives(y(j - 1), y(j), y(j + 1), distances, own);
+        }
+    }
+
+    /// From index `i` to the next, by order.
+    fn of(&mut self, i: usize) -> impl Iterator<Item = f64> {
+        if self.latter != Some(i) {
+            self.push(i);
+        }
+        self.push(i + 1);
+        let h = self.rpm[i + 1] - self.rpm[i];
+        let [low, high] = &self.second;
+        low.iter().zip(high).map(move |(a, b)| DOUBT * 0.125 * h * h * a.max(*b))
+    }
+}
+
+/// Speeds and phasors, some of which are known.
+pub(super) struct Resolved {
+    pub speeds: Speeds,
+    pub sweep: Vec<C64>,
+    /// Index of each speed among those that were known.
+    pub known: Vec<Option<usize>>,
+}
+
 impl PeakFinder<'_> {
     /// Speeds and phasors with more of them where a sharp resonance may hide a peak that `can_matter`: by an index of a speed and how far the phasors of the sum are off straight lines up to the next,
     /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `smooth`: see [`SMOOTH`]; `widest`: half the range at an index, or more. Nothing where no more are needed.
@@ -39,26 +89,24 @@ impl PeakFinder<'_> {
         (speeds, sweep): (&Speeds, &[C64]),
         (smooth, widest, can_matter): (f64, impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
         work: &mut Work,
-    ) -> Result<Option<(Speeds, Vec<C64>)>, ResponseError> {
+    ) -> Result<Option<Resolved>, ResponseError> {
         if speeds.sharp.is_empty() {
             return Ok(None);
         }
         let orders = self.system.orders();
+        let mut of_all = Bends::new(&speeds.rpm, sweep, orders);
         let needed = |i: usize| {
             // most intervals need no look at their phasors
-            if !can_matter(i, RISE * widest(i).max(widest(i + 1))) {
+            if !can_matter(i, RISE * widest(i).max(widest(i + 1))) || speeds.sharp_near(i, smooth).next().is_none() {
                 return 1;
             }
-            let near = orders_near(speeds, i, smooth);
-            if near.is_empty() {
-                return 1;
-            }
-            let bends: Vec<f64> = (0..orders).map(|n| bend(&speeds.rpm, i, |j| sweep[j * orders + n])).collect();
+            let bends: Vec<f64> = of_all.of(i).collect();
             if !can_matter(i, bends.iter().sum()) {
                 return 1;
             }
-            let size: f64 = sweep[i * orders..(i + 1) * orders].iter().map(|y| y.norm()).sum();
-            let matters = |n: &usize| bends[*n] * near.len() as f64 > HIDDEN * size;
+            let size = abs_sums::sum(&sweep[i * orders..(i + 1) * orders]);
+            let near = orders_near(speeds, i, smooth).len() as f64;
+            let matters = |n: &usize| bends[*n] * near > HIDDEN * size;
             speeds.parts_for(i, smooth, speeds.sharp_near(i, smooth).filter(|s| matters(&s.order)))
         };
         let parts: Vec<usize> = (0..speeds.rpm.len().saturating_sub(1)).map(needed).collect();
@@ -67,7 +115,9 @@ impl PeakFinder<'_> {
         }
         let (finer, more) = speeds.cut(&parts);
         let between = self.direct.at_each(design, &[quantity], &more, work)?.swap_remove(0);
-        Ok(Some((finer, laid_in(&parts, sweep, &between, orders))))
+        let indices: Vec<Option<usize>> = (0..speeds.rpm.len()).map(Some).collect();
+        let known = laid_in(&parts, &indices, &vec![None; more.len()], 1);
+        Ok(Some(Resolved { speeds: finer, sweep: laid_in(&parts, sweep, &between, orders), known }))
     }
 }
 

@@ -5,7 +5,7 @@ use super::measure::Over;
 use super::peak::{Peak, Place};
 use super::peak_search::{Found, LEVEL, PeakFinder};
 use super::peak_tracking::{Branches, OnBranch, Peaked};
-use super::point_metric::PointMetric;
+use super::point_metric::{Above, PointMetric};
 use super::speeds::{SMOOTH, SMOOTH_OF_MARGINS, Speeds};
 use crate::absorber::Mounted;
 use crate::numerics::extremes::{Most, Precision};
@@ -25,6 +25,10 @@ const NARROW_BRANCHES: f64 = 0.1;
 
 /// What is known at the speeds.
 struct Screened {
+    /// Sums of the magnitudes of orders, how far they may rise between speeds, and bounds of the values by both.
+    sums: Vec<f64>,
+    rises: Vec<f64>,
+    bounds: Vec<f64>,
     /// Local maxima among the speeds that matter.
     candidates: Vec<Candidate>,
     /// Minus infinity at the other speeds, but for neighbours of candidates.
@@ -35,24 +39,61 @@ struct Screened {
     top: f64,
 }
 
+/// What is known at some speeds, with the index there of each of the speeds that are looked at now.
+#[derive(Clone, Copy)]
+struct Before<'k>(Option<(&'k Screened, &'k [Option<usize>])>);
+
+impl<'k> Before<'k> {
+    fn at(self, i: usize) -> Option<(&'k Screened, usize)> {
+        self.0.and_then(|(known, indices)| indices[i].map(|j| (known, j)))
+    }
+}
+
 impl PeakFinder<'_> {
-    /// Local maxima among the speeds that matter; `best`: the largest value known before.
-    fn candidates(&self, metric: PointMetric, (speeds, sweep): (&Speeds, &[C64]), (keep, best): (f64, f64), work: &mut Work) -> Screened {
+    /// Sums of the magnitudes of orders, how far they may rise between speeds, and bounds of the values by both; rough ones where these are below `least`.
+    fn bounds(&self, metric: PointMetric, (speeds, sweep): (&Speeds, &[C64]), before: Before, least: f64) -> [Vec<f64>; 3] {
         let orders = self.system.orders();
-        let phasors = |i: usize| &sweep[i * orders..(i + 1) * orders];
-        let sums: Vec<f64> = sweep.chunks(orders).map(bound).collect();
+        let sum = |i: usize| before.at(i).map_or_else(|| bound(&sweep[i * orders..(i + 1) * orders]), |(known, j)| known.sums[j]);
+        let sums: Vec<f64> = (0..speeds.rpm.len()).map(sum).collect();
         // The sum of magnitudes bounds the synthesis at that speed, and most speeds need none. Between speeds a peak may rise further; how far
         // shows in the growth towards it.
         let rises: Vec<f64> = (0..sums.len()).map(|i| if self.refine { local_maxima::growth(&sums, i) } else { 1.0 }).collect();
         let bound = |i: usize| {
+            if let Some((known, j)) = before.at(i).filter(|(known, j)| known.rises[*j] == rises[i]) {
+                return known.bounds[j];
+            }
             let (speed_rpm, sum) = (speeds.rpm[i], sums[i] * rises[i]);
             let rough = metric.rough_bound(speed_rpm, sum);
-            if rough < keep * best { rough } else { metric.bound(speed_rpm, sum) }
+            if rough < least { rough } else { metric.bound(speed_rpm, sum) }
         };
-        let bounds: Vec<f64> = (0..sums.len()).map(bound).collect();
+        let bounds = (0..sums.len()).map(bound).collect();
+        [sums, rises, bounds]
+    }
+
+    /// Local maxima among the speeds that matter; `best`: the largest value known before.
+    fn candidates(
+        &self,
+        metric: PointMetric,
+        (speeds, sweep): (&Speeds, &[C64]),
+        before: Before,
+        (keep, best): (f64, f64),
+        work: &mut Work,
+    ) -> Screened {
+        let orders = self.system.orders();
+        let phasors = |i: usize| &sweep[i * orders..(i + 1) * orders];
+        let [sums, rises, bounds] = self.bounds(metric, (speeds, sweep), before, keep * best);
         // what is refined is found to rounding between the speeds
         let mut screen = Screen::new(&self.synthesiser, if self.refine { Precision::Millionth } else { Precision::Rounding });
         let mut know = |i: usize, (rise, wanted): (f64, f64)| {
+            if let Some((known, j)) = before.at(i) {
+                let (value, most) = (known.values[j], known.most[j]);
+                if !metric.may_reach(speeds.rpm[i], (most.half_peak_to_peak * rise, most.middle * rise), wanted) {
+                    return Above { value: f64::NEG_INFINITY, most };
+                }
+                if value > f64::NEG_INFINITY {
+                    return Above { value, most };
+                }
+            }
             work.syntheses += 1;
             metric.value_above(&mut screen, speeds.rpm[i], phasors(i), (rise, wanted))
         };
@@ -104,7 +145,7 @@ impl PeakFinder<'_> {
             candidates.retain(|c| mattered.contains(&c.index));
         }
         let most = most.into_iter().zip(&sums).map(|(m, sum)| m.unwrap_or(Most { half_peak_to_peak: *sum, middle: *sum })).collect();
-        Screened { candidates, values, most, top }
+        Screened { sums, rises, bounds, candidates, values, most, top }
     }
 
     /// Whether the value may reach `wanted` between a known speed and the next where the phasors of the sum are off straight lines by no more than `bend`, together.
@@ -130,16 +171,18 @@ impl PeakFinder<'_> {
         found: &mut Found,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
-        let known = self.candidates(metric, (speeds, sweep), (found.keep, found.best), work);
+        let mut known = self.candidates(metric, (speeds, sweep), Before(None), (found.keep, found.best), work);
         let wanted = found.keep * found.best.max(known.top);
         let can_matter = |i: usize, bend: f64| Self::may_reach(metric, speeds, &known, (i, bend), wanted);
         let widest = |i: usize| known.most[i].half_peak_to_peak;
         let smooth = if matches!(over, Over::Margin(_)) { SMOOTH_OF_MARGINS } else { SMOOTH };
-        if known.top > 0.0
-            && let Some((speeds, sweep)) = self.resolved(design, quantity, (speeds, sweep), (smooth, widest, can_matter), work)?
-        {
-            return self.synthesised(design, (quantity, over, metric), (&speeds, &sweep), found, work);
+        let finer =
+            if known.top > 0.0 { self.resolved(design, quantity, (speeds, sweep), (smooth, widest, can_matter), work)? } else { None };
+        if let Some(finer) = &finer {
+            let before = Before(Some((&known, finer.known.as_slice())));
+            known = self.candidates(metric, (&finer.speeds, &finer.sweep), before, (found.keep, found.best), work);
         }
+        let (speeds, sweep) = finer.as_ref().map_or((speeds, sweep), |finer| (&finer.speeds, &finer.sweep));
         let Screened { candidates, values, top, .. } = known;
         let branches = Branches { finder: self, design, quantity, metric, speeds, sweep };
         let followed = self.refine && !metric.asks_for_all();

@@ -120,7 +120,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let wanted = EvaluationPlan::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
-    let best = with_retuned(study, best, &load_cases, progress)?;
+    let best = with_retuned(study, best, (&finders, &load_cases), progress)?;
     let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let mut optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;

@@ -6,7 +6,7 @@ mod sheet;
 mod table;
 mod trace;
 pub(crate) mod unit;
-mod words;
+pub(crate) mod words;
 
 pub use found::{FoundChain, FoundStation};
 pub use trace::{FoundTraces, traces};

@@ -1,8 +1,8 @@
 //! Pressure over the angle of the crank, a file a speed: a column of angles and one of pressures, with units in the header.
 
 use super::sheet::Sheet;
-use super::unit::{ANGLE, PRESSURE, SURROUNDINGS, Units, known, parts};
-use super::words::{is_angle, is_pressure};
+use super::unit::{ANGLE, PRESSURE, Units, known, parts};
+use super::words::{is_angle, is_pressure, not_absolute, not_from_firing};
 use crate::input::error::InputError;
 use crate::input::tables::fault;
 use std::path::PathBuf;
@@ -39,7 +39,13 @@ pub fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
         if angle.0 == pressure.0 {
             return Err(sheet.lacks(PRESSURE.1));
         }
-        meant(&sheet, angle.0, pressure.0)?;
+        for (column, faulty) in [(pressure.0, not_absolute as fn(&str) -> _), (angle.0, not_from_firing)] {
+            let head = &sheet.heads()[column];
+            if let Some(fault) = faulty(head) {
+                let message = format!("found `{}`, expected {}", head.trim(), fault.expected);
+                return Err(sheet.at_head_with_help(column, message, fault.help.into()));
+            }
+        }
         sheet.reads(&[angle.0, pressure.0]);
         let cell = |(row, cells): &(u64, Vec<String>), column: usize| {
             let value = sheet.number(*row, column, &cells[column])?;
@@ -67,39 +73,6 @@ pub fn traces(files: &[(f64, PathBuf)]) -> Result<FoundTraces, InputError> {
         found.traces.push((*speed, pressures));
     }
     Ok(found)
-}
-
-/// Refuses pressures above that of the surroundings and angles from the other dead centre, where heads say so.
-fn meant(sheet: &Sheet, angle: usize, pressure: usize) -> Result<(), InputError> {
-    const GAUGE: [&str; 7] = ["uberdruck", "ueberdruck", "relativ", "gauge", "manometr", "surpression", "sobrepress"];
-    const BEFORE: [&str; 4] = ["before", "btdc", "avant", "antes"];
-    const BOTTOM: [&str; 4] = ["ut", "bdc", "pmb", "pmi"];
-    let head = |column: usize| &sheet.heads()[column];
-    let words = parts(head(pressure)).0;
-    let are = |words: &str, list: &[&str]| words.split(|c: char| !c.is_alphanumeric()).any(|word| list.contains(&word));
-    if GAUGE.iter().any(|word| words.contains(word)) || are(&words, &["rel", "gage"]) {
-        let message = format!("found `{}`, expected absolute pressures", head(pressure).trim());
-        return Err(sheet.at_head_with_help(pressure, message, SURROUNDINGS.into()));
-    }
-    let lower = head(angle).to_lowercase();
-    let squeezed: String = lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
-    if are(&lower, &BEFORE) || ["vor ot", "v ot"].iter().any(|words| squeezed.contains(words)) {
-        let message = format!("found `{}`, expected angles after the firing (top) dead centre", head(angle).trim());
-        return Err(sheet.at_head_with_help(
-            angle,
-            message,
-            "angles before it are negative: turn the signs, and the rows with them".into(),
-        ));
-    }
-    if are(&lower, &BOTTOM) {
-        let message = format!("found `{}`, expected angles from the firing (top) dead centre", head(angle).trim());
-        return Err(sheet.at_head_with_help(
-            angle,
-            message,
-            "from the bottom dead centre before compression they are 180 degrees more".into(),
-        ));
-    }
-    Ok(())
 }
 
 /// The column whose head has such words, with the factor of its unit: of several the only one with a unit of the kind.

@@ -1,6 +1,6 @@
 //! Units as heads of tables write them.
 
-use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_PSI};
+use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_MPA, PA_PER_PSI};
 
 /// Units as they are written, and how many of what is wanted each is.
 pub(crate) type Units = &'static [(&'static str, f64)];
@@ -52,13 +52,24 @@ pub(crate) const DAMPING: Units = &[
     ("lb in s/rad", LBF_IN),
     ("lb ft s/rad", LBF_FT),
 ];
+/// Stresses, MPa.
+pub(crate) const STRESS: Units = &[
+    ("MPa", 1.0),
+    ("N/mm2", 1.0),
+    ("Pa", 1.0 / PA_PER_MPA),
+    ("kPa", 1e3 / PA_PER_MPA),
+    ("GPa", 1e3),
+    ("bar", PA_PER_BAR / PA_PER_MPA),
+    ("psi", PA_PER_PSI / PA_PER_MPA),
+    ("ksi", 1e3 * PA_PER_PSI / PA_PER_MPA),
+];
 /// Angles of the crank, degrees, with an example.
-pub(super) const ANGLE: (Units, &str) = (
+pub(crate) const ANGLE: (Units, &str) = (
     &[("deg", 1.0), ("°CA", 1.0), ("CA", 1.0), ("°KW", 1.0), ("KW", 1.0), ("°V", 1.0), ("°vil", 1.0), ("rad", DEG_PER_RAD)],
     "Angle [deg]",
 );
 /// Absolute pressures, bar, with an example.
-pub(super) const PRESSURE: (Units, &str) = (
+pub(crate) const PRESSURE: (Units, &str) = (
     &[
         ("bar", 1.0),
         ("bara", 1.0),

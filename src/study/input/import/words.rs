@@ -1,6 +1,6 @@
 //! What a head says, in English, German, French and Portuguese.
 
-use super::unit::{self, Units, known};
+use super::unit::{self, SURROUNDINGS, Units, known, parts};
 
 const THROW: &[&str] = &["throw", "kropfung", "kroepfung", "maneton", "manivela"];
 const DAMPING: &[&str] = &["damp", "dampf", "daempf", "amort"];
@@ -122,13 +122,75 @@ impl Role {
 }
 
 /// Whether a (folded) head names the angle of the crank.
-pub(super) fn is_angle(words: &str) -> bool {
+pub(crate) fn is_angle(words: &str) -> bool {
     named(words, &["angle", "crank", "ca", "deg", "theta", "winkel", "kurbel", "kw", "grad", "angulo", "manivela", "vilebrequin", "phi"])
 }
 
 /// Whether a (folded) head names a pressure.
 pub(super) fn is_pressure(words: &str) -> bool {
     named(words, &["press", "p", "bar", "pcyl", "pzyl"]) || words.contains("druck")
+}
+
+/// What is wrong with what a head says.
+pub(crate) struct HeadFault {
+    pub expected: &'static str,
+    pub help: &'static str,
+}
+
+/// Where a head says that pressures are above that of the surroundings.
+pub(crate) fn not_absolute(head: &str) -> Option<HeadFault> {
+    const GAUGE: [&str; 7] = ["uberdruck", "ueberdruck", "relativ", "gauge", "manometr", "surpression", "sobrepress"];
+    let words = parts(head).0;
+    let gauge = GAUGE.iter().any(|word| words.contains(word)) || has_word(&words, &["rel", "gage"]);
+    gauge.then_some(HeadFault { expected: "absolute pressures", help: SURROUNDINGS })
+}
+
+/// Where a head says that angles are before the dead centre of firing, or from another one.
+pub(crate) fn not_from_firing(head: &str) -> Option<HeadFault> {
+    let lower = head.to_lowercase();
+    let squeezed: String = lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join(" ");
+    if has_word(&lower, &["before", "btdc", "avant", "antes"]) || ["vor ot", "v ot"].iter().any(|words| squeezed.contains(words)) {
+        return Some(HeadFault {
+            expected: "angles after the firing (top) dead centre",
+            help: "angles before it are negative: turn the signs, and the rows with them",
+        });
+    }
+    has_word(&lower, &["ut", "bdc", "pmb", "pmi"]).then_some(HeadFault {
+        expected: "angles from the firing (top) dead centre",
+        help: "from the bottom dead centre before compression they are 180 degrees more",
+    })
+}
+
+/// Whether one of these is a word of a text.
+fn has_word(text: &str, list: &[&str]) -> bool {
+    text.split(|c: char| !c.is_alphanumeric()).any(|word| list.contains(&word))
+}
+
+/// Speed, rpm, and load, per cent, of which a (folded) head is: a number before `rpm`, `1/min` and the like, and one before `%`; full load where none is named.
+pub(crate) fn speed_and_load(words: &str) -> Option<(f64, f64)> {
+    const PER_MINUTE: [&str; 8] = ["rpm", "r/min", "u/min", "upm", "1/min", "min-1", "tr/min", "/min"];
+    let spaced = words.replace('%', " % ").replace('_', " ");
+    let tokens: Vec<&str> = spaced.split_whitespace().flat_map(apart).filter(|t| !t.is_empty()).collect();
+    let before = |is: &dyn Fn(&str) -> bool| {
+        let places: Vec<usize> = (1..tokens.len()).filter(|i| is(tokens[*i])).collect();
+        match places.as_slice() {
+            [one] => Some(Some(tokens[one - 1].parse::<f64>().ok()?)),
+            [] => Some(None),
+            _ => None,
+        }
+    };
+    let speed = before(&|t| PER_MINUTE.contains(&t))??;
+    let load = before(&|t| ["%", "percent", "prozent"].contains(&t))?.unwrap_or(FULL);
+    Some((speed, load))
+}
+
+/// Full load, per cent.
+const FULL: f64 = 100.0;
+
+/// A number and what stands behind it without a blank: "1600rpm", but "1/min" as it is.
+fn apart(token: &str) -> [&str; 2] {
+    let end = token.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(token.len());
+    if token[end..].starts_with('/') { [token, ""] } else { token.split_at(end).into() }
 }
 
 /// Whether a part of a head is one of these words, or begins with one of more than two letters.

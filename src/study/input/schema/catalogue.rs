@@ -1,7 +1,8 @@
 //! Catalogues of absorbers that can be bought, and of what they are made of.
 
-use super::material_states::RawGeometry;
+use super::material_states::{RawGeometry, RawMaterialStates};
 use super::robust::share;
+use crate::absorber::TYPES;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -30,6 +31,10 @@ pub(crate) struct RawCatalogue {
     pub ring_inertia_kg_m2: Option<At<f64>>,
     /// What is sheared: with it a row may be a compound (`shear_modulus_mpa`) or an oil (`viscosity_mm2_per_s`, `density_kg_per_m3`) instead of a stiffness or a damping.
     pub geometry: Option<At<RawGeometry>>,
+    /// By type how the material of its rows follows temperature, age and strain, and how it cools; what is sheared is the catalogue's `geometry` where it has one.
+    #[serde(default)]
+    #[schemars(extend("propertyNames" = { "enum": TYPES.map(|t| t.name) }, "examples" = [{"rubber": {"temperature": {"exponential": {"per_k": 0.006, "reference_c": 40, "between_c": [-30, 120]}}}}]))]
+    pub material: BTreeMap<String, At<RawMaterialStates>>,
     /// How many are kept as designs.
     #[schemars(extend("minimum" = 1, "maximum" = 100, "examples" = [5]))]
     pub best: At<i64>,

@@ -1,6 +1,7 @@
 //! Stress histories, point by point, so that memory does not grow with their number.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
+use super::named::HISTORY;
 use super::shown::shown;
 use super::stream::Stream;
 use crate::fatigue::multiaxial::History;
@@ -47,7 +48,7 @@ impl HistoryReader {
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
     pub fn open(path: &Path) -> Result<Self, InputError> {
-        let stream = Stream::open(path, ["point", "crank_deg"])?;
+        let stream = Stream::open(path, ["point", "crank_deg"], &HISTORY)?;
         Ok(Self { stream, waiting: None, angles: Vec::new(), seen: HashSet::new(), ended: false })
     }
 

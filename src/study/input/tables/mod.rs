@@ -19,7 +19,7 @@ mod table;
 mod torque;
 mod trace;
 mod unit_loads;
-pub(crate) use catalogue::{MadeWith, catalogue};
+pub(crate) use catalogue::{CatalogueRow, MadeWith, catalogue};
 pub use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;

@@ -1,15 +1,26 @@
 //! Columns whose heads say in other words, and with a unit, what our own keys say: as laboratories and makers of dampers write them, in English, German, French and Portuguese.
 
-use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, Units, folded, known, parts, scale};
+use super::shown::shown;
+use crate::input::files::remark;
+use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, STRESS, Units, folded, known, parts, scale};
+use std::path::Path;
 
 /// A column that a table may have.
 pub(super) struct Named {
     key: &'static str,
-    /// One of these stands in a (folded) head.
-    words: &'static [&'static str],
+    words: Words,
     /// Empty where it has none.
     units: Units,
 }
+
+/// What the (folded) words of a head are to be.
+enum Words {
+    /// One of these stands in them.
+    Hold(&'static [&'static str]),
+    /// A component of a stress: a word for stress, or none, and these two axes in either sequence, as letters or numbers.
+    Stress(char, char),
+}
+use Words::{Hold, Stress};
 
 const STIFF: &[&str] = &["stiff", "steif", "federrate", "raideur", "rigid"];
 const DAMP: &[&str] = &["damp", "dampf", "daempf", "amort"];
@@ -19,22 +30,58 @@ const SHARE: Units = &[("", 1.0), ("percent", 0.01)];
 
 /// Of measured stiffness.
 pub(super) const MEASURED: [Named; 5] = [
-    Named { key: "temperature_c", words: &["temp"], units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
-    Named { key: "frequency_hz", words: &["freq"], units: &[("Hz", 1.0), ("kHz", 1e3)] },
-    Named { key: "loss_factor", words: LOSS, units: SHARE },
-    Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
-    Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
+    Named { key: "temperature_c", words: Hold(&["temp"]), units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
+    Named { key: "frequency_hz", words: Hold(&["freq"]), units: &[("Hz", 1.0), ("kHz", 1e3)] },
+    Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
+    Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
+    Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];
 
 /// Of catalogues.
 pub(super) const CATALOGUE: [Named; 6] = [
-    Named { key: "name", words: &["name", "bezeichnung", "benennung", "designation", "designacao", "article", "artikel"], units: &[] },
-    Named { key: "type", words: &["bauart", "typ", "tipo"], units: &[] },
-    Named { key: "loss_factor", words: LOSS, units: SHARE },
-    Named { key: "ring_inertia_kg_m2", words: &["inertia", "tragheit", "traegheit", "inertie", "inercia"], units: INERTIA },
-    Named { key: "damping_n_m_s_per_rad", words: DAMP, units: DAMPING },
-    Named { key: "stiffness_n_m_per_rad", words: STIFF, units: STIFFNESS },
+    Named {
+        key: "name",
+        words: Hold(&["name", "bezeichnung", "benennung", "designation", "designacao", "article", "artikel"]),
+        units: &[],
+    },
+    Named { key: "type", words: Hold(&["bauart", "typ", "tipo"]), units: &[] },
+    Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
+    Named { key: "ring_inertia_kg_m2", words: Hold(&["inertia", "tragheit", "traegheit", "inertie", "inercia"]), units: INERTIA },
+    Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
+    Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];
+
+const POINT: Named = Named { key: "point", words: Hold(&["punkt", "point", "ponto", "knoten", "node", "noeud", "stelle"]), units: &[] };
+/// A component of a stress tensor, as programs of finite elements name them: S11, SXX, σ_x, tau xy.
+const fn stress(key: &'static str, a: char, b: char) -> Named {
+    Named { key, words: Stress(a, b), units: STRESS }
+}
+const XX: Named = stress("sxx_mpa", 'x', 'x');
+const YY: Named = stress("syy_mpa", 'y', 'y');
+const ZZ: Named = stress("szz_mpa", 'z', 'z');
+const XY: Named = stress("sxy_mpa", 'x', 'y');
+const YZ: Named = stress("syz_mpa", 'y', 'z');
+const ZX: Named = stress("szx_mpa", 'z', 'x');
+
+/// Of histories of stress.
+pub(super) const HISTORY: [Named; 8] = [
+    POINT,
+    Named {
+        key: "crank_deg",
+        words: Hold(&["winkel", "angle", "angulo", "crank", "phi"]),
+        units: &[("deg", 1.0), ("°KW", 1.0), ("KW", 1.0), ("°CA", 1.0), ("CA", 1.0)],
+    },
+    XX,
+    YY,
+    ZZ,
+    XY,
+    YZ,
+    ZX,
+];
+
+/// Of stresses per unit load.
+pub(super) const UNIT_LOADS: [Named; 8] =
+    [POINT, Named { key: "load", words: Hold(&["last", "load", "charge", "carga"]), units: &[] }, XX, YY, ZZ, XY, YZ, ZX];
 
 /// Words that make something else of a column: the inertia of the hub or of the whole damper, the loss of a stiffness, an angular frequency.
 const OTHERS: [&str; 19] = [
@@ -65,13 +112,52 @@ pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
     if OTHERS.iter().any(|w| words.contains(w)) || scale(&words).is_some() {
         return None;
     }
-    let own = list.iter().find(|n| n.words.iter().any(|w| words.contains(w)))?;
+    let own = list.iter().find(|n| n.words.are(&words))?;
     let unit = unit.filter(|u| !["", "-", "–", "1"].contains(&u.trim()));
     match (unit, own.units) {
         (None, []) => Some((own.key, 1.0)),
         (None, units) if units.iter().any(|u| u.0.is_empty()) => Some((own.key, 1.0)),
         (Some(unit), units) => known(units, if unit.trim() == "%" { "percent" } else { &unit }).map(|factor| (own.key, factor)),
         (None, _) => None,
+    }
+}
+
+/// Tells what columns whose heads are not their keys were read as.
+pub(super) fn tell<'h>(path: &Path, heads: impl Iterator<Item = (&'h str, &'h str)>) {
+    let read: Vec<String> = heads.filter(|(head, key)| head != key).map(|(head, key)| format!("`{}` as `{key}`", shown(head))).collect();
+    if !read.is_empty() {
+        remark(path, &format!("columns are read: {}", read.join(", ")));
+    }
+}
+
+impl Words {
+    /// Whether the (folded) words of a head are these.
+    fn are(&self, words: &str) -> bool {
+        match self {
+            Hold(list) => list.iter().any(|w| words.contains(w)),
+            Stress(a, b) => component(words).is_some_and(|found| found == (*a, *b) || found == (*b, *a)),
+        }
+    }
+}
+
+/// The axes of a component of stress; x, y, z are 1, 2, 3 as well. One letter of a normal stress is both, while one number is that of a principal stress.
+fn component(words: &str) -> Option<(char, char)> {
+    let plain: String = words.chars().filter(|c| c.is_alphanumeric()).collect();
+    let shear = ["schubspannung", "shearstress", "shear", "tau", "τ"];
+    let either = ["normalspannung", "normalstress", "spannung", "stress", "contrainte", "tensao", "sigma", "σ", "s", "t"];
+    let axes = shear.iter().chain(&either).find_map(|begin| plain.strip_prefix(begin))?;
+    let axis = |c: char| match c {
+        'x' | '1' => Some('x'),
+        'y' | '2' => Some('y'),
+        'z' | '3' => Some('z'),
+        _ => None,
+    };
+    let axes_are_letters = axes.chars().all(char::is_alphabetic);
+    let axes: Vec<char> = axes.chars().map(axis).collect::<Option<_>>()?;
+    match axes.as_slice() {
+        [a] => (axes_are_letters && !shear.iter().any(|begin| plain.starts_with(begin))).then_some((*a, *a)),
+        [a, b] => Some((*a, *b)),
+        _ => None,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::encoding::utf8;
 use super::form::Form;
+use super::named::{self, Named};
 use super::numbers::Convention;
 use super::records::{Fault, Record, Records};
 use super::shown::shown;
@@ -28,8 +29,8 @@ pub struct Stream {
     path: PathBuf,
     rows: Records<Bytes>,
     columns: Vec<&'static str>,
-    /// Cell of each column.
-    places: Vec<usize>,
+    /// Cell of each column, and the factor of its unit.
+    places: Vec<(usize, f64)>,
     /// Cells of the header.
     width: usize,
     /// Line of the header.
@@ -54,8 +55,8 @@ fn beginning(path: &Path) -> Result<(Vec<u8>, Bytes), InputError> {
 }
 
 impl Stream {
-    /// Opens a table with two columns and those of a tensor.
-    pub(crate) fn open(path: &Path, first: [&'static str; 2]) -> Result<Self, InputError> {
+    /// Opens a table with two columns and those of a tensor, whose heads may say in other words, and with a unit, what they are.
+    pub(super) fn open(path: &Path, first: [&'static str; 2], list: &[Named]) -> Result<Self, InputError> {
         if !path.is_file() {
             return Err(whole(path, if path.exists() { "found no file there, expected a table".into() } else { "file not found".into() }));
         }
@@ -66,20 +67,29 @@ impl Stream {
         };
         let failed = |fault: Fault| at(fault.line, columns[0], fault.message);
         let (start, bytes) = beginning(path)?;
-        let form = Form::of(&start, &|cells| columns.iter().filter(|c| cells.contains(c)).count()).map_err(failed)?;
+        let key = |head: &str| columns.iter().find(|c| **c == head).map(|c| (*c, 1.0)).or_else(|| named::key(list, head));
+        let form = Form::of(&start, &|cells| cells.iter().filter(|cell| key(cell).is_some()).count()).map_err(failed)?;
+        let heads: Vec<Option<(&str, f64)>> = form.header.iter().map(|head| key(head)).collect();
         let mut places = Vec::new();
         for name in &columns {
-            let found: Vec<usize> = (0..form.header.len()).filter(|i| form.header[*i] == *name).collect();
+            let found: Vec<(usize, f64)> =
+                heads.iter().enumerate().filter_map(|(i, h)| h.filter(|h| h.0 == *name).map(|h| (i, h.1))).collect();
             let wrong = match found.as_slice() {
                 [one] => {
                     places.push(*one);
                     continue;
                 }
                 [] => format!("found no column `{name}`, expected {}", columns.join(", ")),
+                [(one, _), (other, _), ..] if form.header[*one] != form.header[*other] => format!(
+                    "found columns `{}` and `{}`, which both are read as `{name}`, expected one of them",
+                    shown(&form.header[*one]),
+                    shown(&form.header[*other])
+                ),
                 _ => format!("found column `{name}` a second time"),
             };
             return Err(at(form.line, name, wrong));
         }
+        named::tell(path, form.header.iter().zip(&heads).filter_map(|(head, key)| Some((head.as_str(), (*key)?.0))));
         let mut rows = Records::new(bytes, form.delimiter);
         for _ in 0..form.skip {
             rows.next(&mut Record::default()).map_err(failed)?;
@@ -120,7 +130,7 @@ impl Stream {
     }
 
     fn cell<'r>(&self, record: &'r Record, column: usize) -> &'r str {
-        record.get(self.places[column]).unwrap_or("")
+        record.get(self.places[column].0).unwrap_or("")
     }
 
     /// A cell with a name of something.
@@ -137,7 +147,7 @@ impl Stream {
     /// A cell with a number.
     pub fn number(&self, line: u64, record: &Record, column: usize) -> Result<f64, InputError> {
         let cell = self.cell(record, column);
-        let read = self.convention.read(cell);
+        let read = self.convention.read(cell).map(|x| x * self.places[column].1);
         read.map_err(|e| self.at_with_help(line, column, format!("found `{}`, {}", shown(cell), e.expected), e.help))
     }
 

@@ -75,25 +75,27 @@ impl Table {
 
     /// Cells under a header that has some of these columns, each once.
     pub fn read(path: &Path, columns: &[&str]) -> Result<Self, InputError> {
-        Self::read_named(path, columns, &[])
+        Self::read_said(path, columns, &|_| None)
     }
 
     /// The same where heads may say in other words, and with a unit, what the columns are.
     pub(super) fn read_named(path: &Path, columns: &[&str], list: &[Named]) -> Result<Self, InputError> {
-        let says = |cell: &&str| columns.contains(cell) || named::key(list, cell).is_some();
+        Self::read_said(path, columns, &|head| named::key(list, head).map(|(key, factor)| (key.to_owned(), factor)))
+    }
+
+    /// The same where `said` tells what a head says: a name of ours, and the factor of its unit.
+    pub(super) fn read_said(path: &Path, columns: &[&str], said: &dyn Fn(&str) -> Option<(String, f64)>) -> Result<Self, InputError> {
+        let says = |cell: &&str| columns.contains(cell) || said(cell).is_some();
         let mut table = Self::of(path, &|cells| cells.iter().filter(|cell| says(cell)).count())?;
         table.tell_convention();
-        let (mut read, written) = (Vec::new(), table.header.clone());
+        let written = table.header.clone();
         table.factors = vec![1.0; table.header.len()];
         for (head, factor) in table.header.iter_mut().zip(&mut table.factors).filter(|(head, _)| !columns.contains(&head.as_str())) {
-            if let Some((key, own)) = named::key(list, head) {
-                read.push(format!("`{}` as `{key}`", shown(head)));
-                (*head, *factor) = (key.to_owned(), own);
+            if let Some(own) = said(head) {
+                (*head, *factor) = own;
             }
         }
-        if !read.is_empty() {
-            remark(path, &format!("columns are read: {}", read.join(", ")));
-        }
+        named::tell(path, written.iter().zip(&table.header).map(|(head, key)| (head.as_str(), key.as_str())));
         if table.header.is_empty() {
             return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
         }

@@ -6,6 +6,8 @@ use crate::engine::load::LARGEST_LOAD;
 use crate::engine::pressure::{Measured, PartLoad};
 use crate::engine::{HarmonicTable, Order};
 use crate::input::error::InputError;
+use crate::input::import::unit::{ANGLE, PRESSURE, known, parts, scale};
+use crate::input::import::words;
 use crate::numerics::C64;
 use crate::units::{PA_PER_BAR, RAD_PER_DEG};
 use std::path::Path;
@@ -21,13 +23,32 @@ fn speed_and_load(name: &str) -> Option<(f64, f64)> {
     (speed.is_finite() && speed > 0.0 && (0.0..=100.0 * LARGEST_LOAD).contains(&load)).then_some((speed, load))
 }
 
+/// What a head says of traces in other words: the angle of the crank, or a pressure with its speed and load.
+fn said(head: &str) -> Option<(String, f64)> {
+    // more than one column in a cell: what separates them is another sign
+    if head.contains(['\t', ';', ',']) {
+        return None;
+    }
+    if speed_and_load(head).is_some() {
+        return Some((head.to_owned(), 1.0));
+    }
+    let (words, unit) = parts(head);
+    let unit = unit.filter(|_| scale(&words).is_none())?;
+    if let (Some((speed, load)), Some(factor)) = (words::speed_and_load(&words), known(PRESSURE.0, &unit)) {
+        let key = if load == FULL { format!("{speed}_rpm_bar") } else { format!("{speed}_rpm_{load}_percent_bar") };
+        return (words::not_absolute(head).is_none() && speed_and_load(&key).is_some()).then_some((key, factor));
+    }
+    let factor = known(ANGLE.0, &unit).filter(|_| words::is_angle(&words) && words::not_from_firing(head).is_none())?;
+    Some(("crank_deg".to_owned(), factor))
+}
+
 /// `crank_deg` from firing dead centre over a whole cycle, then a column `<speed>_rpm_bar` a speed, absolute, at full load; at part load
 /// `<speed>_rpm_<load>_percent_bar`, every load at the same speeds.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
 pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, InputError> {
-    let table = Table::read(path, &["crank_deg"])?;
+    let table = Table::read_said(path, &["crank_deg"], &said)?;
     let Some(angle) = table.optional("crank_deg") else {
         let expected = "`crank_deg` and a column a speed, named like `1600_rpm_bar`, among them";
         return Err(table.at_head(0, format!("found columns {}, expected {expected}", table.all_columns())));

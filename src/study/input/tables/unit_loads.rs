@@ -1,5 +1,6 @@
 //! Stress tensors per unit load, point by point: what one finite-element run gives for every speed and absorber.
 
+use super::named::UNIT_LOADS;
 use super::shown::shown;
 use super::stream::Stream;
 use crate::input::error::InputError;
@@ -35,7 +36,7 @@ impl UnitLoadReader {
     /// # Errors
     /// [`InputError`] where it cannot be read or a column is missing.
     pub(crate) fn open(path: &Path, loads: &[String]) -> Result<Self, InputError> {
-        let stream = Stream::open(path, ["point", "load"])?;
+        let stream = Stream::open(path, ["point", "load"], &UNIT_LOADS)?;
         Ok(Self { stream, loads: loads.to_vec(), waiting: None, seen: HashSet::new(), ended: false })
     }
 

@@ -192,7 +192,7 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             if matches!(law_of, RawType::Measured(_)) && !of_measured(check, raw.get_ref()) {
                 return None;
             }
-            let spec = material(check, raw.get_ref(), law.declaration(), temperatures);
+            let spec = material(check, raw.get_ref(), (law.declaration(), None), temperatures);
             let known = Arc::new(spec.of_type(law.declaration(), temperatures));
             Absorber::Ring(WithMaterial::of(law, &known))
         }

@@ -1,14 +1,16 @@
 //! Catalogues of absorbers.
 
 use super::absorbers::DesignSpec;
-use super::material_states::geometry;
+use super::family::materials;
+use super::material_states::{MaterialSpec, Temperatures, geometry};
 use super::named::{station, table};
-use crate::absorber::{Absorber, Material, Mounted, TYPES, WithMaterial};
+use crate::absorber::{Absorber, Declaration, Geometry, Material, Mounted, TYPES, WithMaterial};
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::letters::fault;
+use crate::input::schema::catalogue::RawCatalogue;
 use crate::input::schema::study::RawStudy;
-use crate::input::tables::{MadeWith, catalogue};
+use crate::input::tables::{CatalogueRow, MadeWith, catalogue};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,7 +34,13 @@ pub const RETUNED: &str = "_retuned";
 /// Most rows of all catalogues together.
 const MOST: usize = 100_000;
 
-pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder: &Path, given: &[DesignSpec]) -> Vec<CatalogueSpec> {
+pub(super) fn resolve(
+    check: &mut Check,
+    study: &RawStudy,
+    (chain, folder): (&Chain, &Path),
+    given: &[DesignSpec],
+    temperatures: Temperatures,
+) -> Vec<CatalogueSpec> {
     let mut names: HashSet<String> = given.iter().map(|d| d.name.clone()).collect();
     let mut list = Vec::new();
     for raw in &study.catalogue {
@@ -50,7 +58,7 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
         let with = MadeWith { ring_inertia, factor: geometry.map(|g| g.factor()) };
         let read = |path: &Path| catalogue(path, with);
         let (Some(on), Some(rows)) = (station(check, chain, &raw.on.station), table(check, &raw.file, folder, read)) else { continue };
-        let material = Arc::new(Material { geometry, ..Material::default() });
+        let materials = materials_of_rows(check, raw, (&rows, geometry), temperatures);
         if rows.len() > MOST {
             check.wrong(&raw.file, format!("found {} absorbers, expected at most {MOST}", rows.len()));
         }
@@ -59,6 +67,7 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
             check.wrong(*at, format!("found `{key}` to be free, which no absorber of the catalogue has"));
         }
         let free: Vec<(&'static str, f64)> = shares.iter().map(|s| (s.0, s.2)).collect();
+        let plain = Arc::new(Material { geometry, ..Material::default() });
         let mut designs = Vec::new();
         for row in rows {
             let again = (!free.is_empty()).then(|| format!("{}{RETUNED}", row.name));
@@ -70,12 +79,30 @@ pub(super) fn resolve(check: &mut Check, study: &RawStudy, chain: &Chain, folder
                     );
                 }
             }
-            let absorber = Absorber::Ring(WithMaterial::of((row.declaration.build)(&row.values), &material));
+            let law = (row.declaration.build)(&row.values);
+            let absorber = Absorber::Ring(WithMaterial::of(law, materials.get(row.declaration.name).unwrap_or(&plain)));
             designs.push(DesignSpec { name: row.name, absorbers: vec![Mounted::on_station(on, absorber)] });
         }
         list.push(CatalogueSpec { file: raw.file.get_ref().clone(), best, designs, free });
     }
     list
+}
+
+/// Materials of the rows by the names of the types that have one.
+fn materials_of_rows(
+    check: &mut Check,
+    raw: &RawCatalogue,
+    (rows, geometry): (&[CatalogueRow], Option<Geometry>),
+    temperatures: Temperatures,
+) -> BTreeMap<&'static str, Arc<Material>> {
+    let types: BTreeMap<&str, &'static Declaration> = rows.iter().map(|r| (r.declaration.name, r.declaration)).collect();
+    let types: Vec<&'static Declaration> = types.into_values().collect();
+    for material in raw.material.values().filter(|m| !m.get_ref().properties.is_empty()) {
+        check.wrong(material, "found properties of the material of a catalogue, expected them among the columns of its table");
+    }
+    let of_type =
+        |(declaration, spec): (&'static Declaration, MaterialSpec)| (declaration.name, Arc::new(spec.of_type(declaration, temperatures)));
+    materials(check, &raw.material, (&types, geometry), temperatures).into_iter().map(of_type).collect()
 }
 
 /// Keys with their places and shares.

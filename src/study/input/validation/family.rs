@@ -4,12 +4,14 @@ use super::absorbers::{engine_mode, value};
 use super::material_states::{MaterialSpec, Temperatures, material};
 use crate::absorber::geometry::ring_inertia;
 use crate::absorber::types::GIVEN_ONLY;
-use crate::absorber::{Declaration, Host, Parameter, Range, TYPES};
+use crate::absorber::{Declaration, Geometry, Host, Parameter, Range, TYPES};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::{RawBox, RawEngineInertia, RawOptimised, RawSize};
+use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::range::RawRange;
 use crate::units::M_PER_MM;
+use std::collections::BTreeMap;
 
 /// Ring inertia of what is optimised, kg m².
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +94,7 @@ pub(super) fn family(
     let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
     let size = size(check, raw, station.map(|s| (s, whole_chain)), (chain, modes));
     let bounds = bounds_of(check, raw, &types);
-    let materials = materials(check, raw, &types, temperatures);
+    let materials = materials(check, &raw.material, (&types, None), temperatures);
     Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, materials, temperatures, whole_chain })
 }
 
@@ -139,21 +141,21 @@ fn in_box(check: &mut Check, at: &At<RawBox>) -> Size {
     Size::Each(vec![ring_inertia(0.5 * inner, 0.5 * outer, width, density)])
 }
 
-/// Materials by the types that have them.
-fn materials(
+/// Materials by the types that have them; `sheared`: what is sheared of all.
+pub(super) fn materials(
     check: &mut Check,
-    raw: &RawOptimised,
-    types: &[&'static Declaration],
+    raw: &BTreeMap<String, At<RawMaterialStates>>,
+    (types, sheared): (&[&'static Declaration], Option<Geometry>),
     temperatures: Temperatures,
 ) -> Vec<(&'static Declaration, MaterialSpec)> {
     let mut list = Vec::new();
-    for (word, raw) in &raw.material {
+    for (word, raw) in raw {
         let Some(declaration) = types.iter().find(|t| t.name == word).copied() else {
             let names: Vec<&str> = types.iter().map(|t| t.name).collect();
             check.wrong(raw, format!("found a material of type `{word}`, expected one of {}", names.join(" or ")));
             continue;
         };
-        let mut spec = material(check, raw.get_ref(), declaration, temperatures);
+        let mut spec = material(check, raw.get_ref(), (declaration, sheared), temperatures);
         for (key, range) in &raw.get_ref().properties {
             let Some(parameter) = declaration.parameters.iter().skip(1).find(|p| p.key == key) else {
                 let known: Vec<&str> = declaration.parameters.iter().skip(1).map(|p| p.key).collect();

@@ -23,7 +23,7 @@ const SHORTEST_STEP_MM: f64 = 1.0;
 const SHORTEST: f64 = 0.2;
 
 /// What of the crank a study asks for.
-fn asked<'d>(check: &mut Check, study: &RawStudy, known: bool, mut designs: impl Iterator<Item = &'d DesignSpec>) -> CrankModel {
+fn asked(check: &mut Check, study: &RawStudy, known: bool, designs: &[&DesignSpec]) -> CrankModel {
     let Some(raw) = &study.crank else { return CrankModel::Chain };
     let model = CrankModel::from(*raw.get_ref());
     if model == CrankModel::Chain {
@@ -32,8 +32,8 @@ fn asked<'d>(check: &mut Check, study: &RawStudy, known: bool, mut designs: impl
     if !known {
         check.wrong(raw, "found a flexible crank without [crank.flexible] in the engine file, expected its bearings, ends and webs there");
     }
-    let large = |d: &&'d DesignSpec| d.absorbers.iter().filter_map(|m| m.absorber.law()).any(|law| law.large_twist().is_some());
-    if let Some(d) = designs.find(large) {
+    let large = |d: &&DesignSpec| d.absorbers.iter().filter_map(|m| m.absorber.law()).any(|law| law.large_twist().is_some());
+    if let Some(d) = designs.iter().copied().find(large) {
         check.wrong(
             raw,
             format!("found a flexible crank with design `{}`, whose law is of large twist, expected `crank = \"chain\"` for it", d.name),
@@ -49,12 +49,12 @@ fn asked<'d>(check: &mut Check, study: &RawStudy, known: bool, mut designs: impl
 }
 
 /// The flexible crank of an engine file, and what of the crank a study with these designs asks for.
-pub(super) fn of_study<'d>(
+pub(super) fn of_study(
     (check, in_engine): (&mut Check, &mut Check),
     (study, engine): (&RawStudy, &RawEngine),
     parts: (Option<&Crank>, &Engine, &Chain),
     speeds_rpm: &[f64],
-    designs: impl Iterator<Item = &'d DesignSpec>,
+    designs: &[&DesignSpec],
 ) -> (Option<FlexibleModel>, CrankModel) {
     let flexible = resolve(in_engine, engine, parts);
     let known = flexible.is_some() || !in_engine.mistakes.is_empty();

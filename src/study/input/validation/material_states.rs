@@ -78,7 +78,8 @@ pub(super) fn conditions(study: &RawStudy) -> impl Iterator<Item = &At<RawCondit
 fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatures) {
     let designed = || study.design.iter().flat_map(|d| &d.absorber).filter_map(|a| a.material.as_ref());
     let optimised = || study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
-    let materials = || designed().chain(optimised());
+    let sold = || study.catalogue.iter().flat_map(|c| c.material.values());
+    let materials = || designed().chain(optimised()).chain(sold());
     let said = materials().map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
     let measured =
         study.design.iter().flat_map(|d| &d.absorber).any(|a| matches!(&a.kind, RawType::Measured(m) if m.temperature_c.is_some()));
@@ -109,11 +110,11 @@ fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatu
     }
 }
 
-/// What is said of the material of a type.
+/// What is said of the material of a type; `sheared`: what of it is sheared where that is said beside it.
 pub(super) fn material(
     check: &mut Check,
     raw: &RawMaterialStates,
-    declaration: &'static Declaration,
+    (declaration, sheared): (&'static Declaration, Option<Geometry>),
     temperatures: Temperatures,
 ) -> MaterialSpec {
     let law = raw.temperature.as_ref().map(|raw| {
@@ -147,7 +148,10 @@ pub(super) fn material(
         raw.get_ref().iter().filter_map(|(key, value)| Some((aged_key(check, key, value, declaration)?, check.positive(value)))).collect()
     });
     let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
-    let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g));
+    if let (Some(at), Some(_)) = (&raw.geometry, sheared) {
+        check.wrong(at, "found what is sheared a second time, expected `geometry` in the [[catalogue]] or in its materials");
+    }
+    let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g)).or(sheared);
     let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));
     let life = raw.life.as_ref().map(|l| life(check, l, geometry));
     MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new() }

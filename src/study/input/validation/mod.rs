@@ -249,10 +249,11 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let modes = Modes::new(&base.chain);
     let temperatures = material_states::of_conditions(check, study);
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
-    let catalogues = catalogue::resolve(check, study, &base.chain, folder_of(files.path), &designs);
+    let catalogues = catalogue::resolve(check, study, (&base.chain, folder_of(files.path)), &designs, temperatures);
     let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), temperatures);
     let sold = catalogues.iter().flat_map(|c| &c.designs);
-    let hub = hub(designs.iter().chain(sold.clone()), optimise.as_ref());
+    let given: Vec<&DesignSpec> = designs.iter().chain(sold).collect();
+    let hub = hub(given.iter().copied(), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);
     let of = Context {
         chain: &base.chain,
@@ -261,10 +262,10 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         speeds: (base.speeds_rpm[0], base.speeds_rpm[base.speeds_rpm.len() - 1]),
         order_limit: base.order_limit,
         strokes: base.engine.strokes,
-        absorbers: Context::absorbers(sold.clone().chain(&designs).map(|d| d.absorbers.len()), optimise.as_ref()),
-        cooled: &Context::cooled(&designs, optimise.as_ref()),
-        balanced: &Context::balanced(&designs, optimise.as_ref()),
-        lives: &Context::lives(&designs, optimise.as_ref()),
+        absorbers: Context::absorbers(given.iter().map(|d| d.absorbers.len()), optimise.as_ref()),
+        cooled: &Context::cooled(&given, optimise.as_ref()),
+        balanced: &Context::balanced(&given, optimise.as_ref()),
+        lives: &Context::lives(&given, optimise.as_ref()),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| c.get_ref().0.burning() != Burning::Alike),
     };
@@ -278,8 +279,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let conditions = conditions(check, study, &base.engine, optimise.as_ref());
     let parts = (base.crank.as_ref(), &base.engine, &base.chain);
-    let (flexible, crank_model) =
-        flexible::of_study((check, in_engine), (study, files.engine), parts, &base.speeds_rpm, designs.iter().chain(sold));
+    let (flexible, crank_model) = flexible::of_study((check, in_engine), (study, files.engine), parts, &base.speeds_rpm, &given);
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
     let checked = Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),

@@ -76,7 +76,7 @@ impl<'a> Context<'a> {
     }
 
     /// Of each absorber what cools it, in all that is optimised there and in every design that has it.
-    pub fn cooled(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Option<Vec<Cooling>>> {
+    pub fn cooled(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Option<Vec<Cooling>>> {
         let of_law = |m: &Mounted| Some(m.absorber.law()?.material()?.thermal?.cooling);
         let of_type = |a: &AbsorberSpec, t: &'static Declaration| a.materials.iter().find(|m| m.0 == t)?.1.cooling;
         let searched =
@@ -87,14 +87,14 @@ impl<'a> Context<'a> {
     }
 
     /// Absorbers whose material says what cools it, or how it follows its strain: one of a design.
-    pub fn balanced(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<usize> {
+    pub fn balanced(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<usize> {
         let searched = |a: &AbsorberSpec| a.materials.iter().any(|m| m.1.cooling.is_some() || m.1.amplitude.is_some());
         let families = optimise.into_iter().filter_map(|o| o.absorbers.iter().position(searched));
         designs.iter().filter_map(|d| d.absorbers.iter().position(|m| m.absorber.follows_motion())).chain(families).collect()
     }
 
     /// Of each absorber whether all that is optimised there and every design that has it says how many cycles of strain it bears.
-    pub fn lives(designs: &[DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+    pub fn lives(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
         let of_law = |m: &Mounted| m.absorber.law().and_then(|l| l.material()).is_some_and(|m| m.life.is_some() && m.geometry.is_some());
         let of_type = |a: &AbsorberSpec, t: &'static Declaration| {
             a.materials.iter().any(|m| m.0 == t && m.1.life.is_some() && m.1.geometry.is_some())

@@ -1,6 +1,7 @@
 //! `report.html`: one page with everything of a run; it needs no network and no other file.
 
 mod classification;
+mod crank_modes;
 mod data;
 mod folder;
 mod fronts;
@@ -25,6 +26,8 @@ use parts::{TABLES, conditions, findings, limits, model, page, parameters, pictu
 use question::{judged_cells, judged_heads, question, verdicts};
 
 const SCRIPT: &str = include_str!("page.js");
+/// The modes of a flexible crank.
+const CRANK: &str = include_str!("crank.js");
 
 /// Tables that the page draws, and that of times, which is written after it.
 const DRAWN: [&str; 3] = ["response", "margin", "timing"];
@@ -71,7 +74,7 @@ fn body((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &P
         (response(results))
         (margins(study, results))
         (limits(study, results))
-        (modes::modes())
+        (modes::modes(results.system.flexible.is_some()))
         (certificates(study, results))
         (conditions(results))
         (prepared.findings)
@@ -80,7 +83,7 @@ fn body((study, inputs): (&Study, &[InputFile]), results: &Results, prepared: &P
         (plots(study, results, folder))
         (provenance(study, inputs, results))
         script type="application/json" id="data" { (PreEscaped(&prepared.data)) }
-        script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) }
+        script { (PreEscaped(TABLES)) (PreEscaped(SCRIPT)) @if results.system.flexible.is_some() { (PreEscaped(CRANK)) } }
     }
 }
 

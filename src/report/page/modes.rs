@@ -1,5 +1,6 @@
 //! Natural frequencies over speed and the shapes of the modes.
 
+use super::crank_modes;
 use super::numbers::{digits, list};
 use crate::analysis::Results;
 use crate::analysis::curves::holzer;
@@ -9,14 +10,16 @@ use crate::units::HZ_PER_RPM;
 use maud::{Markup, html};
 use serde_json::{Map, Value, json};
 
-/// Both views.
-pub(super) fn modes() -> Markup {
+/// Both views; the shapes are those of the flexible crank where the response is its.
+pub(super) fn modes(flexible: bool) -> Markup {
     html! {
         h2 { "Natural frequencies and mode shapes" }
         p class="soft" { "Orders of the engine that meet a natural frequency excite it; drawn are at most " (DRAWN_ORDERS) ", those with the largest resonances of the engine without absorber. Grey: the engine without absorber; colours: the designs ticked above, where their frequencies do not depend on speed." }
         div id="campbell" {}
-        div class="tools" { label { "Mode of the torsional chain " select id="mode" {} } }
-        div id="shape" {}
+        @if flexible { (crank_modes::view()) } @else {
+            div class="tools" { label { "Mode of the torsional chain " select id="mode" {} } }
+            div id="shape" {}
+        }
     }
 }
 
@@ -35,5 +38,5 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
     let shapes: Vec<Value> = (1..=rows.iter().map(|r| r.mode).max().unwrap_or(0)).map(shape).collect();
     let alone = if results.system.flexible.is_some() { "flexible crank alone" } else { "chain alone" };
     let stations: Vec<&str> = study.chain.stations.iter().map(|s| s.name.as_str()).collect();
-    json!({ "orders": orders, "chain": list(&results.system.modes.frequencies_hz()), "designs": designs, "shapes": shapes, "stations": stations, "row": study.chain.is_row(), "flexible": results.system.flexible.is_some(), "alone": alone })
+    json!({ "orders": orders, "chain": list(&results.system.modes.frequencies_hz()), "designs": designs, "shapes": shapes, "stations": stations, "row": study.chain.is_row(), "alone": alone, "crank": crank_modes::data(study) })
 }

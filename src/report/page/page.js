@@ -155,13 +155,13 @@ function showCampbell() {
   for (const s of systems) {
     s.frequencies.forEach((f, i) => list.push({ name: s.name, quiet: i > 0, x: [0, right], y: [f, f], colour: s.colour, dash: s.dash }));
     const met = modes.orders.flatMap(o => s.frequencies.map((f, mode) => ({ order: o.name, f, mode, speed: f / o.hz_per_rpm }))).filter(m => m.speed >= low && m.speed <= high);
-    list.push({ name: s.name, quiet: true, points: true, size: 4, colour: s.colour, x: met.map(m => m.speed), y: met.map(m => m.f), tell: i => s.name + ": order " + met[i].order + " meets " + short(met[i].f) + " Hz at " + short(met[i].speed) + " rpm", click: i => { if (s === systems[0] && !modes.flexible && met[i].mode < modes.shapes.length) { by("mode").value = met[i].mode; showShape(); } } });
+    list.push({ name: s.name, quiet: true, points: true, size: 4, colour: s.colour, x: met.map(m => m.speed), y: met.map(m => m.f), tell: i => s.name + ": order " + met[i].order + " meets " + short(met[i].f) + " Hz at " + short(met[i].speed) + " rpm", click: i => { if (s === systems[0] && shape.box && met[i].mode < modes.shapes.length) { by("mode").value = met[i].mode; showShape(); } } });
   }
   campbell.band = [low, high];
   campbell.show(list);
 }
 function showShape() {
-  const mode = data.modes.shapes[Number(by("mode").value)];
+  const mode = shape.box && data.modes.shapes[Number(by("mode").value)];
   if (!mode) return;
   shape.show([{ name: short(mode.hz) + " Hz", points: true, line: data.modes.row, x: mode.angles.map((_, i) => i + 1), y: mode.angles, colour: "var(--soft)", tell: i => data.modes.stations[i] + ": " + short(mode.angles[i]) }]);
 }
@@ -195,8 +195,8 @@ for (const row of document.querySelectorAll("tr[data-design]")) {
 }
 for (const id of ["quantity", "order", "log"]) by(id).addEventListener("change", showResponse);
 by("radians").addEventListener("change", showUnits);
-data.modes.shapes.forEach((s, i) => { const o = document.createElement("option"); o.value = i; o.textContent = (i + 1) + ": " + short(s.hz) + " Hz"; by("mode").append(o); });
-by("mode").addEventListener("change", showShape);
+if (shape.box) data.modes.shapes.forEach((s, i) => { const o = document.createElement("option"); o.value = i; o.textContent = (i + 1) + ": " + short(s.hz) + " Hz"; by("mode").append(o); });
+if (shape.box) by("mode").addEventListener("change", showShape);
 data.fronts.forEach((f, i) => { const o = document.createElement("option"); o.value = i; o.textContent = f.title; by("fronts").append(o); });
 if (front.box) by("fronts").addEventListener("change", showFront);
 if (by("criterion")) by("criterion").addEventListener("change", showMargin);

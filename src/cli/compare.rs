@@ -198,9 +198,10 @@ fn shipped() -> Result<Vec<PathBuf>, u8> {
 
 fn page(job: Job, bar: &Bar) -> Result<Page, RunError> {
     let (mut study, calibration) = analysis::calibrate(&job.study, bar)?;
+    let whole = study.clone();
     only_published_rings(&mut study, &job.published);
     let results = analysis::run(&study, bar)?;
-    let comparison = crate::validation::compare(&study, &job.published, calibration.as_ref(), &results)?;
+    let comparison = crate::validation::compare((&study, &whole), &job.published, calibration.as_ref(), &results)?;
     Ok(Page { study, calibration, comparison, results })
 }
 

@@ -4,6 +4,7 @@ use super::csv;
 use super::files::{Folder, WriteError};
 use crate::absorber::{Material, Mounted};
 use crate::analysis::Results;
+use crate::crankshaft::MarginCriterion;
 use crate::input::{FrontSpec, Study};
 
 /// A table of a run.
@@ -19,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 22] = [
+pub(super) const RUN_TABLES: [RunTable; 23] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -61,6 +62,12 @@ pub(super) const RUN_TABLES: [RunTable; 22] = [
         about: "smallest margin of the same designs at the speeds of the study, the webs bent as the flexible crank bends them, beside that by the continuous beam which searches and other tables use",
         asked: on_webs,
         write: |_, r, f| csv::web_margins(r, f),
+    },
+    RunTable {
+        stem: "von_mises",
+        about: "largest equivalent stress of von Mises over the cycle of the same designs at each speed under these loads, with its location and the crank angle from the firing of the first cylinder; where a multiaxial criterion is judged",
+        asked: |s| on_webs(s) && s.fatigue.as_ref().is_some_and(|f| f.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)))),
+        write: |_, r, f| csv::von_mises(r, f),
     },
     RunTable {
         stem: "catalogue",

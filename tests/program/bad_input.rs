@@ -137,8 +137,19 @@ fn tables() {
     let (study, engine) = (read(&folder().join("study.toml")), read(&folder().join("engine.toml")));
     let (start, end) = (engine.find("[pressure.wiebe]").expect("a cycle"), engine.find("[[station]]").expect("a station"));
     let geometry = engine.find("[geometry]").expect("a geometry")..engine.find("[layout").expect("a layout");
-    let published =
-        ["amplitudes", "absorbers", "frequencies", "modes", "engines", "factors", "fatigue", "stresses", "multiaxial", "histories"];
+    let published = [
+        "amplitudes",
+        "absorbers",
+        "frequencies",
+        "modes",
+        "von_mises",
+        "engines",
+        "factors",
+        "fatigue",
+        "stresses",
+        "multiaxial",
+        "histories",
+    ];
     for case in cases("csv", "csv") {
         let stem = case.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         if let Some(kind) = published.iter().find(|k| stem.starts_with(*k)) {

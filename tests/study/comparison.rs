@@ -33,7 +33,7 @@ impl Fitted {
 
     /// Beside tables that may have been changed after the fit.
     fn beside(&self, published: &Published) -> Comparison {
-        hartog::validation::compare(&self.study, published, self.calibration.as_ref(), &self.results).expect("damped")
+        hartog::validation::compare((&self.study, &self.study), published, self.calibration.as_ref(), &self.results).expect("damped")
     }
 }
 
@@ -255,4 +255,40 @@ fn multiaxial_tables() {
     assert_eq!(errata, expected);
     assert_eq!(of(Kind::Multiaxial, Role::Unexplained).len(), 4, "Matake and McDiarmid at the two points whose planes are printed");
     assert!(c.verdict.holds());
+}
+
+/// [Villalva 2014] Tables 8.1, 8.2 and 8.4: the largest equivalent stresses of the flexible crank without absorber are those of a run at the same speeds, and what stiffer or more damped bearings change is told with its direction.
+/// Webs, lengths and fillets are assumptions: the order of size alone is held (a factor of two).
+#[test]
+fn stresses_of_the_flexible_crank() {
+    let (mut ratios, mut same) = (Vec::new(), 0);
+    for (name, count) in [("villalva_i6_flexible", 3), ("villalva_v10_flexible", 7)] {
+        let mut whole = study(name);
+        whole.designs.truncate(1);
+        whole.leave_searches_out();
+        let published = whole.published.clone().expect("tables");
+        let alone = Study { fatigue: None, crank_model: hartog::input::CrankModel::Chain, ..whole.clone() };
+        let results = analysis::run(&alone, &Silent).expect("damped");
+        let found = hartog::validation::compare((&alone, &whole), &published, None, &results).expect("damped");
+        let stresses: Vec<&Entry> = found.entries.iter().filter(|e| e.kind == Kind::OwnStress).collect();
+        assert_eq!(stresses.len(), count);
+        for e in &stresses {
+            let ratio = e.computed.expect("ours") / e.published.expect("printed");
+            assert!((0.5..2.0).contains(&ratio), "{}: {ratio}", e.quantity);
+            ratios.push(ratio);
+            same += usize::from(e.note.contains("the same direction"));
+            assert_eq!(e.note.contains("direction") || e.note.contains("hardly"), e.table == "8.2", "{}", e.note);
+            assert!(e.note.contains("ours at "), "{}", e.note);
+        }
+        whole.conditions.clear();
+        whole.speeds_rpm = published.von_mises.iter().map(|p| p.speed_rpm).take(3).collect();
+        let run = analysis::run(&whole, &Silent).expect("damped");
+        for (e, own) in stresses.iter().zip(&run.webs[0].von_mises) {
+            assert_close(e.computed.expect("ours"), own.stress / 1e6, 1e-9, 0.0, &e.quantity);
+            assert!((0.0..720.0).contains(&own.crank_deg));
+        }
+    }
+    // as the guide has them
+    let (low, high) = (ratios.iter().copied().fold(f64::INFINITY, f64::min), ratios.iter().copied().fold(0.0, f64::max));
+    assert_eq!((format!("{low:.2} to {high:.2}"), same), ("0.66 to 1.63".to_owned(), 2));
 }

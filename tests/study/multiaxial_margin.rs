@@ -80,7 +80,31 @@ fn unit_loads_of_the_nominal_state() {
             let [nominal, units] = models.each_ref().map(|m| m.most_used(c, 3, speed, &torque).expect("locations").value);
             assert_close(units, nominal, if on_planes { 2e-3 } else { 1e-9 }, 0.0, criterion.name());
         }
+        let torques = vec![phasors.as_slice(); base.chain.len() - 1];
+        let [nominal, units] = models.each_ref().map(|m| m.largest_von_mises(speed, &torques).expect("stresses over the cycle"));
+        assert_close(units.stress, nominal.stress, 1e-12, 0.0, "von Mises");
+        assert_eq!((units.sample, units.stress > 0.0), (nominal.sample, true));
     }
+    // hardly bent, a fillet has the root of three times the shear by the largest torque, its mean included, of the samples; bent alone, the largest normal stress
+    let hardly = |bending: f64, torsion: f64| {
+        let spec = spec(FactorSource::Given { bending, torsion });
+        Margin::new(&base.engine, &base.chain, &crank, &spec, &[2000.0, 6500.0], harmonics).expect("a model")
+    };
+    let phasors: Vec<C64> = harmonics.iter().map(|h| C64::from_polar(900.0 / f64::from(*h), f64::from(*h))).collect();
+    let torques = vec![phasors.as_slice(); base.chain.len() - 1];
+    let (twisting, extremes) = (hardly(1e-9, torsion), synthesiser.extremes(&phasors));
+    let most = twisting.largest_von_mises(6500.0, &torques).expect("stresses");
+    let mean = twisting.mean_torque(6500.0)[twisting.locations[most.location].shaft] + extremes.middle;
+    assert_close(most.stress, 3f64.sqrt() * twisted * (mean.abs() + extremes.half_peak_to_peak), 2e-3, 0.0, "torsion alone, at samples");
+    let bent_alone = hardly(bending, 1e-9).largest_von_mises(6500.0, &torques).expect("stresses");
+    let goodman = FatigueSpec {
+        criteria: vec![MarginCriterion::MeanStress(hartog::fatigue::Criterion::Goodman)],
+        mean_bending: hartog::crankshaft::MeanBending::AsTension,
+        ..spec(FactorSource::Given { bending, torsion: 1e-9 })
+    };
+    let model = Margin::new(&base.engine, &base.chain, &crank, &goodman, &[2000.0, 6500.0], harmonics).expect("a model");
+    let cycle = model.most_used(0, 3, 6500.0, &Torque { extremes, phasors: &phasors }).expect("a location").cycle;
+    assert_close(bent_alone.stress, cycle.mean.abs() + cycle.amplitude, 1e-4, 0.0, "bending alone, at samples");
 }
 
 /// Law: the smallest margin is that of all locations, with stresses per unit load that no bound of a nominal state holds: moments in and across the plane of the throw out of phase, at two points.

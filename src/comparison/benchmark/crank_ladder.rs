@@ -188,7 +188,7 @@ fn bearings(study: &Study, found: &[Found]) -> Result<Vec<(f64, Errors)>, RunErr
     let mut list = Vec::new();
     for factor in FACTORS {
         let parts = (crank, &study.engine, &study.chain);
-        let Ok(model) = flexible.with(|spec| spec.bearing = spec.bearing.stiffer(factor), parts) else { continue };
+        let Ok(model) = flexible.with(|spec| spec.bearing = spec.bearing.times(factor, 1.0), parts) else { continue };
         let mut own = Study { flexible: Some(model), crank_model: CrankModel::Flexible, fatigue: None, ..study.clone() };
         own.leave_searches_out();
         own.limits.clear();

@@ -3,7 +3,7 @@
 use super::amplitudes::{self, AmplitudeRow};
 use super::entry::Entry;
 use super::verdict::{self, Verdict};
-use super::{absorbers, chain, fatigue, frequencies, modes, multiaxial, notches, predicted, text_values};
+use super::{absorbers, chain, fatigue, frequencies, modes, multiaxial, notches, predicted, text_values, von_mises};
 use crate::analysis::{Calibration, Results, RunError};
 use crate::input::{Published, Study};
 
@@ -18,15 +18,21 @@ pub struct Comparison {
     pub verdict: Verdict,
 }
 
-/// Compares a study, as fitted, with its published tables. `results`: of the same study, optima included where it has any.
+/// Compares a study, as fitted, with its published tables. `whole`: the same with all designs and criteria, where a comparison leaves some out; `results`: of the study, optima included where it has any.
 ///
 /// # Errors
 /// [`RunError`] where a design has no finite response.
-pub fn compare(study: &Study, published: &Published, calibration: Option<&Calibration>, results: &Results) -> Result<Comparison, RunError> {
+pub fn compare(
+    (study, whole): (&Study, &Study),
+    published: &Published,
+    calibration: Option<&Calibration>,
+    results: &Results,
+) -> Result<Comparison, RunError> {
     let conventions = absorbers::conventions(study, published);
     let mut entries = text_values::inputs(study, published);
     entries.extend(frequencies::entries(study, published));
     entries.extend(modes::entries(study, published));
+    entries.extend(von_mises::entries(whole, published)?);
     entries.extend(absorbers::entries(study, published, &conventions));
     let amplitudes = amplitudes::rows(study, published, calibration, &results.system)?;
     entries.extend(amplitudes::entries(study, published, &conventions, &amplitudes));

@@ -17,6 +17,7 @@ pub mod rounds;
 mod text_values;
 pub mod torsion_cases;
 pub mod verdict;
+mod von_mises;
 
 pub use amplitudes::AmplitudeRow;
 pub use comparison::{Comparison, compare};

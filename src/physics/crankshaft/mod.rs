@@ -24,6 +24,7 @@ pub mod stress_histories;
 mod unit_load_bounds;
 pub mod unit_loads;
 mod unsurpassed;
+mod von_mises;
 mod web_paths;
 
 pub use beam::{Beam, Reactions, Support};
@@ -35,3 +36,4 @@ pub use evaluation_cache::Known;
 pub use margin::{Margin, Torque, Used};
 pub use stress_concentration::{Concentration, Geometry as NotchGeometry};
 pub use unit_loads::UnitLoads;
+pub use von_mises::LargestVonMises;

@@ -75,6 +75,11 @@ impl Histories {
         Self { limits, samples, sums: PeriodicSums::new(harmonics, samples), sections, bounds }
     }
 
+    /// How many there are over the cycle.
+    pub(super) fn samples(&self) -> usize {
+        self.samples
+    }
+
     /// A torque of these orders, with a mean.
     pub fn torque<'a>(&'a self, phasors: &'a [C64], mean: f64) -> SampledTorque<'a> {
         SampledTorque { histories: self, phasors, mean, values: OnceCell::new(), row: OnceCell::new() }

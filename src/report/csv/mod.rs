@@ -59,4 +59,4 @@ pub use table::number;
 pub(crate) use table::{in_unit, rounded};
 pub use timing::timing;
 pub use values::values;
-pub(crate) use webs::{web_loads, web_margins};
+pub(crate) use webs::{von_mises, web_loads, web_margins};

@@ -1,4 +1,4 @@
-//! `web_loads.csv` and `web_margins.csv`: webs of a flexible crank, and margins by what they carry.
+//! `web_loads.csv`, `web_margins.csv` and `von_mises.csv`: webs of a flexible crank, and margins and stresses by what they carry.
 
 use super::table::{Table, number};
 use crate::analysis::Results;
@@ -55,4 +55,21 @@ pub(crate) fn web_margins(results: &Results, folder: &Folder) -> Result<(), Writ
         }
     }
     table.save(folder, "web_margins.csv")
+}
+
+/// `von_mises.csv`, or none where no stress over the cycle was asked for.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub(crate) fn von_mises(results: &Results, folder: &Folder) -> Result<(), WriteError> {
+    if results.webs.iter().all(|d| d.von_mises.is_empty()) {
+        return Ok(());
+    }
+    let mut table = Table::new(&["design", "speed_rpm", "von_mises_mpa", "fillet", "crank_deg"]);
+    for d in &results.webs {
+        for v in &d.von_mises {
+            table.row([d.design.clone(), number(v.speed_rpm), number(v.stress / PA_PER_MPA), v.fillet.clone(), number(v.crank_deg)]);
+        }
+    }
+    table.save(folder, "von_mises.csv")
 }

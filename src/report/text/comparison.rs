@@ -252,7 +252,7 @@ fn tolerances(c: &Comparison) -> Vec<String> {
 /// What our own loads make of the crank, case by case.
 fn own_stresses(c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
-    for case in ["case A", "case B", "case C", "finite elements"] {
+    for case in ["case A", "case B", "case C", "finite elements", "largest von Mises stress"] {
         let of = |kind: Kind| {
             let own = c.entries.iter().filter(move |e| e.kind == kind && e.quantity.contains(case));
             let mut ratios: Vec<f64> = own.filter_map(|e| Some(e.computed? / e.published?)).collect();

@@ -44,8 +44,8 @@ impl Modelled {
         let model = match self {
             Self::Chain => return Some(Study { crank_model: CrankModel::Chain, ..study.clone() }),
             Self::Flexible => flexible.clone(),
-            Self::BearingsHalved => flexible.with(|spec| spec.bearing = spec.bearing.stiffer(0.5), parts).ok()?,
-            Self::BearingsDoubled => flexible.with(|spec| spec.bearing = spec.bearing.stiffer(2.0), parts).ok()?,
+            Self::BearingsHalved => flexible.with(|spec| spec.bearing = spec.bearing.times(0.5, 1.0), parts).ok()?,
+            Self::BearingsDoubled => flexible.with(|spec| spec.bearing = spec.bearing.times(2.0, 1.0), parts).ok()?,
         };
         Some(Study { flexible: Some(model), crank_model: CrankModel::Flexible, ..study.clone() })
     }

@@ -88,4 +88,4 @@ pub use sensitivities::Sensitivity;
 pub use strain::{StrainAt, StrainOfDesign};
 pub use sweeps::Sweeps;
 pub use timing::Timing;
-pub use web_stress::{Web, WebMargin, WebsOfDesign};
+pub use web_stress::{VonMisesAt, Web, WebMargin, WebsOfDesign, von_mises_on_bearings};

@@ -3,12 +3,14 @@
 use super::margins::{MarginSweep, sweep_by};
 use super::timing::Clock;
 use super::{DesignResult, Progress, RunError};
+use crate::absorber::Mounted;
 use crate::crankshaft::flexible::{QuasiStatic, WebLoad, WebLoads, in_plane};
 use crate::crankshaft::{Margin, section};
-use crate::input::Study;
+use crate::drivetrain::System;
+use crate::input::{CrankModel, Study};
 use crate::numerics::C64;
 use crate::objective::PeakFinder;
-use crate::response::{Direct, Grid, ResponseError, Work};
+use crate::response::{Direct, Grid, Quantity, Response, ResponseError, Work};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -22,6 +24,21 @@ pub struct WebsOfDesign {
     pub webs: Vec<Web>,
     /// By every criterion that bends the whole crank.
     pub margins: Vec<WebMargin>,
+    /// At each speed of the study; none where it names no multiaxial criterion.
+    pub von_mises: Vec<VonMisesAt>,
+}
+
+/// The largest equivalent stress of von Mises over the cycle and all fillets at a speed.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct VonMisesAt {
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Pa.
+    pub stress: f64,
+    /// Its location.
+    pub fillet: String,
+    /// Crank angle from the firing of the first cylinder, degrees.
+    pub crank_deg: f64,
 }
 
 /// Where the moment in the plane of the throw swings most in the middle of a web.
@@ -73,11 +90,97 @@ fn half_ranges(all: &DMatrix<f64>) -> Vec<f64> {
     (0..all.ncols() / 4).map(of).collect()
 }
 
-/// Amplitudes of all loads by order at a speed, the absorbers of a design in place.
-fn orders(loads: &WebLoads, direct: &Direct, d: &DesignResult, speed_rpm: f64) -> Result<Vec<Vec<C64>>, ResponseError> {
-    let of = |n: usize| direct.absorber_torques(&d.absorbers, (n, speed_rpm), &mut Work::default());
-    let torques = (0..direct.system.orders()).map(of).collect::<Result<Vec<_>, _>>()?;
-    loads.orders(speed_rpm, &torques).map_err(|_| ResponseError::unbounded(direct.system.excitation.orders[0], speed_rpm))
+/// Told of all loads at the speed of an index, with vibration and without.
+type Told<'t> = &'t (dyn Fn(usize, &DMatrix<f64>, &DMatrix<f64>) + Sync);
+
+/// Webs of the flexible crank of a study, cut over some speeds.
+struct Cut<'a> {
+    study: &'a Study,
+    system: &'a System,
+    speeds: &'a [f64],
+    loads: WebLoads<'a>,
+    quasi: Vec<QuasiStatic>,
+    direct: Direct<'a>,
+}
+
+impl<'a> Cut<'a> {
+    /// Nothing on a torsional chain, without `[fatigue]`, or where the torque comes from a table.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where nothing holds the crank.
+    fn new(study: &'a Study, system: &'a System, grid: &'a Grid) -> Result<Option<Self>, ResponseError> {
+        let flexible = study.on_flexible().filter(|_| study.fatigue.is_some());
+        let Some((flexible, crank)) = flexible.zip(system.flexible.as_ref()) else { return Ok(None) };
+        let loads = WebLoads::new(&flexible.assembled, study.engine_of_crank(), (crank, &system.excitation));
+        let Some(loads) = loads else { return Ok(None) };
+        let held = |speed: &f64| loads.quasi_static(*speed).map_err(|_| ResponseError::unbounded(system.excitation.orders[0], *speed));
+        let quasi = grid.speed_rpm.par_iter().map(held).collect::<Result<Vec<QuasiStatic>, _>>()?;
+        Ok(Some(Self { study, system, speeds: &grid.speed_rpm, loads, quasi, direct: Direct::new(system, grid) }))
+    }
+
+    /// Amplitudes of all loads by order at a speed, the absorbers of a design in place.
+    fn orders(&self, design: &[Mounted], speed_rpm: f64) -> Result<Vec<Vec<C64>>, ResponseError> {
+        let of = |n: usize| self.direct.absorber_torques(design, (n, speed_rpm), &mut Work::default());
+        let torques = (0..self.system.orders()).map(of).collect::<Result<Vec<_>, _>>()?;
+        self.loads.orders(speed_rpm, &torques).map_err(|_| ResponseError::unbounded(self.system.excitation.orders[0], speed_rpm))
+    }
+
+    /// The margin of a crank that is bent so by a design.
+    fn margin(&self, design: &[Mounted], tell: Told) -> Result<Option<Margin>, ResponseError> {
+        let (Some(fatigue), Some(crank)) = (&self.study.fatigue, &self.study.crank) else { return Ok(None) };
+        let orders = self.speeds.par_iter().map(|s| self.orders(design, *s)).collect::<Result<Vec<_>, _>>()?;
+        let webs = |i: usize| {
+            let still = self.loads.still(&self.quasi[i]);
+            let all = self.loads.vibrating(&self.quasi[i], &still, &orders[i]);
+            tell(i, &all, &still);
+            (0..2 * crank.throws()).map(|web| in_plane(&all, web)).collect()
+        };
+        let parts = (self.study.engine_of_crank(), &self.study.chain, crank);
+        Ok(Margin::with_webs(parts, fatigue, self.speeds, &self.system.excitation.harmonics, Some(&webs)))
+    }
+
+    /// The largest equivalent stress at each speed, under a margin of the same design; none where its study names no multiaxial criterion.
+    fn von_mises(&self, margin: &Margin, design: &[Mounted]) -> Result<Vec<VonMisesAt>, ResponseError> {
+        let shafts = self.system.chain.len() - 1;
+        let quantities: Vec<Quantity> = (0..shafts).map(Quantity::ShaftTorque).collect();
+        let sweeps = self.direct.sweep_each(design, &quantities, &mut Work::default())?;
+        let (orders, cycle) = (self.system.orders(), self.study.engine.cycle_deg());
+        let at = |(i, speed_rpm): (usize, &f64)| -> Option<VonMisesAt> {
+            let torques: Vec<&[C64]> = sweeps.iter().map(|sweep| &sweep[i * orders..(i + 1) * orders]).collect();
+            let most = margin.largest_von_mises(*speed_rpm, &torques)?;
+            let fillet = margin.locations[most.location].name.clone();
+            let crank_deg = cycle * most.sample.0 as f64 / most.sample.1 as f64;
+            Some(VonMisesAt { speed_rpm: *speed_rpm, stress: most.stress, fillet, crank_deg })
+        };
+        Ok(self.speeds.par_iter().enumerate().filter_map(at).collect())
+    }
+}
+
+/// The largest equivalent stress of a design at some speeds (ascending) on the flexible crank of a study, its main bearings and their damping so many times as large. Nothing where it has none, or names no multiaxial criterion.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
+#[doc(hidden)]
+pub fn von_mises_on_bearings(
+    study: &Study,
+    design: &[Mounted],
+    (speeds_rpm, stiffness, damping): (&[f64], f64, f64),
+) -> Result<Vec<VonMisesAt>, ResponseError> {
+    let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else { return Ok(Vec::new()) };
+    let changed = flexible.with(|spec| spec.bearing = spec.bearing.times(stiffness, damping), (crank, &study.engine, &study.chain));
+    let Ok(changed) = changed else { return Ok(Vec::new()) };
+    let study = Study {
+        flexible: Some(changed),
+        crank_model: CrankModel::Flexible,
+        speeds_rpm: speeds_rpm.to_vec(),
+        conditions: Vec::new(),
+        ..study.clone()
+    };
+    let system = study.system(study.excitation());
+    let grid = Grid::new(&study.speeds_rpm, &[]);
+    let Some(cut) = Cut::new(&study, &system, &grid)? else { return Ok(Vec::new()) };
+    let margin = cut.margin(design, &|_, _, _| {})?;
+    margin.map_or_else(|| Ok(Vec::new()), |margin| cut.von_mises(&margin, design))
 }
 
 /// The design without absorber, the best given one and the best optimum; nothing on a torsional chain, without `[fatigue]`.
@@ -90,44 +193,31 @@ pub(super) fn web_stress(
     designs: &[&DesignResult],
     (progress, clock): (&dyn Progress, &mut Clock),
 ) -> Result<Vec<WebsOfDesign>, RunError> {
-    let Some((flexible, crank)) = study.on_flexible().zip(finder.system.flexible.as_ref()) else { return Ok(Vec::new()) };
-    let (Some(fatigue), Some(dimensions)) = (&study.fatigue, &study.crank) else { return Ok(Vec::new()) };
-    let excitation = &finder.system.excitation;
-    let Some(loads) = WebLoads::new(&flexible.assembled, study.engine_of_crank(), (crank, excitation)) else { return Ok(Vec::new()) };
+    let Some(dimensions) = study.crank.as_ref().filter(|_| study.on_flexible().is_some() && study.fatigue.is_some()) else {
+        return Ok(Vec::new());
+    };
     let grid = Grid::new(&study.speeds_rpm, &[]);
     progress.stage("webs of the flexible crank", designs.len());
-    let whole = |speed: &f64| {
-        loads
-            .quasi_static(*speed)
-            .map_err(|_| RunError { what: "webs of the crank".into(), error: ResponseError::unbounded(excitation.orders[0], *speed) })
-    };
-    let quasi = grid.speed_rpm.par_iter().map(whole).collect::<Result<Vec<QuasiStatic>, _>>()?;
-    let direct = Direct::new(finder.system, &grid);
+    let cut = Cut::new(study, finder.system, &grid).map_err(|error| RunError { what: "webs of the crank".into(), error })?;
+    let Some(cut) = cut else { return Ok(Vec::new()) };
     let bending = section::web_bending(dimensions.web_breadth, dimensions.bearing_web());
-    let of = |d: &&DesignResult| -> Result<WebsOfDesign, RunError> {
-        let failed = |error| RunError { what: format!("design `{}`", d.name), error };
-        let orders = grid.speed_rpm.par_iter().map(|s| orders(&loads, &direct, d, *s)).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let of = |d: &&DesignResult| -> Result<WebsOfDesign, ResponseError> {
         let swings: Vec<OnceLock<[Vec<f64>; 2]>> = vec![OnceLock::new(); grid.len()];
-        let webs = |i: usize| {
-            let still = loads.still(&quasi[i]);
-            let all = loads.vibrating(&quasi[i], &still, &orders[i]);
-            // a speed is asked for once
-            _ = swings[i].set([half_ranges(&all), half_ranges(&still)]);
-            (0..2 * dimensions.throws()).map(|web| in_plane(&all, web)).collect()
-        };
-        let parts = (study.engine_of_crank(), &study.chain, dimensions);
-        let model = Margin::with_webs(parts, fatigue, &grid.speed_rpm, &excitation.harmonics, Some(&webs));
-        let Some(model) = model else { return Ok(WebsOfDesign { design: d.name.clone(), webs: Vec::new(), margins: Vec::new() }) };
-        let sweep = sweep_by(&model, finder, &grid, (&d.name, &d.absorbers), &|| {}).map_err(failed)?;
+        // a speed is asked for once
+        let tell = |i: usize, all: &DMatrix<f64>, still: &DMatrix<f64>| _ = swings[i].set([half_ranges(all), half_ranges(still)]);
+        let model = cut.margin(&d.absorbers, &tell)?;
+        let mut found = WebsOfDesign { design: d.name.clone(), webs: Vec::new(), margins: Vec::new(), von_mises: Vec::new() };
+        let Some(model) = model else { return Ok(found) };
+        let sweep = sweep_by(&model, finder, &grid, (&d.name, &d.absorbers), &|| {})?;
+        found.von_mises = cut.von_mises(&model, &d.absorbers)?;
         let swings: Vec<[Vec<f64>; 2]> = swings.into_iter().filter_map(OnceLock::into_inner).collect();
+        found.webs = (0..2 * dimensions.throws()).map(|w| web(w, &swings, (&grid.speed_rpm, bending))).collect();
+        found.margins = margins(&sweep, &model, &grid.speed_rpm, sweeps);
         progress.step();
-        Ok(WebsOfDesign {
-            design: d.name.clone(),
-            webs: (0..2 * dimensions.throws()).map(|w| web(w, &swings, (&grid.speed_rpm, bending))).collect(),
-            margins: margins(&sweep, &model, &grid.speed_rpm, sweeps),
-        })
+        Ok(found)
     };
-    let all = designs.par_iter().map(of).collect();
+    let named = |d: &&DesignResult| of(d).map_err(|error| RunError { what: format!("design `{}`", d.name), error });
+    let all = designs.par_iter().map(named).collect();
     clock.lap("webs of the crank", Work::default());
     all
 }

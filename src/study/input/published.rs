@@ -33,6 +33,23 @@ pub struct PublishedMode {
     pub frequency_hz: f64,
 }
 
+/// The largest equivalent stress of von Mises over the cycle of a crank in bending, torsion and axial motion at a speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedVonMises {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Index of the design of the study.
+    pub design: usize,
+    /// rpm.
+    pub speed_rpm: f64,
+    /// Stiffness and damping of the main bearings over those of the engine.
+    pub bearings: [f64; 2],
+    /// Pa.
+    pub stress: f64,
+    /// Where it is said to be; empty where nothing is.
+    pub place: String,
+}
+
 /// An absorber with the natural frequencies of chain and absorber; `None`: not printed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedAbsorber {
@@ -202,6 +219,8 @@ pub struct Published {
     pub frequencies: Vec<PublishedFrequency>,
     /// Natural frequencies of the crank by itself.
     pub modes: Vec<PublishedMode>,
+    /// Largest equivalent stresses of the flexible crank.
+    pub von_mises: Vec<PublishedVonMises>,
     /// Absorbers.
     pub absorbers: Vec<PublishedAbsorber>,
     /// Amplitudes.

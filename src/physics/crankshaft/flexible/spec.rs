@@ -58,10 +58,10 @@ impl LinearBearings {
         }
     }
 
-    /// The same with all stiffnesses times a factor.
+    /// The same with all stiffnesses and dampings times a factor each.
     #[must_use]
-    pub fn stiffer(&self, factor: f64) -> Self {
-        let scaled = |b: &Bearing| Bearing { stiffness: b.stiffness * factor, ..*b };
+    pub fn times(&self, stiffness: f64, damping: f64) -> Self {
+        let scaled = |b: &Bearing| Bearing { stiffness: b.stiffness * stiffness, damping: b.damping * damping };
         match self {
             Self::Alike(b) => Self::Alike(scaled(b)),
             Self::Each(all) => Self::Each(all.iter().map(|points| points.iter().map(scaled).collect()).collect()),

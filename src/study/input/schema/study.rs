@@ -266,6 +266,9 @@ pub(crate) struct RawPublished {
     /// Natural frequencies of the crank by itself in bending, torsion and axial motion, for an engine with `crank.flexible`.
     #[schemars(extend("examples" = ["published/modes.csv"]))]
     pub modes: Option<At<String>>,
+    /// Largest equivalent stresses of von Mises over the cycle at speeds, for an engine with `crank.flexible` and a multiaxial criterion in [fatigue].
+    #[schemars(extend("examples" = ["published/von_mises.csv"]))]
+    pub von_mises: Option<At<String>>,
     /// Absorbers of the designs.
     #[schemars(extend("examples" = ["published/absorbers.csv"]))]
     pub absorbers: Option<At<String>>,

@@ -6,21 +6,20 @@ use crate::engine::Order;
 use crate::fatigue::Cycle;
 use crate::input::error::InputError;
 use crate::input::published::{
-    PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedMode, PublishedQuantity,
-    PublishedStress,
+    PublishedAbsorber, PublishedAmplitude, PublishedFactor, PublishedFatigue, PublishedFrequency, PublishedQuantity, PublishedStress,
 };
 use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
 
 /// Rows of one engine, with what all published tables share.
-struct Rows<'a> {
+pub(super) struct Rows<'a> {
     table: &'a Table,
-    of_engine: Vec<&'a (u64, Vec<String>)>,
+    pub of_engine: Vec<&'a (u64, Vec<String>)>,
     number: Option<usize>,
 }
 
 impl<'a> Rows<'a> {
-    fn new(table: &'a Table, engine: &str) -> Result<Self, InputError> {
+    pub fn new(table: &'a Table, engine: &str) -> Result<Self, InputError> {
         let column = table.optional("engine");
         let of_engine: Vec<_> = table.rows.iter().filter(|r| column.is_none_or(|c| r.1[c] == engine)).collect();
         if of_engine.is_empty() {
@@ -30,24 +29,24 @@ impl<'a> Rows<'a> {
     }
 
     /// Number of the table a row was copied from.
-    fn source(&self, line: u64, cells: &[String]) -> Result<String, InputError> {
+    pub fn source(&self, line: u64, cells: &[String]) -> Result<String, InputError> {
         self.number.map_or_else(|| Ok(String::new()), |c| self.table.words(line, c, &cells[c]))
     }
 
-    fn only(&self, known: &[&str]) -> Result<(), InputError> {
+    pub fn only(&self, known: &[&str]) -> Result<(), InputError> {
         let found = self.table.header.iter().position(|h| !known.contains(&h.as_str()));
         found.map_or(Ok(()), |i| {
             Err(self.table.at_head(i, format!("found column `{}`, expected only {}", self.table.header[i], known.join(", "))))
         })
     }
 
-    fn positive(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
+    pub fn positive(&self, line: u64, column: usize, cell: &str) -> Result<f64, InputError> {
         let x = self.table.filled(line, column, cell)?;
         if x > 0.0 { Ok(x) } else { Err(self.table.at(line, column, format!("found {x}, expected a number above zero"))) }
     }
 
     /// Number of a mode, from 1.
-    fn mode(&self, line: u64, column: usize, cell: &str) -> Result<usize, InputError> {
+    pub fn mode(&self, line: u64, column: usize, cell: &str) -> Result<usize, InputError> {
         let number = self.table.filled(line, column, cell)?;
         if number.fract() == 0.0 && (1.0..=1e6).contains(&number) {
             Ok(number as usize)
@@ -88,43 +87,6 @@ pub fn frequencies(path: &Path, engine: &str) -> Result<Vec<PublishedFrequency>,
             frequency_hz: rows.positive(*line, hz, &cells[hz])?,
         };
         if list.iter().any(|r| (&r.table, &r.source, r.mode) == (&row.table, &row.source, row.mode)) {
-            return Err(table.at(*line, mode, format!("found mode {} of this table and source a second time", row.mode)));
-        }
-        list.push(row);
-    }
-    Ok(list)
-}
-
-/// `mode, frequency_hz`, and optionally `source`, `state` (`attached` or `bare`) and `kind`.
-///
-/// # Errors
-/// [`InputError`] with row and column.
-pub fn modes(path: &Path, engine: &str) -> Result<Vec<PublishedMode>, InputError> {
-    let table = Table::read(path, &["mode", "frequency_hz"])?;
-    let rows = Rows::new(&table, engine)?;
-    let (mode, hz) = (table.column("mode")?, table.column("frequency_hz")?);
-    rows.only(&["table", "engine", "source", "state", "mode", "kind", "frequency_hz"])?;
-    let mut list: Vec<PublishedMode> = Vec::new();
-    for (line, cells) in &rows.of_engine {
-        let words = |column: &str| table.optional(column).map_or_else(|| Ok(String::new()), |c| table.words(*line, c, &cells[c]));
-        let attached = match words("state")?.as_str() {
-            "attached" | "" => true,
-            "bare" => false,
-            other => {
-                let column = table.column("state")?;
-                return Err(table.at(*line, column, format!("found `{other}`, expected `attached` (with hub and flywheel) or `bare`")));
-            }
-        };
-        let row = PublishedMode {
-            table: rows.source(*line, cells)?,
-            source: words("source")?,
-            attached,
-            mode: rows.mode(*line, mode, &cells[mode])?,
-            kind: words("kind")?,
-            frequency_hz: rows.positive(*line, hz, &cells[hz])?,
-        };
-        let same = |r: &PublishedMode| (&r.table, &r.source, r.attached, r.mode) == (&row.table, &row.source, row.attached, row.mode);
-        if list.iter().any(same) {
             return Err(table.at(*line, mode, format!("found mode {} of this table and source a second time", row.mode)));
         }
         list.push(row);

@@ -19,6 +19,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     let mut published = Published {
         frequencies: Vec::new(),
         modes: Vec::new(),
+        von_mises: Vec::new(),
         absorbers: Vec::new(),
         amplitudes: Vec::new(),
         quantities: Vec::new(),
@@ -34,6 +35,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     let e = &published.engine;
     published.frequencies = rows(check, &raw.frequencies, folder, |p| tables::frequencies(p, e));
     published.modes = rows(check, &raw.modes, folder, |p| tables::modes(p, e));
+    published.von_mises = rows(check, &raw.von_mises, folder, |p| tables::von_mises(p, e, reach.designs));
     published.absorbers = rows(check, &raw.absorbers, folder, |p| tables::absorbers(p, e, reach.designs));
     published.amplitudes = rows(check, &raw.amplitudes, folder, |p| tables::amplitudes(p, e, reach));
     published.quantities = rows(check, &raw.engines, folder, |p| tables::engines(p, e));
@@ -42,6 +44,12 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         if !published.quantities.iter().any(|q| q.name == "tensile_strength" && q.value.as_ref().is_ok_and(|v| *v > 0.0)) {
             check.wrong(file, "found safety factors without a strength, expected `tensile_strength` (MPa) in the table `engines`");
         }
+    }
+    if let Some(file) = raw.von_mises.as_ref().filter(|_| limits.is_none()) {
+        check.wrong(
+            file,
+            "found stresses over the cycle, expected a multiaxial criterion and its material in [fatigue]: only these ask for them",
+        );
     }
     published.stresses = rows(check, &raw.stresses, folder, |p| tables::stresses(p, e));
     published.factors = rows(check, &raw.factors, folder, |p| tables::factors(p, e));
@@ -66,6 +74,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     let tables = [
         &raw.frequencies,
         &raw.modes,
+        &raw.von_mises,
         &raw.absorbers,
         &raw.amplitudes,
         &raw.engines,
@@ -76,8 +85,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         &raw.histories,
     ];
     if tables.iter().all(|f| f.is_none()) {
-        let names =
-            "`frequencies`, `modes`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
+        let names = "`frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published

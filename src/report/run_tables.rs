@@ -138,7 +138,7 @@ pub(super) const RUN_TABLES: [RunTable; 23] = [
     },
     RunTable {
         stem: "sensitivities",
-        about: "one row for each measure and parameter of every optimum: relative change, and how far (up to 50 %) the parameter may drift before a limit breaks",
+        about: "one row for each measure and parameter of every optimum: relative change (in operation where the measure is largest there), and how far (up to 50 %) the parameter may drift before a limit breaks",
         asked: |s| s.optimise.is_some(),
         write: |_, r, f| csv::sensitivities(r, f),
     },

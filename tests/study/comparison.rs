@@ -280,6 +280,9 @@ fn stresses_of_the_flexible_crank() {
             assert_eq!(e.note.contains("direction") || e.note.contains("hardly"), e.table == "8.2", "{}", e.note);
             assert!(e.note.contains("ours at "), "{}", e.note);
         }
+        if count > 3 {
+            continue;
+        }
         whole.conditions.clear();
         whole.speeds_rpm = published.von_mises.iter().map(|p| p.speed_rpm).take(3).collect();
         let run = analysis::run(&whole, &Silent).expect("damped");

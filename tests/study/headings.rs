@@ -98,7 +98,11 @@ fn stresses_with_other_heads() {
     refused(&own.replace("sxx_mpa", "S1 [MPa]"), "found no column `sxx_mpa`");
     refused(&own.replace("sxx_mpa", "Sxx"), "found no column `sxx_mpa`");
     refused(&own.replace("sxx_mpa", "Sxx [mm]"), "found no column `sxx_mpa`");
-    refused(&own.replace("syy_mpa", "σx [MPa]"), "found columns `sxx_mpa` and `σx [MPa]`, which both are read as `sxx_mpa`");
+    let twice = own.replace("sxx_mpa", "Sxx [MPa]").replace("syy_mpa", "σx [MPa]");
+    refused(&twice, "found columns `Sxx [MPa]` and `σx [MPa]`, which both are read as `sxx_mpa`");
+    // beside our own names, other columns are left out as ever
+    let more = rows.lines().map(|row| format!("{row};17;9\n")).collect::<String>();
+    assert_eq!(read(&own.replace('\n', ";node;S11 [MPa]\n"), &more), expected);
 }
 
 /// Measured stiffness and catalogues with the heads of a German laboratory, with a title, units and types in words: the same numbers as under our own keys, and a note of what was read as what.
@@ -144,7 +148,10 @@ fn measurements_and_catalogues_with_german_heads() {
     }
     written(folder.path(), "catalogue.csv", words.replace("Ringträgheit", "Nabenträgheit"));
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("of the hub").to_string();
-    assert!(error.contains("found column `Nabenträgheit [kg cm²]`"), "{error}");
+    assert!(error.contains("Nabenträgheit [kg cm²]") && error.contains("expected `ring_inertia_kg_m2` among them"), "{error}");
+    // what no type has is left out, whatever it holds
+    let more = words.replace("\r\na;", ";Masse [kg];Preis\r\na;").replace(";0,12;", ";0,12;;2,4;19,90").replace(";;;35", ";;;35;x;");
+    assert_eq!(catalogue(keys), catalogue(&more));
 }
 
 /// Traces that an engine file names itself, under the heads of an indicating system: speed and load in the head of each, another unit of pressure and angle. Pressures above that of the surroundings and angles before the dead centre are
@@ -174,6 +181,7 @@ fn traces_of_an_engine_file_with_other_heads() {
         ("Winkel v. OT [°]", bar, "found columns `Winkel v. OT [°]`"),
         ("Winkel [°]", ["Überdruck 800 1/min [bar]", bar[1]], "found column `Überdruck 800 1/min [bar]`"),
         ("Winkel [°]", ["p [bar]", bar[1]], "found column `p [bar]`"),
+        ("Winkel [°]", [bar[0], "p 4.000 1/min [bar]"], "found column `p 4.000 1/min [bar]`"),
         ("Winkel [°]", ["p 800 1/min [N]", bar[1]], "found column `p 800 1/min [N]`"),
     ] {
         let error = headed(angle, pressures).expect_err(told);

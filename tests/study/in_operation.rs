@@ -254,6 +254,11 @@ fn drifts_are_those_of_operation() {
         s.evaluate("moved", moved).expect("damped").limits[0]
     };
     for drift in found.sensitivities.iter().filter(|d| d.limited) {
+        // in operation the rubber follows its own motion: so do its changes, against differences four times as wide
+        let change = |sign: f64| (evaluated(drift.parameter, 1.0 + sign * 4e-3) / evaluated(drift.parameter, 1.0) - 1.0) / 4e-3;
+        for (told, own) in [(drift.more, change(1.0)), (drift.less, change(-1.0))] {
+            assert_close(told, own, 0.1, 0.02, "relative change in operation");
+        }
         for (sign, most) in [(1.0, drift.drift.0), (-1.0, drift.drift.1)] {
             let Some(most) = most.filter(|m| *m > 1e-3) else { continue };
             let (inside, beyond) =

@@ -21,6 +21,7 @@ pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "speed_ratio",
         "allowed",
         "transient_ratio",
+        "excepted",
     ]);
     for d in results.designs.iter().chain(results.optima.iter().map(|o| &o.design)) {
         for b in &d.barred {
@@ -33,9 +34,10 @@ pub fn barred(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 number(b.ratio),
                 number(b.from_rpm),
                 number(b.to_rpm),
-                number(b.critical_rpm / limit.rule.map_or(f64::NAN, |rule| rule.rated_rpm)),
+                number(b.critical_rpm / limit.rule.as_ref().map_or(f64::NAN, |rule| rule.rated_rpm)),
                 b.objection.is_none().to_string(),
-                optional(limit.rule.and_then(|rule| rule.transient)),
+                optional(limit.rule.as_ref().and_then(|rule| rule.transient)),
+                b.excepted.to_string(),
             ]);
         }
     }

@@ -31,7 +31,7 @@ pub fn rule_stresses(study: &Study, results: &Results, folder: &Folder) -> Resul
                 r.condition.name().to_owned(),
                 r.cylinder.map_or_else(String::new, |c| (c + 1).to_string()),
                 number(r.speed_rpm),
-                optional(limit.rule.map(|rule| r.speed_rpm / rule.rated_rpm)),
+                optional(limit.rule.as_ref().map(|rule| r.speed_rpm / rule.rated_rpm)),
                 number(r.ratio * there),
                 number(there),
                 number(100.0 * r.ratio),

@@ -138,8 +138,8 @@ fn barred(study: &Study, results: &Results) -> Markup {
         @if !broken.is_empty() { p { "Broken where no range can be barred for it:" } ul { @for words in &broken { li class="bad" { (words) } } } }
         @if all().next().is_none() { p { @if broken.is_empty() { "No design needs one within the speeds of the study." } @else { "No critical speed within the speeds of the study breaks a limit." } } } @else {
             div class="scroll" { table {
-                thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "critical, rpm" } th { "stress over limit, %" } th { "allowed in passing, %" } th { "from, rpm" } th { "to, rpm" } th { "rule allows it" } } }
-                tbody { @for (d, b) in all() { tr { td { (d.name) } td class="words" { (study.limits[b.limit].words) } td { (b.condition.name().replace('_', " ")) } td { (format!("{:.0}", b.critical_rpm)) } td { (format!("{:.1}", 100.0 * b.ratio)) } td { (dash(study.limits[b.limit].rule.and_then(|r| r.transient).map(|t| format!("{:.1}", 100.0 * t)))) } td { (format!("{:.0}", b.from_rpm)) } td { (format!("{:.0}", b.to_rpm)) } td { (b.objection.map_or("yes".to_owned(), |o| format!("no: {}", o.words()))) } } } }
+                thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "critical, rpm" } th { "stress, % of limit" } th { "allowed in passing, %" } th { "from, rpm" } th { "to, rpm" } th { "rule allows it" } } }
+                tbody { @for (d, b) in all() { tr { td { (d.name) } td class="words" { (study.limits[b.limit].words) } td { (b.condition.name().replace('_', " ")) } td { (format!("{:.0}", b.critical_rpm)) } td { (format!("{:.1}", 100.0 * b.ratio)) } td { (dash(study.limits[b.limit].rule.as_ref().and_then(|r| r.transient).map(|t| format!("{:.1}", 100.0 * t)))) } td { (format!("{:.0}", b.from_rpm)) } td { (format!("{:.0}", b.to_rpm)) } td { @if b.excepted { "excepted by the study; " } (b.objection.map_or("yes".to_owned(), |o| format!("no: {}", o.words()))) } } } }
             } }
         }
     } }

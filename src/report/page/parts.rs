@@ -86,7 +86,7 @@ fn rule_stresses(study: &Study, results: &Results) -> Markup {
             thead { tr { th { "design" } th class="words" { "limit" } th { "condition" } th { "cylinder" } th { "at rpm" } th { "of the rated speed" } th { "stress, MPa" } th { "limit there, MPa" } th { "%" } } }
             tbody { @for (d, r) in all() { @let l = &study.limits[r.limit]; @let limit = l.of.unit.shown(r.of_rated * l.limit); tr {
                 td { (d.name) } td class="words" { (l.words) } td { (r.condition.name().replace('_', " ")) } td { (dash(r.cylinder.map(|c| (c + 1).to_string()))) }
-                td { (format!("{:.0}", r.speed_rpm)) } td { (dash(l.rule.map(|rule| short(r.speed_rpm / rule.rated_rpm)))) }
+                td { (format!("{:.0}", r.speed_rpm)) } td { (dash(l.rule.as_ref().map(|rule| short(r.speed_rpm / rule.rated_rpm)))) }
                 td { (short(r.ratio * limit)) } td { (short(limit)) } td { (format!("{:.1}", 100.0 * r.ratio)) }
             } } }
         } }

@@ -104,11 +104,12 @@ pub(crate) fn broken_within_tolerances(study: &Study, results: &Results, d: &Des
 pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
     let line = |b: &BarredRange| {
         let during = if b.condition == Condition::Firing { String::new() } else { format!(", {}", b.condition.name().replace('_', " ")) };
-        let rated = study.limits[b.limit].rule.map(|r| r.rated_rpm).filter(|r| (b.from_rpm..=b.to_rpm).contains(r));
+        let rated = study.limits[b.limit].rule.as_ref().map(|r| r.rated_rpm).filter(|r| (b.from_rpm..=b.to_rpm).contains(r));
         let rated = rated.map_or_else(String::new, |r| format!(", the rated {r} rpm among them"));
         let allowed = rated + &b.objection.map_or_else(String::new, |o| format!(": not allowed, {}", o.words()));
+        let bars = if b.excepted { "within what the study excepts," } else { "which bars" };
         format!(
-            "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), which bars {:.0} to {:.0} rpm{allowed}",
+            "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), {bars} {:.0} to {:.0} rpm{allowed}",
             study.limits[b.limit].words,
             d.name,
             b.critical_rpm,
@@ -142,9 +143,12 @@ fn conflict(study: &Study, c: &Conflict, nearest: &[f64]) -> Vec<String> {
         _ if of == 1 => {
             format!("  No design of this family was found that holds this limit: the nearest is {} % beyond it.", significant(beyond, 4))
         }
-        [one] => format!("  No design of this family was found that holds {one}: the nearest is {} % beyond it.", significant(beyond, 4)),
+        [one] => format!(
+            "  No design of this family was found that holds all of its {of} limits: the nearest is {} % beyond {one}.",
+            significant(beyond, 4)
+        ),
         _ => format!(
-            "  No design of this family was found that holds all of its {of} limits. In conflict: {}. The nearest design is {} % beyond each of them.",
+            "  No design of this family was found that holds all of its {of} limits. In conflict at the nearest design: {}. It is {} % beyond each of them.",
             names.join(", "),
             significant(beyond, 4)
         ),

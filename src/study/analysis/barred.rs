@@ -4,7 +4,7 @@ use super::evaluation_plan::EvaluationPlan;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
-use crate::input::LimitSpec;
+use crate::input::{LimitOfRule, LimitSpec};
 use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds};
 use crate::response::grid::is_same_speed;
@@ -27,6 +27,8 @@ pub struct BarredRange {
     pub to_rpm: f64,
     /// Why the rule does not let it be barred.
     pub objection: Option<Objection>,
+    /// Whether the study excepts it: the limit is not judged there.
+    pub excepted: bool,
 }
 
 /// Why a rule does not let a range be barred.
@@ -127,7 +129,7 @@ pub(crate) fn ranges(
 ) -> Result<Vec<BarredRange>, ResponseError> {
     let mut list: Vec<BarredRange> = Vec::new();
     for (index, (limit, ratio)) in wanted.limits.iter().zip(ratios).enumerate() {
-        let Some(rule) = limit.rule.filter(|_| !holds(*ratio)) else { continue };
+        let Some(rule) = limit.rule.as_ref().filter(|_| !holds(*ratio)) else { continue };
         for condition in wanted.judged_in(design) {
             for finder in engines_in(condition, finders) {
                 let mounted = absorbers(condition, finder, design)?;
@@ -138,7 +140,16 @@ pub(crate) fn ranges(
                 for peak in &peaks {
                     let Some((critical_rpm, own)) = critical(limit, peak, (&peaks, &tops)) else { continue };
                     let (from_rpm, to_rpm) = extended(finder, &mounted, (limit, peak), barred(critical_rpm, rule.rated_rpm))?;
-                    let mut range = BarredRange { limit: index, condition, critical_rpm, ratio: own, from_rpm, to_rpm, objection: None };
+                    let mut range = BarredRange {
+                        limit: index,
+                        condition,
+                        critical_rpm,
+                        ratio: own,
+                        from_rpm,
+                        to_rpm,
+                        objection: None,
+                        excepted: false,
+                    };
                     // ranges that meet are one, round the critical speed that breaks the limit most
                     list.retain(|r| {
                         let meets =
@@ -148,18 +159,58 @@ pub(crate) fn ranges(
                         }
                         !meets
                     });
-                    let in_service = matches!(condition, Condition::Firing | Condition::InOperation);
-                    range.objection = match () {
-                        () if rule.transient.is_some_and(|most| range.ratio > most) => Some(Objection::Transient),
-                        () if in_service && range.to_rpm > HIGHEST_BARRED * rule.rated_rpm => Some(Objection::TooHigh),
-                        () => None,
-                    };
+                    range.objection = objection(rule, &range);
                     list.push(range);
                 }
             }
         }
     }
     list.sort_by(|a, b| a.limit.cmp(&b.limit).then(a.critical_rpm.total_cmp(&b.critical_rpm)));
+    Ok(list)
+}
+
+/// Why a rule does not let a range be barred, where it does not.
+fn objection(rule: &LimitOfRule, range: &BarredRange) -> Option<Objection> {
+    let in_service = matches!(range.condition, Condition::Firing | Condition::InOperation);
+    match () {
+        () if rule.transient.is_some_and(|most| range.ratio > most) => Some(Objection::Transient),
+        () if in_service && range.to_rpm > HIGHEST_BARRED * rule.rated_rpm => Some(Objection::TooHigh),
+        () => None,
+    }
+}
+
+/// Ranges of speed that a study excepts from limits by rules, in every condition in which a design breaks the limit there: what is excepted is to be barred, and a rule does not let every range be.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance.
+pub(crate) fn excepted(finders: &[PeakFinder], design: &[Mounted], wanted: &EvaluationPlan) -> Result<Vec<BarredRange>, ResponseError> {
+    let mut list: Vec<BarredRange> = Vec::new();
+    for (index, limit) in wanted.limits.iter().enumerate() {
+        let Some(rule) = &limit.rule else { continue };
+        // the rule says nothing beyond the ends of its curve
+        let curve = &limit.of.measure.within.factors;
+        let (first, last) = (curve.first().map_or(0.0, |f| f.0), curve.last().map_or(f64::INFINITY, |f| f.0));
+        let covered = rule.excepted.iter().map(|(from, to)| (from.max(first), to.min(last))).filter(|(from, to)| from < to);
+        for (from_rpm, to_rpm) in covered {
+            let mut there = limit.of.measure.clone();
+            there.within.ranges = vec![(from_rpm, to_rpm)];
+            for condition in wanted.judged_in(design) {
+                for finder in engines_in(condition, finders) {
+                    let Some(peak) = finder.peak(&absorbers(condition, finder, design)?, &there, &mut Work::default())? else { continue };
+                    let (critical_rpm, ratio) = (peak.speed_rpm, peak.value / limit.limit);
+                    let mut range =
+                        BarredRange { limit: index, condition, critical_rpm, ratio, from_rpm, to_rpm, objection: None, excepted: true };
+                    let same = |r: &BarredRange| (r.limit, r.condition, r.from_rpm) == (index, condition, from_rpm);
+                    if holds(ratio) || list.iter().any(|r| same(r) && r.ratio >= ratio) {
+                        continue;
+                    }
+                    range.objection = objection(rule, &range);
+                    list.retain(|r| !same(r));
+                    list.push(range);
+                }
+            }
+        }
+    }
     Ok(list)
 }
 

@@ -211,6 +211,12 @@ pub fn evaluate(
     let failed = |error| RunError { what: name.to_owned(), error };
     result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(failed)?;
     result.still_broken = barred::still_broken(finders, design, wanted, &result.limits, &result.barred).map_err(failed)?;
+    let excepted = barred::excepted(finders, design, wanted).map_err(failed)?;
+    // what a rule does not let be barred is not excepted by it
+    for b in excepted.iter().filter(|b| b.objection.is_some()) {
+        result.limits[b.limit] = result.limits[b.limit].max(b.ratio);
+    }
+    result.barred.extend(excepted);
     result.rule_stresses = barred::rule_stresses(finders, design, wanted).map_err(failed)?;
     result.conditions = conditions;
     Ok(result)

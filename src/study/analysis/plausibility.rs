@@ -260,14 +260,14 @@ fn throw_inertia(study: &Study) -> Option<Implausible> {
 
 /// A limit by a rule, where the speeds of the study go on beyond that: the last corner of its curve is where it ends.
 fn rule_ends(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
-    limit.rule?;
+    limit.rule.as_ref()?;
     let end_rpm = limit.of.measure.within.factors.last()?.0;
     (end_rpm < highest_rpm).then(|| Implausible::RuleEnds { limit: limit.words.clone(), end_rpm, highest_rpm })
 }
 
 /// A limit by a rule whose rated speed the study does not reach, by more than the digits it is written with.
 fn not_reached(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
-    let rated_rpm = limit.rule?.rated_rpm;
+    let rated_rpm = limit.rule.as_ref()?.rated_rpm;
     let is_above = rated_rpm > highest_rpm * (1.0 + NEAR);
     is_above.then(|| Implausible::RatedSpeed { limit: limit.words.clone(), rated_rpm, highest_rpm })
 }

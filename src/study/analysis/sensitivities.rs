@@ -2,8 +2,8 @@
 
 use crate::absorber::{Absorber, Mounted};
 use crate::input::{LimitSpec, MeasureSpec};
-use crate::objective::{Measure, holds};
-use crate::optimise::LoadCase;
+use crate::objective::{Condition, Measure, holds};
+use crate::optimise::{LoadCase, largest as largest_of};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -32,7 +32,8 @@ pub struct Sensitivity {
 /// Peaks that differ by less than this share are level.
 const LEVEL: f64 = 1e-6;
 
-/// Each measure, then each limit, by each parameter of a design: the steepest of the level peaks of all load cases, by their exact gradients. `judged`: load cases in which limits are to hold, in operation among them.
+/// Each measure, then each limit, by each parameter of a design: the steepest of the level peaks of all load cases, by their exact gradients; where it is largest in operation, or level with what it is at the reference, by differences of what is largest. `judged`: load cases in which
+/// limits are to hold, in operation among them.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
@@ -72,11 +73,24 @@ fn of_measure(
         let values = m.absorber.law().map_or_else(Vec::new, |law| law.values());
         values.into_iter().enumerate().map(move |(parameter, value)| (absorber, parameter, value))
     };
+    let in_operation = || judged.iter().filter(|case| case.condition == Condition::InOperation);
+    let own = largest_of(in_operation(), design, &spec.measure, &mut Work::default())?;
+    let follows = own > 0.0 && own >= largest * (1.0 - LEVEL);
+    // in operation the state of the material follows, of which a gradient knows nothing
+    let by_differences = |(absorber, parameter): (usize, usize)| {
+        let rise = |sign: f64| {
+            let moved = moved(design, (absorber, parameter), sign * DIFFERENCE)?;
+            let there = largest_of(judged.iter(), &moved, &spec.measure, &mut Work::default()).ok()?;
+            Some((there / own.max(largest) - 1.0) / DIFFERENCE)
+        };
+        Some((rise(1.0)?, rise(-1.0)?))
+    };
     let all: Vec<(usize, usize, f64)> = design.iter().enumerate().flat_map(parameters).collect();
     let by = |(absorber, parameter, value): (usize, usize, f64)| {
         let relative = |l: &(f64, Vec<Vec<f64>>)| l.1.get(absorber).and_then(|g| g.get(parameter)).map_or(0.0, |g| g * value / l.0);
         let rises: Vec<f64> = level.iter().map(relative).collect();
-        let (more, less) = rises.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, r| (m.0.max(*r), m.1.max(-*r)));
+        let steepest = || rises.iter().fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, r| (m.0.max(*r), m.1.max(-*r)));
+        let (more, less) = if follows { by_differences((absorber, parameter))? } else { steepest() };
         if !(more.is_finite() && less.is_finite()) {
             return None;
         }
@@ -97,6 +111,19 @@ fn of_measure(
     Ok(all.into_par_iter().filter_map(by).collect())
 }
 
+/// Relative step of differences in operation: balances agree to 1e-9 and better.
+const DIFFERENCE: f64 = 1e-3;
+
+/// A design with one parameter changed by a share, as far as its range lets it; `None` where it is no ring with a law.
+fn moved(design: &[Mounted], (absorber, parameter): (usize, usize), change: f64) -> Option<Vec<Mounted>> {
+    let (declaration, law) = design[absorber].absorber.declaration().zip(design[absorber].absorber.law())?;
+    let mut values = law.values();
+    values[parameter] = declaration.parameters[parameter].range.nearest(values[parameter] * (1.0 + change));
+    let mut moved = design.to_vec();
+    moved[absorber].absorber = Absorber::Ring(law.rebuilt(&values));
+    Some(moved)
+}
+
 /// Steps of a parameter at which a limit is looked at, growing: the largest relative change is a half.
 const STEPS: [f64; 9] = [0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.25, 0.35, 0.5];
 /// Halvings between the last step that holds and the first that does not.
@@ -110,12 +137,9 @@ fn breaks(
     (absorber, parameter): (usize, usize),
     sign: f64,
 ) -> Option<f64> {
-    let (declaration, law) = design[absorber].absorber.declaration().zip(design[absorber].absorber.law())?;
+    design[absorber].absorber.law()?;
     let broken = |change: f64| {
-        let mut values = law.values();
-        values[parameter] = declaration.parameters[parameter].range.nearest(values[parameter] * (1.0 + sign * change));
-        let mut moved = design.to_vec();
-        moved[absorber].absorber = Absorber::Ring(law.rebuilt(&values));
+        let Some(moved) = moved(design, (absorber, parameter), sign * change) else { return false };
         // what has no finite response holds no limit
         load_cases
             .iter()

@@ -157,12 +157,14 @@ pub struct LimitSpec {
 }
 
 /// What a society's rule says beside its curve over speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct LimitOfRule {
     /// Speed that the curve is in units of, rpm.
     pub rated_rpm: f64,
     /// Largest stress in a barred range, which is passed through quickly, over the limit; `None` where that is not judged.
     pub transient: Option<f64>,
+    /// Speeds that the study excepts, rpm: ranges that are to be barred.
+    pub excepted: Vec<(f64, f64)>,
 }
 
 /// Several measures as one objective.

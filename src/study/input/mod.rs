@@ -22,7 +22,7 @@ pub use error::InputError;
 pub use files::{InputFile, checksum, noted, remarked};
 pub use import::{FoundChain, FoundStation, FoundTraces};
 pub use letters::is_hidden;
-pub use measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
+pub use measure::{CombinedSpec, LimitOfRule, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;
 pub use validation::RETUNED;

@@ -174,7 +174,8 @@ pub(crate) fn speed_and_load(words: &str) -> Option<(f64, f64)> {
     let before = |is: &dyn Fn(&str) -> bool| {
         let places: Vec<usize> = (1..tokens.len()).filter(|i| is(tokens[*i])).collect();
         match places.as_slice() {
-            [one] => Some(Some(tokens[one - 1].parse::<f64>().ok()?)),
+            // whole numbers: `1.600` may be grouped or not
+            [one] => Some(Some(f64::from(tokens[one - 1].parse::<u32>().ok()?))),
             [] => Some(None),
             _ => None,
         }

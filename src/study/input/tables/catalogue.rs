@@ -6,6 +6,7 @@ use super::table::Table;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Declaration, Parameter, Range, TYPES, types};
 use crate::input::error::InputError;
+use crate::input::files::remark;
 use crate::units::PA_PER_MPA;
 use std::path::Path;
 
@@ -81,15 +82,10 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
     }
     let of_material = |key: &String| OF_MATERIALS.iter().any(|m| m.0 == key);
     let known = |key: &String| ["name", "type"].contains(&key.as_str()) || of_material(key) || TYPES.iter().any(|t| t.index(key).is_some());
-    if let Some(column) = table.header.iter().position(|key| !known(key)) {
-        let found = format!("found column `{}`, expected `name`, `type` and parameters of types", shown(&table.header[column]));
-        let mut keys: Vec<String> = Vec::new();
-        for key in TYPES.iter().flat_map(|t| t.parameters).map(|p| format!("`{}`", p.key)) {
-            if !keys.contains(&key) {
-                keys.push(key);
-            }
-        }
-        return Err(table.at_head_with_help(column, found, format!("parameters, in these units: {}", keys.join(", "))));
+    let others: Vec<String> =
+        table.header.iter().filter(|key| !known(key) && !key.is_empty()).map(|key| format!("`{}`", shown(key))).collect();
+    if !others.is_empty() {
+        remark(path, &format!("columns are left out, as no type has them: {}", others.join(", ")));
     }
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {
@@ -128,7 +124,9 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
             }
             values.push(value);
         }
-        for (column, cell) in cells.iter().enumerate().filter(|(c, cell)| ![name, kind].contains(c) && !cell.is_empty()) {
+        for (column, cell) in
+            cells.iter().enumerate().filter(|(c, cell)| ![name, kind].contains(c) && !cell.is_empty() && known(&table.header[*c]))
+        {
             if declaration.index(&table.header[column]).is_none() && !MadeWith::takes(&table, declaration, &table.header[column]) {
                 let found = format!(
                     "found `{}`, expected an empty cell: `{}` has no `{}`",

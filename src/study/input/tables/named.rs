@@ -41,7 +41,18 @@ pub(super) const MEASURED: [Named; 5] = [
 pub(super) const CATALOGUE: [Named; 6] = [
     Named {
         key: "name",
-        words: Hold(&["name", "bezeichnung", "benennung", "designation", "designacao", "article", "artikel"]),
+        words: Hold(&[
+            "name",
+            "bezeichnung",
+            "benennung",
+            "designation",
+            "designacao",
+            "article",
+            "artikel",
+            "bestell",
+            "sachnummer",
+            "teilenummer",
+        ]),
         units: &[],
     },
     Named { key: "type", words: Hold(&["bauart", "typ", "tipo"]), units: &[] },
@@ -63,28 +74,30 @@ const XY: Named = stress("sxy_mpa", 'x', 'y');
 const YZ: Named = stress("syz_mpa", 'y', 'z');
 const ZX: Named = stress("szx_mpa", 'z', 'x');
 
+const ANGLE: Named = Named {
+    key: "crank_deg",
+    words: Hold(&["winkel", "angle", "angulo", "crank", "phi"]),
+    units: &[("deg", 1.0), ("°KW", 1.0), ("KW", 1.0), ("°CA", 1.0), ("CA", 1.0)],
+};
+
+/// Of loads over the cycle.
+pub(super) const LOADS: [Named; 1] = [ANGLE];
+
 /// Of histories of stress.
-pub(super) const HISTORY: [Named; 8] = [
-    POINT,
-    Named {
-        key: "crank_deg",
-        words: Hold(&["winkel", "angle", "angulo", "crank", "phi"]),
-        units: &[("deg", 1.0), ("°KW", 1.0), ("KW", 1.0), ("°CA", 1.0), ("CA", 1.0)],
-    },
-    XX,
-    YY,
-    ZZ,
-    XY,
-    YZ,
-    ZX,
-];
+pub(super) const HISTORY: [Named; 8] = [POINT, ANGLE, XX, YY, ZZ, XY, YZ, ZX];
 
 /// Of stresses per unit load.
 pub(super) const UNIT_LOADS: [Named; 8] =
     [POINT, Named { key: "load", words: Hold(&["last", "load", "charge", "carga"]), units: &[] }, XX, YY, ZZ, XY, YZ, ZX];
 
-/// Words that make something else of a column: the inertia of the hub or of the whole damper, the loss of a stiffness, an angular frequency.
-const OTHERS: [&str; 19] = [
+/// Words that make something else of a column: the inertia of the hub or of the whole damper, a static stiffness or its loss, an angular frequency.
+const OTHERS: [&str; 25] = [
+    "primar",
+    "primaer",
+    "stat.",
+    "statisch",
+    "static",
+    "statique",
     "nabe",
     "hub",
     "moyeu",

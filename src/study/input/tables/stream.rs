@@ -72,8 +72,10 @@ impl Stream {
         let heads: Vec<Option<(&str, f64)>> = form.header.iter().map(|head| key(head)).collect();
         let mut places = Vec::new();
         for name in &columns {
-            let found: Vec<(usize, f64)> =
-                heads.iter().enumerate().filter_map(|(i, h)| h.filter(|h| h.0 == *name).map(|h| (i, h.1))).collect();
+            let all = heads.iter().enumerate().filter_map(|(i, h)| h.filter(|h| h.0 == *name).map(|h| (i, h.1)));
+            // where a column has our own name, others are none of ours
+            let is_own = form.header.iter().any(|head| head == name);
+            let found: Vec<(usize, f64)> = all.filter(|(i, _)| !is_own || form.header[*i] == *name).collect();
             let wrong = match found.as_slice() {
                 [one] => {
                     places.push(*one);
@@ -89,7 +91,7 @@ impl Stream {
             };
             return Err(at(form.line, name, wrong));
         }
-        named::tell(path, form.header.iter().zip(&heads).filter_map(|(head, key)| Some((head.as_str(), (*key)?.0))));
+        named::tell(path, columns.iter().zip(&places).map(|(name, (i, _))| (form.header[*i].as_str(), *name)));
         let mut rows = Records::new(bytes, form.delimiter);
         for _ in 0..form.skip {
             rows.next(&mut Record::default()).map_err(failed)?;

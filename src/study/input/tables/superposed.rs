@@ -1,6 +1,7 @@
 //! Stress histories by superposition \[Minucci 2010\] section 5.1.1: stresses per unit load, times the loads over the cycle.
 
 use super::cycle::{CLOSED, ends_where_it_began, follows};
+use super::named::LOADS;
 use super::table::{Table, whole};
 use super::{PointHistory, UnitLoadReader};
 use crate::fatigue::multiaxial::History;
@@ -18,7 +19,7 @@ struct Loads {
 impl Loads {
     /// `crank_deg`, then a column a load.
     fn read(path: &Path) -> Result<Self, InputError> {
-        let table = Table::read(path, &["crank_deg"])?;
+        let table = Table::read_named(path, &["crank_deg"], &LOADS)?;
         let angle = table.column("crank_deg")?;
         let columns: Vec<usize> = (0..table.header.len()).filter(|c| *c != angle).collect();
         if let Some(c) = columns.iter().find(|c| table.header[**c].is_empty()) {

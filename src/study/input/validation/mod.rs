@@ -266,6 +266,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         cooled: &Context::cooled(&given, optimise.as_ref()),
         balanced: &Context::balanced(&given, optimise.as_ref()),
         lives: &Context::lives(&given, optimise.as_ref()),
+        unread: given.is_empty() && !study.catalogue.is_empty(),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| c.get_ref().0.burning() != Burning::Alike),
     };
@@ -275,7 +276,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let known: Vec<MeasureSpec> = std::iter::once(&objective).chain(&more_objectives).cloned().collect();
     let by_word = |check: &mut Check, words: &At<Vec<At<String>>>| measures::of_front(check, words, (&known, &limits), of);
     let combined = measures::combined(check, study, (&known, &limits), of);
-    let robust = study.robust.as_ref().and_then(|r| robust::resolve(check, r, optimise.as_ref(), &designs));
+    let robust = study.robust.as_ref().and_then(|r| robust::resolve(check, r, optimise.as_ref(), &given));
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let conditions = conditions(check, study, &base.engine, optimise.as_ref());
     let parts = (base.crank.as_ref(), &base.engine, &base.chain);

@@ -36,7 +36,7 @@ pub(super) fn resolve(
     check: &mut Check,
     raw: &At<RawRobust>,
     optimise: Option<&OptimiseSpec>,
-    designs: &[DesignSpec],
+    designs: &[&DesignSpec],
 ) -> Option<RobustSpec> {
     let raw = raw.get_ref();
     let lists = types_of(optimise, designs);
@@ -90,7 +90,7 @@ pub(super) fn resolve(
 }
 
 /// Types that each absorber may have, of every given design and of what is optimised.
-fn types_of(optimise: Option<&OptimiseSpec>, designs: &[DesignSpec]) -> Vec<Vec<Vec<&'static Declaration>>> {
-    let given = |d: &DesignSpec| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect();
+fn types_of(optimise: Option<&OptimiseSpec>, designs: &[&DesignSpec]) -> Vec<Vec<Vec<&'static Declaration>>> {
+    let given = |d: &&DesignSpec| d.absorbers.iter().map(|m| m.absorber.declaration().into_iter().collect()).collect();
     designs.iter().map(given).chain(optimise.map(|o| o.absorbers.iter().map(|a| a.types.clone()).collect())).collect()
 }

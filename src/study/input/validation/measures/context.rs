@@ -63,6 +63,8 @@ pub(crate) struct Context<'a> {
     pub balanced: &'a [usize],
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
+    /// Whether a catalogue has rows that could not be read, and no other design was.
+    pub unread: bool,
     /// Whether the study has a duty.
     pub has_duty: bool,
     /// Whether a condition has cylinders that differ.
@@ -122,6 +124,8 @@ impl<'a> Context<'a> {
         let index = usize::try_from(*named.get_ref()).ok().filter(|i| (1..=self.absorbers).contains(i));
         if index.is_none() {
             let expected = match self.absorbers {
+                // told of its table
+                0 if self.unread => return None,
                 0 => "no design with an absorber was read".to_owned(),
                 1 => "expected 1, the only one".to_owned(),
                 most => format!("expected one from 1 to {most}"),
@@ -169,6 +173,16 @@ impl<'a> Context<'a> {
             }
         }
         list
+    }
+
+    /// Speeds that a measure leaves out, as typed.
+    pub(super) fn excepted(raw: RawWithin) -> Vec<(f64, f64)> {
+        let pairs = raw.except_rpm.into_iter().flat_map(|pairs| pairs.get_ref());
+        let ends = |pair: &At<Vec<At<f64>>>| match pair.get_ref().as_slice() {
+            [a, b] => Some((*a.get_ref(), *b.get_ref())),
+            _ => None,
+        };
+        pairs.filter_map(ends).collect()
     }
 
     pub(super) fn within(&self, check: &mut Check, raw: RawWithin) -> Within {

@@ -175,7 +175,11 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let limit = of_rule(check, &rule, of, &mut within)?;
     Some(Resolved {
         spec: spec(names, (vec![Quantity::ShaftTorque(shaft)], over, within), unit),
-        bound: Bound::Rule { words: rule.words, limit, rule: LimitOfRule { rated_rpm: rule.rated_rpm, transient: rule.rule.transient() } },
+        bound: Bound::Rule {
+            words: rule.words,
+            limit,
+            rule: LimitOfRule { rated_rpm: rule.rated_rpm, transient: rule.rule.transient(), excepted: Context::excepted(s.within()) },
+        },
     })
 }
 

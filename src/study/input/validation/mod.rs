@@ -251,8 +251,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
     let catalogues = catalogue::resolve(check, study, (&base.chain, folder_of(files.path)), &designs, temperatures);
     let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), temperatures);
-    let sold = catalogues.iter().flat_map(|c| &c.designs);
-    let given: Vec<&DesignSpec> = designs.iter().chain(sold).collect();
+    let given: Vec<&DesignSpec> = designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).collect();
     let hub = hub(given.iter().copied(), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);
     let of = Context {

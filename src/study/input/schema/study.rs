@@ -266,7 +266,7 @@ pub(crate) struct RawPublished {
     /// Natural frequencies of the crank by itself in bending, torsion and axial motion, for an engine with `crank.flexible`.
     #[schemars(extend("examples" = ["published/modes.csv"]))]
     pub modes: Option<At<String>>,
-    /// Largest equivalent stresses of von Mises over the cycle at speeds, for an engine with `crank.flexible` and a multiaxial criterion in [fatigue].
+    /// Largest equivalent stresses of von Mises over the cycle at speeds, for an engine with `crank.flexible` and a multiaxial criterion of its fatigue.
     #[schemars(extend("examples" = ["published/von_mises.csv"]))]
     pub von_mises: Option<At<String>>,
     /// Absorbers of the designs.

@@ -1,7 +1,7 @@
 //! What lies where in a chain of another program: to ground, to the next station, to the one before; sums, shafts, the sequence of the rows.
 
 use crate::dialects::{CHAIN, hartog, imported, refused, written};
-use hartog::input::tables::HistoryReader;
+use hartog::input::tables::{HistoryReader, Superposed};
 use std::path::Path;
 
 /// A damping is to ground or to the next station by the words of its head, full or short; one that says neither is left out with the heads that do. What lies before a station, sums and rows of shafts are
@@ -100,6 +100,17 @@ fn stresses_with_other_heads() {
     refused(&own.replace("sxx_mpa", "Sxx [mm]"), "found no column `sxx_mpa`");
     let twice = own.replace("sxx_mpa", "Sxx [MPa]").replace("syy_mpa", "σx [MPa]");
     refused(&twice, "found columns `Sxx [MPa]` and `σx [MPa]`, which both are read as `sxx_mpa`");
+    // loads over the cycle under a title, by the same angle
+    let units = own.replace("crank_deg", "load") + "a;moment_n_m;1;0;0;0;0;0\n";
+    written(folder.path(), "units.csv", units);
+    let superposed = |loads: &str| {
+        written(folder.path(), "loads.csv", loads);
+        let points = Superposed::open(&folder.path().join("units.csv"), &folder.path().join("loads.csv")).unwrap_or_else(|e| panic!("{e}"));
+        points.map(|p| format!("{:?}", p.unwrap_or_else(|e| panic!("{e}")))).collect::<Vec<_>>()
+    };
+    let in_degrees = "0;1,5\n120;2\n240;-3\n";
+    let expected_points = superposed(&format!("crank_deg;moment_n_m\n{in_degrees}"));
+    assert_eq!(superposed(&format!("Lasten vorn;\nKurbelwinkel [°KW];moment_n_m\n{in_degrees}")), expected_points);
     // beside our own names, other columns are left out as ever
     let more = rows.lines().map(|row| format!("{row};17;9\n")).collect::<String>();
     assert_eq!(read(&own.replace('\n', ";node;S11 [MPa]\n"), &more), expected);
@@ -149,6 +160,12 @@ fn measurements_and_catalogues_with_german_heads() {
     written(folder.path(), "catalogue.csv", words.replace("Ringträgheit", "Nabenträgheit"));
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("of the hub").to_string();
     assert!(error.contains("Nabenträgheit [kg cm²]") && error.contains("expected `ring_inertia_kg_m2` among them"), "{error}");
+    // neither is the inertia of the primary side nor a static stiffness
+    for (head, other) in [("Ringträgheit", "Primärträgheit"), ("Drehsteifigkeit", "stat. Drehsteifigkeit")] {
+        written(folder.path(), "catalogue.csv", words.replace(head, other));
+        let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err(other).to_string();
+        assert!(error.contains(other) && error.contains("among them"), "{error}");
+    }
     // what no type has is left out, whatever it holds
     let more = words.replace("\r\na;", ";Masse [kg];Preis\r\na;").replace(";0,12;", ";0,12;;2,4;19,90").replace(";;;35", ";;;35;x;");
     assert_eq!(catalogue(keys), catalogue(&more));

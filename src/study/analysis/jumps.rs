@@ -23,9 +23,13 @@ const LEAST_LEFT: f64 = 0.01;
 const STEADY: f64 = 0.05;
 
 impl OptimumResult {
-    /// The least change of a parameter at which a limit breaks (`ratio`: of the measure to it), where that is so small that the measure jumps there, as where a balance of heat is lost.
+    /// The least change of a parameter at which a limit breaks (`ratio`: of the measure to it), where that is so small that the measure jumps there, as where a balance of heat is lost. `None` of a design that is held
+    /// within tolerances: its drifts are from their edges, `ratio` is of what is drawn.
     #[doc(hidden)]
     pub fn jump(&self, limit: &LimitSpec, ratio: f64) -> Option<Jump> {
+        if self.load_cases.iter().any(|case| case.deviation.is_some()) {
+            return None;
+        }
         let left = 1.0 - ratio;
         let own = self.sensitivities.iter().filter(|s| s.limited && s.key == limit.of.key && s.place == limit.of.place);
         let jump = |s: &Sensitivity, change: f64| Jump { absorber: s.absorber, parameter: s.parameter, change };

@@ -160,8 +160,9 @@ fn words(objection: &Objection) -> String {
         Objection::NegativeMass => "its mass matrix is not positive definite".into(),
         Objection::HeldSomewhere(r) => {
             format!(
-                "motion as a rigid body meets a stiffness of {} of the largest, above 1e-5: is it free, are places and units right?",
-                of(r)
+                "motion as a rigid body meets a stiffness of {} of the largest, above {:e}: is it free, are places and units right?",
+                of(r),
+                Objection::RESIDUAL
             )
         }
         Objection::RigidModes(n) => format!("{n} rigid modes, expected six of a free body"),
@@ -170,15 +171,26 @@ fn words(objection: &Objection) -> String {
             format!("its mass is {x}, {y} and {z} kg along x, y and z, expected the same")
         }
         Objection::BesideTheAxis(off) => {
-            format!("its centre of mass lies {} mm beside the z axis, above 5 mm: is that the axis of the crank (--axis)?", of(1e3 * off))
+            let most = 1e3 * Objection::OFF_AXIS;
+            format!(
+                "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (--axis)?",
+                of(1e3 * off)
+            )
         }
-        Objection::Slow(hz) => format!("its lowest elastic frequency is {} Hz, below 10: are the units right?", of(hz)),
-        Objection::Extent(m) => format!("its nodes lie within {} m, expected 0.03 to 40 m: are the units right (--units)?", of(m)),
+        Objection::Slow(hz) => format!("its lowest elastic frequency is {} Hz, below {}: are the units right?", of(hz), Objection::SLOW),
+        Objection::Extent(m) => {
+            let (least, most) = (Objection::EXTENT.start(), Objection::EXTENT.end());
+            format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", of(m))
+        }
         Objection::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
             format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", of(ratio))
         }
-        Objection::Inertia(ratio) => format!("its inertia about the axis is {} % off that of the chain, above 3 %", off(ratio)),
-        Objection::TorsionalStiffness(ratio) => format!("its torsional stiffness is {} % off that of the chain, above 15 %", off(ratio)),
+        Objection::Inertia(ratio) => {
+            format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), of(100.0 * Objection::INERTIA))
+        }
+        Objection::TorsionalStiffness(ratio) => {
+            format!("its torsional stiffness is {} % off that of the chain, above {} %", off(ratio), of(100.0 * Objection::STIFFNESS))
+        }
     }
 }
 

@@ -194,6 +194,9 @@ fn traces_of_an_engine_file_with_other_heads() {
     ] {
         assert_eq!(headed(angle, pressures).as_ref(), Ok(&expected), "{angle}");
     }
+    let part_load = [bar[0], "p 800 1/min 50 % [bar]"];
+    let own_part_load = headed("crank_deg", ["800_rpm_bar", "800_rpm_50_percent_bar"]);
+    assert!(own_part_load.is_ok() && own_part_load == headed("Kurbelwinkel [°KW]", part_load), "{own_part_load:?}");
     for (angle, pressures, told) in [
         ("Winkel v. OT [°]", bar, "found columns `Winkel v. OT [°]`"),
         ("Winkel [°]", ["Überdruck 800 1/min [bar]", bar[1]], "found column `Überdruck 800 1/min [bar]`"),

@@ -4,17 +4,21 @@ use crate::matrices::{files, hartog};
 use hartog::input::matrices::{MatrixFiles, structure};
 use nalgebra::DMatrix;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+/// A file with a text.
+fn put(folder: &Path, name: &str, text: &str) -> PathBuf {
+    let path = folder.join(name);
+    fs::write(&path, text).expect("written");
+    path
+}
 
 /// Names decide: matrices that name their unknowns are put in the sequence of `--dof`, whatever their own; a mass that names some of them only has none at the others; one without names beside a stiffness with its own, and names that
 /// do not belong together, are refused.
 #[test]
 fn unknowns_stand_by_their_names() {
     let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str, text: &str| {
-        fs::write(folder.path().join(name), text).expect("written");
-        folder.path().join(name)
-    };
+    let at = |name: &str, text: &str| put(folder.path(), name, text);
     at("k.mtx", "9,1,9,1,111.\n9,1,8,1,5.\n8,1,8,1,222.\n");
     let bare = at("m.mas", "1 1 3\n2 2 4\n");
     let read = |mass: Option<&PathBuf>, unknowns: Option<PathBuf>| {
@@ -43,10 +47,7 @@ fn unknowns_stand_by_their_names() {
 #[test]
 fn gyroscopic_matrices_are_skew() {
     let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str, text: &str| {
-        fs::write(folder.path().join(name), text).expect("written");
-        folder.path().join(name)
-    };
+    let at = |name: &str, text: &str| put(folder.path(), name, text);
     at("k.sti", "1 1 4\n2 2 4\n");
     let dof = at("k.dof", "1.1\n1.2\n");
     let read = |g: &PathBuf| {

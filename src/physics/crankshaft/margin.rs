@@ -2,7 +2,7 @@
 
 use super::critical_locations::locations;
 use super::speed_table::At;
-use super::stress_histories::Histories;
+use super::stress_histories::{Histories, Path};
 use super::unsurpassed::unsurpassed;
 use super::{Crank, CriticalLocation, Family, FatigueSpec, Known, MarginCriterion, MeanBending, Place, bending};
 use crate::drivetrain::Chain;
@@ -201,7 +201,7 @@ impl Margin {
         let (by, histories) = self.multiaxial(criterion)?;
         let at = self.place(speed_rpm);
         let whole = histories.torque(torque.phasors, self.mean_at(at, self.locations[location].shaft));
-        histories.shares(&[by], &histories.whole(&self.locations[location], at, &whole)).pop()
+        histories.shares(&[by], &Path::General(histories.whole(&self.locations[location], at, &whole))).pop()
     }
 
     pub(super) fn multiaxial(&self, criterion: usize) -> Option<(multiaxial::Criterion, &Histories)> {

@@ -115,13 +115,13 @@ impl Histories {
     }
 
     /// The same with all its samples, whatever its state: what needs no corners.
-    pub fn whole(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> Path {
+    pub fn whole(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> History {
         match self.path(location, at, torque) {
             Path::Plane(_) => {
                 let (bending, shear) = self.plane(location, at, torque);
-                Path::General(History::plane_state(bending, shear))
+                History::plane_state(bending, shear)
             }
-            general => general,
+            Path::General(history) => history,
         }
     }
 

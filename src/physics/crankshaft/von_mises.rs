@@ -1,8 +1,9 @@
 //! The equivalent stress of von Mises at the locations of a crank over the working cycle.
 
-use super::stress_histories::{Histories, Path, SampledTorque};
+use super::speed_table::At;
+use super::stress_histories::{Histories, SampledTorque};
 use super::{CriticalLocation, Family, Margin};
-use crate::crankshaft::speed_table::At;
+
 use crate::numerics::C64;
 
 /// Where and when it is largest.
@@ -19,18 +20,12 @@ pub struct LargestVonMises {
 impl Histories {
     /// The largest of a location with the sample where it is: sqrt(sigma² + 3 tau²) of a nominal state with its factors, of a tensor by all its components.
     fn von_mises(&self, location: &CriticalLocation, at: At, torque: &SampledTorque) -> (f64, usize) {
-        let squares: Vec<f64> = match self.whole(location, at, torque) {
-            Path::General(history) => {
-                let [xx, yy, zz, xy, yz, zx] = &history.components;
-                let square = |j: usize| {
-                    let apart = (xx[j] - yy[j]).powi(2) + (yy[j] - zz[j]).powi(2) + (zz[j] - xx[j]).powi(2);
-                    0.5 * apart + 3.0 * (xy[j] * xy[j] + yz[j] * yz[j] + zx[j] * zx[j])
-                };
-                (0..xx.len()).map(square).collect()
-            }
-            Path::Plane(_) => Vec::new(),
+        let [xx, yy, zz, xy, yz, zx] = self.whole(location, at, torque).components;
+        let square = |j: usize| {
+            let apart = (xx[j] - yy[j]).powi(2) + (yy[j] - zz[j]).powi(2) + (zz[j] - xx[j]).powi(2);
+            0.5 * apart + 3.0 * (xy[j] * xy[j] + yz[j] * yz[j] + zx[j] * zx[j])
         };
-        let most = squares.iter().copied().enumerate().fold((0, 0.0), |m, s| if s.1 > m.1 { s } else { m });
+        let most = (0..xx.len()).map(|j| (j, square(j))).fold((0, 0.0), |m, s| if s.1 > m.1 { s } else { m });
         (most.1.sqrt(), most.0)
     }
 }

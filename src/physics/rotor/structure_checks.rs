@@ -68,18 +68,23 @@ pub enum Objection {
 const RIGID: f64 = 1e-6;
 /// Rigid motions of a free body.
 const FREE: usize = 6;
-/// Residual of these.
-const RESIDUAL: f64 = 1e-5;
 /// Masses along the axes.
 const ALIKE: f64 = 1e-6;
-/// m, Hz.
-const OFF_AXIS: f64 = 5e-3;
-const SLOW: f64 = 10.0;
-/// m: cranks of models and of the largest engines.
-const EXTENT: std::ops::RangeInclusive<f64> = 0.03..=40.0;
-/// By how much inertia and stiffness may differ from those of a chain.
-const INERTIA: f64 = 0.03;
-const STIFFNESS: f64 = 0.15;
+
+impl Objection {
+    /// Largest residual of rigid motions of a free body.
+    pub const RESIDUAL: f64 = 1e-5;
+    /// Largest distance of the centre of mass from the axis, m.
+    pub const OFF_AXIS: f64 = 5e-3;
+    /// Least elastic frequency, Hz.
+    pub const SLOW: f64 = 10.0;
+    /// Distances between nodes, m: cranks of models and of the largest engines.
+    pub const EXTENT: std::ops::RangeInclusive<f64> = 0.03..=40.0;
+    /// By what share the inertia may differ from that of a chain.
+    pub const INERTIA: f64 = 0.03;
+    /// The same of stiffness.
+    pub const STIFFNESS: f64 = 0.15;
+}
 
 impl Structure {
     /// What it is found to be.
@@ -100,7 +105,7 @@ impl Structure {
         let mass = body.as_ref().map(|b| [0, 1, 2].map(|k| b[(k, k)]));
         // m S(c)' stands beside the translations
         let centre = body.as_ref().zip(mass).map(|(b, m)| Vector3::new(b[(1, 5)], -b[(0, 5)], b[(0, 4)]) / m[0]);
-        let is_free = rigid_residual.is_some_and(|r| r <= RESIDUAL);
+        let is_free = rigid_residual.is_some_and(|r| r <= Objection::RESIDUAL);
         Checks {
             rigid_residual,
             rigid_modes,
@@ -161,14 +166,16 @@ impl Checks {
         let all = [
             (self.negative > 0).then_some(Objection::NegativeStiffness(self.negative)),
             self.mass_is_wrong.then_some(Objection::NegativeMass),
-            self.rigid_residual.filter(|r| *r > RESIDUAL).map(Objection::HeldSomewhere),
+            self.rigid_residual.filter(|r| *r > Objection::RESIDUAL).map(Objection::HeldSomewhere),
             self.rigid_modes.filter(|n| *n != FREE).map(Objection::RigidModes),
             self.mass.filter(|m| m.iter().any(|x| (x / m[0] - 1.0).abs() > ALIKE)).map(Objection::UnequalMass),
-            self.centre.map(|p| p.x.hypotenuse(p.y)).filter(|off| *off > OFF_AXIS).map(Objection::BesideTheAxis),
-            frequency.filter(|f| *f < SLOW).map(Objection::Slow),
-            self.extent.filter(|e| !EXTENT.contains(e)).map(Objection::Extent),
-            of_chain(self.polar_inertia, |c| c.inertia).filter(|r| (r - 1.0).abs() > INERTIA).map(Objection::Inertia),
-            of_chain(self.torsional_stiffness, |c| c.stiffness).filter(|r| (r - 1.0).abs() > STIFFNESS).map(Objection::TorsionalStiffness),
+            self.centre.map(|p| p.x.hypotenuse(p.y)).filter(|off| *off > Objection::OFF_AXIS).map(Objection::BesideTheAxis),
+            frequency.filter(|f| *f < Objection::SLOW).map(Objection::Slow),
+            self.extent.filter(|e| !Objection::EXTENT.contains(e)).map(Objection::Extent),
+            of_chain(self.polar_inertia, |c| c.inertia).filter(|r| (r - 1.0).abs() > Objection::INERTIA).map(Objection::Inertia),
+            of_chain(self.torsional_stiffness, |c| c.stiffness)
+                .filter(|r| (r - 1.0).abs() > Objection::STIFFNESS)
+                .map(Objection::TorsionalStiffness),
         ];
         all.into_iter().flatten().collect()
     }

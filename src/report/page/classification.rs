@@ -132,7 +132,8 @@ fn barred(study: &Study, results: &Results) -> Markup {
     html! { @if study.limits.iter().any(|l| l.rule.is_some()) {
         h2 { "Barred speed ranges" }
         @for l in study.limits.iter().filter(|l| l.rule.is_some() && !l.of.measure.within.ranges.is_empty()) {
-            p { (l.words) ": judged at " (l.of.measure.within.ranges.iter().map(|(a, b)| format!("{a} to {b}")).collect::<Vec<_>>().join(", ")) " rpm alone." }
+            p { (l.words) ": judged at " (l.of.measure.within.ranges.iter().map(|(a, b)| format!("{a} to {b}")).collect::<Vec<_>>().join(", ")) " rpm"
+                @if l.rule.as_ref().is_some_and(|r| !r.excepted.is_empty()) { "; what the study excepts counts where the rule does not let it be barred" } "." }
         }
         @let broken: Vec<String> = designs().flat_map(|d| d.still_broken.iter().map(move |b| outside(study, d, b))).collect();
         @if !broken.is_empty() { p { "Broken where no range can be barred for it:" } ul { @for words in &broken { li class="bad" { (words) } } } }

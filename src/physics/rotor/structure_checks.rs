@@ -73,16 +73,22 @@ const ALIKE: f64 = 1e-6;
 
 impl Objection {
     /// Largest residual of rigid motions of a free body.
+    #[doc(hidden)]
     pub const RESIDUAL: f64 = 1e-5;
     /// Largest distance of the centre of mass from the axis, m.
+    #[doc(hidden)]
     pub const OFF_AXIS: f64 = 5e-3;
     /// Least elastic frequency, Hz.
+    #[doc(hidden)]
     pub const SLOW: f64 = 10.0;
     /// Distances between nodes, m: cranks of models and of the largest engines.
+    #[doc(hidden)]
     pub const EXTENT: std::ops::RangeInclusive<f64> = 0.03..=40.0;
     /// By what share the inertia may differ from that of a chain.
+    #[doc(hidden)]
     pub const INERTIA: f64 = 0.03;
     /// The same of stiffness.
+    #[doc(hidden)]
     pub const STIFFNESS: f64 = 0.15;
 }
 

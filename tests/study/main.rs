@@ -31,6 +31,7 @@ mod one_order;
 mod progress;
 mod real_absorbers;
 mod robust;
+mod several_rings;
 mod sized;
 mod sizing;
 mod strain;

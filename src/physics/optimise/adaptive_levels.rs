@@ -33,14 +33,15 @@ pub(super) fn middle(left: &Level, right: &Level) -> f64 {
     0.5 * (reach(left) + right.values[1])
 }
 
+/// By how much a measure differs over all levels.
+pub(super) fn range(levels: &[Level], measure: usize) -> f64 {
+    let all = || levels.iter().map(|l| l.values[measure]);
+    all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+}
+
 /// Intervals that are longer than the front divided by its points, the longest first, no more than are left; ascending.
 pub(super) fn gaps(levels: &[Level], count: usize) -> Vec<usize> {
-    let range = |k: usize| {
-        let all = || levels.iter().map(|l| l.values[k]);
-        let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-        if high > low { high - low } else { 1.0 }
-    };
-    let ranges = [range(0), range(1)];
+    let ranges = [0, 1].map(|k| Some(range(levels, k)).filter(|r| *r > 0.0).unwrap_or(1.0));
     let length = |i: usize| {
         let along = |k: usize| (levels[i + 1].values[k] - levels[i].values[k]) / ranges[k];
         along(0).hypotenuse(along(1))

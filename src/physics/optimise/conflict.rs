@@ -1,6 +1,7 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
 use super::checkpoint::Remembers;
+use super::starts::NamedPoint;
 use super::{Optimum, Problem, Role, minimax, search, survey};
 use crate::objective::{Limit, holds};
 use crate::response::{ResponseError, Work};
@@ -38,17 +39,33 @@ pub enum Verdict {
     Conflict(Box<Optimum>, Conflict),
 }
 
-/// Looks for a design that holds all limits, from the starts of a search and from its end.
+/// Looks for a design that holds all limits, from the starts of a search, the corners of the box and from the end of the search.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where no start has a finite response.
 #[doc(hidden)]
-pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]) -> Result<Verdict, ResponseError> {
-    let feasibility = survey::feasibility(problem);
-    let mut all = starts.to_vec();
-    all.extend(corners(&problem.space.bounds()).into_iter().map(|point| ("corner".into(), point)));
+pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[NamedPoint]) -> Result<Verdict, ResponseError> {
+    let corners = survey::corners(&problem.space.bounds()).into_iter().map(|point| ("corner".into(), point));
+    let mut all: Vec<NamedPoint> = starts.iter().cloned().chain(corners).collect();
     all.push(("optimum".into(), optimum.outcome.point.clone()));
-    let mut nearest = search::optimise(&feasibility, &all, search::Finish::All, &|| {})?;
+    let nearest = search::optimise(&survey::feasibility(problem), &all, search::Finish::All, &|| {})?;
+    verdict(problem, nearest, all)
+}
+
+/// The same by the minimax method alone, from starts near what is sought: of problems whose designs take long.
+///
+/// # Errors
+/// As [`judge`].
+#[doc(hidden)]
+pub fn judge_near(problem: &Problem, starts: Vec<NamedPoint>) -> Result<Verdict, ResponseError> {
+    let feasibility = survey::feasibility(problem);
+    let ends: Vec<_> = starts.par_iter().map(|s| minimax::minimise(&feasibility, &s.1, &mut Work::default())).collect();
+    let (outcome, _) = search::best_of(&feasibility, ends)?;
+    verdict(problem, Optimum::alone(problem, outcome), starts)
+}
+
+/// What the design that is nearest to all limits comes to, and from which points limits are loosened.
+fn verdict(problem: &Problem, mut nearest: Optimum, mut all: Vec<NamedPoint>) -> Result<Verdict, ResponseError> {
     let ratio = nearest.outcome.rows.objective();
     if holds(ratio) {
         let mut outcome = minimax::minimise(problem, &nearest.outcome.point, &mut Work::default())?;
@@ -80,18 +97,8 @@ pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[(String, Vec<f64>)]
     Ok(Verdict::Conflict(Box::new(nearest), Conflict { ratio, parties }))
 }
 
-/// Corners of a box are starts where it has no more of them.
-const MOST_CORNERS: usize = 64;
-
-/// The corners of a box; none of one that has too many: rings that are nearly locked and rings on soft springs hold what others break.
-fn corners(bounds: &[(f64, f64)]) -> Vec<Vec<f64>> {
-    let count = 1usize.checked_shl(bounds.len() as u32).filter(|count| *count <= MOST_CORNERS).unwrap_or(0);
-    let corner = |c: usize| bounds.iter().enumerate().map(|(i, b)| if c >> i & 1 == 0 { b.0 } else { b.1 }).collect();
-    (0..count).map(corner).collect()
-}
-
 /// The least ratio of one limit within all others that is found from some points.
-fn loosened(problem: &Problem, limit: usize, points: &[(String, Vec<f64>)]) -> Option<f64> {
+fn loosened(problem: &Problem, limit: usize, points: &[NamedPoint]) -> Option<f64> {
     let others: Vec<Limit> = problem.limits.iter().enumerate().filter(|l| l.0 != limit).map(|l| l.1.clone()).collect();
     let objectives = std::slice::from_ref(&problem.limits[limit]);
     let alone = Problem {

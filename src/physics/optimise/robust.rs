@@ -2,6 +2,7 @@
 //!
 //! The worst of a box is a minimax problem of its own. Its corners are scenarios from the start; at the optimum of those the box is searched for a worse deviation inside, which joins them until there is none.
 
+use super::minimax::Outcome;
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
 use crate::absorber::{Declaration, Deviation, Mounted};
@@ -17,8 +18,8 @@ use std::f64::consts::TAU;
 
 /// A deviation is worse where it is by this share.
 const WORSE: f64 = 1e-9;
-/// Most searches of the inside of the box.
-const MOST_INSIDE: usize = 8;
+/// Most searches of the inside of the box, after each of which an optimum is sought anew.
+const MOST_INSIDE: usize = 24;
 /// Random deviations of a search of the box, per edge; the best so many are searched from; rounds of one edge after the other.
 const RANDOM: usize = 16;
 const SEARCHED: usize = 3;
@@ -72,8 +73,13 @@ impl Tolerances {
         (0..1usize << self.edges()).map(corner).collect()
     }
 
-    /// The largest value over the box that a search of it finds, and where: corners, the middle of every edge's range, and random points, the best followed along one edge after the other.
+    /// The largest value over the box that a search of it finds, and where.
     pub fn worst(&self, value: impl Fn(&[f64]) -> f64 + Sync, seed: u64) -> (Vec<f64>, f64) {
+        self.highest(value, seed).into_iter().reduce(|m, p| if p.1 > m.1 { p } else { m }).expect("a box has corners")
+    }
+
+    /// The highest values over the box that a search of it finds, and where: corners, the middle of every edge's range, and random points, the best followed along one edge after the other.
+    fn highest(&self, value: impl Fn(&[f64]) -> f64 + Sync, seed: u64) -> Vec<(Vec<f64>, f64)> {
         let d = self.edges();
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
         let mut points = self.corners();
@@ -111,7 +117,7 @@ impl Tolerances {
                 reach *= 0.5;
             }
         });
-        valued.into_iter().reduce(|m, p| if p.1 > m.1 { p } else { m }).expect("a box has corners")
+        valued
     }
 
     /// A random point of the box; normal: the share is three standard deviations, and what is farther is not delivered.
@@ -145,6 +151,29 @@ pub fn deviated(cases: &[LoadCase], design: &[Mounted], deviation: &Deviation, m
         .unwrap_or(f64::INFINITY)
 }
 
+/// The optimum of a problem that has more scenarios than the one it is from: from there, and from those of its other local optima whose value, which more scenarios only raise, is below.
+fn again(problem: &Problem, mut before: Optimum) -> Result<Optimum, ResponseError> {
+    let others = std::mem::take(&mut before.others);
+    let own = minimax::minimise(problem, &before.outcome.point, &mut before.stages.minimax)?;
+    let (below, above): (Vec<_>, Vec<_>) = others.into_iter().partition(|o| !own.rows.hold() || o.value < own.rows.objective());
+    let points: Vec<Vec<f64>> = below.iter().map(|o| problem.space.point_of(&o.design)).collect();
+    let ends = from_each(problem, &points, &mut before.stages.minimax);
+    let (outcome, mut others) = search::best_of(problem, std::iter::once(Ok(own)).chain(ends).collect())?;
+    others.extend(above);
+    Ok(Optimum { design: problem.space.design(&outcome.point), outcome, others, ..before })
+}
+
+/// Ends of the minimax method from some points.
+fn from_each(problem: &Problem, points: &[Vec<f64>], work: &mut Work) -> Vec<Result<Outcome, ResponseError>> {
+    let from = |point: &Vec<f64>| {
+        let mut work = Work::default();
+        (minimax::minimise(problem, point, &mut work), work)
+    };
+    let ends: Vec<_> = points.par_iter().map(from).collect();
+    ends.iter().for_each(|end| *work += end.1);
+    ends.into_iter().map(|end| end.0).collect()
+}
+
 /// The design whose worst objective over the box is least, and the deviations that it is held against.
 ///
 /// # Errors
@@ -157,34 +186,69 @@ pub fn optimise(
     seed: u64,
     recorder: Recorder,
 ) -> Result<(Vec<Deviation>, Optimum), ResponseError> {
-    let mut deviations: Vec<Deviation> = tolerances.corners().iter().map(|c| tolerances.at(c)).collect();
-    let mut found: Option<Optimum> = None;
-    for inside in 0.. {
-        let cases = scenarios(problem.load_cases, &deviations);
-        let of_corners = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
-        let optimum = match found.take() {
-            None => search::optimise(&of_corners, starts, Finish::Distinct, recorder)?,
-            Some(mut before) => {
-                let outcome = minimax::minimise(&of_corners, &before.outcome.point, &mut before.stages.minimax)?;
-                Optimum { design: problem.space.design(&outcome.point), outcome, ..before }
+    let deviations: Vec<Deviation> = tolerances.corners().iter().map(|c| tolerances.at(c)).collect();
+    let cases = scenarios(problem.load_cases, &deviations);
+    let of_corners = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
+    let optimum = search::optimise(&of_corners, starts, Finish::Distinct, recorder)?;
+    settled(problem, tolerances, (deviations, optimum), seed)
+}
+
+/// An optimum for some deviations, held against the whole box: what is worse inside joins the deviations, and the optimum is sought anew, until there is none.
+///
+/// # Errors
+/// As [`optimise`].
+#[doc(hidden)]
+pub fn settled(
+    problem: &Problem,
+    tolerances: &Tolerances,
+    (mut deviations, mut optimum): (Vec<Deviation>, Optimum),
+    seed: u64,
+) -> Result<(Vec<Deviation>, Optimum), ResponseError> {
+    let mut others_known = true;
+    for _ in 0..MOST_INSIDE {
+        let new = worse_inside(problem, tolerances, &optimum, seed);
+        let known = deviations.len();
+        for deviation in new {
+            if !deviations.contains(&deviation) {
+                deviations.push(deviation);
             }
-        };
-        let at = |point: &[f64]| {
-            let deviation = tolerances.at(point);
-            let cases: Vec<LoadCase> = problem.load_cases.iter().map(|case| LoadCase { deviation: Some(&deviation), ..*case }).collect();
-            let built = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
-            built.exactly(&optimum.outcome.point, &mut Work::default()).unwrap_or((f64::INFINITY, f64::INFINITY))
-        };
-        let worst = tolerances.worst(|point| at(point).0, seed);
-        let excess = tolerances.worst(|point| at(point).1, seed);
-        let worse = [(&worst.0, worst.1 > optimum.value() * (1.0 + WORSE)), (&excess.0, excess.1 > optimum.outcome.rows.excess() + WORSE)];
-        let new: Vec<Deviation> =
-            worse.into_iter().filter(|w| w.1).map(|w| tolerances.at(w.0)).filter(|d| !deviations.contains(d)).collect();
-        if new.is_empty() || inside == MOST_INSIDE {
-            return Ok((deviations, optimum));
         }
-        deviations.extend(new);
-        found = Some(optimum);
+        let cases = scenarios(problem.load_cases, &deviations);
+        let problem = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
+        if deviations.len() > known {
+            optimum = again(&problem, optimum)?;
+            others_known = false;
+        } else if others_known || !with_others_anew(&problem, &mut optimum)? {
+            break;
+        } else {
+            others_known = true;
+        }
     }
-    unreachable!("the last round returns")
+    Ok((deviations, optimum))
+}
+
+/// Deviations that make an objective or the excess over limits worse than in all scenarios of an optimum.
+fn worse_inside(problem: &Problem, tolerances: &Tolerances, optimum: &Optimum, seed: u64) -> Vec<Deviation> {
+    let at = |point: &[f64]| {
+        let deviation = tolerances.at(point);
+        let cases: Vec<LoadCase> = problem.load_cases.iter().map(|case| LoadCase { deviation: Some(&deviation), ..*case }).collect();
+        let built = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
+        built.exactly(&optimum.outcome.point, &mut Work::default()).unwrap_or((f64::INFINITY, f64::INFINITY))
+    };
+    let (value, excess) = (optimum.value() * (1.0 + WORSE), optimum.outcome.rows.excess() + WORSE);
+    let worse = tolerances.highest(|point| at(point).0, seed).into_iter().filter(|w| w.1 > value);
+    let beyond = problem.limits.first().map(|_| tolerances.highest(|point| at(point).1, seed));
+    let beyond = beyond.into_iter().flatten().filter(|w| w.1 > excess);
+    worse.chain(beyond).map(|w| tolerances.at(&w.0)).collect()
+}
+
+/// Seeks the other local optima anew, whose values are those of fewer scenarios; whether one of them has led to a lower optimum, which then takes its place.
+fn with_others_anew(problem: &Problem, optimum: &mut Optimum) -> Result<bool, ResponseError> {
+    let points: Vec<Vec<f64>> = optimum.others.iter().map(|o| problem.space.point_of(&o.design)).collect();
+    let ends = from_each(problem, &points, &mut optimum.stages.minimax);
+    let own = std::iter::once(Ok(optimum.outcome.clone()));
+    let (outcome, others) = search::best_of(problem, own.chain(ends).collect())?;
+    let lower = search::is_lower(&outcome, &optimum.outcome);
+    *optimum = Optimum { design: problem.space.design(&outcome.point), outcome, others, ..optimum.clone() };
+    Ok(lower)
 }

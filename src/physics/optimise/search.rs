@@ -91,6 +91,12 @@ impl Optimum {
         self.outcome.rows.objective()
     }
 
+    /// An outcome that no search of starts led to.
+    pub(super) fn alone(problem: &Problem, outcome: Outcome) -> Self {
+        let design = problem.space.design(&outcome.point);
+        Self { design, outcome, starts: Vec::new(), others: Vec::new(), stages: Stages::default() }
+    }
+
     /// A better outcome takes its place; it stays as another local optimum.
     pub(super) fn replace(&mut self, problem: &Problem, outcome: Outcome) {
         if self.outcome.kkt_residual < MET && self.outcome.rows.hold() {
@@ -213,13 +219,26 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
     runs.par_extend(later.par_iter().map(|i| finished(i, known.as_ref())));
     runs.sort_by_key(|r| r.0);
     let mut log = Vec::new();
-    let mut best: Option<Outcome> = None;
-    let mut ends: Vec<Outcome> = Vec::new();
-    let mut error = None;
+    let mut ends = Vec::new();
     for (_, (start, outcome, spent)) in runs {
         stages.add(spent);
         log.push(start);
-        ends.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
+        ends.push(outcome);
+    }
+    let (outcome, others) = best_of(problem, ends)?;
+    Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, others, stages })
+}
+
+/// The best of some ends, and the other local optima among them.
+///
+/// # Errors
+/// The first, where all are.
+pub(super) fn best_of(problem: &Problem, ends: Vec<Result<Outcome, ResponseError>>) -> Result<(Outcome, Vec<LocalOptimum>), ResponseError> {
+    let mut best: Option<Outcome> = None;
+    let mut met: Vec<Outcome> = Vec::new();
+    let mut error = None;
+    for outcome in ends {
+        met.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
         match outcome {
             Ok(o) if best.as_ref().is_none_or(|b| is_better(&o, b)) => best = Some(o),
             Ok(_) => {}
@@ -228,8 +247,8 @@ pub fn optimise(problem: &Problem, starts: &[(String, Vec<f64>)], finish: Finish
     }
     match (best, error) {
         (Some(outcome), _) => {
-            let others = others(problem, &outcome, ends);
-            Ok(Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, others, stages })
+            let others = others(problem, &outcome, met);
+            Ok((outcome, others))
         }
         (None, Some(e)) => Err(e),
         (None, None) => unreachable!("a search has at least one start"),

@@ -1,6 +1,7 @@
-//! Optima under limits. What holds them may fall apart (a stiff lossy part, a soft part, a nearly locked part), and starts that agree may all lie in one of the parts: the whole box is looked over.
+//! Optima under limits, and of several absorbers. What holds limits may fall apart (a stiff lossy part, a soft part, a nearly locked part), and starts that agree may all lie in one of the parts; closed forms of
+//! several absorbers share out modes, and an objective other than the response may be least at a corner of the bounds: the whole box is looked over.
 //!
-//! With one or two coordinates a grid covers the box; with more, its ends and random points. Designs whose objective is certainly far above that of the optimum are left out by its value at a few
+//! With one or two coordinates a grid covers the box; with more, its ends, its corners and random points. Designs whose objective is certainly far above that of the optimum are left out by its value at a few
 //! speeds; of the others, those that are lowest among their neighbours are followed, by more than one weight of the limits, and by the limits alone; between lines of a grid of two coordinates the limits themselves are looked along, for ripples of the objective. From the optimum without limits the limits are tightened
 //! step by step besides.
 
@@ -14,13 +15,15 @@ use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
-/// What the whole box says of an optimum under limits.
+/// What the whole box says of an optimum.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Survey {
-    /// Designs of the grid, or ends of the box and random ones.
+    /// Designs of the grid, or ends and corners of the box and random ones.
     pub designs: usize,
     /// Points of the grid along each coordinate; nothing where there was no grid.
     pub per_coordinate: Option<usize>,
+    /// Whether there were limits to hold.
+    pub under_limits: bool,
     /// Those whose objective is above that of the optimum by a quarter, or that have no finite response: whether they hold the limits is not asked.
     pub above: usize,
     /// Those of the others that hold all limits.
@@ -103,6 +106,7 @@ impl Points {
                         }));
                     }
                 }
+                list.extend(corners(&bounds));
                 list.extend(
                     (0..RANDOM * n).map(|_| bounds.iter().map(|(low, high)| random.random_range(*low..=*high)).collect::<Vec<f64>>()),
                 );
@@ -125,6 +129,16 @@ impl Points {
     }
 }
 
+/// Corners of a box are looked at where it has no more of them.
+const MOST_CORNERS: usize = 64;
+
+/// The corners of a box; none of one that has too many: rings that are nearly locked and rings on soft springs hold what others break.
+pub(super) fn corners(bounds: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    let count = 1usize.checked_shl(bounds.len() as u32).filter(|count| *count <= MOST_CORNERS).unwrap_or(0);
+    let corner = |c: usize| bounds.iter().enumerate().map(|(i, b)| if c >> i & 1 == 0 { b.0 } else { b.1 }).collect();
+    (0..count).map(corner).collect()
+}
+
 /// Whether a design takes long: its state in operation is found, or its objective asks for that at every speed.
 fn is_slow(problem: &Problem) -> bool {
     problem.load_cases.iter().any(|case| case.condition == Condition::InOperation) || costs_more_than_limits(problem)
@@ -133,6 +147,12 @@ fn is_slow(problem: &Problem) -> bool {
 /// Whether limits are asked before the objective.
 fn costs_more_than_limits(problem: &Problem) -> bool {
     problem.objectives.iter().any(|o| matches!(o.measure.over, Over::Temperature | Over::Damage))
+}
+
+/// Whether the whole box of a problem is looked over: where its limits or several absorbers leave more than one part of it to end in.
+#[doc(hidden)]
+pub fn is_wanted(problem: &Problem) -> bool {
+    !problem.space.variables.is_empty() && (!problem.limits.is_empty() || problem.space.slots.len() > 1)
 }
 
 /// Looks over the whole box, follows what may be better than an optimum, and keeps what is.
@@ -179,6 +199,7 @@ pub fn survey(problem: &Problem, optimum: &mut Optimum, seed: u64) -> Survey {
     let mut survey = Survey {
         designs: points.list.len(),
         per_coordinate: points.grid.map(|g| g.1),
+        under_limits: !problem.limits.is_empty(),
         above: judged.iter().filter(|j| j.is_none()).count(),
         within_limits: judged.iter().flatten().filter(within).count(),
         followed: starts.len(),

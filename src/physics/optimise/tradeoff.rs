@@ -4,7 +4,7 @@
 //! ends are searched globally, some levels between them from all starts of a search; new levels are put where the front is longest between its points.
 
 use super::Problem;
-use super::adaptive_levels::{Level, SAME, distinct, gaps, middle};
+use super::adaptive_levels::{Level, SAME, distinct, gaps, middle, range};
 use super::checkpoint::Remembers;
 use super::conflict;
 use super::load_case::largest;
@@ -62,6 +62,8 @@ const BETTER: f64 = 1e-9;
 const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
 /// A design that is level in the first measure ends a front where it is lower in the second by more than this share: less is what rounding of the first leaves.
 const WORTH: f64 = 1e-4;
+/// Between neighbours whose first measures differ by more than this share of its range the branches of several absorbers change.
+const JUMP: f64 = 0.25;
 /// Rounds in which points take over what a neighbour found.
 const MOST_ROUNDS: usize = 20;
 
@@ -150,11 +152,29 @@ impl<'a> Follower<'a> {
         self.best_of_points(most, &all, work)
     }
 
+    /// The best at a level between the ends: from some points and from all starts; of several absorbers from the whole box besides, for what holds the level falls apart into designs with one absorber locked or loose.
+    fn knot(&self, most: f64, points: &[Known], work: &mut Work) -> Result<Option<Level>, ResponseError> {
+        let Some(level) = self.best_of_starts(most, points, work)? else { return Ok(None) };
+        if self.problem.space.slots.len() == 1 {
+            return Ok(Some(level));
+        }
+        let limits = self.limits(most);
+        let problem = self.within(&limits, self.problem.objectives);
+        let mut optimum = Optimum::alone(&problem, level.outcome.clone());
+        survey::survey(&problem, &mut optimum, SEED);
+        *work += optimum.stages.all();
+        Ok(Some(match self.values(&optimum.outcome.point, &mut Work::default()) {
+            Ok(values) => Level { most, values, outcome: optimum.outcome },
+            Err(_) => level,
+        }))
+    }
+
     /// An optimum within the limits of a problem: by a global search, where that ends outside them by the points of the whole box, and by what comes nearest to all limits. `None` where none of these holds them.
     fn within_limits(&self, problem: &Problem, work: &mut Work) -> Result<Option<Optimum>, ResponseError> {
         let starts = (self.starts)(&problem.space);
         let mut optimum = search::optimise(problem, &starts, Finish::All, &|| {})?;
-        if !optimum.outcome.rows.hold() && !problem.space.variables.is_empty() {
+        let several = problem.space.slots.len() > 1;
+        if (several || !optimum.outcome.rows.hold()) && survey::is_wanted(problem) {
             survey::survey(problem, &mut optimum, SEED);
         }
         if !optimum.outcome.rows.hold()
@@ -163,9 +183,7 @@ impl<'a> Follower<'a> {
             optimum.design = problem.space.design(&outcome.point);
             optimum.outcome = *outcome;
         }
-        *work += optimum.stages.seeds;
-        *work += optimum.stages.search;
-        *work += optimum.stages.minimax;
+        *work += optimum.stages.all();
         Ok(optimum.outcome.rows.hold().then_some(optimum))
     }
 
@@ -257,13 +275,14 @@ impl<'a> Follower<'a> {
             return Ok(Tradeoff { points: Vec::new(), minimax: work, searches });
         };
         recorder();
+        let several = self.problem.space.slots.len() > 1;
         let (low, high) = (first.values[1], last.values[1]);
         let knots: Vec<f64> = (1..KNOTS - 1).map(|i| low + (high - low) * i as f64 / (KNOTS - 1) as f64).collect();
         let found: Vec<(Option<Level>, Work)> = knots
             .into_par_iter()
             .map(|most| {
                 let mut work = Work::default();
-                Ok((self.best_of_starts(most, &[(&first.outcome.point, None), (&last.outcome.point, None)], &mut work)?, work))
+                Ok((self.knot(most, &[(&first.outcome.point, None), (&last.outcome.point, None)], &mut work)?, work))
             })
             .collect::<Result<_, ResponseError>>()?;
         let mut levels = vec![first];
@@ -283,12 +302,18 @@ impl<'a> Follower<'a> {
                 .map(|i| {
                     let (left, right) = (&levels[i], &levels[i + 1]);
                     let mut work = Work::default();
-                    let level = self.best_of_points(middle(left, right), &[end(&left.outcome), end(&right.outcome)], &mut work)?;
+                    let (most, ends) = (middle(left, right), [end(&left.outcome), end(&right.outcome)]);
+                    // between two branches there may be a third
+                    let level = if several && left.values[0] - right.values[0] > JUMP * range(&levels, 0) {
+                        self.knot(most, &ends, &mut work)?
+                    } else {
+                        self.best_of_points(most, &ends, &mut work)?
+                    };
                     recorder();
                     Ok((i, level, work))
                 })
                 .collect::<Result<_, ResponseError>>()?;
-            let range = levels[levels.len() - 1].values[1] - levels[0].values[1];
+            let range = range(&levels, 1);
             for (i, level, spent) in between.into_iter().rev() {
                 work += spent;
                 let most = middle(&levels[i], &levels[i + 1]);

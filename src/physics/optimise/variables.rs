@@ -93,6 +93,11 @@ impl Space {
         self.variables.iter().map(|v| v.coordinate(values[v.absorber][v.parameter].clamp(v.lower, v.upper))).collect()
     }
 
+    /// The point of a design of the family, moved into the bounds.
+    pub fn point_of(&self, design: &[Mounted]) -> Vec<f64> {
+        self.point(&design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>())
+    }
+
     /// Bounds of each coordinate.
     pub fn bounds(&self) -> Vec<(f64, f64)> {
         self.variables.iter().map(|v| (v.coordinate(v.lower), v.coordinate(v.upper))).collect()

@@ -6,7 +6,7 @@ use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::holds;
 
-/// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, empty where the limit of a rule changes with speed; used: share of the limit at the worst speed; multiplier: per cent
+/// `limits.csv`: value at the worst of the conditions that an optimum is to hold in, empty where the limit of a rule changes with speed and where the design has no such absorber; used: share of the limit at the worst speed; multiplier: per cent
 /// of the objective that one per cent more of the limit would bring, of optima.
 ///
 /// # Errors
@@ -16,14 +16,15 @@ pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     let mut put = |d: &DesignResult, prices: Option<&[f64]>| {
         for (i, (limit, ratio)) in study.limits.iter().zip(&d.limits).enumerate() {
             let unit = limit.of.unit;
+            let said = |value: f64| optional(Some(value).filter(|v| v.is_finite() && d.has(&limit.of.measure)));
             table.row([
                 d.name.clone(),
                 limit.of.key.to_owned(),
                 limit.of.place.clone(),
-                optional(Some(unit.shown(ratio * limit.limit)).filter(|v| v.is_finite() && limit.of.measure.within.factors.is_empty())),
+                if limit.of.measure.within.factors.is_empty() { said(unit.shown(ratio * limit.limit)) } else { String::new() },
                 number(unit.shown(limit.limit)),
                 unit.symbol().to_owned(),
-                optional(Some(100.0 * ratio).filter(|v| v.is_finite())),
+                said(100.0 * ratio),
                 holds(*ratio).to_string(),
                 optional(prices.map(|p| p[i])),
             ]);

@@ -58,8 +58,9 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
         div class="scroll" { table class="sorts" {
             thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "used, %" } th { "" } } }
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                tr { td { (d.name) } td class="words" { (l.words) } td { @if l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { (format!("{:.1}", 100.0 * ratio)) }
-                    td { @if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+                @let said = d.has(&l.of.measure);
+                tr { td { (d.name) } td class="words" { (l.words) } td { @if said && l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { @if said { (format!("{:.1}", 100.0 * ratio)) } @else { "–" } }
+                    td { @if !said { "no such absorber" } @else if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
         p class="soft" { "Judged in: " (limits_judged_in(study, results).join(", ")) "." }

@@ -128,7 +128,7 @@ struct Absorber {
 struct Limit {
     #[serde(flatten)]
     of: MeasureName,
-    /// Absent where nothing bounds it.
+    /// Absent where nothing bounds it, and where the design has no such absorber.
     #[serde(skip_serializing_if = "Option::is_none")]
     value: Option<f64>,
     limit: f64,
@@ -233,7 +233,7 @@ fn record(study: &Study, inputs: &[InputFile], results: &Results) -> Record {
 fn design(study: &Study, results: &Results, d: &DesignResult, optimum: bool) -> Design {
     let limit = |(spec, ratio): (&crate::input::LimitSpec, &f64)| Limit {
         of: MeasureName::new(&spec.of),
-        value: Some(spec.of.unit.shown(ratio * spec.limit)).filter(|v| v.is_finite()),
+        value: Some(spec.of.unit.shown(ratio * spec.limit)).filter(|v| v.is_finite() && d.has(&spec.of.measure)),
         limit: spec.of.unit.shown(spec.limit),
         held: holds(*ratio),
     };

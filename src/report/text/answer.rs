@@ -185,10 +185,11 @@ fn certificate(o: &OptimumResult) -> String {
 }
 
 fn surveyed(s: &Survey) -> String {
+    let lower = if s.under_limits { "lower within the limits" } else { "lower" };
     let found = match s.followed {
-        _ if s.better => "it was found from one of them",
-        0 => "none of them is lower within the limits",
-        _ => "none of them is lower within the limits, nor what those that were followed led to",
+        _ if s.better => "it was found from one of them".to_owned(),
+        0 => format!("none of them is {lower}"),
+        _ => format!("none of them is {lower}, nor what those that were followed led to"),
     };
     format!(", {} over all bounds: {found}", s.designs)
 }

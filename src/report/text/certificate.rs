@@ -17,7 +17,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
     if !others.is_empty() {
         let named: Vec<String> = others.iter().take(MOST_NAMED).map(|l| value(objective, l.value)).collect();
         let more = if others.len() > MOST_NAMED { format!(" and {} higher ones", others.len() - MOST_NAMED) } else { String::new() };
-        let held = if o.survey.is_some() { ", which hold the limits" } else { "" };
+        let held = if o.survey.is_some_and(|s| s.under_limits) { ", which hold the limits" } else { "" };
         lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
     match &o.scan {
@@ -59,27 +59,30 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
 fn survey(s: &Survey) -> String {
     let of = match s.per_coordinate {
         Some(n) => format!("of {} designs on a grid over all bounds, {n} along each free parameter,", s.designs),
-        None => format!("of {} designs at the ends of the bounds and at random between them,", s.designs),
+        None => format!("of {} designs at the ends and corners of the bounds and at random between them,", s.designs),
     };
     let asked = s.designs - s.above;
     let held = match s.within_limits {
-        0 => "none holds all limits".to_owned(),
-        1 => "one holds all limits".to_owned(),
-        n => format!("{n} hold all limits"),
+        _ if !s.under_limits => None,
+        0 => Some("none holds all limits".to_owned()),
+        1 => Some("one holds all limits".to_owned()),
+        n => Some(format!("{n} hold all limits")),
     };
-    let above = if s.above > 0 {
-        format!("{} are above the optimum by a quarter or have no finite response; of the other {asked}, ", s.above)
-    } else {
-        String::new()
+    let above = (s.above > 0).then(|| match &held {
+        Some(held) => format!("{} are above the optimum by a quarter or have no finite response; of the other {asked}, {held}", s.above),
+        None => format!("{} are above the optimum by a quarter or have no finite response", s.above),
+    });
+    let followed = match (s.followed, s.better) {
+        (0, _) => "none of them was worth following".to_owned(),
+        (n, true) => format!("{n} were followed: it was found from one of these"),
+        (n, false) => {
+            let within = if s.under_limits { " within the limits" } else { "" };
+            format!("{n} were followed: none of these, nor what the best of them lead to, is lower{within}")
+        }
     };
-    let result = if s.better {
-        "it was found from one of these"
-    } else {
-        "none of these, nor what the best of them lead to, is lower within the limits"
-    };
-    match s.followed {
-        0 => format!("  {of} {above}{held}; none of them was worth following"),
-        followed => format!("  {of} {above}{held}; {followed} were followed: {result}"),
+    match above.or(held) {
+        Some(judged) => format!("  {of} {judged}; {followed}"),
+        None => format!("  {of} {followed}"),
     }
 }
 

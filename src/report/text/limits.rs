@@ -48,6 +48,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
             String::new()
         };
         let found = match limit.of.measure.within.factors.as_slice() {
+            _ if !o.design.has(&limit.of.measure) => "it has no such absorber".into(),
             _ if *ratio == f64::INFINITY => "at some speeds no steady motion is known".into(),
             [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
                 format!("the one that is nearest or deepest inside is {} times the nearer end", significant(*ratio, 4))

@@ -84,7 +84,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     put(format!("{}: {} {}", o.design.name, objective.label, sentence(study, &judged)));
     if judged.value > best * (1.0 + 1e-6) {
         let why = match judged.reached_in {
-            Basis::In(Condition::InOperation) => "which is at the reference of its material",
+            Basis::In(Condition::InOperation) => "the worst of its conditions at the reference of the materials",
             Basis::OwnAmplitude => "which is of small twist",
             _ => "the rest whatever the spring and damper",
         };
@@ -131,6 +131,8 @@ pub(super) fn fronts(study: &Study, results: &Results) -> String {
             let what = match front.points.len() {
                 0 => "no design was found within the limits".to_owned(),
                 1 => "one design is best in both".to_owned(),
+                count if left == count => format!("{count} points, none of them dominated{knee}"),
+                count if left == 0 => format!("{count} points, all of them dominated by designs of another family"),
                 count => format!("{count} points, {left} of them not dominated{knee}"),
             };
             let _ = writeln!(text, "Front of {} against {}, {}: {what}.", first.label, second.label, family.replace('_', " and "));

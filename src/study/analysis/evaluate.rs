@@ -182,6 +182,13 @@ impl DesignResult {
     pub fn within_limits(&self) -> bool {
         self.objective.is_some() && self.limits.iter().all(|l| holds(*l))
     }
+
+    /// Whether a measure says something of the design: one of absorbers says nothing of a design that has none of these.
+    #[doc(hidden)]
+    pub fn has(&self, measure: &Measure) -> bool {
+        let mut asked = measure.absorbers().peekable();
+        asked.peek().is_none() || asked.any(|i| i < self.absorbers.len())
+    }
 }
 
 /// Evaluates one design. `finders`: of the engine as it should be, then with each cylinder misfiring where a condition asks for it.

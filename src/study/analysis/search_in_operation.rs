@@ -1,8 +1,10 @@
 //! An optimum of the materials' reference in operation: whether it is as good there, and the search of both where it is not.
 
-use crate::absorber::Mounted;
+use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
+use crate::optimise::conflict::{self, Verdict};
 use crate::optimise::search::{self, Recorder};
+use crate::optimise::starts::NamedPoint;
 use crate::optimise::{Optimum, Problem, starts};
 use crate::response::{ResponseError, Work};
 
@@ -23,13 +25,25 @@ pub(super) fn is_worse_in_operation(both: &Problem, optimum: &Optimum) -> Result
 
 /// The search of a problem that has the absorbers in operation, too: from the optimum of the reference and its other local optima.
 pub(super) fn search_in_operation(both: &Problem, reference: &Optimum, seed: u64, step: Recorder) -> Result<Optimum, ResponseError> {
-    let values = |design: &[Mounted]| design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>();
-    let mut starts = vec![("optimum of the reference".to_owned(), reference.outcome.point.clone())];
+    search::optimise(both, &starts_in_operation(both, reference, seed), search::Finish::Distinct, step)
+}
+
+/// The conflict of limits that no design holds at the materials' reference, in operation, too, or a design that holds them all: from the nearest of the reference. `None` where that comes as near in operation.
+pub(super) fn conflict_in_operation(both: &Problem, nearest: &Optimum, ratio: f64, seed: u64) -> Result<Option<Verdict>, ResponseError> {
+    if Condition::InOperation.changes_nothing(&nearest.design) {
+        return Ok(None);
+    }
+    let as_near = both.rows(&nearest.outcome.point, &mut Work::default())?.excess() <= ratio.logarithm() + LEVEL;
+    (!as_near).then(|| conflict::judge_near(both, starts_in_operation(both, nearest, seed))).transpose()
+}
+
+/// Starts of a search in operation.
+fn starts_in_operation(both: &Problem, reference: &Optimum, seed: u64) -> Vec<NamedPoint> {
+    let mut list = vec![("optimum of the reference".to_owned(), reference.outcome.point.clone())];
     let others = reference.others.iter().take(MOST_OTHERS).enumerate();
-    starts.extend(others.map(|(i, other)| (format!("other optimum {}", i + 1), both.space.point(&values(&other.design)))));
+    list.extend(others.map(|(i, other)| (format!("other optimum {}", i + 1), both.space.point_of(&other.design))));
     let middle = &reference.outcome.point;
-    starts.extend(
-        starts::random_points(&both.space, middle, RANDOM_IN_OPERATION, seed).into_iter().map(|point| ("random".to_owned(), point)),
-    );
-    search::optimise(both, &starts, search::Finish::Distinct, step)
+    let random = starts::random_points(&both.space, middle, RANDOM_IN_OPERATION, seed);
+    list.extend(random.into_iter().map(|point| ("random".to_owned(), point)));
+    list
 }

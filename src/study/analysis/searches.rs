@@ -4,7 +4,7 @@ use super::evaluate::{self, Classifier, DesignResult};
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Family};
 use super::results::{OptimumResult, RowCase};
-use super::search_in_operation::{is_worse_in_operation, search_in_operation};
+use super::search_in_operation::{conflict_in_operation, is_worse_in_operation, search_in_operation};
 use super::sensitivities::sensitivities;
 use super::timing::Clock;
 use super::{Progress, RunError};
@@ -47,6 +47,13 @@ struct LookedOver {
     survey: Option<Survey>,
     nearby: Nearby,
     conflict: Option<Conflict>,
+}
+
+impl LookedOver {
+    /// Whether one of these designs has led to a better optimum.
+    fn led_elsewhere(&self) -> bool {
+        self.scan.better || self.nearby.better || self.survey.is_some_and(|s| s.better)
+    }
 }
 
 /// What all searches of a study share.
@@ -135,8 +142,7 @@ impl<'a> Searches<'a> {
         let of = |d: &DesignSpec| -> Option<(String, Vec<f64>)> {
             let alike = |(m, slot): (&Mounted, &Slot)| m.on == slot.on && m.absorber.declaration() == Some(slot.declaration);
             let fits = d.absorbers.len() == space.slots.len() && d.absorbers.iter().zip(&space.slots).all(alike);
-            let values = || d.absorbers.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>();
-            fits.then(|| (d.name.clone(), space.point(&values())))
+            fits.then(|| (d.name.clone(), space.point_of(&d.absorbers)))
         };
         self.study.designs.iter().filter_map(of).collect()
     }
@@ -185,17 +191,29 @@ impl<'a> Searches<'a> {
             Some(tolerances) => robust::optimise(&problem, tolerances, &starts, spec.seed, step),
             None => search::optimise(&problem, &starts, search::Finish::All, step).map(|optimum| (Vec::new(), optimum)),
         };
-        let (deviations, mut optimum) = found.map_err(failed)?;
+        let (mut deviations, mut optimum) = found.map_err(failed)?;
+        let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
+        let mut looked = {
+            let scenarios = robust::scenarios(self.load_cases, &deviations);
+            let reference = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
+            self.looked_over(&reference, &mut optimum, &all, spec.seed).map_err(failed)?
+        };
+        if let Some(tolerances) = within.as_ref().filter(|_| looked.led_elsewhere()) {
+            // a design from elsewhere has its own worst deviation
+            (deviations, optimum) = robust::settled(&problem, tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
+        }
         let mut scenarios = robust::scenarios(self.load_cases, &deviations);
         let at_reference = scenarios.clone();
-        let all: Vec<_> = starts.into_iter().chain(self.given(&problem.space)).collect();
-        let reference = Problem { load_cases: &at_reference, space: problem.space.clone(), ..problem };
-        let mut looked = self.looked_over(&reference, &mut optimum, &all, spec.seed).map_err(failed)?;
         // limits are judged in operation, too: a design that is as good there is the best of both
-        if looked.conflict.is_none() && within.is_none() && (spec.in_operation || !self.limits.is_empty()) {
+        if within.is_none() && (spec.in_operation || !self.limits.is_empty()) {
             scenarios.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None });
             let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            if is_worse_in_operation(&both, &optimum).map_err(failed)? {
+            if let Some(known) = &looked.conflict {
+                match conflict_in_operation(&both, &optimum, known.ratio, spec.seed).map_err(failed)? {
+                    Some(verdict) => looked.conflict = settled(&both, &mut optimum, verdict),
+                    None => drop(scenarios.pop()),
+                }
+            } else if is_worse_in_operation(&both, &optimum).map_err(failed)? {
                 optimum = search_in_operation(&both, &optimum, spec.seed, step).map_err(failed)?;
                 // what was looked at for the reference says nothing of this one
                 looked.scan = Scan::default();
@@ -266,8 +284,8 @@ impl<'a> Searches<'a> {
             return Ok(own);
         }
         for (i, other) in optimum.others.iter().enumerate() {
-            let values: Vec<Vec<f64>> = other.design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect();
-            let Ok(outcome) = minimax::minimise(problem, &problem.space.point(&values), &mut Work::default()) else { continue };
+            let from = problem.space.point_of(&other.design);
+            let Ok(outcome) = minimax::minimise(problem, &from, &mut Work::default()) else { continue };
             let design = problem.space.design(&outcome.point);
             let Some(found) = evaluated(&design).ok().filter(|d| d.within_limits() && outcome.rows.hold()) else { continue };
             optimum.others.drain(..=i);
@@ -286,9 +304,9 @@ impl<'a> Searches<'a> {
         Ok(LookedOver { scan, survey, nearby, conflict: conflict_of(problem, optimum, starts)? })
     }
 
-    /// The whole box of an optimum under limits.
+    /// The whole box of an optimum under limits, or of several absorbers.
     fn survey(&self, problem: &Problem, optimum: &mut Optimum, seed: u64) -> Option<Survey> {
-        (!self.limits.is_empty() && !problem.space.variables.is_empty()).then(|| survey::survey(problem, optimum, seed))
+        survey::is_wanted(problem).then(|| survey::survey(problem, optimum, seed))
     }
 
     /// What is sought: every family by the first objective; the main size of each type once more by every other objective, and within tolerances.
@@ -339,22 +357,27 @@ impl<'a> Searches<'a> {
 }
 
 /// Where limits are broken: an optimum from a design that holds them, or the conflict.
-fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[(String, Vec<f64>)]) -> Result<Option<Conflict>, ResponseError> {
+fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[NamedPoint]) -> Result<Option<Conflict>, ResponseError> {
     if optimum.outcome.rows.hold() {
         return Ok(None);
     }
-    match conflict::judge(problem, optimum, starts)? {
+    Ok(settled(problem, optimum, conflict::judge(problem, optimum, starts)?))
+}
+
+/// An optimum by a verdict on its limits.
+fn settled(problem: &Problem, optimum: &mut Optimum, verdict: Verdict) -> Option<Conflict> {
+    match verdict {
         Verdict::Conflict(nearest, conflict) => {
             *optimum = *nearest;
             optimum.others.clear();
-            Ok(Some(conflict))
+            Some(conflict)
         }
         Verdict::Found(outcome) => {
             if outcome.rows.hold() {
                 optimum.design = problem.space.design(&outcome.point);
                 optimum.outcome = *outcome;
             }
-            Ok(None)
+            None
         }
     }
 }

@@ -57,8 +57,8 @@ pub(crate) struct Context<'a> {
     pub strokes: u32,
     /// Most absorbers of a design.
     pub absorbers: usize,
-    /// Of each absorber what cools it, one for every type that is optimised and every design; nothing where some do not say.
-    pub cooled: &'a [Option<Vec<Cooling>>],
+    /// Of each absorber what cools it, one for every type that is optimised and every design; or those that do not say.
+    pub cooled: &'a [Result<Vec<Cooling>, Vec<String>>],
     /// Absorbers whose temperature or strain is balanced, of any design and of what is optimised.
     pub balanced: &'a [usize],
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
@@ -77,15 +77,28 @@ impl<'a> Context<'a> {
         designs.chain(optimise.map(|o| o.absorbers.len())).max().unwrap_or(0)
     }
 
-    /// Of each absorber what cools it, in all that is optimised there and in every design that has it.
-    pub fn cooled(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Option<Vec<Cooling>>> {
+    /// Of each absorber what cools it, in all that is optimised there and in every design that has it; or the designs and types that do not say.
+    pub fn cooled(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<Result<Vec<Cooling>, Vec<String>>> {
         let of_law = |m: &Mounted| Some(m.absorber.law()?.material()?.thermal?.cooling);
         let of_type = |a: &AbsorberSpec, t: &'static Declaration| a.materials.iter().find(|m| m.0 == t)?.1.cooling;
-        let searched =
-            |i: usize| optimise.and_then(|o| o.absorbers.get(i)).into_iter().flat_map(|a| a.types.iter().map(move |t| of_type(a, t)));
-        let given = |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).map(of_law);
+        let searched = |i: usize| {
+            let types = optimise.and_then(|o| o.absorbers.get(i)).into_iter().flat_map(|a| a.types.iter().map(move |t| (a, *t)));
+            types.map(move |(a, t)| of_type(a, t).ok_or_else(|| format!("`{}` of [optimise]", t.name)))
+        };
+        let given = |i: usize| {
+            let with = designs.iter().filter_map(move |d| Some((d, d.absorbers.get(i)?)));
+            with.map(move |(d, m)| of_law(m).ok_or_else(|| format!("design `{}`", d.name)))
+        };
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
-        (0..count).map(|i| searched(i).chain(given(i)).collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())).collect()
+        let told = |i: usize| {
+            let (said, silent): (Vec<_>, Vec<_>) = searched(i).chain(given(i)).partition(Result::is_ok);
+            if silent.is_empty() {
+                Ok(said.into_iter().flatten().collect())
+            } else {
+                Err(silent.into_iter().filter_map(Result::err).collect())
+            }
+        };
+        (0..count).map(told).collect()
     }
 
     /// Absorbers whose material says what cools it, or how it follows its strain: one of a design.
@@ -234,8 +247,13 @@ impl<'a> Context<'a> {
         Within { ranges, factors }
     }
 
-    /// The rings that a measure is of, in words.
+    /// The rings that a measure is of, in words: of their sum where none is named.
     pub(super) fn ring_words(named: Option<&At<i64>>) -> String {
         named.map_or_else(|| "all absorbers".into(), |i| format!("absorber {}", i.get_ref()))
+    }
+
+    /// The same of a measure that is largest over the rings where none is named.
+    pub(super) fn each_ring(named: Option<&At<i64>>) -> String {
+        named.map_or_else(|| "every absorber".into(), |i| format!("absorber {}", i.get_ref()))
     }
 }

@@ -14,7 +14,7 @@ use crate::units::{DEG_PER_RAD, PA_PER_MPA};
 
 pub(super) fn ring_twist<'r>(check: &mut Check, r: &'r RawRingTwist, of: Context) -> Option<Resolved<'r>> {
     let over = of.over(check, r.over, r.order.as_ref());
-    let place = format!("of {}", Context::ring_words(r.absorber.as_ref()));
+    let place = format!("of {}", Context::each_ring(r.absorber.as_ref()));
     let names = Names { key: "ring_twist", column: "ring_twist_deg", word: "ring_twist", what: "ring twist", place };
     let parts = (of.rings(check, r.absorber.as_ref())?, over, of.within(check, r.within()));
     Some(Resolved { spec: spec(names, parts, UnitOf::Angle), bound: Bound::Most(r.max_deg.as_ref()) })
@@ -56,6 +56,9 @@ pub(super) fn life<'r>(check: &mut Check, l: &'r RawLifeOf, of: Context) -> Opti
     Some(Resolved { spec: spec(names, (rings, Over::Damage, Within::default()), UnitOf::Life), bound: Bound::Least(l.min_h.as_ref()) })
 }
 
+/// Most designs and types that a message names.
+const MOST_NAMED: usize = 3;
+
 /// How powers count.
 fn of_power(over: Option<RawPowerOver>) -> Over {
     match over.unwrap_or_default() {
@@ -83,7 +86,7 @@ pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Cont
     let rings = of.rings(check, Some(&t.absorber));
     let index = usize::try_from(*t.absorber.get_ref()).ok().and_then(|i| i.checked_sub(1));
     match index.and_then(|i| of.cooled.get(i)) {
-        Some(Some(all)) => {
+        Some(Ok(all)) => {
             if all.iter().any(|c| c.air <= 0.0 || c.hub <= 0.0) {
                 let expected = "expected air and hub above that: limits and targets are ratios of °C";
                 check.wrong(&t.absorber, format!("found the temperature of an absorber that may be below 0 °C, {expected}"));
@@ -94,24 +97,22 @@ pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Cont
                 check.wrong(most, format!("{found}, expected no more: above that it overheats"));
             }
         }
-        _ if rings.is_some() => {
-            if let Some(other) = of.balanced.iter().copied().find(|b| index != Some(*b)) {
-                let number = t.absorber.get_ref();
-                let found = format!(
-                    "found the temperature of absorber {number}, which nothing is said to cool, beside absorber {0} with `cooling` or `amplitude`, expected that of absorber {0}",
-                    other + 1
-                );
+        Some(Err(silent)) if rings.is_some() => {
+            let named: Vec<&str> = silent.iter().take(MOST_NAMED).map(String::as_str).collect();
+            let more = if silent.len() > MOST_NAMED { format!(" and {} more", silent.len() - MOST_NAMED) } else { String::new() };
+            let (number, some) = (t.absorber.get_ref(), named.join(", ") + &more);
+            let which = if silent.len() == 1 { "does" } else { "do" };
+            let found = format!("found the temperature of absorber {number}, of which {some} {which} not say what cools it");
+            // one absorber of a design is cooled, and in some design it is another one
+            if of.balanced.iter().any(|b| index != Some(*b)) {
+                let expected = "expected that of an absorber with `cooling` in all designs and types";
                 check.wrong_with_help(
                     &t.absorber,
-                    format!("{found}: temperature and strain are balanced for one absorber of a design"),
+                    format!("{found}, {expected}: temperature and strain are balanced for one absorber of a design"),
                     HEAT_OF_OTHERS,
                 );
                 return None;
             }
-            let found = format!(
-                "found the temperature of absorber {}, of which some type or design does not say what cools it",
-                t.absorber.get_ref()
-            );
             check.wrong_with_help(
                 &t.absorber,
                 format!("{found}, expected `cooling` in every material of it"),
@@ -127,7 +128,7 @@ pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Cont
 }
 
 pub(super) fn loss_factor<'r>(check: &mut Check, l: &'r RawLossFactor, of: Context) -> Option<Resolved<'r>> {
-    let place = format!("of {}", Context::ring_words(l.absorber.as_ref()));
+    let place = format!("of {}", Context::each_ring(l.absorber.as_ref()));
     let names = Names { key: "loss_factor", column: "loss_factor", word: "loss_factor", what: "implied loss factor", place };
     let parts = (of.rings(check, l.absorber.as_ref())?, Over::Property(Property::LossFactor), Within::default());
     Some(Resolved { spec: spec(names, parts, UnitOf::Ratio), bound: Bound::Most(l.max.as_ref()) })

@@ -152,23 +152,6 @@ impl<'a> Follower<'a> {
         self.best_of_points(most, &all, work)
     }
 
-    /// The best at a level between the ends: from some points and from all starts; of several absorbers from the whole box besides, for what holds the level falls apart into designs with one absorber locked or loose.
-    fn knot(&self, most: f64, points: &[Known], work: &mut Work) -> Result<Option<Level>, ResponseError> {
-        let Some(level) = self.best_of_starts(most, points, work)? else { return Ok(None) };
-        if self.problem.space.slots.len() == 1 {
-            return Ok(Some(level));
-        }
-        let limits = self.limits(most);
-        let problem = self.within(&limits, self.problem.objectives);
-        let mut optimum = Optimum::alone(&problem, level.outcome.clone());
-        survey::survey(&problem, &mut optimum, SEED);
-        *work += optimum.stages.all();
-        Ok(Some(match self.values(&optimum.outcome.point, &mut Work::default()) {
-            Ok(values) => Level { most, values, outcome: optimum.outcome },
-            Err(_) => level,
-        }))
-    }
-
     /// An optimum within the limits of a problem: by a global search, where that ends outside them by the points of the whole box, and by what comes nearest to all limits. `None` where none of these holds them.
     fn within_limits(&self, problem: &Problem, work: &mut Work) -> Result<Option<Optimum>, ResponseError> {
         let starts = (self.starts)(&problem.space);
@@ -282,7 +265,7 @@ impl<'a> Follower<'a> {
             .into_par_iter()
             .map(|most| {
                 let mut work = Work::default();
-                Ok((self.knot(most, &[(&first.outcome.point, None), (&last.outcome.point, None)], &mut work)?, work))
+                Ok((self.best_of_starts(most, &[(&first.outcome.point, None), (&last.outcome.point, None)], &mut work)?, work))
             })
             .collect::<Result<_, ResponseError>>()?;
         let mut levels = vec![first];
@@ -305,7 +288,7 @@ impl<'a> Follower<'a> {
                     let (most, ends) = (middle(left, right), [end(&left.outcome), end(&right.outcome)]);
                     // between two branches there may be a third
                     let level = if several && left.values[0] - right.values[0] > JUMP * range(&levels, 0) {
-                        self.knot(most, &ends, &mut work)?
+                        self.best_of_starts(most, &ends, &mut work)?
                     } else {
                         self.best_of_points(most, &ends, &mut work)?
                     };

@@ -94,6 +94,7 @@ impl Space {
     }
 
     /// The point of a design of the family, moved into the bounds.
+    #[doc(hidden)]
     pub fn point_of(&self, design: &[Mounted]) -> Vec<f64> {
         self.point(&design.iter().filter_map(|m| m.absorber.law().map(|law| law.values())).collect::<Vec<_>>())
     }

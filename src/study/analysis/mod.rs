@@ -31,6 +31,7 @@ mod jumps;
 pub mod large_twist;
 mod large_twist_measures;
 mod life;
+mod looked_over;
 pub mod margins;
 pub mod method_selection;
 pub mod model_check;

@@ -3,8 +3,8 @@
 use super::evaluate::{self, Classifier, DesignResult};
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Family};
+use super::looked_over::{LookedOver, in_operation, looked_over};
 use super::results::{OptimumResult, RowCase};
-use super::search_in_operation::{conflict_in_operation, is_worse_in_operation, search_in_operation};
 use super::sensitivities::sensitivities;
 use super::timing::Clock;
 use super::{Progress, RunError};
@@ -14,13 +14,12 @@ use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
-use crate::optimise::conflict::{self, Conflict, Verdict};
 use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Nearby, Optimum, Problem, Remembers, Row, Scan, Slot, Space, Survey, Tolerances, largest, robust, search,
-    second_order, shadow_prices, starts, survey, verification_scan,
+    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, largest, robust, search, second_order, shadow_prices,
+    starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -39,21 +38,6 @@ struct Sought {
     objective: usize,
     /// Tolerances within which the worst counts.
     within: Option<Tolerances>,
-}
-
-/// What designs that no start comes from say of an optimum.
-struct LookedOver {
-    scan: Scan,
-    survey: Option<Survey>,
-    nearby: Nearby,
-    conflict: Option<Conflict>,
-}
-
-impl LookedOver {
-    /// Whether one of these designs has led to a better optimum.
-    fn led_elsewhere(&self) -> bool {
-        self.scan.better || self.nearby.better || self.survey.is_some_and(|s| s.better)
-    }
 }
 
 /// What all searches of a study share.
@@ -171,9 +155,7 @@ impl<'a> Searches<'a> {
         let found = families.into_par_iter().map(one).collect::<Result<Vec<OptimumResult>, RunError>>()?;
         let mut work = Work::default();
         for stages in found.iter().map(|o| o.optimum.stages) {
-            work += stages.seeds;
-            work += stages.search;
-            work += stages.minimax;
+            work += stages.all();
         }
         if !found.is_empty() {
             clock.lap("optima", work);
@@ -196,7 +178,7 @@ impl<'a> Searches<'a> {
         let mut looked = {
             let scenarios = robust::scenarios(self.load_cases, &deviations);
             let reference = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            self.looked_over(&reference, &mut optimum, &all, spec.seed).map_err(failed)?
+            looked_over(&reference, &mut optimum, (&all, &self.frequencies()), spec.seed).map_err(failed)?
         };
         if let Some(tolerances) = within.as_ref().filter(|_| looked.led_elsewhere()) {
             // a design from elsewhere has its own worst deviation
@@ -208,19 +190,7 @@ impl<'a> Searches<'a> {
         if within.is_none() && (spec.in_operation || !self.limits.is_empty()) {
             scenarios.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None });
             let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            if let Some(known) = &looked.conflict {
-                match conflict_in_operation(&both, &optimum, known.ratio, spec.seed).map_err(failed)? {
-                    Some(verdict) => looked.conflict = settled(&both, &mut optimum, verdict),
-                    None => drop(scenarios.pop()),
-                }
-            } else if is_worse_in_operation(&both, &optimum).map_err(failed)? {
-                optimum = search_in_operation(&both, &optimum, spec.seed, step).map_err(failed)?;
-                // what was looked at for the reference says nothing of this one
-                looked.scan = Scan::default();
-                looked.survey = self.survey(&both, &mut optimum, spec.seed);
-                looked.nearby = verification_scan::nearby(&both, &mut optimum, spec.seed);
-                looked.conflict = conflict_of(&both, &mut optimum, &all).map_err(failed)?;
-            } else {
+            if !in_operation(&both, (&mut optimum, &mut looked), &all, spec.seed, step).map_err(failed)? {
                 scenarios.pop();
             }
         }
@@ -295,20 +265,6 @@ impl<'a> Searches<'a> {
         Ok(own)
     }
 
-    /// Holds an optimum against designs that no start comes from, and keeps what is better; where it breaks a limit, looks for what does not.
-    fn looked_over(&self, problem: &Problem, optimum: &mut Optimum, starts: &[NamedPoint], seed: u64) -> Result<LookedOver, ResponseError> {
-        let lines = starts::elsewhere(&problem.space, &optimum.outcome.point, &self.frequencies());
-        let scan = verification_scan::scan(problem, optimum, &lines);
-        let survey = self.survey(problem, optimum, seed);
-        let nearby = verification_scan::nearby(problem, optimum, seed);
-        Ok(LookedOver { scan, survey, nearby, conflict: conflict_of(problem, optimum, starts)? })
-    }
-
-    /// The whole box of an optimum under limits, or of several absorbers.
-    fn survey(&self, problem: &Problem, optimum: &mut Optimum, seed: u64) -> Option<Survey> {
-        survey::is_wanted(problem).then(|| survey::survey(problem, optimum, seed))
-    }
-
     /// What is sought: every family by the first objective; the main size of each type once more by every other objective, and within tolerances.
     fn sought(&self, spec: &OptimiseSpec) -> Vec<Sought> {
         let mut families: Vec<Sought> =
@@ -353,32 +309,6 @@ impl<'a> Searches<'a> {
     pub(super) fn others(&self, design: &[Mounted]) -> Result<Vec<f64>, ResponseError> {
         let value = |measure: &Measure| largest(self.load_cases.iter(), design, measure, &mut Work::default());
         self.study.more_objectives.iter().map(|o| value(&o.measure)).collect()
-    }
-}
-
-/// Where limits are broken: an optimum from a design that holds them, or the conflict.
-fn conflict_of(problem: &Problem, optimum: &mut Optimum, starts: &[NamedPoint]) -> Result<Option<Conflict>, ResponseError> {
-    if optimum.outcome.rows.hold() {
-        return Ok(None);
-    }
-    Ok(settled(problem, optimum, conflict::judge(problem, optimum, starts)?))
-}
-
-/// An optimum by a verdict on its limits.
-fn settled(problem: &Problem, optimum: &mut Optimum, verdict: Verdict) -> Option<Conflict> {
-    match verdict {
-        Verdict::Conflict(nearest, conflict) => {
-            *optimum = *nearest;
-            optimum.others.clear();
-            Some(conflict)
-        }
-        Verdict::Found(outcome) => {
-            if outcome.rows.hold() {
-                optimum.design = problem.space.design(&outcome.point);
-                optimum.outcome = *outcome;
-            }
-            None
-        }
     }
 }
 

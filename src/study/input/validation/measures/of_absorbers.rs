@@ -99,8 +99,8 @@ pub(super) fn temperature<'r>(check: &mut Check, t: &'r RawTemperature, of: Cont
         }
         Some(Err(silent)) if rings.is_some() => {
             let named: Vec<&str> = silent.iter().take(MOST_NAMED).map(String::as_str).collect();
-            let more = if silent.len() > MOST_NAMED { format!(" and {} more", silent.len() - MOST_NAMED) } else { String::new() };
-            let (number, some) = (t.absorber.get_ref(), named.join(", ") + &more);
+            let more = if silent.len() > MOST_NAMED { format!(" and {} others", silent.len() - MOST_NAMED) } else { String::new() };
+            let (number, some) = (t.absorber.get_ref(), named.join(" and ") + &more);
             let which = if silent.len() == 1 { "does" } else { "do" };
             let found = format!("found the temperature of absorber {number}, of which {some} {which} not say what cools it");
             // one absorber of a design is cooled, and in some design it is another one

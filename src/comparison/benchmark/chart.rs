@@ -93,7 +93,7 @@ impl<'a> Chart<'a> {
         progress.step();
         let laws = laws::measure(&study)?;
         progress.step();
-        let ladder = crank_ladder::measure(&study)?;
+        let ladder = crank_ladder::measure(&study, &crank_ladder::FACTORS)?;
         progress.step();
         Ok(Self { study, methods, savings, models, margins, laws, fronts, ladder, common })
     }

@@ -114,8 +114,8 @@ pub struct Ladder {
     pub bearings: Vec<(f64, Errors)>,
 }
 
-/// Factors on the stiffness of all bearings.
-const FACTORS: [f64; 9] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0];
+/// Factors on the stiffness of all bearings, of a chart.
+pub(super) const FACTORS: [f64; 9] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0];
 
 /// What the ladder asks of a study: its first objective, one absorber of its first type and size, the engine as it should be.
 fn asked(study: &Study) -> Study {
@@ -149,11 +149,11 @@ fn twist(d: &DesignResult) -> Option<f64> {
     d.twist.map(|p| p.value)
 }
 
-/// Measures a study on its flexible crank; nothing where it is on the chain.
+/// Measures a study on its flexible crank, the chains against bearings times some factors, too; nothing where it is on the chain.
 ///
 /// # Errors
 /// [`RunError`] where a design has no finite response.
-pub fn measure(study: &Study) -> Result<Option<Ladder>, RunError> {
+pub fn measure(study: &Study, factors: &[f64]) -> Result<Option<Ladder>, RunError> {
     if study.on_flexible().is_none() {
         return Ok(None);
     }
@@ -179,14 +179,14 @@ pub fn measure(study: &Study) -> Result<Option<Ladder>, RunError> {
         optimum: optimum.zip(least).map(|(own, least)| own / least - 1.0),
     };
     let rungs = found.iter().zip(&optima).map(cost).collect();
-    Ok(Some(Ladder { rungs, bearings: bearings(&own, &found)? }))
+    Ok(Some(Ladder { rungs, bearings: bearings((&own, factors), &found)? }))
 }
 
 /// Errors of the chains as all bearings get softer or stiffer.
-fn bearings(study: &Study, found: &[Found]) -> Result<Vec<(f64, Errors)>, RunError> {
+fn bearings((study, factors): (&Study, &[f64]), found: &[Found]) -> Result<Vec<(f64, Errors)>, RunError> {
     let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else { return Ok(Vec::new()) };
     let mut list = Vec::new();
-    for factor in FACTORS {
+    for factor in factors.iter().copied() {
         let parts = (crank, &study.engine, &study.chain);
         let Ok(model) = flexible.with(|spec| spec.bearing = spec.bearing.times(factor, 1.0), parts) else { continue };
         let mut own = Study { flexible: Some(model), crank_model: CrankModel::Flexible, fatigue: None, ..study.clone() };

@@ -73,6 +73,7 @@ fn rows_follow_temperature() {
     assert_eq!(given.conditions.len(), 3, "cold, hot and in operation");
     let ranked = results.catalogue.iter().find(|r| r.design == "r1").expect("ranked");
     assert_eq!((ranked.objective, ranked.over_limit), (sold.objective, sold.limits.iter().copied().fold(0.0, f64::max)));
+    assert_eq!(ranked.nearest_limit, Some(0), "the limit that it breaks");
     assert!(!sold.within_limits() && design("r1_retuned").within_limits());
     let refused = |of_rows: &str, limit: &str, told: &str| {
         let error = study(of_rows, limit).expect_err(told).to_string();

@@ -6,7 +6,7 @@ use crate::files::{Folder, WriteError};
 use crate::input::Study;
 use crate::objective::holds;
 
-/// `catalogue.csv`: a row an absorber; without a value where nothing damps a resonance, without a verdict where the study has no limits. None where the study has no catalogue.
+/// `catalogue.csv`: a row an absorber, with the limit that it uses most and how much of it; without a value where nothing damps a resonance, without a verdict where the study has no limits. None where the study has no catalogue.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -15,7 +15,8 @@ pub fn catalogue(study: &Study, results: &Results, folder: &Folder) -> Result<()
         return Ok(());
     }
     let unit = study.objective.unit;
-    let mut table = Table::new(&["catalogue", "design", "place", "objective", "value", "unit", "limits_hold"]);
+    let mut table =
+        Table::new(&["catalogue", "design", "place", "objective", "value", "unit", "limits_hold", "nearest_limit", "used_percent"]);
     for r in &results.catalogue {
         table.row([
             r.file.clone(),
@@ -25,6 +26,8 @@ pub fn catalogue(study: &Study, results: &Results, folder: &Folder) -> Result<()
             optional(r.objective.map(|v| unit.shown(v))),
             unit.symbol().to_owned(),
             if study.limits.is_empty() { String::new() } else { (r.objective.is_some() && holds(r.over_limit)).to_string() },
+            r.nearest_limit.map_or_else(String::new, |i| study.limits[i].words.clone()),
+            optional(r.nearest_limit.map(|_| 100.0 * r.over_limit).filter(|v| v.is_finite())),
         ]);
     }
     table.save(folder, "catalogue.csv")

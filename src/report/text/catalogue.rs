@@ -16,9 +16,13 @@ pub fn catalogue(study: &Study, results: &Results) -> String {
         let limits = if study.limits.is_empty() { String::new() } else { format!(", {within} within all limits") };
         let row = |r: &&&crate::analysis::Ranked| {
             let value = r.objective.map_or("-".into(), |v| significant(unit.shown(v), 5));
-            let held = if holds(r.over_limit) { "hold" } else { "FAIL" };
+            let held = match r.nearest_limit {
+                _ if holds(r.over_limit) => "hold".to_owned(),
+                Some(i) => format!("FAIL: {:.0} % of {}", 100.0 * r.over_limit, study.limits[i].of.key),
+                None => "FAIL".to_owned(),
+            };
             let mut row = vec![r.place.to_string(), r.design.clone(), value];
-            row.extend((!study.limits.is_empty()).then(|| held.to_owned()));
+            row.extend((!study.limits.is_empty()).then_some(held));
             row
         };
         let rows: Vec<Vec<String>> = all.iter().filter(|r| r.shown).map(|r| row(&r)).collect();

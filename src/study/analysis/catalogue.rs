@@ -22,6 +22,8 @@ pub struct Ranked {
     pub objective: Option<f64>,
     /// Largest limited measure over its limit; zero without limits.
     pub over_limit: f64,
+    /// Index of that limit; nothing without limits, and where nothing damps a resonance.
+    pub nearest_limit: Option<usize>,
     /// Whether it is among the best, which are reported like given designs.
     pub shown: bool,
 }
@@ -41,11 +43,11 @@ pub(crate) fn ranked(
         progress.stage("catalogue", study.catalogues.iter().map(|c| c.designs.len()).sum());
     }
     for (index, catalogue) in study.catalogues.iter().enumerate() {
-        let judged: Vec<Result<(f64, f64), ResponseError>> =
+        let judged: Vec<Result<RankedBy, ResponseError>> =
             catalogue.designs.par_iter().map(|d| judge(finders, wanted, d)).inspect(|_| progress.step()).collect();
-        let mut order: Vec<(usize, Option<(f64, f64)>)> = judged.into_iter().map(Result::ok).enumerate().collect();
+        let mut order: Vec<(usize, Option<RankedBy>)> = judged.into_iter().map(Result::ok).enumerate().collect();
         // stable: equals keep the order of the file
-        let key = |judged: &Option<(f64, f64)>| judged.map_or((true, f64::INFINITY), |(value, over)| (!holds(over), value));
+        let key = |judged: &Option<RankedBy>| judged.map_or((true, f64::INFINITY), |(value, over, _)| (!holds(over), value));
         order.sort_by(|a, b| key(&a.1).0.cmp(&key(&b.1).0).then(key(&a.1).1.total_cmp(&key(&b.1).1)));
         for (place, (i, judged)) in order.into_iter().enumerate() {
             let design = &catalogue.designs[i];
@@ -59,6 +61,7 @@ pub(crate) fn ranked(
                 place: place + 1,
                 objective: judged.map(|j| j.0),
                 over_limit: judged.map_or(f64::INFINITY, |j| j.1),
+                nearest_limit: judged.and_then(|j| j.2),
                 shown,
             });
         }
@@ -66,17 +69,24 @@ pub(crate) fn ranked(
     Ok((list, best))
 }
 
-/// Objective, and the largest limited measure over its limit.
-fn judge(finders: &[PeakFinder], wanted: &EvaluationPlan, design: &DesignSpec) -> Result<(f64, f64), ResponseError> {
-    let (mut value, mut over) = (0.0f64, 0.0f64);
+/// Objective, the largest limited measure over its limit, and the index of that.
+type RankedBy = (f64, f64, Option<usize>);
+
+/// What a row is ranked by, at its worst of the conditions that it is judged in.
+fn judge(finders: &[PeakFinder], wanted: &EvaluationPlan, design: &DesignSpec) -> Result<RankedBy, ResponseError> {
+    let (mut value, mut over, mut nearest) = (0.0f64, 0.0f64, None);
     for condition in wanted.judged_in(&design.absorbers) {
         for finder in engines_in(condition, finders) {
             let design = absorbers(condition, finder, &design.absorbers)?;
             let mut peaks = DesignPeaks::new(finder, &design, wanted.asked());
             let (objective, limits) = asked(&mut peaks, wanted, &mut Work::default())?;
             value = value.max(objective);
-            over = limits.into_iter().fold(over, f64::max);
+            for (i, ratio) in limits.into_iter().enumerate() {
+                if nearest.is_none() || ratio > over {
+                    (over, nearest) = (f64::max(over, ratio), Some(i));
+                }
+            }
         }
     }
-    Ok((value, over))
+    Ok((value, over, nearest))
 }

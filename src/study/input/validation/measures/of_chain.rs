@@ -154,6 +154,9 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
     let unit = UnitOf::Stress { section_modulus };
     let mut within = of.within(check, s.within());
     let ratio = chain.speed_ratios().map_or(1.0, |ratios| ratios[shaft].abs());
+    if let Some(rule) = &s.iacs_m68 {
+        of_propulsion(check, (rule, &s.shaft), (chain, shaft), over);
+    }
     let propulsion = s.iacs_m68.as_ref().map(|r| propulsion(check, r, (outer, ratio)));
     let rules = [propulsion, s.korean_register_crank.as_ref().map(|r| Some(crank(check, r)))];
     let mut rules = rules.into_iter().flatten();
@@ -181,6 +184,23 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
             rule: LimitOfRule { rated_rpm: rule.rated_rpm, transient: rule.rule.transient(), excepted: Context::excepted(s.within()) },
         },
     })
+}
+
+/// The rule for propulsion shafts is of intermediate, thrust and propeller shafts, and limits all orders together.
+fn of_propulsion(check: &mut Check, (rule, named): (&At<RawM68>, &At<String>), (chain, shaft): (&Chain, usize), over: Over) {
+    let is_throw = |station: usize| chain.stations.get(station).is_some_and(|s| !s.throws.is_empty());
+    if is_throw(shaft) && is_throw(chain.next(shaft)) {
+        check.wrong(
+            named,
+            format!(
+                "found `iacs_m68` for shaft {}, part of the crankshaft, expected an intermediate, thrust or propeller shaft: a crank is judged by `iacs_m53` of [fatigue] or `korean_register_crank`",
+                chain.shaft_name(shaft)
+            ),
+        );
+    }
+    if over != Over::Synthesis {
+        check.wrong(rule, "found `iacs_m68` beside `over` or `order`, expected neither: the rule limits all orders together");
+    }
 }
 
 /// Speeds are alike within this share.

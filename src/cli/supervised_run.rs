@@ -5,7 +5,7 @@ use super::progress::Bar;
 use crate::analysis::Progress;
 use crate::input::{Study, UnitOf};
 use crate::objective::holds;
-use crate::optimise::{Found, Memory};
+use crate::optimise::{BestSoFar, Memory};
 use crate::report::{Folder, Journal, UNFINISHED};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -49,7 +49,7 @@ impl Memory for Watched {
     fn keep(&self, key: u64, found: &[u8]) {
         self.journal.keep(key, found);
     }
-    fn found(&self, found: &Found) {
+    fn found(&self, found: &BestSoFar) {
         self.journal.found(found);
         let mut best = self.best.lock().unwrap_or_else(PoisonError::into_inner);
         if found.search.objective == 0 && holds(1.0 + found.excess) && found.value < *best {

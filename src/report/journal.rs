@@ -9,7 +9,7 @@ use super::taken::FolderError;
 use crate::input::{InputFile, checksum};
 use crate::numerics::elementary::Elementary;
 use crate::objective::holds;
-use crate::optimise::{Found, Memory};
+use crate::optimise::{BestSoFar, Memory};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD_NO_PAD;
 use std::collections::{BTreeMap, HashMap};
@@ -222,8 +222,8 @@ impl Memory for Journal {
         }
     }
 
-    fn found(&self, found: &Found) {
-        let Found { search, value, excess, design } = found;
+    fn found(&self, found: &BestSoFar) {
+        let BestSoFar { search, value, excess, design } = found;
         let best = Best { objective: search.objective, value: *value, excess: *excess, design: design.clone() };
         let mut state = self.state();
         if state.best.get(search.design).is_none_or(|b| best.before(b)) {

@@ -98,7 +98,7 @@ pub struct RungCost {
 pub type Errors = Vec<(Rung, f64)>;
 
 /// What a model came to.
-struct Found {
+struct ModelOutcome {
     rung: Rung,
     seconds: f64,
     designs: Vec<DesignResult>,
@@ -164,14 +164,14 @@ pub fn measure(study: &Study, factors: &[f64]) -> Result<Option<Ladder>, RunErro
         let start = Instant::now();
         let results = run(&on, &Silent)?;
         let optimum = results.optima.iter().find(|o| o.main).map(|o| o.design.absorbers.clone());
-        found.push(Found { rung, seconds: start.elapsed().as_secs_f64(), designs: results.designs, optimum });
+        found.push(ModelOutcome { rung, seconds: start.elapsed().as_secs_f64(), designs: results.designs, optimum });
     }
     let Some(reference) = found.iter().find(|f| f.rung == Rung::Flexible).map(|f| &f.designs) else { return Ok(None) };
     let best = |absorbers: &[Mounted]| own.evaluate("optimum", absorbers.to_vec()).map(|d| d.objective);
     let optima = found.iter().map(|f| f.optimum.as_deref().map(best).transpose()).collect::<Result<Vec<_>, _>>()?;
     let optima: Vec<Option<f64>> = optima.into_iter().map(Option::flatten).collect();
     let least = optima.last().copied().flatten();
-    let cost = |(f, optimum): (&Found, &Option<f64>)| RungCost {
+    let cost = |(f, optimum): (&ModelOutcome, &Option<f64>)| RungCost {
         rung: f.rung,
         seconds: f.seconds,
         peak: worst(&f.designs, reference, twist).unwrap_or(0.0),
@@ -183,7 +183,7 @@ pub fn measure(study: &Study, factors: &[f64]) -> Result<Option<Ladder>, RunErro
 }
 
 /// Errors of the chains as all bearings get softer or stiffer.
-fn bearings((study, factors): (&Study, &[f64]), found: &[Found]) -> Result<Vec<(f64, Errors)>, RunError> {
+fn bearings((study, factors): (&Study, &[f64]), found: &[ModelOutcome]) -> Result<Vec<(f64, Errors)>, RunError> {
     let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else { return Ok(Vec::new()) };
     let mut list = Vec::new();
     for factor in factors.iter().copied() {

@@ -30,9 +30,9 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
 }
 
 /// What is computed, its kind and role, and what a reader should know.
-type Found = (Option<f64>, Kind, Role, String);
+type Told = (Option<f64>, Kind, Role, String);
 
-fn entry(at: &PublishedPoint, quantity: String, unit: &str, printed: f64, (computed, kind, role, note): Found) -> Entry {
+fn entry(at: &PublishedPoint, quantity: String, unit: &str, printed: f64, (computed, kind, role, note): Told) -> Entry {
     let speed = if at.speed.is_empty() { String::new() } else { format!(" at {} rpm", at.speed) };
     Entry {
         table: at.table.clone(),
@@ -48,7 +48,7 @@ fn entry(at: &PublishedPoint, quantity: String, unit: &str, printed: f64, (compu
 }
 
 /// A factor from the stresses printed for its point; nothing where those that it needs are not.
-fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Found> {
+fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Told> {
     let weight = |c: Criterion| c.weight(l).ok();
     let (j2, amplitude, mean) = (h.sqrt_j2_amplitude, h.hydrostatic_amplitude, h.hydrostatic_mean);
     let stress = match which {
@@ -74,7 +74,7 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
 }
 
 /// Dang Van's factor beside its bounds; the nearer bound where it lies outside.
-fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Found> {
+fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Told> {
     let (shear, k) = (h.shear_amplitude?, Criterion::DANG_VAN_PLANE.weight(l).ok()?);
     let at = |p: f64| if shear + k * p > 0.0 { l.torsion / (shear + k * p) } else { f64::INFINITY };
     let least = at(h.hydrostatic_mean + h.hydrostatic_amplitude);
@@ -96,7 +96,7 @@ fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Found> {
 }
 
 /// What can be said of a factor where no stress is printed.
-fn without_stresses(which: usize, row: &PublishedMultiaxial) -> Found {
+fn without_stresses(which: usize, row: &PublishedMultiaxial) -> Told {
     if which == 5 {
         let note = "the printed factor by Sines: the hydrostatic amplitude has a weight near zero here".into();
         return (Some(row.factors[3]), Kind::MultiaxialAlone, Role::Predicted, note);

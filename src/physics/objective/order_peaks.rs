@@ -3,7 +3,7 @@
 use super::local_maxima;
 use super::measure::Measure;
 use super::peak::Peak;
-use super::peak_search::{Found, PeakFinder};
+use super::peak_search::{LargestPeaks, PeakFinder};
 use super::sharp_resonances::{RISE, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
@@ -32,7 +32,7 @@ impl PeakFinder<'_> {
         design: &[Mounted],
         (quantity, measure, only): (Quantity, &Measure, Range<usize>),
         (speeds, sweep): (&Speeds, &[f64]),
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();

@@ -53,7 +53,7 @@ pub struct PeakFinder<'a> {
 }
 
 /// Peaks found so far.
-pub(super) struct Found {
+pub(super) struct LargestPeaks {
     /// Share of the largest that is asked for.
     pub keep: f64,
     /// The largest.
@@ -61,7 +61,7 @@ pub(super) struct Found {
     pub peaks: Vec<Peak>,
 }
 
-impl Found {
+impl LargestPeaks {
     /// Nothing yet: what is asked for at least stands for the largest.
     fn new(Asked { keep, least }: Asked) -> Self {
         Self { keep, best: if least > 0.0 { least / keep } else { 0.0 }, peaks: Vec::new() }
@@ -168,7 +168,7 @@ impl<'a> PeakFinder<'a> {
         }
         work.evaluations += 1;
         work.eigenproblems += u64::from(self.resonances.is_some());
-        let mut found = Found::new(asked);
+        let mut found = LargestPeaks::new(asked);
         match measure.over {
             Over::Property(property) => return Ok(self.property(design, measure, property).into_iter().collect()),
             Over::Mean | Over::MeanPower => return Ok(self.mean(design, measure, work)?.into_iter().collect()),
@@ -216,7 +216,7 @@ impl<'a> PeakFinder<'a> {
             Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => {}
         }
         let peaks = found.kept();
-        if peaks.is_empty() && hint > Found::new(asked).best {
+        if peaks.is_empty() && hint > LargestPeaks::new(asked).best {
             // sweep and direct solution differ by more than they should: without the hint nothing is lost
             shared.worst.borrow_mut().clear();
             return self.peaks_knowing(design, measure, asked, shared, work);
@@ -234,7 +234,7 @@ impl<'a> PeakFinder<'a> {
         measure: &Measure,
         (speeds, parts): (&Speeds, &[(Range<usize>, Speeds)]),
         shared: &Shared,
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<f64, ResponseError> {
         let (orders, mut hint) = (self.system.orders(), 0.0);

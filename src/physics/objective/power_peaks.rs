@@ -3,7 +3,7 @@
 use super::design_cache::Sweep;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
-use super::peak_search::{Found, PeakFinder};
+use super::peak_search::{LargestPeaks, PeakFinder};
 use super::sharp_resonances::{RISE, RISE_OF_SQUARES, bend};
 use super::speeds::Speeds;
 use crate::absorber::{Mounted, Operating};
@@ -42,7 +42,7 @@ impl PeakFinder<'_> {
         measure: &Measure,
         (speeds, start): (&Speeds, usize),
         twists: &[Sweep],
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();

@@ -3,7 +3,7 @@
 use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::{Peak, Place};
-use super::peak_search::{Found, PeakFinder};
+use super::peak_search::{LargestPeaks, PeakFinder};
 use super::sharp_resonances::{RISE, bend, resolved_values};
 use super::speeds::Speeds;
 use super::statistic::Statistic;
@@ -35,7 +35,7 @@ impl PeakFinder<'_> {
         design: &[Mounted],
         (quantity, measure, statistic): (Quantity, &Measure, Statistic),
         (speeds, sweep): (&Speeds, &[C64]),
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
@@ -68,7 +68,7 @@ impl PeakFinder<'_> {
             impl Fn(f64, &mut Work) -> Result<f64, ResponseError> + Copy,
             impl Fn(f64, Place, &mut Work) -> Result<Peak, ResponseError>,
         ),
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let wanted = found.keep * values.iter().copied().fold(found.best, f64::max);

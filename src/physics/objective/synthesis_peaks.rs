@@ -3,7 +3,7 @@
 use super::local_maxima::{self, Candidate};
 use super::measure::Over;
 use super::peak::{Peak, Place};
-use super::peak_search::{Found, LEVEL, PeakFinder};
+use super::peak_search::{LEVEL, LargestPeaks, PeakFinder};
 use super::peak_tracking::{Branches, OnBranch, Peaked};
 use super::point_metric::{Above, PointMetric};
 use super::speeds::{SMOOTH, SMOOTH_OF_MARGINS, Speeds};
@@ -168,7 +168,7 @@ impl PeakFinder<'_> {
         design: &[Mounted],
         (quantity, over, metric): (Quantity, Over, PointMetric),
         (speeds, sweep): (&Speeds, &[C64]),
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         let mut known = self.candidates(metric, (speeds, sweep), Before(None), (found.keep, found.best), work);

@@ -3,7 +3,7 @@
 use super::local_maxima;
 use super::measure::{Measure, Over};
 use super::peak::Peak;
-use super::peak_search::{Found, PeakFinder};
+use super::peak_search::{LargestPeaks, PeakFinder};
 use super::sharp_resonances::{RISE_OF_SQUARES, resolved_values};
 use super::speeds::Speeds;
 use crate::absorber::Mounted;
@@ -64,7 +64,7 @@ impl PeakFinder<'_> {
         design: &[Mounted],
         measure: &Measure,
         speeds: &Speeds,
-        found: &mut Found,
+        found: &mut LargestPeaks,
         work: &mut Work,
     ) -> Result<(), ResponseError> {
         for i in measure.absorbers() {

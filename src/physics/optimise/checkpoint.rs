@@ -18,7 +18,7 @@ pub struct Sought<'a> {
 
 /// What a search has come to.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found<'a> {
+pub struct BestSoFar<'a> {
     /// What is sought.
     pub search: Sought<'a>,
     /// Value of the objective, in SI units.
@@ -36,7 +36,7 @@ pub trait Memory: Sync + Debug {
     /// Keeps it.
     fn keep(&self, key: u64, found: &[u8]);
     /// Is told of what a search has come to, recalled or not.
-    fn found(&self, found: &Found);
+    fn found(&self, found: &BestSoFar);
 }
 
 /// A memory, and what is sought.

@@ -28,7 +28,7 @@ pub mod variables;
 #[doc(hidden)]
 pub mod verification_scan;
 
-pub use checkpoint::{Found, Memory, Remembers, Sought};
+pub use checkpoint::{BestSoFar, Memory, Remembers, Sought};
 pub use conflict::{Conflict, Party};
 pub use front::{Front, FrontPoint};
 pub use load_case::LoadCase;

@@ -154,7 +154,7 @@ impl Problem<'_> {
     pub(super) fn tell(&self, point: &[f64], rows: &Rows) {
         if let Some(Remembers { memory, search: Some(search) }) = self.memory {
             let (value, excess) = (rows.objective(), rows.excess());
-            memory.found(&checkpoint::Found { search, value, excess, design: self.space.named(point) });
+            memory.found(&checkpoint::BestSoFar { search, value, excess, design: self.space.named(point) });
         }
     }
 

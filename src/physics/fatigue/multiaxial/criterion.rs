@@ -6,7 +6,7 @@ use super::invariants::Invariants;
 use super::largest_shear::LargestShear;
 use super::papadopoulos;
 use super::plane::Plane;
-use super::search::{self, Found, Grid, Wanted};
+use super::search::{self, CriticalPlanes, Grid, Wanted};
 use std::borrow::Cow;
 
 /// Fatigue limits of a material, Pa.
@@ -194,7 +194,7 @@ pub trait Path {
     /// The stresses themselves; of a path that only its corners decide, those.
     fn history(&self) -> Cow<'_, History>;
     /// Critical planes, where they have been searched.
-    fn searched(&self) -> Option<&Found> {
+    fn searched(&self) -> Option<&CriticalPlanes> {
         None
     }
 }
@@ -203,7 +203,7 @@ pub trait Path {
 struct Searched<'a> {
     history: &'a History,
     invariants: &'a Invariants,
-    found: &'a Found,
+    found: &'a CriticalPlanes,
 }
 
 impl Path for Searched<'_> {
@@ -232,7 +232,7 @@ impl Path for Searched<'_> {
         Cow::Borrowed(self.history)
     }
 
-    fn searched(&self) -> Option<&Found> {
+    fn searched(&self) -> Option<&CriticalPlanes> {
         Some(self.found)
     }
 }

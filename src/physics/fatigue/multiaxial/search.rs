@@ -53,7 +53,7 @@ pub struct Critical {
 
 /// Critical planes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct CriticalPlanes {
     /// Of shear amplitude.
     pub shear: Option<Critical>,
     /// Of Findley's sum.
@@ -121,8 +121,8 @@ fn every(step: f64) -> Vec<Plane> {
 }
 
 /// Finds what is wanted.
-pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
-    let none = Found { shear: None, findley: None, dang_van: None };
+pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> CriticalPlanes {
+    let none = CriticalPlanes { shear: None, findley: None, dang_van: None };
     if *wanted == (Wanted { shear: false, findley: None, dang_van: None }) {
         return none;
     }
@@ -173,7 +173,7 @@ pub fn search(history: &History, wanted: &Wanted, grid: Grid) -> Found {
         summits.append(&mut hills);
         choose(summits.into_iter().map(critical).collect())
     };
-    Found {
+    CriticalPlanes {
         shear: wanted.shear.then(|| largest(Sought::Shear)).flatten(),
         findley: wanted.findley.and_then(|k| largest(Sought::Findley(k))),
         dang_van: wanted.dang_van.and_then(|k| largest(Sought::DangVan(k))),

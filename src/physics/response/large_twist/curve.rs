@@ -6,7 +6,7 @@
 use super::arc::{Arc, Place};
 use super::balance::{Balance, Steady};
 use super::linear::Linear;
-use super::newton::{Found, MOST_STEPS};
+use super::newton::{MOST_STEPS, Motion};
 use super::stability::Stability;
 use crate::response::{ResponseError, Work};
 use nalgebra::DVector;
@@ -73,7 +73,7 @@ impl Balance<'_> {
     }
 
     /// A motion at a speed that nothing is known of: from the one at small twist, or from rest under a torque that grows.
-    fn first(&self, linear: &Linear, work: &mut Work) -> Option<Found> {
+    fn first(&self, linear: &Linear, work: &mut Work) -> Option<Motion> {
         if let Some(found) = self.newton(linear, &self.small(linear), NEARBY, work) {
             return Some(found);
         }
@@ -95,7 +95,7 @@ impl Balance<'_> {
 
     /// Motions speed by speed; nothing where one is not found or a fold is passed.
     fn swept(&self, tables: &[Linear], work: &mut Work) -> Option<Curve> {
-        let mut found: Vec<Found> = Vec::with_capacity(tables.len());
+        let mut found: Vec<Motion> = Vec::with_capacity(tables.len());
         for (i, linear) in tables.iter().enumerate() {
             let next = match &found[i.saturating_sub(EXTRAPOLATED)..] {
                 [] => self.first(linear, work)?,
@@ -135,7 +135,7 @@ impl Balance<'_> {
                 // without any other, a motion is worth more work
                 let found = self.newton_beside(linear, &start, &known, MOST_STEPS, work);
                 let found = if found.is_none() && number == 0 { self.first(linear, work) } else { found };
-                let Some(Found { x, .. }) = found else { continue };
+                let Some(Motion { x, .. }) = found else { continue };
                 let known = |(j, own): &(usize, DVector<f64>)| *j == i && (own - &x).amax() <= SAME * x.amax();
                 if !list.iter().any(known) && !curves.iter().any(|c| c.passes(linear.speed_rpm, &x)) {
                     list.push((i, x));
@@ -226,7 +226,7 @@ impl Curve {
 }
 
 /// What the polynomial through motions at some speeds is at the next one, the last.
-fn extrapolated(motions: &[Found], tables: &[Linear]) -> DVector<f64> {
+fn extrapolated(motions: &[Motion], tables: &[Linear]) -> DVector<f64> {
     let speed = |i: usize| tables[i].speed_rpm;
     let last = motions.len();
     let share = |i: usize| (0..last).filter(|j| *j != i).map(|j| (speed(last) - speed(j)) / (speed(i) - speed(j))).product::<f64>();

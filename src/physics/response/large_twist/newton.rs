@@ -19,7 +19,7 @@ pub(super) const MOST_STEPS: usize = 30;
 const KNOWN: f64 = 1e-3;
 
 /// A solution.
-pub(super) struct Found {
+pub(super) struct Motion {
     pub x: DVector<f64>,
     /// Whether the determinant of the Jacobian is positive: it changes where a curve folds.
     pub even: bool,
@@ -27,7 +27,7 @@ pub(super) struct Found {
 
 impl Balance<'_> {
     /// Nothing where it does not converge in so many steps, or to a motion beyond the path of what moves.
-    pub(super) fn newton(&self, linear: &Linear, start: &DVector<f64>, most: usize, work: &mut Work) -> Option<Found> {
+    pub(super) fn newton(&self, linear: &Linear, start: &DVector<f64>, most: usize, work: &mut Work) -> Option<Motion> {
         self.newton_beside(linear, start, &[], most, work)
     }
 
@@ -39,7 +39,7 @@ impl Balance<'_> {
         known: &[&DVector<f64>],
         most: usize,
         work: &mut Work,
-    ) -> Option<Found> {
+    ) -> Option<Motion> {
         let mut x = start.clone();
         // near the solution one Jacobian serves several steps, as long as each is a tenth of the one before
         let (mut kept, mut last, mut factored) = (None, f64::INFINITY, 0);
@@ -66,7 +66,7 @@ impl Balance<'_> {
             // the error that is left: the square of the step, or as much less than the step as that is less than the one before
             let scale = if is_kept { last } else { reach };
             if size <= LAST_STEP.0 * reach && size * size <= LAST_STEP.1 * reach * scale {
-                return self.within_path(&mut x).then(|| Found { x, even: lu.is_positive() });
+                return self.within_path(&mut x).then(|| Motion { x, even: lu.is_positive() });
             }
             let converges = size <= if is_kept { SHRINKS * last } else { NEAR * reach };
             (kept, last) = (converges.then_some(lu), size);

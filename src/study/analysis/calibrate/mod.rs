@@ -12,7 +12,7 @@ pub use statistics::Statistics;
 use super::{Progress, RunError};
 use crate::input::{FreeInput, Input, Study};
 use model::{Level, Model};
-use search::Found;
+use search::BestFit;
 use std::cell::RefCell;
 
 /// Two inputs with a correlation beyond this cannot be told apart.
@@ -109,7 +109,7 @@ pub fn calibrate(study: &Study, progress: &dyn Progress) -> Result<(Study, Optio
     let measured: Vec<f64> = spec.rows.iter().filter_map(|r| published.amplitudes[*r].amplitude).collect();
     let level = Level::of(study, spec);
     let before = Model::new(study, spec, level.as_ref()).as_in_the_file()?;
-    let Found { best, evaluations, agreeing } = search::search((study, spec), level.as_ref(), &measured, progress)?;
+    let BestFit { best, evaluations, agreeing } = search::search((study, spec), level.as_ref(), &measured, progress)?;
     let model = RefCell::new(Model::new(study, spec, level.as_ref()));
     let statistics = statistics::statistics(&best.jacobian, &best.residuals, &search::sizes(spec, &best.point), |one, variance| {
         statistics::stretch(variance, |t| {

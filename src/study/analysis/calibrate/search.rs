@@ -15,7 +15,7 @@ const FURTHER: [f64; 4] = [-12.0, -5.0, 5.0, 12.0];
 const SAME: f64 = 1e-6;
 
 /// The best fit.
-pub struct Found {
+pub struct BestFit {
     pub best: Fit,
     /// How often the rows were computed in all searches.
     pub evaluations: u64,
@@ -56,7 +56,7 @@ pub fn search(
     level: Option<&Level>,
     measured: &[f64],
     progress: &dyn Progress,
-) -> Result<Found, RunError> {
+) -> Result<BestFit, RunError> {
     let ranges: Vec<Range> = spec.inputs.iter().map(range).collect();
     let all = |starts: Vec<Vec<f64>>| -> Result<Vec<Fit>, RunError> {
         let one = |start: &Vec<f64>| {
@@ -84,7 +84,7 @@ pub fn search(
     }
     let best = fits[lowest(&fits)].clone();
     let agreeing = fits.iter().filter(|f| f.cost() <= best.cost() * (1.0 + SAME)).count();
-    Ok(Found { evaluations: fits.iter().map(|f| f.evaluations).sum(), agreeing: (agreeing, fits.len()), best })
+    Ok(BestFit { evaluations: fits.iter().map(|f| f.evaluations).sum(), agreeing: (agreeing, fits.len()), best })
 }
 
 /// Index of the lowest sum of squares; the first of those that are the same, so that rounding between starts changes nothing.

@@ -33,7 +33,7 @@ fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> Value {
         "objective": objective.key,
         "value": value.is_finite().then_some(value),
         "unit": objective.unit.symbol(),
-        "limits_hold": o.design.within_limits(),
+        "limits_hold": o.limits_hold(),
         "first_order_residual": o.optimum.outcome.kkt_residual,
         "starts": o.optimum.starts.len(),
         "starts_that_agree": o.optimum.agreeing(),

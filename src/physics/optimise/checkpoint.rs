@@ -17,6 +17,7 @@ pub struct Sought<'a> {
 }
 
 /// What a search has come to.
+#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq)]
 pub struct BestSoFar<'a> {
     /// What is sought.

@@ -72,20 +72,20 @@ pub struct Follower<'a> {
     problem: &'a Problem<'a>,
     second: &'a Limit,
     starts: Starts<'a>,
-    least_first: Option<&'a Optimum>,
+    least: [Option<&'a Optimum>; 2],
 }
 
 impl<'a> Follower<'a> {
     /// Of the (only) objective of a problem against a second measure.
     pub fn new(problem: &'a Problem<'a>, second: &'a Limit, starts: Starts<'a>) -> Self {
-        Self { problem, second, starts, least_first: None }
+        Self { problem, second, starts, least: [None; 2] }
     }
 
-    /// With the least of the first measure, where a search of the same problem has found it.
+    /// With the least of each measure, where a search of the same problem has found it.
     #[must_use]
     #[doc(hidden)]
-    pub fn with_least_of_first(self, optimum: Option<&'a Optimum>) -> Self {
-        Self { least_first: optimum, ..self }
+    pub fn with_least(self, least: [Option<&'a Optimum>; 2]) -> Self {
+        Self { least, ..self }
     }
 
     /// Limits of the problem, the second measure at most at a level being the last.
@@ -224,7 +224,7 @@ impl<'a> Follower<'a> {
     /// The least of each measure, first that of the second.
     fn ends(&self, work: &mut Work) -> Result<Option<[Level; 2]>, ResponseError> {
         let again = |o: &Optimum, work: &mut Work| self.best_of_points(f64::MAX, &[(&o.outcome.point, None)], work);
-        let known = self.least_first.map(|o| Ok(again(o, work)?.map(|level| (level, o.level_starts().map(str::to_owned).collect()))));
+        let known = self.least[0].map(|o| Ok(again(o, work)?.map(|level| (level, o.level_starts().map(str::to_owned).collect()))));
         let known: Option<(Level, Vec<String>)> = known.transpose()?.flatten();
         let Some((last, level)) = known.map_or_else(|| self.searched(work), |known| Ok(Some(known)))? else { return Ok(None) };
         let last = self.least_of_second(last, &level, work)?;
@@ -236,12 +236,17 @@ impl<'a> Follower<'a> {
         }
         let seconds = [self.second.measure.in_si()];
         let least_second = self.within(self.problem.limits, &seconds);
-        let Some(found) = self.within_limits(&least_second, work)? else { return Ok(None) };
-        let least = found.outcome.rows.objective();
+        let known = self.least[1].map(|o| minimax::minimise(&least_second, &o.outcome.point, work)).transpose()?;
+        let found = match known.filter(|o| o.rows.hold()) {
+            Some(outcome) => Some(outcome),
+            None => self.within_limits(&least_second, work)?.map(|o| o.outcome),
+        };
+        let Some(found) = found else { return Ok(None) };
+        let least = found.rows.objective();
         // designs that are level in the second measure differ in the first; the least of the second may be one without a finite first, as a ring without damping is
         for above in ABOVE_LEAST {
             let most = (least * (1.0 + HELD)).max(least + above * (last.values[1] - least));
-            if let Some(first) = self.best_of_starts(most, &[(&found.outcome.point, None), (&last.outcome.point, None)], work)? {
+            if let Some(first) = self.best_of_starts(most, &[(&found.point, None), (&last.outcome.point, None)], work)? {
                 return Ok(Some([first, last]));
             }
         }

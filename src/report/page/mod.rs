@@ -116,7 +116,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
                     td { (dash(d.torque.map(|p| short(p.value)))) }
                     td { (dash(d.power.map(short))) }
                     @if judged { (judged_cells(study, results, d)) }
-                    @if !study.limits.is_empty() { td { @if d.within_limits() { span class="good" { "hold" } } @else { span class="bad" { "broken" } } } }
+                    @if !study.limits.is_empty() { td { @if results.holds_limits(d) { span class="good" { "hold" } } @else { span class="bad" { "broken" } } } }
                 }
             } }
         } }

@@ -89,9 +89,9 @@ fn answer(study: &Study, results: &Results, d: &DesignResult, lead: &str) -> Mar
             ". "
             @if d.objective.is_none() { span class="bad" { "At some speeds no steady motion of it is known. " } }
             @if study.limits.is_empty() { "The study has no limits." }
-            @else if d.within_limits() { span class="good" { "All limits hold" (scope(results, d)) "." } }
+            @else if results.holds_limits(d) { span class="good" { "All limits hold" (scope(results, d)) "." } }
             @else { span class="bad" { "Limits are broken" (if study.optimise.is_some() { ": no design that holds them all was found." } else { "." }) } }
-            @if let Some(words) = broken_within_tolerances(study, results, d) { span class="bad" { " But " (words) "." } }
+            @if let Some(words) = broken_within_tolerances(study, results, d) { span class="bad" { (if results.holds_limits(d) { " But " } else { " " }) (words) "." } }
         }
         // bounds are told below, with what lies beyond them
         @let said = told(results, d, |v| !matches!(v, Verdict::OnBound(_)));

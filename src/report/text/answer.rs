@@ -163,7 +163,7 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
     if let Some(best) = given
         && let Some((words, value)) = results.judged(best).and_then(|j| against(j.value))
     {
-        let fails = if best.within_limits() { "" } else { ", which breaks limits" };
+        let fails = if results.holds_limits(best) { "" } else { ", which breaks limits" };
         parts.push(format!("{words} the best given design, {} ({value}{fails})", best.name));
     }
     if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
@@ -214,6 +214,9 @@ fn failures(study: &Study, results: &Results) -> String {
         let mut words: Vec<String> = results.verdicts(o).iter().filter(serious).map(|v| clause(v, of, &o.design.absorbers)).collect();
         let broken = study.limits.iter().zip(&o.design.limits).filter(|(_, ratio)| !holds(**ratio));
         words.extend(broken.map(|(limit, _)| format!("FAILS {}", limit.words)));
+        if words.is_empty() && !o.limits_hold() {
+            words.push("no design was found that holds the limits within the tolerances".into());
+        }
         (!words.is_empty()).then(|| format!("{}: {}\n", o.design.name, words.join("; ")))
     };
     results.optima.iter().filter(|o| Some(o.design.name.as_str()) != best).filter_map(line).collect()

@@ -21,6 +21,9 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
     match &o.scan {
+        scan if scan.better && o.survey.is_some_and(|s| s.better) => {
+            lines.push(format!("  one of {} designs elsewhere led lower than the starts: more random starts are advised", scan.designs));
+        }
         scan if scan.better => {
             lines.push(format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs));
         }

@@ -69,13 +69,13 @@ fn design_row(study: &Study, results: &Results, d: &DesignResult, (others, judge
         row.push(dash(own.as_ref().map(|j| significant(in_unit(study, j.value), 5))));
         row.push(dash(own.filter(|j| !j.is_reference()).map(|j| word(j.reached_in))));
     }
-    row.extend((!study.limits.is_empty()).then(|| held(d)));
+    row.extend((!study.limits.is_empty()).then(|| held(results, d)));
     row
 }
 
 /// Whether a design holds its limits, in a word.
-fn held(d: &DesignResult) -> String {
-    if d.within_limits() { "hold" } else { "FAIL" }.into()
+fn held(results: &Results, d: &DesignResult) -> String {
+    if results.holds_limits(d) { "hold" } else { "FAIL" }.into()
 }
 
 /// The table of designs and optima.
@@ -145,7 +145,7 @@ pub(super) fn narrow(study: &Study, results: &Results, most: usize) -> String {
             row.push(dash(own.filter(|j| !j.is_reference()).map(|j| word(j.reached_in))));
         }
         if limited {
-            row.push(held(d));
+            row.push(held(results, d));
         }
         row.extend([
             dash(d.twist.map(|p| significant(p.value * DEG_PER_RAD, 4))),

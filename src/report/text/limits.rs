@@ -40,6 +40,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
             Some(c @ Condition::InOperation) => format!(", worst {}", c.name().replace('_', " ")),
             Some(c) => format!(", worst in {}", c.name().replace('_', " ")),
         };
+        let as_drawn = if o.robust { " as drawn" } else { "" };
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
@@ -57,7 +58,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
             _ => format!("{:.1} % of it", 100.0 * limit.of.unit.ratio(*ratio)),
         };
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
-        lines.push(format!("  limit: {}: {verdict} ({found}{worst}{costs}{beside})", limit.words));
+        lines.push(format!("  limit: {}: {verdict}{as_drawn} ({found}{worst}{costs}{beside})", limit.words));
     }
     lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, &o.design.limits)));
     lines

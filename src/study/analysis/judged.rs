@@ -2,6 +2,7 @@
 
 use super::evaluate::DesignResult;
 use super::results::{OptimumResult, Results};
+use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
 use std::cmp::Ordering;
 
@@ -140,7 +141,10 @@ impl Results {
     #[doc(hidden)]
     pub fn best_optimum(&self, robust: bool) -> Option<&OptimumResult> {
         let asked = self.optima.iter().filter(|o| o.objective == 0 && o.robust == robust && o.main);
-        let excess = |o: &OptimumResult| if o.design.within_limits() { 0.0 } else { o.design.limits.iter().copied().fold(1.0, f64::max) };
+        let most = |o: &OptimumResult| {
+            if o.robust { o.optimum.outcome.rows.excess().exponential() } else { o.design.limits.iter().copied().fold(1.0, f64::max) }
+        };
+        let excess = |o: &OptimumResult| if o.limits_hold() { 0.0 } else { most(o) };
         asked.min_by(|a, b| excess(a).total_cmp(&excess(b)).then_with(|| self.order(&a.design, &b.design)))
     }
 
@@ -152,7 +156,7 @@ impl Results {
 
     /// Order of designs by what they are judged by; what is level (a lost absorber is the same for all) by the twist while all works.
     fn order(&self, a: &DesignResult, b: &DesignResult) -> Ordering {
-        let fails = |d: &DesignResult| !d.within_limits() || self.overheats(&d.name);
+        let fails = |d: &DesignResult| !self.holds_limits(d) || self.overheats(&d.name);
         let value = |d: &DesignResult| self.judged(d).map_or(f64::INFINITY, |j| j.value);
         let (x, y) = (value(a), value(b));
         if fails(a) != fails(b) {

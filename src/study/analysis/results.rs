@@ -66,6 +66,13 @@ pub struct OptimumResult {
     pub reference: Option<f64>,
 }
 
+impl OptimumResult {
+    /// Whether all limits hold: within tolerances, where it is an optimum within these.
+    pub fn limits_hold(&self) -> bool {
+        self.design.within_limits() && (!self.robust || self.conflict.is_none() && self.optimum.outcome.rows.hold())
+    }
+}
+
 /// Load case of a row of an optimum.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct RowCase {
@@ -196,6 +203,13 @@ impl Results {
         self.optima.iter().any(|o| o.design.name == name)
     }
 
+    /// Whether a design holds its limits, as what it is: an optimum within tolerances within these.
+    #[doc(hidden)]
+    pub fn holds_limits(&self, design: &DesignResult) -> bool {
+        let own = self.optima.iter().find(|o| o.design.name == design.name);
+        own.map_or_else(|| design.within_limits(), OptimumResult::limits_hold)
+    }
+
     /// Whether every limit holds for every optimum (where nothing was searched: for the best absorber of the catalogues), and none of those that are shown overheats.
     pub fn limits_hold(&self) -> bool {
         let sold = self.catalogue.first().filter(|_| self.study.optimise.is_none());
@@ -203,6 +217,6 @@ impl Results {
             return false;
         }
         let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.overheats();
-        self.optima.iter().all(|o| o.design.within_limits()) && !self.heat.iter().any(overheats)
+        self.optima.iter().all(OptimumResult::limits_hold) && !self.heat.iter().any(overheats)
     }
 }

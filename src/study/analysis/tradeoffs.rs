@@ -67,14 +67,25 @@ impl Searches<'_> {
                 memory: self.memory(None),
             };
             let starts = |space: &Space| self.starts(spec, space);
-            let known = self.known(spec, space, &first, optima);
-            Follower::new(&problem, &second, &starts).with_least_of_first(known).follow(*points, &step).map_err(failed)
+            let least = [&first, &second].map(|measure| self.known(spec, space, measure, optima));
+            Follower::new(&problem, &second, &starts).with_least(least).follow(*points, &step).map_err(failed)
         };
-        let of_pair = |of: &[usize; 2]| families.par_iter().map(|family| timed(|| follow(of, family))).collect::<Vec<_>>();
+        // a family has no value of a measure of an absorber that it has not
+        let has = |of: &[usize; 2], family: &&(String, Space, OptimiseSpec)| {
+            of.iter().all(|m| {
+                let mut absorbers = measures[*m].measure.absorbers().peekable();
+                absorbers.peek().is_none() || absorbers.any(|i| i < family.1.slots.len())
+            })
+        };
+        let of_pair = |of: &[usize; 2]| {
+            let own: Vec<_> = families.iter().filter(|family| has(of, family)).collect();
+            own.into_par_iter().map(|family| timed(|| follow(of, family))).collect::<Vec<_>>()
+        };
         let found: Vec<Vec<(Result<Tradeoff, RunError>, f64)>> = pairs.par_iter().map(of_pair).collect();
         for (of, found) in pairs.into_iter().zip(found) {
             let mut fronts: Vec<Tradeoff> = Vec::new();
-            for ((name, ..), (front, seconds)) in families.iter().zip(found) {
+            let own: Vec<_> = families.iter().filter(|family| has(&of, family)).collect();
+            for ((name, ..), (front, seconds)) in own.iter().zip(found) {
                 let mut front = front?;
                 let held: Vec<bool> = front.points.par_iter().map(|p| self.excess_as_reported(&p.design) <= HELD).collect();
                 let mut held = held.into_iter();
@@ -96,7 +107,7 @@ impl Searches<'_> {
                 Ok(Beside { design: d.name.clone(), values: [value(of[0], &d.absorbers)?, value(of[1], &d.absorbers)?] })
             };
             let given = self.study.designs.par_iter().map(beside).collect::<Result<_, _>>().map_err(failed)?;
-            results.push(TradeoffResult { of, families: families.iter().map(|f| f.0.clone()).zip(fronts).collect(), third, given });
+            results.push(TradeoffResult { of, families: own.into_iter().map(|f| f.0.clone()).zip(fronts).collect(), third, given });
         }
         Ok(results)
     }

@@ -8,6 +8,7 @@ mod curvature;
 pub mod front;
 pub mod gradient_free;
 mod load_case;
+mod lower_elsewhere;
 pub mod minimax;
 mod operation;
 pub mod problem;

@@ -71,14 +71,14 @@ const WEIGHT_ALONG_LIMITS: f64 = 0.2;
 const MOST_ALONG_LIMITS: usize = 8;
 
 /// Points of the box: a grid whose last coordinate changes fastest, or ends and random points.
-struct Points {
-    list: Vec<Vec<f64>>,
+pub(super) struct Points {
+    pub(super) list: Vec<Vec<f64>>,
     /// Number of coordinates and points along each, of a grid.
     grid: Option<(usize, usize)>,
 }
 
 impl Points {
-    fn over(problem: &Problem, at: &[f64], seed: u64) -> Self {
+    pub(super) fn over(problem: &Problem, at: &[f64], seed: u64) -> Self {
         let bounds = problem.space.bounds();
         let slow = usize::from(is_slow(problem));
         let (along_one, along_two) = (ALONG_ONE[slow], ALONG_TWO[slow]);

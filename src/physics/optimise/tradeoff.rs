@@ -8,6 +8,7 @@ use super::adaptive_levels::{Level, SAME, distinct, gaps, middle, range};
 use super::checkpoint::Remembers;
 use super::conflict;
 use super::load_case::largest;
+use super::lower_elsewhere::lower_elsewhere;
 use super::minimax::{self, Outcome};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::starts::Starts;
@@ -62,8 +63,9 @@ const BETTER: f64 = 1e-9;
 const ABOVE_LEAST: [f64; 4] = [0.0, 1e-3, 1e-2, 1e-1];
 /// A design that is level in the first measure ends a front where it is lower in the second by more than this share: less is what rounding of the first leaves.
 const WORTH: f64 = 1e-4;
-/// Between neighbours whose first measures differ by more than this share of its range the branches of several absorbers change.
+/// Between neighbours whose measures differ by more than these shares of their ranges the branches of several absorbers change, and there is room for a third.
 const JUMP: f64 = 0.25;
+const WIDE: f64 = 0.2;
 /// Rounds in which points take over what a neighbour found.
 const MOST_ROUNDS: usize = 20;
 
@@ -156,9 +158,11 @@ impl<'a> Follower<'a> {
     fn within_limits(&self, problem: &Problem, work: &mut Work) -> Result<Option<Optimum>, ResponseError> {
         let starts = (self.starts)(&problem.space);
         let mut optimum = search::optimise(problem, &starts, Finish::All, &|| {})?;
-        let several = problem.space.slots.len() > 1;
-        if (several || !optimum.outcome.rows.hold()) && survey::is_wanted(problem) {
+        if !optimum.outcome.rows.hold() && survey::is_wanted(problem) {
             survey::survey(problem, &mut optimum, SEED);
+        }
+        if optimum.outcome.rows.hold() && problem.space.slots.len() > 1 {
+            lower_elsewhere(problem, &mut optimum, SEED);
         }
         if !optimum.outcome.rows.hold()
             && let conflict::Verdict::Found(outcome) = conflict::judge(problem, &optimum, &starts)?
@@ -292,7 +296,8 @@ impl<'a> Follower<'a> {
                     let mut work = Work::default();
                     let (most, ends) = (middle(left, right), [end(&left.outcome), end(&right.outcome)]);
                     // between two branches there may be a third
-                    let level = if several && left.values[0] - right.values[0] > JUMP * range(&levels, 0) {
+                    let apart = |k: usize, share: f64| (left.values[k] - right.values[k]).abs() > share * range(&levels, k);
+                    let level = if several && apart(0, JUMP) && apart(1, WIDE) {
                         self.best_of_starts(most, &ends, &mut work)?
                     } else {
                         self.best_of_points(most, &ends, &mut work)?

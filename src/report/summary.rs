@@ -33,7 +33,7 @@ fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> Value {
         "objective": objective.key,
         "value": value.is_finite().then_some(value),
         "unit": objective.unit.symbol(),
-        "limits_hold": o.limits_hold(),
+        "limits_hold": results.holds_limits(&o.design),
         "first_order_residual": o.optimum.outcome.kkt_residual,
         "starts": o.optimum.starts.len(),
         "starts_that_agree": o.optimum.agreeing(),

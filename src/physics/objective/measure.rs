@@ -185,6 +185,13 @@ impl Measure {
     pub fn absorbers(&self) -> impl Iterator<Item = usize> + '_ {
         self.quantities.iter().filter_map(|q| if let Quantity::RingTwist(i) = q { Some(*i) } else { None })
     }
+
+    /// Whether it says something of designs with so many absorbers: one of absorbers says nothing of a design that has none of these.
+    #[doc(hidden)]
+    pub fn is_of(&self, absorbers: usize) -> bool {
+        let mut asked = self.absorbers().peekable();
+        asked.peek().is_none() || asked.any(|i| i < absorbers)
+    }
 }
 
 /// A limit holds up to this share above it.

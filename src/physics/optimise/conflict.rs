@@ -1,6 +1,7 @@
 //! Limits that cannot hold together: which of them, how near to them a design may come, and how far one would have to be loosened.
 
 use super::checkpoint::Remembers;
+use super::search::{Stages, Start};
 use super::starts::NamedPoint;
 use super::{Optimum, Problem, Role, minimax, search, survey};
 use crate::objective::{Limit, holds};
@@ -59,9 +60,23 @@ pub fn judge(problem: &Problem, optimum: &Optimum, starts: &[NamedPoint]) -> Res
 #[doc(hidden)]
 pub fn judge_near(problem: &Problem, starts: Vec<NamedPoint>) -> Result<Verdict, ResponseError> {
     let feasibility = survey::feasibility(problem);
-    let ends: Vec<_> = starts.par_iter().map(|s| minimax::minimise(&feasibility, &s.1, &mut Work::default())).collect();
-    let (outcome, _) = search::best_of(&feasibility, ends)?;
-    verdict(problem, Optimum::alone(problem, outcome), starts)
+    let run = |(name, point): &NamedPoint| {
+        let mut stages = Stages::default();
+        let seed = feasibility.cost(point, &mut stages.seeds);
+        let outcome = minimax::minimise(&feasibility, point, &mut stages.minimax);
+        let finished = outcome.as_ref().map_or(f64::INFINITY, search::cost);
+        let holds = outcome.as_ref().is_ok_and(|o| o.rows.hold());
+        (Start { name: name.clone(), seed, searched: seed, finished, holds }, outcome, stages)
+    };
+    let runs: Vec<_> = starts.par_iter().map(run).collect();
+    let (mut log, mut ends, mut stages) = (Vec::new(), Vec::new(), Stages::default());
+    for (start, outcome, spent) in runs {
+        stages.add(spent);
+        log.push(start);
+        ends.push(outcome);
+    }
+    let (outcome, others) = search::best_of(&feasibility, ends)?;
+    verdict(problem, Optimum { design: problem.space.design(&outcome.point), outcome, starts: log, others, stages }, starts)
 }
 
 /// What the design that is nearest to all limits comes to, and from which points limits are loosened.

@@ -1,6 +1,6 @@
 //! Designs that hold within tolerances: the largest objective over a box of deviations is minimised.
 //!
-//! The worst of a box is a minimax problem of its own. Its corners are scenarios from the start; at the optimum of those the box is searched for a worse deviation inside, which joins them until there is none.
+//! The worst of a box is a minimax problem of its own. Its corners are scenarios from the start; at the optimum of those the box is searched for a worse deviation inside, which joins them until none is found or after a number of rounds.
 
 use super::minimax::Outcome;
 use super::search::{self, Finish, Optimum, Recorder};
@@ -193,7 +193,7 @@ pub fn optimise(
     settled(problem, tolerances, (deviations, optimum), seed)
 }
 
-/// An optimum for some deviations, held against the whole box: what is worse inside joins the deviations, and the optimum is sought anew, until there is none.
+/// An optimum for some deviations, held against the whole box: what is worse inside joins the deviations, and the optimum is sought anew, until none is found or after a number of rounds.
 ///
 /// # Errors
 /// As [`optimise`].

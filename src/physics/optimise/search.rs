@@ -45,7 +45,7 @@ pub struct Stages {
 }
 
 impl Stages {
-    fn add(&mut self, other: Self) {
+    pub(super) fn add(&mut self, other: Self) {
         self.seeds += other.seeds;
         self.search += other.search;
         self.minimax += other.minimax;
@@ -89,12 +89,6 @@ impl Optimum {
     /// Value of the objective.
     pub fn value(&self) -> f64 {
         self.outcome.rows.objective()
-    }
-
-    /// An outcome that no search of starts led to.
-    pub(super) fn alone(problem: &Problem, outcome: Outcome) -> Self {
-        let design = problem.space.design(&outcome.point);
-        Self { design, outcome, starts: Vec::new(), others: Vec::new(), stages: Stages::default() }
     }
 
     /// A better outcome takes its place; it stays as another local optimum.

@@ -50,7 +50,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             objective.key.to_owned(),
             number(objective.unit.shown(optimum.value())),
             objective.unit.symbol().to_owned(),
-            o.limits_hold().to_string(),
+            results.holds_limits(&o.design).to_string(),
             (outcome.stop == Stop::Converged).to_string(),
             optional(Some(outcome.kkt_residual).filter(|r| r.is_finite())),
             o.second_order.map_or_else(String::new, |s| s.free.to_string()),

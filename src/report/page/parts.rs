@@ -60,7 +60,7 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
                 @let said = d.has(&l.of.measure);
                 tr { td { (d.name) } td class="words" { (l.words) } td { @if said && l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { @if said { (format!("{:.1}", 100.0 * ratio)) } @else { "–" } }
-                    td { @if !said { "no such absorber" } @else if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+                    td { @if !said { (if d.absorbers.is_empty() { "no absorber" } else { "no such absorber" }) } @else if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
         p class="soft" { "Judged in: " (limits_judged_in(study, results).join(", ")) "." }

@@ -214,9 +214,7 @@ fn failures(study: &Study, results: &Results) -> String {
         let mut words: Vec<String> = results.verdicts(o).iter().filter(serious).map(|v| clause(v, of, &o.design.absorbers)).collect();
         let broken = study.limits.iter().zip(&o.design.limits).filter(|(_, ratio)| !holds(**ratio));
         words.extend(broken.map(|(limit, _)| format!("FAILS {}", limit.words)));
-        if words.is_empty() && !o.limits_hold() {
-            words.push("no design was found that holds the limits within the tolerances".into());
-        }
+        words.extend(broken_within_tolerances(study, results, &o.design).filter(|_| o.robust));
         (!words.is_empty()).then(|| format!("{}: {}\n", o.design.name, words.join("; ")))
     };
     results.optima.iter().filter(|o| Some(o.design.name.as_str()) != best).filter_map(line).collect()

@@ -21,7 +21,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
     match &o.scan {
-        scan if scan.better && o.survey.is_some_and(|s| s.better) => {
+        scan if scan.better && (o.nearby.better || o.survey.is_some_and(|s| s.better)) => {
             lines.push(format!("  one of {} designs elsewhere led lower than the starts: more random starts are advised", scan.designs));
         }
         scan if scan.better => {
@@ -35,7 +35,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
         }
         _ => {}
     }
-    lines.extend(o.survey.as_ref().map(survey));
+    lines.extend(o.survey.as_ref().map(|s| survey(s, o.nearby.better)));
     match &o.nearby {
         near if near.better => lines.push(format!("  found from one of {} random designs near the end of the search", near.designs)),
         near if near.designs > 0 => lines.push(format!("  none of {} random designs near it is lower", near.designs)),
@@ -59,7 +59,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
 }
 
 /// What was looked at of the whole box, and what came of it: no more than that.
-fn survey(s: &Survey) -> String {
+fn survey(s: &Survey, better_beside: bool) -> String {
     let of = match s.per_coordinate {
         Some(n) => format!("of {} designs on a grid over all bounds, {n} along each free parameter,", s.designs),
         None => format!("of {} designs at the ends and corners of the bounds and at random between them,", s.designs),
@@ -77,6 +77,7 @@ fn survey(s: &Survey) -> String {
     });
     let followed = match (s.followed, s.better) {
         (0, _) => "none of them was worth following".to_owned(),
+        (n, true) if better_beside => format!("{n} were followed: one of these led lower than what was known"),
         (n, true) => format!("{n} were followed: it was found from one of these"),
         (n, false) => {
             let within = if s.under_limits { " within the limits" } else { "" };

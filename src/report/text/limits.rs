@@ -60,7 +60,7 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
         lines.push(format!("  limit: {}: {verdict}{as_drawn} ({found}{worst}{costs}{beside})", limit.words));
     }
-    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, &o.design.limits)));
+    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, (&o.design.limits, o.robust))));
     lines
 }
 
@@ -136,21 +136,25 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
 }
 
 /// Which limits were not held together, how near a design comes, which others it breaks, and what loosening one would take.
-fn conflict(study: &Study, c: &Conflict, nearest: &[f64]) -> Vec<String> {
+fn conflict(study: &Study, c: &Conflict, (nearest, robust): (&[f64], bool)) -> Vec<String> {
+    let within = if robust { " within the tolerances" } else { "" };
     let words = |i: usize| format!("`{}`", study.limits[i].words);
     let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
     let of = study.limits.len();
     let beyond = 100.0 * (c.ratio - 1.0);
     let mut lines = vec![match names.as_slice() {
         _ if of == 1 => {
-            format!("  No design of this family was found that holds this limit: the nearest is {} % beyond it.", significant(beyond, 4))
+            format!(
+                "  No design of this family was found that holds this limit{within}: the nearest is {} % beyond it.",
+                significant(beyond, 4)
+            )
         }
         [one] => format!(
-            "  No design of this family was found that holds all of its {of} limits: the nearest is {} % beyond {one}.",
+            "  No design of this family was found that holds all of its {of} limits{within}: the nearest is {} % beyond {one}.",
             significant(beyond, 4)
         ),
         _ => format!(
-            "  No design of this family was found that holds all of its {of} limits. In conflict at the nearest design: {}. It is {} % beyond each of them.",
+            "  No design of this family was found that holds all of its {of} limits{within}. In conflict at the nearest design: {}. It is {} % beyond each of them.",
             names.join(", "),
             significant(beyond, 4)
         ),

@@ -86,6 +86,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         let why = match judged.reached_in {
             Basis::In(Condition::InOperation) => "the worst of its conditions at the reference of the materials",
             Basis::OwnAmplitude => "which is of small twist",
+            _ if o.robust => "and a worse deviation within the tolerances was found since",
             _ => "the rest whatever the spring and damper",
         };
         put(format!("  the search ended at {}, {why}", value_of(objective, best)));

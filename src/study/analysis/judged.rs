@@ -144,7 +144,7 @@ impl Results {
         let most = |o: &OptimumResult| {
             if o.robust { o.optimum.outcome.rows.excess().exponential() } else { o.design.limits.iter().copied().fold(1.0, f64::max) }
         };
-        let excess = |o: &OptimumResult| if o.limits_hold() { 0.0 } else { most(o) };
+        let excess = |o: &OptimumResult| if self.holds_limits(&o.design) { 0.0 } else { most(o) };
         asked.min_by(|a, b| excess(a).total_cmp(&excess(b)).then_with(|| self.order(&a.design, &b.design)))
     }
 

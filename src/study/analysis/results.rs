@@ -67,7 +67,7 @@ pub struct OptimumResult {
 }
 
 impl OptimumResult {
-    /// Whether all limits hold: within tolerances, where it is an optimum within these.
+    /// Whether all limits hold as far as the search knows: as drawn, and of an optimum within tolerances at every deviation that it is held against.
     pub fn limits_hold(&self) -> bool {
         self.design.within_limits() && (!self.robust || self.conflict.is_none() && self.optimum.outcome.rows.hold())
     }
@@ -206,8 +206,9 @@ impl Results {
     /// Whether a design holds its limits, as what it is: an optimum within tolerances within these.
     #[doc(hidden)]
     pub fn holds_limits(&self, design: &DesignResult) -> bool {
-        let own = self.optima.iter().find(|o| o.design.name == design.name);
-        own.map_or_else(|| design.within_limits(), OptimumResult::limits_hold)
+        let Some(own) = self.optima.iter().find(|o| o.design.name == design.name) else { return design.within_limits() };
+        let within = self.robust.iter().find(|r| own.robust && r.design == design.name);
+        own.limits_hold() && within.is_none_or(|r| r.limits.iter().all(|worst| holds(worst.value)))
     }
 
     /// Whether every limit holds for every optimum (where nothing was searched: for the best absorber of the catalogues), and none of those that are shown overheats.
@@ -217,6 +218,6 @@ impl Results {
             return false;
         }
         let overheats = |h: &HeatOfDesign| self.is_optimum(&h.design) && h.overheats();
-        self.optima.iter().all(OptimumResult::limits_hold) && !self.heat.iter().any(overheats)
+        self.optima.iter().all(|o| self.holds_limits(&o.design)) && !self.heat.iter().any(overheats)
     }
 }

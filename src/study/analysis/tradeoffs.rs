@@ -71,12 +71,8 @@ impl Searches<'_> {
             Follower::new(&problem, &second, &starts).with_least(least).follow(*points, &step).map_err(failed)
         };
         // a family has no value of a measure of an absorber that it has not
-        let has = |of: &[usize; 2], family: &&(String, Space, OptimiseSpec)| {
-            of.iter().all(|m| {
-                let mut absorbers = measures[*m].measure.absorbers().peekable();
-                absorbers.peek().is_none() || absorbers.any(|i| i < family.1.slots.len())
-            })
-        };
+        let has =
+            |of: &[usize; 2], family: &&(String, Space, OptimiseSpec)| of.iter().all(|m| measures[*m].measure.is_of(family.1.slots.len()));
         let of_pair = |of: &[usize; 2]| {
             let own: Vec<_> = families.iter().filter(|family| has(of, family)).collect();
             own.into_par_iter().map(|family| timed(|| follow(of, family))).collect::<Vec<_>>()

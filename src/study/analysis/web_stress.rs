@@ -130,8 +130,9 @@ impl<'a> Cut<'a> {
         let (Some(fatigue), Some(crank)) = (&self.study.fatigue, &self.study.crank) else { return Ok(None) };
         let orders = self.speeds.par_iter().map(|s| self.orders(design, *s)).collect::<Result<Vec<_>, _>>()?;
         let webs = |i: usize| {
-            let all = self.loads.vibrating(&self.quasi[i], &orders[i]);
-            tell(i, &all, self.quasi[i].still());
+            let still = self.loads.still(&self.quasi[i]);
+            let all = self.loads.vibrating(&self.quasi[i], &still, &orders[i]);
+            tell(i, &all, &still);
             (0..2 * crank.throws()).map(|web| in_plane(&all, web)).collect()
         };
         let parts = (self.study.engine_of_crank(), &self.study.chain, crank);

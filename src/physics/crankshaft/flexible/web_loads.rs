@@ -41,17 +41,11 @@ pub struct WebLoads<'a> {
 /// The crank without vibration at a speed.
 #[derive(Debug, Clone)]
 pub struct QuasiStatic {
-    /// Loads of all webs over the cycle: four columns a web, as [`WebLoad::ALL`], N m and N.
-    still: DMatrix<f64>,
-    /// The same at every order of the excitation.
-    orders: Vec<DVector<C64>>,
-}
-
-impl QuasiStatic {
-    /// Loads of all webs over the cycle: four columns a web, as [`WebLoad::ALL`], N m and N.
-    pub fn still(&self) -> &DMatrix<f64> {
-        &self.still
-    }
+    speed_rpm: f64,
+    /// Loads (four a web) in the mean over the cycle.
+    mean: DVector<f64>,
+    /// The same per force at every pin, outwards and in the direction of rotation.
+    per_force: DMatrix<f64>,
 }
 
 /// Loads of a web over the cycle in the plane of its throw, from those of all webs.
@@ -107,12 +101,11 @@ impl<'a> WebLoads<'a> {
             (answer.iter().map(|(node, k, factor)| x[*node][(*k, column)] * *factor).sum::<C64>() * section.factor(0.0)).re
         };
         let rows = 4 * sections.len();
-        let per_force = DMatrix::from_fn(rows, columns - 1, |i, j| load(i, 1 + j));
-        let mut still = self.forces(speed_rpm) * per_force.transpose();
-        still.column_iter_mut().enumerate().for_each(|(i, mut own)| own.add_scalar_mut(load(i, 0)));
-        let per_force = per_force.map(C64::from);
-        let orders = (0..self.excitation.orders.len()).map(|n| &per_force * self.amplitudes(n, speed_rpm)).collect();
-        Ok(QuasiStatic { still, orders })
+        Ok(QuasiStatic {
+            speed_rpm,
+            mean: DVector::from_fn(rows, |i, _| load(i, 0)),
+            per_force: DMatrix::from_fn(rows, columns - 1, |i, j| load(i, 1 + j)),
+        })
     }
 
     /// Loads of all webs at every order of the excitation at a speed, `torques` of the absorbers on their stations: four a web, N m and N.
@@ -143,14 +136,25 @@ impl<'a> WebLoads<'a> {
         motions.iter().enumerate().map(of).collect()
     }
 
-    /// Loads of all webs over the cycle with vibration; `orders`: as [`Self::orders`] has them.
-    pub fn vibrating(&self, quasi: &QuasiStatic, orders: &[Vec<C64>]) -> DMatrix<f64> {
+    /// Loads of all webs over the cycle without vibration: four columns a web, as [`WebLoad::ALL`], N m and N.
+    pub fn still(&self, quasi: &QuasiStatic) -> DMatrix<f64> {
+        let mut all = self.forces(quasi.speed_rpm) * quasi.per_force.transpose();
+        for (mut load, mean) in all.column_iter_mut().zip(&quasi.mean) {
+            load.add_scalar_mut(*mean);
+        }
+        all
+    }
+
+    /// The same with vibration; `still`: without, `orders`: as [`Self::orders`] has them.
+    pub fn vibrating(&self, quasi: &QuasiStatic, still: &DMatrix<f64>, orders: &[Vec<C64>]) -> DMatrix<f64> {
         let count = orders.len();
-        let change = DMatrix::from_fn(2 * count, quasi.still.ncols(), |c, i| {
-            let change = orders[c % count][i] - quasi.orders[c % count][i];
+        let per_force = quasi.per_force.map(C64::from);
+        let without: Vec<DVector<C64>> = (0..count).map(|n| &per_force * self.amplitudes(n, quasi.speed_rpm)).collect();
+        let change = DMatrix::from_fn(2 * count, still.ncols(), |c, i| {
+            let change = orders[c % count][i] - without[c % count][i];
             if c < count { change.re } else { change.im }
         });
-        &quasi.still + &self.waves * change
+        still + &self.waves * change
     }
 
     /// Crank angle of every sample, rad.

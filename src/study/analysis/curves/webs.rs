@@ -22,7 +22,7 @@ pub(super) fn webs(study: &Study, system: &System, speed_rpm: f64) -> Result<Opt
     let motion = |n: usize| crank.motion(excitation, (n, speed_rpm), &[]).map_err(|_| unbounded(n));
     let motions = (0..system.orders()).map(motion).collect::<Result<Vec<_>, _>>()?;
     let quasi = loads.quasi_static(speed_rpm).map_err(|_| unbounded(0))?;
-    let all = loads.vibrating(&quasi, &loads.of_motions(speed_rpm, &motions));
+    let all = loads.vibrating(&quasi, &loads.still(&quasi), &loads.of_motions(speed_rpm, &motions));
     let angles: Vec<f64> = loads.theta().iter().map(|theta| theta * DEG_PER_RAD).collect();
     let panel = |(rear, load, title): (usize, WebLoad, &str)| {
         let of = |throw: usize| {

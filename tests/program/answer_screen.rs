@@ -166,7 +166,8 @@ fn limits_hold_cold_and_hot() {
         unbroken(&(String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)))
     };
     let given = run("given", &study);
-    assert!(given.contains("(worst of firing, cold and hot: hot") && given.contains("at most 0.6°: FAILS"), "{given}");
+    assert!(given.contains("(worst of firing, cold and hot: hot") && given.contains("at most 0.6°: FAILS (it is 0.6"), "{given}");
+    assert!(given.contains(", worst in hot)") && given.contains("not judged, and broken there: limits in absorber lost (1"), "{given}");
     let found = run("found", &(study + &search));
     assert!(found.contains("at most 0.6°: holds"), "{found}");
     assert!(found.contains("not judged, and broken there: limits in hot (10"), "{found}");
@@ -191,4 +192,47 @@ fn limits_broken_within_tolerances_are_told() {
     let page = std::fs::read_to_string(folder.path().join("out/report.html")).expect("a page");
     assert!(page.contains("All limits hold as drawn.") && page.contains(words), "the page says so, too");
     assert!(page.contains("All limits hold within the tolerances."), "that of the robust optimum");
+}
+
+/// What a run prints of a study of the six that begins with its engine, speeds and orders.
+fn printed(rest: &str) -> String {
+    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
+    let head = format!("engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 50 }}\norder_limit = 12\n", engine.display());
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("study.toml"), head + rest).expect("written");
+    let mut c = Command::new(env!("CARGO_BIN_EXE_hartog"));
+    let output = c.current_dir(folder.path()).args(["run", "study.toml", "--out", "out"]).output().expect("runs");
+    unbroken(&(String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)))
+}
+
+/// A given rubber that is judged hot, in operation, and an optimum without a material are compared at the reference, where the same ring is the same: the search finds the given constants within a few per cent. At d0177b5
+/// the optimum had so many per cent less than a value of another state.
+#[test]
+fn unlike_values_are_not_compared() {
+    let told = printed(
+        "[[design]]\nname = \"warm\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.rubber = { ring_inertia_kg_m2 = 0.076, stiffness_n_m_per_rad = 60000, loss_factor = 0.25 }\n\
+         material.geometry.sleeve = { inner_diameter_mm = 230, outer_diameter_mm = 246, length_mm = 60 }\nmaterial.temperature.exponential = { per_k = 0.0066, reference_c = 30, between_c = [-20, 150] }\n\
+         material.cooling = { air_c = 60, hub_c = 90, to_air.disc = { diameter_mm = 270, width_mm = 60 }, to_hub_w_per_k = 2, limit_c = 140 }\n\
+         [[objective]]\npeak_twist = { from = \"pulley\", to = \"flywheel\" }\n[optimise]\nrandom_starts = 0\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"rubber\"]\n\
+         size.ring_inertia_kg_m2.fixed = 0.076\nstiffness_n_m_per_rad.between = [5.99e4, 6.01e4]\nloss_factor.between = [0.249, 0.251]\n",
+    );
+    let compared = told.split("the best given design, warm (").nth(1).unwrap_or_else(|| panic!("{told}"));
+    assert!(compared.split(')').next().is_some_and(|c| c.ends_with("at the reference")), "{told}");
+    let percent =
+        told.split("; ").find(|part| part.contains("best given design")).and_then(|part| part.split(' ').next()?.parse::<f64>().ok());
+    assert!(percent.is_some_and(|p| p < 1.0), "{told}");
+}
+
+/// A limit that follows speed has no one value: what comes nearest to it is told as a share of what is allowed at the speed where most of it is used. At d0177b5 that share was printed as a stress, of what is allowed at the rated speed.
+#[test]
+fn a_limit_over_speed_is_told_as_a_share() {
+    let told = printed(
+        "[[constraint]]\nshaft_stress = { shaft = \"throw_6\", outer_diameter_mm = 60, korean_register_crank = { rated_speed_rpm = 3200, tensile_strength_mpa = 700, engine = \"four_stroke_in_line\" } }\n\
+         [[constraint]]\ndissipated_power = { max_w = 5000 }\n[[objective]]\npeak_twist = { from = \"pulley\", to = \"flywheel\" }\n[optimise]\nrandom_starts = 0\n[[optimise.absorber]]\non.station = \"pulley\"\n\
+         types = [\"viscous\"]\nsize.ring_inertia_kg_m2.fixed = 0.02\n",
+    );
+    let share = "% of what is allowed at the worst speed";
+    assert!(told.contains("while all others hold is ") && told.matches(share).count() == 2, "{told}");
+    let nearest = told.split("while all others hold is ").nth(1).unwrap_or_default();
+    assert!(nearest.split('%').next().is_some_and(|p| p.trim().parse::<f64>().is_ok_and(|p| p > 100.0)), "{told}");
 }

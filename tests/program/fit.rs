@@ -121,3 +121,33 @@ fn the_shipped_rubber_is_found() {
         assert!(String::from_utf8_lossy(&told.get_output().stderr).contains(words), "{arguments:?}");
     }
 }
+
+/// The law of Williams, Landel and Ferry is nearest to the logarithms of all factors, whichever temperature is the reference: with a scatter of 2 % of the stiffness every factor
+/// from -30 to 120 °C is met to a factor of 1.4, about as far as it is uncertain itself. A straight line of (T - T0)/log a leaves factors of 8.8 about 80 °C: it gives temperatures beside the reference all the weight.
+#[test]
+fn the_law_of_temperature_does_not_hang_on_the_reference() {
+    let (c1, c2, middle) = (7.4, 121.6, 20.0);
+    let at = |celsius: f64| 10f64.powf(-c1 * (celsius - middle) / (c2 + celsius - middle));
+    let temperatures_c = vec![-30.0, -10.0, 20.0, 50.0, 80.0, 120.0];
+    let frequencies_hz: Vec<f64> = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 400.0, 800.0].to_vec();
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
+    let mut noise = || 1.0 + 0.02 * (0..12).map(|_| random.random_range(-0.5..0.5)).sum::<f64>();
+    let values = |celsius: f64| vec![0.01, 9000.0, 300.0, 1.2e-11 * at(celsius), 0.35];
+    let mut row = |celsius: &f64| {
+        let law = (FRACTIONAL_ZENER.build)(&values(*celsius));
+        let stiffness = |hz: &f64| {
+            let omega = std::f64::consts::TAU * hz;
+            let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+            let scale = noise();
+            (s.re * scale, s.im * scale)
+        };
+        frequencies_hz.iter().map(stiffness).collect()
+    };
+    let stiffness: Vec<Vec<(f64, f64)>> = temperatures_c.iter().map(&mut row).collect();
+    let table = MeasuredTable { frequencies_hz: frequencies_hz.clone(), temperatures_c: temperatures_c.clone(), stiffness };
+    for reference in temperatures_c {
+        let fit = fit_law(&table, &FRACTIONAL_ZENER, Some(reference), &[]).expect("a law");
+        let (_, _, off) = fit.williams_landel_ferry().expect("a law of temperature");
+        assert!(off < 1.4, "{reference} °C: off by a factor of {off}");
+    }
+}

@@ -42,7 +42,7 @@ fn shipped_studies_are_likely() {
 /// ring held by kN m/rad, angles of firing of a two-stroke in a four-stroke; and a rule that ends below the speeds of the study.
 #[test]
 fn slips_are_told_of() {
-    let slips: [(&str, &str, &str, &str); 15] = [
+    let slips: [(&str, &str, &str, &str); 16] = [
         ("engine.toml", "crank_radius_mm = 50 ", "crank_radius_mm = 100 ", "`crank_radius_mm` is half the stroke"),
         ("engine.toml", "bore_mm = 95", "bore_mm = 9.5", "the bore is 9.500 mm"),
         ("engine.toml", "damping_to_ground_n_m_s_per_rad = 2 ", "damping_to_ground_n_m_s_per_rad = 200 ", "of critical, above 20 %"),
@@ -64,6 +64,12 @@ fn slips_are_told_of() {
             "[optimise]",
             "[[constraint]]\nshaft_stress = { shaft = \"pulley\", outer_diameter_mm = 60, iacs_m68 = { rated_speed_rpm = 9000, tensile_strength_mpa = 600, stress_factor = 1 } }\n\n[optimise]",
             "is the rated speed that of the crankshaft or of the shaft?",
+        ),
+        (
+            "study.toml",
+            "[optimise]",
+            "[[constraint]]\nshaft_stress = { shaft = \"pulley\", outer_diameter_mm = 60, iacs_m68 = { rated_speed_rpm = 4000, tensile_strength_mpa = 800, stress_factor = 0.55 } }\n\n[optimise]",
+            "counts a tensile strength of 800.0 MPa",
         ),
         ("pressure.csv", "turned", "", "are zero degrees of the pressure at top dead centre"),
         ("pressure.csv", "", "00000", "is its unit what the column says?"),

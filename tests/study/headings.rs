@@ -1,6 +1,7 @@
 //! What lies where in a chain of another program: to ground, to the next station, to the one before; sums, shafts, the sequence of the rows.
 
 use crate::dialects::{CHAIN, hartog, imported, refused, written};
+use crate::support::assert_close;
 use hartog::input::tables::{HistoryReader, Superposed};
 use std::path::Path;
 
@@ -27,6 +28,20 @@ fn what_lies_where_in_a_chain() {
         let study = hartog::input::read(&place.path().join(own).join("study.toml")).unwrap_or_else(|e| panic!("{e}"));
         let crank = &study.chain.stations[1];
         assert_eq!((crank.damping_to_ground, crank.damping_to_next), (ground, next), "{head}");
+    }
+    // the relative damping of a coupling's maker is 2 pi loss factors [DIN 740-2], and without a unit
+    for (i, (head, loss)) in [("Relative Dämpfung ψ [-]", 5.0 / std::f64::consts::TAU), ("Verlustfaktor", 5.0), ("Loss factor [%]", 0.05)]
+        .into_iter()
+        .enumerate()
+    {
+        let own = format!("loss{i}");
+        written(place.path(), "c.csv", damped("").replace(" [N m s/rad]", head));
+        let (code, out, told) = hartog(place.path(), &["import", "c.csv", &own, "--throws", "crank"]);
+        assert!(code == 0 && !out.contains("Left out"), "{head}: {out}{told}");
+        let study = hartog::input::read(&place.path().join(own).join("study.toml")).unwrap_or_else(|e| panic!("{e}"));
+        let crank = &study.chain.stations[1];
+        assert_close(crank.loss_factor_to_next, loss, 1e-13, 0.0, head);
+        assert_eq!((crank.damping_to_ground, crank.damping_to_next), (0.0, 0.0), "{head}");
     }
     let (_, told) = imported(damped("Dämpfung"));
     let told = told.split_whitespace().collect::<Vec<_>>().join(" ");

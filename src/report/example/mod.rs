@@ -129,7 +129,7 @@ impl Example {
 
     /// Whether the chain was imported without damping, so that some is assumed.
     fn assumes_damping(&self) -> bool {
-        let damps = |s: &FoundStation| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0;
+        let damps = |s: &FoundStation| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0 || s.loss_factor_to_next > 0.0;
         self.chain.as_ref().is_some_and(|chain| !chain.stations.iter().any(damps))
     }
 

@@ -32,7 +32,7 @@ pub(super) fn sample(throws: usize) -> String {
 pub(super) fn found(chain: &FoundChain) -> String {
     let mut text = String::from("\n# The chain as it was imported.\n");
     for s in &chain.stations {
-        let FoundStation { name, inertia, stiffness_to_next, damping_to_next, damping_to_ground, throws } = s;
+        let FoundStation { name, inertia, stiffness_to_next, damping_to_next, loss_factor_to_next, damping_to_ground, throws } = s;
         let _ = write!(text, "\n[[station]]\nname = {}\n", quoted(name));
         if !throws.is_empty() {
             let _ = writeln!(text, "throws = {throws:?}");
@@ -41,6 +41,7 @@ pub(super) fn found(chain: &FoundChain) -> String {
         let others = [
             ("stiffness_to_next_n_m_per_rad", stiffness_to_next),
             ("damping_to_next_n_m_s_per_rad", damping_to_next),
+            ("loss_factor_to_next", loss_factor_to_next),
             ("damping_to_ground_n_m_s_per_rad", damping_to_ground),
         ];
         for (key, value) in others.iter().filter(|o| *o.1 > 0.0) {

@@ -4,16 +4,17 @@ use super::catalogue::best_of_catalogues;
 use super::designs::{designs, narrow};
 use super::flexible::by_models;
 use super::judged::{sentence, value_of};
-use super::limits::{barred, broken_within_tolerances, limits, not_judged};
+use super::limits::{barred, broken_within_tolerances, limits, not_judged, of_given};
 use super::margin::below_acceptable;
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
 use crate::absorber::{Host, Mounted};
+use crate::analysis::judged::{Basis, Judged};
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{Calibration, DesignResult, OptimumResult, Results};
 use crate::input::{LimitSpec, Study};
-use crate::objective::holds;
+use crate::objective::{Condition, holds};
 use crate::optimise::Survey;
 use crate::text::table::significant;
 
@@ -94,7 +95,8 @@ fn found(study: &Study, results: &Results) -> String {
                 put("  the study has no limits".into());
             }
             fewer(limits(study, o)).into_iter().for_each(&mut put);
-            not_judged(study, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
+            let broken = not_judged(study, &o.design);
+            broken.into_iter().for_each(|words| put(format!("  {words}; `conditions` of [optimise] says in what they count")));
             broken_within_tolerances(study, results, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
@@ -103,9 +105,8 @@ fn found(study: &Study, results: &Results) -> String {
             put(format!("The study asks for no optimum. Best design: {}", named(given)));
             parameters(study, given).into_iter().for_each(&mut put);
             put(format!("  {}", savings(study, results, given, None)));
-            let line =
-                |(limit, ratio): (&LimitSpec, &f64)| format!("  limit: {}: {}", limit.words, if holds(*ratio) { "holds" } else { "FAILS" });
-            fewer(study.limits.iter().zip(&given.limits).map(line).collect()).into_iter().for_each(&mut put);
+            fewer(of_given(study, given)).into_iter().for_each(&mut put);
+            not_judged(study, given).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, given).into_iter().for_each(&mut put);
             about(results, given).into_iter().for_each(&mut put);
         }
@@ -140,13 +141,21 @@ fn parameters(study: &Study, d: &DesignResult) -> Vec<String> {
     d.absorbers.iter().map(line).collect()
 }
 
+/// Values of two designs that are of the same: where only one is judged in operation, at its own amplitude or within tolerances, those at the reference, which are told.
+fn alike(own: &Judged, other: &Judged) -> (&'static str, f64, f64) {
+    let beyond = |j: &Judged, b: Basis| j.worst_of.contains(&b);
+    let apart = [Basis::In(Condition::InOperation), Basis::OwnAmplitude, Basis::Tolerances];
+    let differ = apart.into_iter().any(|b| beyond(own, b) != beyond(other, b));
+    let changes = own.other_reference().is_some() || other.other_reference().is_some();
+    if differ && changes { (" at the reference", own.reference, other.reference) } else { ("", own.value, other.value) }
+}
+
 /// By how much a design is better than others, in words: than the engine without absorber, and than the best given design.
 fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&DesignResult>) -> String {
     let own = results.judged(d).map(|j| j.value);
     let none = results.designs.iter().find(|d| d.absorbers.is_empty()).and_then(|d| d.objective);
     let none = none.or_else(|| results.bare.first().copied().flatten());
-    let against = |other: f64| {
-        let value = own?;
+    let against = |value: f64, other: f64| {
         let change = 100.0 * (study.objective.unit.ratio(value / other) - 1.0);
         let words = match change {
             c if !c.is_finite() => return None,
@@ -157,14 +166,16 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
         Some((words, value_of(&study.objective, other)))
     };
     let mut parts = Vec::new();
-    if let Some((words, value)) = none.and_then(against) {
+    if let Some((words, value)) = own.zip(none).and_then(|(own, none)| against(own, none)) {
         parts.push(format!("{words} without absorber ({value})"));
     }
     if let Some(best) = given
-        && let Some((words, value)) = results.judged(best).and_then(|j| against(j.value))
+        && let (Some(own), Some(other)) = (results.judged(d), results.judged(best))
+        && let (at, own, other) = alike(&own, &other)
+        && let Some((words, value)) = against(own, other)
     {
         let fails = if results.holds_limits(best) { "" } else { ", which breaks limits" };
-        parts.push(format!("{words} the best given design, {} ({value}{fails})", best.name));
+        parts.push(format!("{words} the best given design, {} ({value}{at}{fails})", best.name));
     }
     if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
 }

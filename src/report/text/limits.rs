@@ -30,38 +30,53 @@ fn worst_in(study: &Study, design: &DesignResult, limit: usize, ratio: f64) -> O
 /// A line for each limit, then those that cannot hold together.
 pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
-    let in_operation = o.design.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
-    let held = study.held().len() + in_operation;
     for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
-        let worst_in = worst_in(study, &o.design, i, *ratio).filter(|_| held > 1);
-        let worst = match worst_in {
-            None => String::new(),
-            // its name says so
-            Some(c @ Condition::InOperation) => format!(", worst {}", c.name().replace('_', " ")),
-            Some(c) => format!(", worst in {}", c.name().replace('_', " ")),
-        };
         let as_drawn = if o.robust { " as drawn" } else { "" };
-        let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
         let costs = if *price > WORTH_SAYING && o.conflict.is_none() {
             let way = if limit.of.unit.is_inverse() { "less" } else { "more" };
             format!("; one per cent {way} of it would bring {} %", significant(*price, 2))
         } else {
             String::new()
         };
-        let found = match limit.of.measure.within.factors.as_slice() {
-            _ if !o.design.has(&limit.of.measure) => "it has no such absorber".into(),
-            _ if *ratio == f64::INFINITY => "at some speeds no steady motion is known".into(),
-            [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
-                format!("the one that is nearest or deepest inside is {} times the nearer end", significant(*ratio, 4))
-            }
-            [] => format!("it is {}", value(limit, ratio * limit.limit)),
-            _ => format!("{:.1} % of it", 100.0 * limit.of.unit.ratio(*ratio)),
-        };
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
-        lines.push(format!("  limit: {}: {verdict}{as_drawn} ({found}{worst}{costs}{beside})", limit.words));
+        lines.push(line(study, &o.design, i, (as_drawn, &format!("{costs}{beside}"))));
     }
     lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, (&o.design.limits, o.robust))));
     lines
+}
+
+/// A line for each limit of a design that was given.
+pub(super) fn of_given(study: &Study, d: &DesignResult) -> Vec<String> {
+    (0..study.limits.len()).map(|i| line(study, d, i, ("", ""))).collect()
+}
+
+/// Whether a design holds a limit, what it comes to and in which condition, with what is said behind the verdict and behind the value.
+fn line(study: &Study, d: &DesignResult, i: usize, (as_drawn, more): (&str, &str)) -> String {
+    let (limit, ratio) = (&study.limits[i], d.limits[i]);
+    let in_operation = d.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
+    let held = study.held().len() + in_operation;
+    let worst = match worst_in(study, d, i, ratio).filter(|_| held > 1) {
+        None => String::new(),
+        // its name says so
+        Some(c @ Condition::InOperation) => format!(", worst {}", c.name().replace('_', " ")),
+        Some(c) => format!(", worst in {}", c.name().replace('_', " ")),
+    };
+    let found = match limit.of.measure.within.factors.as_slice() {
+        _ if !d.has(&limit.of.measure) => "it has no such absorber".into(),
+        _ if ratio == f64::INFINITY => "at some speeds no steady motion is known".into(),
+        [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
+            format!("the one that is nearest or deepest inside is {} times the nearer end", significant(ratio, 4))
+        }
+        [] => format!("it is {}", value(limit, ratio * limit.limit)),
+        _ => of_curve(limit, ratio),
+    };
+    let verdict = if holds(ratio) { "holds" } else { "FAILS" };
+    format!("  limit: {}: {verdict}{as_drawn} ({found}{worst}{more})", limit.words)
+}
+
+/// A share of a limit that follows speed: of what is allowed at the speed where most of it is used.
+fn of_curve(limit: &LimitSpec, ratio: f64) -> String {
+    format!("{:.1} % of what is allowed at the worst speed", 100.0 * limit.of.unit.ratio(ratio))
 }
 
 /// Where a design stands beside a jump of a limited measure, in words.
@@ -77,20 +92,16 @@ fn beside_a_jump(o: &OptimumResult, limit: &LimitSpec, ratio: f64) -> Option<Str
     ))
 }
 
-/// Limits that a design breaks in a condition of the study that it is not judged in, while its absorbers work.
+/// Limits that a design breaks in a condition of the study that it is not judged in.
 pub(crate) fn not_judged(study: &Study, d: &DesignResult) -> Option<String> {
-    let apart = [Condition::InOperation, Condition::AbsorberLocked, Condition::AbsorberLost];
-    let others = d.conditions.iter().filter(|c| !study.held().contains(&c.condition) && !apart.contains(&c.condition));
+    let others = d.conditions.iter().filter(|c| !study.held().contains(&c.condition) && c.condition != Condition::InOperation);
     let broken: Vec<String> = others
         .filter_map(|c| {
             let (i, worst) = c.limits.iter().copied().enumerate().filter(|l| !holds(l.1)).max_by(|a, b| a.1.total_cmp(&b.1))?;
             Some(format!("{} ({:.1} % of {})", c.condition.name().replace('_', " "), 100.0 * worst, study.limits[i].words))
         })
         .collect();
-    (!broken.is_empty()).then(|| {
-        let what = if study.optimise.is_some() { "; `conditions` of [optimise] says in what they count" } else { "" };
-        format!("not judged, and broken there: limits in {}{what}", broken.join(", "))
-    })
+    (!broken.is_empty()).then(|| format!("not judged, and broken there: limits in {}", broken.join(", ")))
 }
 
 /// The limits that a design breaks somewhere within the tolerances of a study, with how much of them it comes to; `None` where it breaks none, and where tolerances were not looked at.
@@ -168,11 +179,9 @@ fn conflict(study: &Study, c: &Conflict, (nearest, robust): (&[f64], bool)) -> V
         let limit = &study.limits[party.limit];
         lines.push(match party.loosened {
             Some(factor) => {
-                format!(
-                    "    {}: the nearest that was found while all others hold is {}",
-                    words(party.limit),
-                    value(limit, factor * limit.limit)
-                )
+                let follows_speed = !limit.of.measure.within.factors.is_empty();
+                let nearest = if follows_speed { of_curve(limit, factor) } else { value(limit, factor * limit.limit) };
+                format!("    {}: the nearest that was found while all others hold is {nearest}", words(party.limit))
             }
             None => format!("    {}: however far it is loosened, no design was found that holds the others", words(party.limit)),
         });

@@ -56,6 +56,13 @@ fn held(of: Known, (low, high): (f64, f64), (first, last): (f64, f64)) -> String
     format!("{} from {low} to {high} rpm only: {}", known(of), parts.join(", "))
 }
 
+fn strong(limit: &str, mpa: f64) -> String {
+    format!(
+        "the limit \"{limit}\" counts a tensile strength of {} MPa: more than 600 counts for shafts of alloy steel alone, and for no propeller shaft [IACS UR M68, 3]",
+        short(mpa)
+    )
+}
+
 fn rated_above(limit: &str, rated_rpm: f64, highest_rpm: f64) -> String {
     format!(
         "the rule of the limit \"{limit}\" is rated at {} rpm of the crankshaft, above the {} rpm at which the study ends: is the rated speed that of the crankshaft or of the shaft?",
@@ -144,6 +151,7 @@ fn sentence(found: &Implausible) -> String {
         Implausible::RuleEnds { limit, end_rpm, highest_rpm } => {
             format!("the rule of the limit \"{limit}\" ends at {end_rpm} rpm: from there to {highest_rpm} rpm nothing is judged by it")
         }
+        Implausible::TensileStrength { limit, mpa } => strong(limit, *mpa),
         Implausible::RatedSpeed { limit, rated_rpm, highest_rpm } => rated_above(limit, *rated_rpm, *highest_rpm),
         Implausible::Tuning { design, absorber, ratio } => format!(
             "the ring of absorber {} of `{design}` swings at {} of the nearest natural frequency of the chain, outside 0.1 to 10: is its stiffness in N m/rad?",

@@ -10,6 +10,7 @@ use crate::absorber::{Declaration, Follows, Law, Operating, Range as Values, Sur
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::least_squares::{Fit, Range, fit};
+use crate::numerics::maximise::maximise;
 use crate::units::HZ_PER_RAD_PER_S;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -31,6 +32,10 @@ const LEAST_FACTOR: f64 = 1e-15;
 const ON_BOUND: f64 = 1e-3;
 /// Sums of squares within this share are the same.
 const SAME: f64 = 1e-6;
+
+/// Where c2 of Williams, Landel and Ferry is sought, K above the coldest temperature, and in how many steps of equal ratio.
+const C2_ABOVE_COLDEST: (f64, f64) = (0.1, 1e5);
+const C2_STEPS: usize = 200;
 
 /// Why no law can be fitted.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -130,21 +135,33 @@ impl LawFit {
         self.worst().is_none_or(|p| p.error() <= DESCRIBES)
     }
 
-    /// c1 and c2, K, of the law of Williams, Landel and Ferry that is nearest to the factors, a straight line of (T - T0)/log10 a over T - T0, and the largest ratio that is left; nothing where it is none.
+    /// c1 and c2, K, of the law of Williams, Landel and Ferry that is nearest to the logarithms of the factors by least squares, and the largest ratio that is left; nothing where it is none.
     #[doc(hidden)]
     pub fn williams_landel_ferry(&self) -> Option<(f64, f64, f64)> {
         let reference = self.factors.iter().find(|f| f.1.standard_error.is_none())?.0;
         let others = self.factors.iter().filter(|f| f.1.standard_error.is_some());
         let points: Vec<(f64, f64)> = others.map(|(c, f)| (c - reference, f.value.logarithm() / LN_10)).collect();
-        let n = points.len() as f64;
-        let (x, y) = (points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.0 / p.1).sum::<f64>() / n);
-        let square: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
-        let slope = points.iter().map(|p| (p.0 - x) * (p.0 / p.1 - y)).sum::<f64>() / square;
-        let (c1, c2) = (-1.0 / slope, y / slope - x);
-        let coldest = points.iter().map(|p| p.0).fold(f64::INFINITY, f64::min);
-        let off = points.iter().map(|(dt, log)| (log + c1 * dt / (c2 + dt)).abs()).fold(0.0, f64::max);
-        let is_law = points.len() > 1 && c1.is_finite() && c1 > 0.0 && c2 + coldest > 0.0 && off.is_finite();
-        is_law.then(|| (c1, c2, (off * LN_10).exponential()))
+        let coldest = points.iter().map(|p| p.0).fold(0.0, f64::min);
+        // with c2 the law is a straight line through zero
+        let c2 = |above: f64| above.exponential() - coldest;
+        let c1 = |c2: f64| {
+            let shape = |dt: f64| dt / (c2 + dt);
+            -points.iter().map(|(dt, log)| shape(*dt) * log).sum::<f64>() / points.iter().map(|(dt, _)| shape(*dt).powi(2)).sum::<f64>()
+        };
+        let off = |c2: f64| {
+            let c1 = c1(c2);
+            points.iter().map(move |(dt, log)| (log + c1 * dt / (c2 + dt)).abs())
+        };
+        let nearness = |above: f64| -off(c2(above)).map(|e| e * e).sum::<f64>();
+        let (low, high) = C2_ABOVE_COLDEST;
+        let at = |i: usize| low.logarithm() + (high / low).logarithm() * i as f64 / C2_STEPS as f64;
+        let best = (0..=C2_STEPS).max_by(|a, b| nearness(at(*a)).total_cmp(&nearness(at(*b))))?;
+        // at an end the factors have a pole, or fall as an exponential
+        let is_inside = points.len() > 1 && best > 0 && best < C2_STEPS;
+        let (above, _) =
+            if is_inside { maximise(at(best - 1), at(best + 1), |x| Ok::<f64, Infallible>(nearness(x))).ok()? } else { return None };
+        let (c1, c2) = (c1(c2(above)), c2(above));
+        (c1 > 0.0).then(|| (c1, c2, (off(c2).fold(0.0, f64::max) * LN_10).exponential()))
     }
 
     /// Share per kelvin of the exponential that is nearest to the factors, a straight line of ln a through the reference, and the largest ratio that is left; nothing where the factors do not fall.

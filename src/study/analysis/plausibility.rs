@@ -4,8 +4,9 @@ use crate::absorber::two_stage::CARRIED;
 use crate::drivetrain::Station;
 use crate::engine::excitation::Audit;
 use crate::engine::{Geometry, Pressure, Source};
+use crate::fatigue::shaft_rules::ShaftRule;
 use crate::input::{LimitSpec, Size, Study};
-use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR};
+use crate::units::{HZ_PER_RAD_PER_S, HZ_PER_RPM, M_PER_MM, PA_PER_BAR, PA_PER_MPA};
 
 /// Something unlikely.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,6 +119,13 @@ pub enum Implausible {
         /// Highest speed of the study, rpm.
         highest_rpm: f64,
     },
+    /// A limit by IACS UR M68 that counts a tensile strength which it has for alloy steel alone.
+    TensileStrength {
+        /// In words.
+        limit: String,
+        /// MPa.
+        mpa: f64,
+    },
     /// A limit by a society's rule, whose rated speed the study does not reach.
     RatedSpeed {
         /// In words.
@@ -180,6 +188,8 @@ const FREQUENCY: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 const DAMPING: f64 = 0.2;
 /// Inertia of a throw over m r² of its reciprocating masses: shipped engines have 1.2 to 3.9.
 const THROW: std::ops::RangeInclusive<f64> = 0.4..=60.0;
+/// Pa.
+const OF_ANY_STEEL: f64 = 600.0 * PA_PER_MPA;
 /// Optima lie between one half and three.
 const TUNING: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
@@ -221,6 +231,7 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
     let highest_rpm = study.speeds_rpm[study.speeds_rpm.len() - 1];
     found.extend(study.limits.iter().filter_map(|limit| rule_ends(limit, highest_rpm)));
     found.extend(study.limits.iter().filter_map(|limit| not_reached(limit, highest_rpm)));
+    found.extend(study.limits.iter().filter_map(strong));
     let stations = &study.chain.stations;
     let damps = stations.iter().any(|s| s.damping_to_ground > 0.0 || s.damping_to_next > 0.0 || s.loss_factor_to_next > 0.0);
     if !damps && study.designs.iter().any(|d| d.absorbers.is_empty()) {
@@ -270,6 +281,16 @@ fn not_reached(limit: &LimitSpec, highest_rpm: f64) -> Option<Implausible> {
     let rated_rpm = limit.rule.as_ref()?.rated_rpm;
     let is_above = rated_rpm > highest_rpm * (1.0 + NEAR);
     is_above.then(|| Implausible::RatedSpeed { limit: limit.words.clone(), rated_rpm, highest_rpm })
+}
+
+/// A limit by the rule for propulsion shafts with more strength than it counts of carbon steel and of propeller shafts \[IACS UR M68, 3\].
+fn strong(limit: &LimitSpec) -> Option<Implausible> {
+    match limit.rule.as_ref()?.rule {
+        ShaftRule::Propulsion { tensile, .. } if tensile > OF_ANY_STEEL => {
+            Some(Implausible::TensileStrength { limit: limit.words.clone(), mpa: tensile / PA_PER_MPA })
+        }
+        _ => None,
+    }
 }
 
 /// A study whose speeds the engine file does not cover.

@@ -1,5 +1,6 @@
 //! A measure as a study names it: with its unit, and its names in tables and titles.
 
+use crate::fatigue::shaft_rules::ShaftRule;
 use crate::objective::{Limit, Measure};
 use crate::response::Rate;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
@@ -159,6 +160,8 @@ pub struct LimitSpec {
 /// What a society's rule says beside its curve over speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitOfRule {
+    /// The rule.
+    pub rule: ShaftRule,
     /// Speed that the curve is in units of, rpm.
     pub rated_rpm: f64,
     /// Largest stress in a barred range, which is passed through quickly, over the limit; `None` where that is not judged.

@@ -97,6 +97,7 @@ pub(super) fn reword(message: &str) -> (String, Option<String>) {
     if let Some((variant, rest)) = message.strip_prefix("unknown variant `").and_then(|m| m.split_once('`')) {
         let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
         let help = closest(variant, &known).map(|k| format!("did you mean `{k}`?"));
+        let help = not_here(variant, &known).map(str::to_owned).or(help);
         return (format!("found `{variant}`, expected {}", list(&known)), help);
     }
     if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.split('`').next()) {
@@ -122,6 +123,19 @@ pub(super) fn reword(message: &str) -> (String, Option<String>) {
     (message.replace('\n', ", "), None)
 }
 
+/// Help for a word that has its place elsewhere.
+fn not_here(word: &str, known: &[&str]) -> Option<&'static str> {
+    match word {
+        "measured" if known.contains(&"tuned") => Some("a measured law is of a given design: a search has no parameters of it"),
+        "total_inertia" | "ring_inertia" | "dissipated_power" | "margin" | "ring_twist"
+            if known == ["ring_inertia_kg_m2", "inertia_ratio"] =>
+        {
+            Some("a front of one measure against another is `of = [\"peak_twist\", \"total_inertia\"]`, say")
+        }
+        _ => None,
+    }
+}
+
 fn plain_type(expected: &str) -> &str {
     match expected {
         "f64" => "a number",
@@ -143,7 +157,7 @@ fn list(known: &[&str]) -> String {
     }
 }
 
-/// The known word most like `word`: with the longest common start, at least half of it.
+/// The known word most like `word`: with the longest common start and end, more than half of it, or more than two thirds where they only end alike.
 #[doc(hidden)]
 pub fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let common = |k: &str| {
@@ -151,5 +165,9 @@ pub fn closest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
         let end = word.chars().rev().zip(k.chars().rev()).take_while(|(a, b)| a == b).count();
         (start + end).min(word.len())
     };
-    known.iter().copied().max_by_key(|k| (common(k), usize::MAX - k.len())).filter(|k| 2 * common(k) > word.len())
+    let enough = |k: &str| {
+        let begins_alike = word.chars().next() == k.chars().next();
+        if begins_alike { 2 * common(k) > word.len() } else { 3 * common(k) > 2 * word.len() }
+    };
+    known.iter().copied().max_by_key(|k| (common(k), usize::MAX - k.len())).filter(|k| enough(k))
 }

@@ -11,6 +11,7 @@ pub struct FoundStation {
     pub stiffness_to_next: f64,
     /// N m s/rad.
     pub damping_to_next: f64,
+    pub loss_factor_to_next: f64,
     /// N m s/rad.
     pub damping_to_ground: f64,
     /// Numbers of its throws, from 1.

@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::unit::{folded, parts};
-use super::words::{Role, is_damping, is_ratio, is_stiffness_to_ground, is_sum, is_to_previous, units};
+use super::words::{Role, is_damping, is_ratio, is_stiffness_to_ground, is_sum, is_to_previous, loss_factors, units};
 use super::{FoundChain, FoundStation};
 use crate::input::error::InputError;
 use crate::input::letters::fault;
@@ -93,7 +93,13 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
             // a number of the row beside its name
             true if role == Role::Name => left_out.push(format!("column `{head}`")),
             true => return Err(sheet.at_head(i, format!("found a second column like `{}`, expected one", role.example()))),
-            false => columns.push((role, i, sheet.factor(i, (units(role), role.example()), unit.as_deref())?)),
+            false => {
+                let factor = match loss_factors(&words, unit.as_deref()).filter(|_| role == Role::LossFactorToNext) {
+                    Some(factor) => factor,
+                    None => sheet.factor(i, (units(role), role.example()), unit.as_deref())?,
+                };
+                columns.push((role, i, factor));
+            }
         }
     }
     for role in [Role::Name, Role::Inertia, Role::Stiffness] {
@@ -123,6 +129,7 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
             Role::Inertia => station.inertia = value()?,
             Role::Stiffness => station.stiffness_to_next = value()?,
             Role::DampingToNext => station.damping_to_next = value()?,
+            Role::LossFactorToNext => station.loss_factor_to_next = value()?,
             Role::DampingToGround => station.damping_to_ground = value()?,
             Role::Throws => {
                 let throws = cell.split([' ', '+']).filter(|w| !w.is_empty() && *w != "-").map(str::parse::<usize>);

@@ -39,6 +39,7 @@ pub(super) enum Role {
     Inertia,
     Stiffness,
     DampingToNext,
+    LossFactorToNext,
     DampingToGround,
     Throws,
 }
@@ -71,7 +72,23 @@ pub(super) fn is_sum(words: &str) -> bool {
 
 /// Whether a (folded) head names the ratio of a gear.
 pub(super) fn is_ratio(words: &str) -> bool {
-    ["ratio", "ubersetzung", "uebersetzung", "rapport", "relacao", "transmiss"].iter().any(|w| words.contains(w))
+    ["ratio", "drehzahlverh", "ubersetzung", "uebersetzung", "rapport", "relacao", "transmiss"].iter().any(|w| words.contains(w))
+}
+
+/// How many loss factors one is, where a (folded) head names the loss factor of a shaft, or the relative damping ψ of a coupling \[DIN 740-2\]: the energy lost in a cycle over that stored, 2π loss factors.
+pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<f64> {
+    let percent = match unit.map(str::trim) {
+        None | Some("" | "-" | "1") => 1.0,
+        Some("%") => 0.01,
+        Some(_) => return None,
+    };
+    let is_psi = words.split(|c: char| !c.is_alphanumeric()).any(|word| ["ψ", "psi"].contains(&word));
+    let is_named = ["loss factor", "loss_factor", "verlustfaktor", "facteur de perte", "fator de perda"].iter().any(|w| words.contains(w));
+    match (is_named, is_psi) {
+        (true, false) => Some(percent),
+        (false, true) => Some(percent / std::f64::consts::TAU),
+        _ => None,
+    }
 }
 
 impl Role {
@@ -80,6 +97,9 @@ impl Role {
         let has = |list: &[&str]| list.iter().any(|w| words.contains(w));
         if has(THROW) && !has(INERTIA) && !has(STIFFNESS) && !has(DAMPING) {
             return Some(Self::Throws);
+        }
+        if loss_factors(words, unit).is_some() {
+            return Some(Self::LossFactorToNext);
         }
         if has(DAMPING) {
             let begins = |with: &str| words.split(|c: char| !c.is_alphanumeric()).any(|word| word == with);
@@ -114,6 +134,7 @@ impl Role {
             Self::Inertia => "Inertia [kg m2]",
             Self::Stiffness => "Stiffness to next [N m/rad]",
             Self::DampingToNext => "Damping to next [N m s/rad]",
+            Self::LossFactorToNext => "Loss factor",
             Self::DampingToGround => "Damping to ground [N m s/rad]",
             Self::Name => "Station",
             Self::Throws => "Throws",
@@ -206,6 +227,6 @@ pub(super) fn units(role: Role) -> Units {
         Role::Inertia => unit::INERTIA,
         Role::Stiffness => unit::STIFFNESS,
         Role::DampingToNext | Role::DampingToGround => unit::DAMPING,
-        Role::Name | Role::Throws => &[],
+        Role::Name | Role::Throws | Role::LossFactorToNext => &[],
     }
 }

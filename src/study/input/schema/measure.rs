@@ -290,10 +290,10 @@ pub(crate) struct RawM68 {
     /// Rated speed of the shaft itself, which behind a gear is another one than that of the crankshaft; in place of `rated_speed_rpm`.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [500]))]
     pub rated_shaft_speed_rpm: Option<At<f64>>,
-    /// Tensile strength.
+    /// Specified minimum tensile strength, as the rule counts it: at most 800 of alloy steel, 600 of carbon and carbon-manganese steel and of any propeller shaft.
     #[schemars(extend("minimum" = 400, "maximum" = 800, "examples" = [600]))]
     pub tensile_strength_mpa: At<f64>,
-    /// c_K of the rule.
+    /// c_K of the rule: 1 for an intermediate shaft with an integral flange or a shrink fit, 0.6 with a tapered keyway, 0.45 with a cylindrical one, 0.5 with a radial hole, 0.3 with a longitudinal slot; 0.85 for a thrust shaft; 0.55 for a propeller shaft near its propeller, 0.8 forward of it.
     #[schemars(extend("minimum" = 0.1, "maximum" = 1, "examples" = [1]))]
     pub stress_factor: At<f64>,
 }

@@ -181,7 +181,12 @@ pub(super) fn shaft_stress<'r>(check: &mut Check, s: &'r RawStress, of: Context)
         bound: Bound::Rule {
             words: rule.words,
             limit,
-            rule: LimitOfRule { rated_rpm: rule.rated_rpm, transient: rule.rule.transient(), excepted: Context::excepted(s.within()) },
+            rule: LimitOfRule {
+                rule: rule.rule,
+                rated_rpm: rule.rated_rpm,
+                transient: rule.rule.transient(),
+                excepted: Context::excepted(s.within()),
+            },
         },
     })
 }
@@ -265,7 +270,12 @@ fn of_rule(
     let nearly = rule.top() * rated;
     let top = if (of.speeds.1 / nearly - 1.0).abs() <= FEW_DIGITS { of.speeds.1 } else { (nearly * 1e6).round() / 1e6 };
     if of.speeds.0 >= top {
-        check.wrong(at_rated, format!("{found}, expected a rated speed of which the study's speeds are no more than {}", rule.top()));
+        let message = format!("{found}, expected a rated speed of which the study's speeds are no more than {}", rule.top());
+        check.wrong_with_help(
+            at_rated,
+            message,
+            "speeds are those of the crankshaft: that of a shaft behind a gear is `rated_shaft_speed_rpm` of `iacs_m68`",
+        );
         return None;
     }
     let whole = rule.continuous(1.0);

@@ -20,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 23] = [
+pub(super) const RUN_TABLES: [RunTable; 24] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -117,6 +117,12 @@ pub(super) const RUN_TABLES: [RunTable; 23] = [
         about: "one row for each limit of every design: value, whether it holds, and what one per cent more of it would bring",
         asked: |s| !s.limits.is_empty(),
         write: csv::limits,
+    },
+    RunTable {
+        stem: "condition_limits",
+        about: "one row for each limit of every design in each condition that changes one: value, how much of the limit it uses, whether it holds, whether it is judged there",
+        asked: |s| !s.limits.is_empty(),
+        write: csv::condition_limits,
     },
     RunTable {
         stem: "barred",

@@ -164,6 +164,8 @@ pub struct DesignResult {
     pub reference: Option<f64>,
     /// Value of each limited measure over its limit, the largest over the same conditions.
     pub limits: Vec<f64>,
+    /// The same where everything works.
+    pub limits_firing: Vec<f64>,
     /// Ranges of speed that rules bar, of limits that it breaks.
     pub barred: Vec<BarredRange>,
     /// Where it breaks them outside those.
@@ -225,6 +227,7 @@ pub fn evaluate(
     result.barred.extend(excepted);
     result.rule_stresses = barred::rule_stresses(finders, design, wanted).map_err(failed)?;
     result.conditions = conditions;
+    result.limits_firing = own_limits;
     Ok(result)
 }
 
@@ -266,6 +269,7 @@ fn firing(
         objective: Some(objective),
         reference: Some(objective),
         limits: Vec::new(),
+        limits_firing: Vec::new(),
         barred: Vec::new(),
         still_broken: Vec::new(),
         rule_stresses: Vec::new(),

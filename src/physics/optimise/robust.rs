@@ -8,7 +8,7 @@ use super::{LoadCase, Problem, minimax};
 use crate::absorber::{Declaration, Deviation, Mounted};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::maximise::maximise;
-use crate::objective::Measure;
+use crate::objective::{Limit, Measure};
 use crate::response::{ResponseError, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -227,19 +227,24 @@ pub fn settled(
     Ok((deviations, optimum))
 }
 
-/// Deviations that make an objective or the excess over limits worse than in all scenarios of an optimum.
+/// Deviations that make an objective, or a limited measure beyond its limit, worse than in all scenarios of an optimum. Each limit is searched for itself: what is within its limit in all points that were drawn may exceed it between them.
 fn worse_inside(problem: &Problem, tolerances: &Tolerances, optimum: &Optimum, seed: u64) -> Vec<Deviation> {
-    let at = |point: &[f64]| {
+    let at = |point: &[f64], (objectives, weights): (&[Limit], &[f64])| {
         let deviation = tolerances.at(point);
         let cases: Vec<LoadCase> = problem.load_cases.iter().map(|case| LoadCase { deviation: Some(&deviation), ..*case }).collect();
-        let built = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
-        built.exactly(&optimum.outcome.point, &mut Work::default()).unwrap_or((f64::INFINITY, f64::INFINITY))
+        let built = Problem { load_cases: &cases, space: problem.space.clone(), objectives, weights, limits: &[], ..*problem };
+        built.exactly(&optimum.outcome.point, &mut Work::default()).map_or(f64::INFINITY, |found| found.0)
     };
-    let (value, excess) = (optimum.value() * (1.0 + WORSE), optimum.outcome.rows.excess() + WORSE);
-    let worse = tolerances.highest(|point| at(point).0, seed).into_iter().filter(|w| w.1 > value);
-    let beyond = problem.limits.first().map(|_| tolerances.highest(|point| at(point).1, seed));
-    let beyond = beyond.into_iter().flatten().filter(|w| w.1 > excess);
-    worse.chain(beyond).map(|w| tolerances.at(&w.0)).collect()
+    let own = (problem.objectives, problem.weights);
+    let value = optimum.value() * (1.0 + WORSE);
+    let mut worse: Vec<(Vec<f64>, f64)> = tolerances.highest(|point| at(point, own), seed);
+    worse.retain(|w| w.1 > value);
+    let excess = optimum.outcome.rows.excess().exponential() * (1.0 + WORSE);
+    for limit in problem.limits {
+        let beyond = tolerances.highest(|point| at(point, (std::slice::from_ref(limit), &[])), seed);
+        worse.extend(beyond.into_iter().filter(|w| w.1 > excess));
+    }
+    worse.iter().map(|w| tolerances.at(&w.0)).collect()
 }
 
 /// Seeks the other local optima anew, whose values are those of fewer scenarios; whether one of them has led to a lower optimum, which then takes its place.

@@ -151,3 +151,38 @@ fn the_law_of_temperature_does_not_hang_on_the_reference() {
         assert!(off < 1.4, "{reference} °C: off by a factor of {off}");
     }
 }
+
+/// A column for remarks that no row fills is left out, as `import` and catalogues do; with as many constants as factors the law of temperature agrees exactly, and the text says that this proves nothing.
+#[test]
+fn remarks_and_few_temperatures() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("t.csv");
+    let mut text = String::from("temperature_c,frequency_hz,stiffness_n_m_per_rad,loss_factor,Bemerkung\n");
+    for (celsius, shift) in [(-10.0, 30.0), (20.0, 1.0), (60.0, 0.05)] {
+        for hz in [5.0, 10.0, 20.0, 50.0, 100.0, 200.0] {
+            let x: f64 = hz * shift;
+            text += &format!("{celsius},{hz},{},{},\n", 9000.0 * x.powf(0.1), 0.158);
+        }
+    }
+    std::fs::write(&path, &text).expect("written");
+    let fit = |name: &str| {
+        let run = hartog()
+            .args(["fit", &path.to_string_lossy(), "--type", "fractional_kelvin", "--reference-c", "20", "--out"])
+            .arg(folder.path().join(name))
+            .assert();
+        let output = run.get_output().clone();
+        (
+            output.status.code(),
+            (String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr))
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+        )
+    };
+    let (code, told) = fit("a");
+    assert!(code == Some(0) && told.contains("as few temperatures as it has constants: nothing checks it"), "{told}");
+    // a remark that says something is refused where it stands: it may be a column that matters
+    std::fs::write(&path, text.replacen("0.158,\n", "0.158,aged\n", 1)).expect("written");
+    let (code, told) = fit("b");
+    assert!(code == Some(2) && told.contains("found column `Bemerkung`, which means nothing here"), "{told}");
+}

@@ -10,6 +10,7 @@ mod fit;
 mod folders;
 mod hostile;
 mod layering;
+mod limit_tables;
 mod long;
 mod new;
 mod page;

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
-fn hartog(arguments: &[&str]) -> std::process::Output {
+pub fn hartog(arguments: &[&str]) -> std::process::Output {
     Command::new(env!("CARGO_BIN_EXE_hartog")).current_dir(env!("CARGO_MANIFEST_DIR")).args(arguments).output().expect("runs")
 }
 
 /// Rows of a table by the names of its columns.
-fn rows(folder: &Path, name: &str) -> Vec<BTreeMap<String, String>> {
+pub fn rows(folder: &Path, name: &str) -> Vec<BTreeMap<String, String>> {
     let mut reader = csv::Reader::from_path(folder.join(name)).expect("a table");
     reader.deserialize().map(|row| row.expect("a row")).collect()
 }
@@ -344,45 +344,4 @@ fn a_ring_cold_and_hot() {
         assert!((value(condition, "own_frequency") / hz - 1.0).abs() < 1e-9, "{condition}");
         assert!((value(condition, "loss_factor_at_own_frequency") / (0.2 * factor) - 1.0).abs() < 1e-12, "{condition}");
     }
-}
-
-/// Law: of the conditions that limits are judged in, `limits.csv` has the worst of `condition_limits.csv`, and that of one condition is what a design has alone in it: a soft rubber breaks 0.6 degrees hot, and the ring that is
-/// lost is told though nothing is judged by it.
-#[test]
-fn limits_in_every_condition() {
-    let engine = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
-    let folder = tempfile::tempdir().expect("a folder");
-    let study = |conditions: &str| {
-        format!(
-            "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 50 }}\norder_limit = 12\nconditions = {conditions}\ntemperatures = {{ cold_c = -30, hot_c = 120 }}\n\
-             [[constraint]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\", max_deg = 0.6 }}\n[[constraint]]\ndissipated_power = {{ max_w = 500 }}\n\
-             [[design]]\nname = \"ring\"\n[[design.absorber]]\non.station = \"pulley\"\ntype.rubber = {{ ring_inertia_kg_m2 = 0.076, stiffness_n_m_per_rad = 60000, loss_factor = 0.4 }}\n\
-             material.temperature.exponential = {{ per_k = 0.0097, reference_c = 23, between_c = [-30, 120] }}\n",
-            engine.display()
-        )
-    };
-    let tables = |name: &str, conditions: &str| {
-        let path = folder.path().join(format!("{name}.toml"));
-        std::fs::write(&path, study(conditions)).expect("written");
-        let out = folder.path().join(name);
-        let run = hartog(&["run", &path.to_string_lossy(), "--quiet", "--out", &out.to_string_lossy()]);
-        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
-        let each = if out.join("condition_limits.csv").exists() { rows(&out, "condition_limits.csv") } else { Vec::new() };
-        (each, rows(&out, "limits.csv"))
-    };
-    let (each, worst) = tables("all", "[\"cold\", \"hot\", \"absorber_lost\"]");
-    assert_eq!((each.len(), worst.len()), (8, 2));
-    for limit in &worst {
-        let own = |row: &&BTreeMap<String, String>| row["measure"] == limit["measure"];
-        let judged =
-            each.iter().filter(own).filter(|row| row["role"] == "judged").map(|row| row["used_percent"].parse::<f64>().expect("a number"));
-        assert_eq!(judged.fold(0.0, f64::max), limit["used_percent"].parse::<f64>().expect("a number"), "{}", limit["measure"]);
-    }
-    let at = |condition: &str| each.iter().find(|r| r["condition"] == condition && r["measure"] == "peak_twist").expect("a row");
-    assert_eq!((at("cold")["held"].as_str(), at("hot")["held"].as_str()), ("true", "false"));
-    assert_eq!((at("absorber_lost")["held"].as_str(), at("absorber_lost")["role"].as_str()), ("false", "told"));
-    // alone hot, the worst of both conditions is hot, too; where no condition changes a design there is no such table
-    let (_, hot) = tables("hot", "[\"hot\"]");
-    assert_eq!(hot[0]["value"], at("hot")["value"]);
-    assert!(tables("none", "[\"firing\"]").0.is_empty());
 }

@@ -20,7 +20,7 @@ pub fn condition_limits(study: &Study, results: &Results, folder: &Folder) -> Re
     let mut put = |d: &DesignResult, condition: Condition, ratios: &[f64]| {
         for (limit, ratio) in study.limits.iter().zip(ratios) {
             let unit = limit.of.unit;
-            let said = |value: f64| optional(Some(value).filter(|v| v.is_finite() && d.has(&limit.of.measure)));
+            let said = |value: f64| optional(Some(value).filter(|v| v.is_finite() && results.has_value(d, &limit.of.measure)));
             table.row([
                 d.name.clone(),
                 condition.name().to_owned(),

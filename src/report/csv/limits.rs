@@ -16,7 +16,7 @@ pub fn limits(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     let mut put = |d: &DesignResult, prices: Option<&[f64]>| {
         for (i, (limit, ratio)) in study.limits.iter().zip(&d.limits).enumerate() {
             let unit = limit.of.unit;
-            let said = |value: f64| optional(Some(value).filter(|v| v.is_finite() && d.has(&limit.of.measure)));
+            let said = |value: f64| optional(Some(value).filter(|v| v.is_finite() && results.has_value(d, &limit.of.measure)));
             table.row([
                 d.name.clone(),
                 limit.of.key.to_owned(),

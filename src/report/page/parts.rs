@@ -58,15 +58,22 @@ pub(super) fn limits(study: &Study, results: &Results) -> Markup {
         div class="scroll" { table class="sorts" {
             thead { tr { th { "design" } th class="words" { "limit" } th { "value" } th { "used, %" } th { "" } } }
             tbody { @for d in all() { @for (l, ratio) in study.limits.iter().zip(&d.limits) {
-                @let said = d.has(&l.of.measure);
+                @let said = results.has_value(d, &l.of.measure);
                 tr { td { (d.name) } td class="words" { (l.words) } td { @if said && l.of.measure.within.factors.is_empty() { (short(l.of.unit.shown(ratio * l.limit))) (l.of.unit.suffix()) } @else { "–" } } td { @if said { (format!("{:.1}", 100.0 * ratio)) } @else { "–" } }
-                    td { @if !said { (if d.absorbers.is_empty() { "no absorber" } else { "no such absorber" }) } @else if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
+                    td { @if !said { (no_value(d, &l.of.measure)) } @else if holds(*ratio) { span class="good" { "holds" } } @else { span class="bad" { "broken" } } } }
             } } }
         } }
         p class="soft" { "Judged in: " (limits_judged_in(study, results).join(", ")) "." }
         @for (d, words) in all().filter_map(|d| Some((d, not_judged(study, d)?))) { p class="bad" { (d.name) ": " (words) "." } }
         (rule_stresses(study, results))
     } }
+}
+
+/// Why a design has no value of a measure.
+fn no_value(d: &DesignResult, measure: &crate::objective::Measure) -> Markup {
+    html! {
+        @if d.has(measure) { span class="bad" { "overheats" } } @else if d.absorbers.is_empty() { "no absorber" } @else { "no such absorber" }
+    }
 }
 
 /// Conditions that limits are judged in, of some design at least.

@@ -233,7 +233,7 @@ fn record(study: &Study, inputs: &[InputFile], results: &Results) -> Record {
 fn design(study: &Study, results: &Results, d: &DesignResult, optimum: bool) -> Design {
     let limit = |(spec, ratio): (&crate::input::LimitSpec, &f64)| Limit {
         of: MeasureName::new(&spec.of),
-        value: Some(spec.of.unit.shown(ratio * spec.limit)).filter(|v| v.is_finite() && d.has(&spec.of.measure)),
+        value: Some(spec.of.unit.shown(ratio * spec.limit)).filter(|v| v.is_finite() && results.has_value(d, &spec.of.measure)),
         limit: spec.of.unit.shown(spec.limit),
         held: holds(*ratio),
     };

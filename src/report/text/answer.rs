@@ -96,9 +96,9 @@ fn found(study: &Study, results: &Results) -> String {
             if study.limits.is_empty() {
                 put("  the study has no limits".into());
             }
-            fewer(limits(study, o)).into_iter().for_each(&mut put);
+            fewer(limits(study, results, o)).into_iter().for_each(&mut put);
             let broken = not_judged(study, &o.design);
-            broken.into_iter().for_each(|words| put(format!("  {words}; `conditions` of [optimise] says in what they count")));
+            broken.into_iter().for_each(|words| put(format!("  {words}; an optimum holds its limits in the `conditions` of [optimise]")));
             broken_within_tolerances(study, results, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
@@ -107,7 +107,7 @@ fn found(study: &Study, results: &Results) -> String {
             put(format!("The study asks for no optimum. Best design: {}", named(given)));
             parameters(study, given).into_iter().for_each(&mut put);
             put(format!("  {}", savings(study, results, given, None)));
-            fewer(of_given(study, given)).into_iter().for_each(&mut put);
+            fewer(of_given(study, results, given)).into_iter().for_each(&mut put);
             not_judged(study, given).into_iter().for_each(|words| put(format!("  {words}")));
             by_models(results, given).into_iter().for_each(&mut put);
             about(results, given).into_iter().for_each(&mut put);
@@ -251,6 +251,10 @@ fn notes(study: &Study, results: &Results) -> String {
     below_acceptable(study, results).iter().for_each(|line| text.extend([line.as_str(), "\n"]));
     text.push_str(&best_of_catalogues(study, results));
     text.push_str(&fronts(study, results));
+    let hot: Vec<String> = results.designs.iter().filter(|d| results.overheats(&d.name)).map(|d| format!("`{}`", d.name)).collect();
+    if !hot.is_empty() {
+        text.push_str(&format!("Without a temperature in balance at some speeds: {} overheats.\n", hot.join(", ")));
+    }
     let broken = |(i, limit): (usize, &LimitSpec)| {
         let by: Vec<String> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| format!("`{}`", d.name)).collect();
         (!by.is_empty()).then(|| format!("Limit {}: broken by {}.", limit.words, by.join(", ")))

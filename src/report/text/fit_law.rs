@@ -36,7 +36,11 @@ pub fn fit_law(fit: &LawFit) -> String {
     }
     let temperature = temperature(fit);
     if let Some((law, off, _)) = &temperature {
-        text.push_str(&format!("  the factors follow {law} to a factor of {}\n", significant(*off, 3)));
+        // an exponential has one constant, Williams, Landel and Ferry two
+        let constants = if fit.declaration.stiffness_follows() { 1 } else { 2 };
+        let unchecked =
+            if fit.factors.len() <= constants + 1 { ", as few temperatures as it has constants: nothing checks it" } else { "" };
+        text.push_str(&format!("  the factors follow {law} to a factor of {}{unchecked}\n", significant(*off, 3)));
     }
     let values = parameters.iter().zip(&fit.values).map(|(p, f)| format!("{} = {}", p.key, rounded(f.value)));
     let line = values.collect::<Vec<_>>().join(", ");

@@ -28,7 +28,7 @@ fn worst_in(study: &Study, design: &DesignResult, limit: usize, ratio: f64) -> O
 }
 
 /// A line for each limit, then those that cannot hold together.
-pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
+pub(super) fn limits(study: &Study, results: &Results, o: &OptimumResult) -> Vec<String> {
     let mut lines = Vec::new();
     for (i, ((limit, ratio), price)) in study.limits.iter().zip(&o.design.limits).zip(&o.prices).enumerate() {
         let as_drawn = if o.robust { " as drawn" } else { "" };
@@ -39,19 +39,19 @@ pub(super) fn limits(study: &Study, o: &OptimumResult) -> Vec<String> {
             String::new()
         };
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
-        lines.push(line(study, &o.design, i, (as_drawn, &format!("{costs}{beside}"))));
+        lines.push(line((study, results), &o.design, i, (as_drawn, &format!("{costs}{beside}"))));
     }
     lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, (&o.design.limits, o.robust))));
     lines
 }
 
 /// A line for each limit of a design that was given.
-pub(super) fn of_given(study: &Study, d: &DesignResult) -> Vec<String> {
-    (0..study.limits.len()).map(|i| line(study, d, i, ("", ""))).collect()
+pub(super) fn of_given(study: &Study, results: &Results, d: &DesignResult) -> Vec<String> {
+    (0..study.limits.len()).map(|i| line((study, results), d, i, ("", ""))).collect()
 }
 
 /// Whether a design holds a limit, what it comes to and in which condition, with what is said behind the verdict and behind the value.
-fn line(study: &Study, d: &DesignResult, i: usize, (as_drawn, more): (&str, &str)) -> String {
+fn line((study, results): (&Study, &Results), d: &DesignResult, i: usize, (as_drawn, more): (&str, &str)) -> String {
     let (limit, ratio) = (&study.limits[i], d.limits[i]);
     let in_operation = d.conditions.iter().filter(|c| c.condition == Condition::InOperation).count();
     let held = study.held().len() + in_operation;
@@ -63,6 +63,7 @@ fn line(study: &Study, d: &DesignResult, i: usize, (as_drawn, more): (&str, &str
     };
     let found = match limit.of.measure.within.factors.as_slice() {
         _ if !d.has(&limit.of.measure) => "it has no such absorber".into(),
+        _ if !results.has_value(d, &limit.of.measure) => "it overheats: no temperature is in balance".into(),
         _ if ratio == f64::INFINITY => "at some speeds no steady motion is known".into(),
         [] if matches!(limit.of.measure.over, Over::Property(Property::Band { .. })) => {
             format!("the one that is nearest or deepest inside is {} times the nearer end", significant(ratio, 4))

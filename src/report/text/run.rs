@@ -113,7 +113,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     }
     parameters(o).into_iter().for_each(&mut put);
     certificate(objective, o, value_of).into_iter().for_each(&mut put);
-    limits(study, o).into_iter().for_each(&mut put);
+    limits(study, results, o).into_iter().for_each(&mut put);
     text
 }
 

@@ -3,7 +3,7 @@
 use super::evaluate::DesignResult;
 use super::results::{OptimumResult, Results};
 use crate::numerics::elementary::Elementary;
-use crate::objective::Condition;
+use crate::objective::{Condition, Measure, Over};
 use std::cmp::Ordering;
 
 /// What a value is reached in.
@@ -133,8 +133,15 @@ impl Results {
     }
 
     /// Whether an absorber of a design overheats at some speed.
-    pub(crate) fn overheats(&self, name: &str) -> bool {
+    #[doc(hidden)]
+    pub fn overheats(&self, name: &str) -> bool {
         self.heat.iter().any(|h| h.design == name && h.overheats())
+    }
+
+    /// Whether a measure has a value of a design: where there is no such absorber it has none, and an absorber that overheats has no temperature in balance.
+    #[doc(hidden)]
+    pub fn has_value(&self, d: &DesignResult, measure: &Measure) -> bool {
+        d.has(measure) && !(measure.over == Over::Temperature && self.overheats(&d.name))
     }
 
     /// The answer to the study's question: the best optimum by the first objective; those that hold their limits and do not overheat before others.

@@ -87,7 +87,10 @@ fn column(sheet: &Sheet, is: fn(&str) -> bool, of: (Units, &str)) -> Result<(usi
     let fitting: Vec<usize> = named.iter().copied().filter(|i| unit(*i).is_some_and(|u| known(of.0, &u).is_some())).collect();
     if let [one, another, ..] = fitting.as_slice() {
         let names = (&sheet.heads()[*one], &sheet.heads()[*another]);
-        return Err(sheet.at_head(*another, format!("found `{}` and `{}`, expected one column like `{}`", names.0, names.1, of.1)));
+        let message = format!("found `{}` and `{}`, expected one column like `{}`", names.0, names.1, of.1);
+        let help = "a table with a column a speed is read by `pressure.measured.file` of an engine file; `--trace` takes one speed a file"
+            .to_owned();
+        return Err(sheet.at_head_with_help(*another, message, help));
     }
     let own = fitting.first().unwrap_or(first);
     Ok((*own, sheet.factor(*own, of, unit(*own).as_deref())?))

@@ -68,7 +68,7 @@ pub(crate) struct RawCrank {
     /// Unbalance of a throw.
     #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.1]))]
     pub unbalance_kg_m: Option<At<f64>>,
-    /// Counterweight of a throw.
+    /// Counterweight of a throw: its mass times the distance of its centre of gravity from the axis. A study of margins asks for it.
     #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.05]))]
     pub counterweight_kg_m: Option<At<f64>>,
     /// Formula for the torsional stiffness of a throw, where stations give none.

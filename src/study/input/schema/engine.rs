@@ -270,8 +270,7 @@ pub(crate) enum RawTorqueOf {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFile {
-    /// The table, relative to this file: `crank_deg` over a whole cycle, zero at firing dead centre (negative angles are of the stroke before it), and a column a speed, named like `1600_rpm_bar`, absolute. Torque is
-    /// linear between speeds, and that of the nearest speed beyond them; one speed is taken for all.
+    /// The table, relative to this file: `crank_deg` over a whole cycle, zero at firing dead centre (negative angles are of the stroke before it), and a column a speed, named like `1600_rpm_bar`, absolute. Torque is linear between speeds, and that of the nearest speed beyond them; one speed is taken for all.
     #[schemars(extend("examples" = ["pressure.csv"]))]
     pub file: At<String>,
 }

@@ -21,6 +21,13 @@ pub(crate) struct CatalogueRow {
     pub values: Vec<f64>,
 }
 
+/// A name of a catalogue with `_` for what names of files and rows do not have; nothing where little is left of it.
+fn plain_name(found: &str) -> Option<String> {
+    let plain: String = found.chars().map(|c| if c.is_ascii_alphanumeric() || "_-.".contains(c) { c } else { '_' }).collect();
+    let has_word = plain.chars().any(|c| c.is_ascii_alphanumeric()) && !plain.starts_with(['.', '-']) && !plain.starts_with("optimum_");
+    (has_word && plain.len() <= 100).then_some(plain)
+}
+
 /// What a study says of all rows of a catalogue.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct MadeWith {
@@ -93,8 +100,9 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         let plain = !own.is_empty() && own.len() <= 100 && own.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
         if !plain || own.starts_with(['.', '-']) || own.starts_with("optimum_") {
             let found = format!(
-                "found the name `{}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`",
-                shown(own)
+                "found the name `{}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`{}",
+                shown(own),
+                plain_name(own).map_or_else(String::new, |name| format!(": `{name}`, say"))
             );
             return Err(table.at(*line, name, found));
         }

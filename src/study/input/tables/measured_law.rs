@@ -20,7 +20,7 @@ const MOST_APART: f64 = 1e6;
 #[doc(hidden)]
 pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
     let columns = ["frequency_hz", "stiffness_n_m_per_rad", "loss_factor", "damping_n_m_s_per_rad", "temperature_c"];
-    let table = Table::read_named(path, &columns, &MEASURED)?;
+    let table = Table::read_named(path, &columns, &MEASURED)?.without_empty_columns(&columns);
     let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
     let (loss, damping, temperature) =
         (table.optional("loss_factor"), table.optional("damping_n_m_s_per_rad"), table.optional("temperature_c"));

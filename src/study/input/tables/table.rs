@@ -195,6 +195,18 @@ impl Table {
         self.number(row, column, cell)?.ok_or_else(|| self.at(row, column, "found an empty cell, expected a number".into()))
     }
 
+    /// Without columns that no row fills, as those for remarks, but for those of some names.
+    pub(super) fn without_empty_columns(mut self, named: &[&str]) -> Self {
+        let is_kept = |c: usize| named.contains(&self.header[c].as_str()) || self.rows.iter().any(|(_, cells)| !cells[c].is_empty());
+        let kept: Vec<usize> = (0..self.header.len()).filter(|c| is_kept(*c)).collect();
+        self.rows.iter_mut().for_each(|(_, cells)| *cells = kept.iter().map(|c| cells[*c].clone()).collect());
+        if !self.factors.is_empty() {
+            self.factors = kept.iter().map(|c| self.factors[*c]).collect();
+        }
+        self.header = kept.into_iter().map(|c| self.header[c].clone()).collect();
+        self
+    }
+
     /// All cells, each filled with a number.
     pub fn numbers(&self) -> Result<Vec<(u64, Vec<f64>)>, InputError> {
         let row = |(line, cells): &(u64, Vec<String>)| -> Result<(u64, Vec<f64>), InputError> {

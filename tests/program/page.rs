@@ -100,13 +100,18 @@ fn pages_work_in_a_browser() {
             let boxes = "document.querySelectorAll('#designs input[type=checkbox]')";
             let (_, told) = after(browser, &page, width, &format!("for (const b of {boxes}) if (!b.checked) b.click(); {CONTRAST}"));
             assert_eq!(told, "", "{study}: contrast");
+            // every row may be ticked, those of other sizes, too
+            let rows = dom.matches("<tr data-design=").count();
+            assert_eq!(dom.matches("aria-label=\"draw ").count(), rows, "{study}: rows that cannot be drawn");
             let radians = "const head = [...document.querySelectorAll('#designs th')].find(h => h.textContent === 'twist, °'), cell = () => document.querySelector('#designs tbody tr').cells[head.cellIndex].textContent; \
                            const before = Number(cell()); document.getElementById('radians').click(); \
                            if (Math.abs(Number(cell()) * 180 / Math.PI / before - 1) > 1e-3 || head.textContent !== 'twist, rad') told.push(before + ' ' + cell() + head.textContent);";
             let (_, told) = after(browser, &page, width, radians);
             assert_eq!(told, "", "{study}: radians");
-            let modes = "const s = document.getElementById('mode'), before = document.getElementById('shape').innerHTML; s.selectedIndex = 1; s.dispatchEvent(new Event('change')); \
-                         if (s.options.length > 1 && document.getElementById('shape').innerHTML === before) told.push('the shape stays'); \
+            // of a chain, or of a flexible crank in its place
+            let modes = "const s = document.getElementById('mode') || document.getElementById('crankmode'), shape = document.getElementById('shape') || document.getElementById('crank'); \
+                         const before = shape.innerHTML; s.selectedIndex = 1; s.dispatchEvent(new Event('change')); \
+                         if (s.options.length > 1 && shape.innerHTML === before) told.push('the shape stays'); \
                          if (!document.querySelector('#campbell path')) told.push('no frequencies');";
             let (_, told) = after(browser, &page, width, modes);
             assert_eq!(told, "", "{study}: modes");

@@ -8,10 +8,15 @@ use crate::input::Study;
 use crate::objective::Condition;
 use serde_json::{Map, Value, json};
 
+/// Curves over speed on the page: those of all files, and of optima of other sizes.
+pub(super) fn sweeps(results: &Results) -> impl Iterator<Item = &Sweeps> {
+    results.sweeps.iter().chain(&results.sweeps_of_sizes)
+}
+
 /// Designs whose curves are on the page: those that are swept, the given ones first.
 pub(super) fn shown(results: &Results) -> Vec<&DesignResult> {
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
-    results.sweeps.iter().filter_map(|s| all().find(|d| d.name == s.design)).collect()
+    sweeps(results).filter_map(|s| all().find(|d| d.name == s.design)).collect()
 }
 
 /// What the script knows a quantity by.
@@ -62,7 +67,7 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
     let unit = |q: &QuantitySweep| if q.of.unit() == "deg" { "°" } else { q.of.unit() };
     let named = |q: &QuantitySweep| json!({ "name": key(q), "label": label(q), "unit": unit(q) });
     let temperature = (!results.heat.is_empty()).then(|| json!({ "name": TEMPERATURE.0, "label": TEMPERATURE.1, "unit": "°C" }));
-    let sweeps: Map<String, Value> = results.sweeps.iter().map(|s| (s.design.clone(), sweep(s, results))).collect();
+    let sweeps: Map<String, Value> = sweeps(results).map(|s| (s.design.clone(), sweep(s, results))).collect();
     json!({
         "speeds": list(&study.speeds_rpm),
         "orders": results.system.excitation.orders.iter().map(ToString::to_string).collect::<Vec<_>>(),

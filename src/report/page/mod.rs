@@ -91,7 +91,7 @@ fn designs(study: &Study, results: &Results) -> Markup {
     let all = || results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     // the twist that every table shows may be what designs are judged by
     let judged = is_apart(study, results);
-    let swept = |d: &DesignResult| results.sweeps.iter().any(|s| s.design == d.name);
+    let swept = |d: &DesignResult| data::sweeps(results).any(|s| s.design == d.name);
     let columns = parameters(all());
     let cell = |d: &DesignResult, key: &str| {
         let each = d.absorbers.iter().map(|m| dash(m.absorber.value(key).map(short)));

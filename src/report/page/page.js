@@ -65,7 +65,7 @@ class Chart {
     svg("text", { x: (70 + this.right) / 2, y: 392, "text-anchor": "middle" }, this.svg).textContent = this.horizontal;
     svg("text", { x: 14, y: 185, "text-anchor": "middle", transform: "rotate(-90 14 185)" }, this.svg).textContent = this.vertical;
     if (this.band) { const [a, b] = this.band.map(x => Math.min(this.right, Math.max(70, this.px(x)))); svg("rect", { x: a, width: b - a, y: 20, height: 330, fill: "var(--c0)", opacity: 0.07 }, this.svg); }
-    const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); svg("rect", { x: 70, y: 10, width: this.right - 70, height: 340 }, clip);
+    const clip = svg("clipPath", { id: this.box.id + "-clip" }, svg("defs", {}, this.svg)); const dot = this.stations ? 5 : 0; svg("rect", { x: 70 - dot, y: 10, width: this.right - 70 + 2 * dot, height: 340 + dot }, clip);
     const inner = svg("g", { "clip-path": "url(#" + this.box.id + "-clip)" }, this.svg);
     const ends = [];
     for (const s of this.series) {

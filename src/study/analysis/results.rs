@@ -155,6 +155,9 @@ pub struct Results {
     pub bare: Vec<Option<f64>>,
     /// Given designs and main optima, over the study's speeds.
     pub sweeps: Vec<Sweeps>,
+    /// The same of optima of other sizes than the main ones, for a page that draws what is ticked.
+    #[serde(skip)]
+    pub sweeps_of_sizes: Vec<Sweeps>,
     /// The crank, where the study judges it.
     #[serde(skip)]
     pub margin: Option<Margin>,

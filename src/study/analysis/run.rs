@@ -129,9 +129,10 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &optima, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let response = || over_speed(study, (&finders, &load_cases), &shown, progress);
+    let sizes: Vec<&DesignResult> = optima.iter().filter(|o| !o.main).map(|o| &o.design).collect();
+    let response = || over_speed(study, (&finders, &load_cases), (&shown, &sizes), progress);
     let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
-    let OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
+    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
     let flexible = on_flexible(study, (&finders[0], &margins), (&designs, &optima, &shown), progress, &mut clock)?;
@@ -155,6 +156,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         forced_floor,
         bare,
         sweeps,
+        sweeps_of_sizes,
         margin,
         margins,
         diagram,
@@ -287,6 +289,7 @@ fn designs<'d>(
 /// What the designs that are shown do over speed.
 struct OverSpeed {
     sweeps: Vec<Sweeps>,
+    sweeps_of_sizes: Vec<Sweeps>,
     margins: Vec<MarginSweep>,
     diagram: Option<Diagram>,
     duty: Vec<DutyOfDesign>,
@@ -301,7 +304,7 @@ struct OverSpeed {
 fn over_speed(
     study: &Study,
     (finders, load_cases): (&[PeakFinder], &[LoadCase]),
-    shown: &[&DesignResult],
+    (shown, sizes): (&[&DesignResult], &[&DesignResult]),
     progress: &dyn Progress,
 ) -> Result<OverSpeed, RunError> {
     let firing = &finders[0];
@@ -311,7 +314,7 @@ fn over_speed(
         let swept = sweeps::sweeps(finders, &own, named, &d.absorbers, Asked::by(study), &mut Work::default());
         swept.map_err(|error| of_design(d, error))
     };
-    let sweeps = || shown.par_iter().map(swept).inspect(|_| progress.step()).collect::<Result<Vec<_>, _>>();
+    let sweeps = || shown.par_iter().map(&swept).inspect(|_| progress.step()).collect::<Result<Vec<_>, _>>();
     let step = || progress.step();
     let margin = |d: &&DesignResult| margins::sweep(firing, &own, &d.name, &d.absorbers, &step).map_err(|e| of_design(d, e)).transpose();
     match firing.margin {
@@ -328,6 +331,7 @@ fn over_speed(
     let duty = || duty::duty(study, shown).map_err(|(d, error)| of_design(d, error));
     let ((sweeps, margins), (diagram, duty)) = rayon::join(|| rayon::join(sweeps, margins), || rayon::join(diagram, duty));
     let (sweeps, margins, diagram, duty) = (sweeps?, margins?, diagram?, duty?);
+    let sweeps_of_sizes = sizes.par_iter().map(&swept).collect::<Result<Vec<_>, _>>()?;
     progress.stage("temperatures", 1);
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     progress.step();
@@ -335,7 +339,7 @@ fn over_speed(
     let simplest = equivalent_constants::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
+    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

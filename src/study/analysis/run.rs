@@ -129,8 +129,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &optima, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
-    let sizes: Vec<&DesignResult> = optima.iter().filter(|o| !o.main).map(|o| &o.design).collect();
-    let response = || over_speed(study, (&finders, &load_cases), (&shown, &sizes), progress);
+    let response = || over_speed(study, (&finders, &load_cases), (&shown, &optima), progress);
     let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
     let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
     clock.lap("response", Work::default());
@@ -304,7 +303,7 @@ struct OverSpeed {
 fn over_speed(
     study: &Study,
     (finders, load_cases): (&[PeakFinder], &[LoadCase]),
-    (shown, sizes): (&[&DesignResult], &[&DesignResult]),
+    (shown, optima): (&[&DesignResult], &[OptimumResult]),
     progress: &dyn Progress,
 ) -> Result<OverSpeed, RunError> {
     let firing = &finders[0];
@@ -331,6 +330,7 @@ fn over_speed(
     let duty = || duty::duty(study, shown).map_err(|(d, error)| of_design(d, error));
     let ((sweeps, margins), (diagram, duty)) = rayon::join(|| rayon::join(sweeps, margins), || rayon::join(diagram, duty));
     let (sweeps, margins, diagram, duty) = (sweeps?, margins?, diagram?, duty?);
+    let sizes: Vec<&DesignResult> = optima.iter().filter(|o| !o.main).map(|o| &o.design).collect();
     let sweeps_of_sizes = sizes.par_iter().map(&swept).collect::<Result<Vec<_>, _>>()?;
     progress.stage("temperatures", 1);
     let heat = heat::heat(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;

@@ -351,6 +351,10 @@ fn traces_of_other_countries() {
 #[test]
 fn messages_mend() {
     let place = tempfile::tempdir().expect("a folder");
+    written(place.path(), "chain.csv", CHAIN);
+    written(place.path(), "two.csv", "Winkel [°KW];p 2000 1/min [bar];p 4000 1/min [bar]\n0;20;25\n360;1;1\n719;19;24\n");
+    let (code, _, told) = hartog(place.path(), &["import", "chain.csv", "of_two", "--throws", "crank", "--trace", "2000=two.csv"]);
+    assert!(code == 2 && told.contains("a table with a column a speed is read by `pressure.measured.file`"), "{told}");
     let study = text(&bad_input().join("study.toml"));
     written(place.path(), "engine.toml", text(&bad_input().join("engine.toml")));
     written(place.path(), "c.csv", CHAIN);

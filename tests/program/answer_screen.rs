@@ -236,3 +236,15 @@ fn a_limit_over_speed_is_told_as_a_share() {
     let nearest = told.split("while all others hold is ").nth(1).unwrap_or_default();
     assert!(nearest.split('%').next().is_some_and(|p| p.trim().parse::<f64>().is_ok_and(|p| p > 100.0)), "{told}");
 }
+
+/// An optimum whose first-order conditions are not met is called so: a residual of 0.01 in place of that of Den Hartog's absorber, which is met to rounding.
+#[test]
+fn an_unfinished_optimum_is_called_so() {
+    let study =
+        hartog::input::read(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/den_hartog.toml").as_path()).expect("a study");
+    let mut results = hartog::analysis::run(&study, &hartog::analysis::Silent).unwrap_or_else(|e| panic!("{e}"));
+    let told = |results: &hartog::analysis::Results| unbroken(&hartog::report::text::answer(&study, None, results));
+    assert!(!told(&results).contains("NOT CONVERGED"));
+    results.optima.iter_mut().for_each(|o| o.optimum.outcome.kkt_residual = 1e-2);
+    assert!(told(&results).contains("first-order residual 1e-2 (NOT CONVERGED)"), "{}", told(&results));
+}

@@ -116,7 +116,7 @@ fn belief(o: &OptimumResult) -> Markup {
     html! {
         p {
             (o.optimum.agreeing()) " of " (o.optimum.starts.len()) " starts agree; first-order residual "
-            (format!("{:.0e}", o.optimum.outcome.kkt_residual)) "; " @if o.scan.designs > 0 { (o.scan.designs) " designs elsewhere and " } (o.nearby.designs) " near it "
+            (format!("{:.0e}", o.optimum.outcome.kkt_residual)) @if o.is_unfinished() { " " span class="bad" { "(not converged)" } } "; " @if o.scan.designs > 0 { (o.scan.designs) " designs elsewhere and " } (o.nearby.designs) " near it "
             @if o.scan.better || o.nearby.better { "were looked at, one of which led to it." } @else { "are no better." }
             @if let Some(s) = &o.survey { " " (s.designs) " designs over all its bounds were looked at" @if s.under_limits { " for ones within the limits" } "; " @if s.better { "it was found from one of them." } @else if s.followed == 0 { "none was worth following." } @else { "those that were followed led to nothing lower." } }
             @if o.on_bounds.is_empty() { " It lies on no bound." } @else { " It lies on these bounds:" }

@@ -20,8 +20,6 @@ use crate::text::table::significant;
 
 /// Lines of the screen, without the last one, which names the folder and what stands before it.
 const LINES: usize = 37;
-/// An optimum with a larger first-order residual has not met its conditions; what is printed of others has no more digits.
-const MET: f64 = 1e-4;
 /// Rows of the table of designs are left out down to this number before anything else is.
 const LEAST_ROWS: usize = 4;
 
@@ -186,8 +184,7 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
 fn certificate(o: &OptimumResult) -> String {
     let residual = o.optimum.outcome.kkt_residual;
     let first = if residual.is_finite() { format!("first-order residual {residual:.0e}") } else { "no first-order residual".into() };
-    // of limits that are missed no first-order conditions are asked
-    let unmet = if residual > MET && o.conflict.is_none() { " (NOT CONVERGED)" } else { "" };
+    let unmet = if o.is_unfinished() { " (NOT CONVERGED)" } else { "" };
     let survey = o.survey.as_ref().map_or_else(String::new, surveyed);
     let elsewhere = if o.scan.designs > 0 { format!("{} designs elsewhere and ", o.scan.designs) } else { String::new() };
     let result = if o.scan.better || o.nearby.better { "led to it" } else { "are no better" };

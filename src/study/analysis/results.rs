@@ -26,6 +26,9 @@ use crate::input::Study;
 use crate::objective::{Condition, holds};
 use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Survey, Tradeoff};
 
+/// An optimum with a larger first-order residual has not met its conditions; what is printed of others has no more digits.
+const MET: f64 = 1e-4;
+
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct OptimumResult {
@@ -70,6 +73,12 @@ impl OptimumResult {
     /// Whether all limits hold as far as the search knows: as drawn, and of an optimum within tolerances at every deviation that it is held against.
     pub fn limits_hold(&self) -> bool {
         self.design.within_limits() && (!self.robust || self.conflict.is_none() && self.optimum.outcome.rows.hold())
+    }
+
+    /// Whether first-order conditions are not met, of an optimum that holds its limits: of limits that are missed none are asked.
+    #[doc(hidden)]
+    pub fn is_unfinished(&self) -> bool {
+        self.conflict.is_none() && self.optimum.outcome.kkt_residual > MET
     }
 }
 

@@ -251,6 +251,41 @@ fn files_that_the_guide_names_exist() {
     assert!(named > 20 && lost.is_empty(), "{named} named, {lost:?}");
 }
 
+/// What sources cite as `\\[NAME YEAR\\]` is in the list of references, which has each once and in the order of the alphabet.
+#[test]
+fn references_are_listed_once_and_sorted() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let list = fs::read_to_string(root.join("src/guide/references.md")).expect("UTF-8");
+    let listed: Vec<&str> = list.lines().filter_map(|l| l.strip_prefix("- \\[")?.split("\\]").next()).collect();
+    let plain = |key: &str| key.to_lowercase().replace('ä', "a").replace('ö', "o").replace('ü', "u");
+    let unsorted: Vec<_> = listed.windows(2).filter(|pair| plain(pair[0]) >= plain(pair[1])).collect();
+    assert!(unsorted.is_empty(), "{unsorted:?}");
+    let mut files = vec![root.join("src")];
+    let (mut cited, mut lost) = (0, Vec::new());
+    while let Some(path) = files.pop() {
+        if path.is_dir() {
+            files.extend(fs::read_dir(&path).expect("a folder").map(|e| e.expect("readable").path()));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            // lines of a comment joined
+            let text = fs::read_to_string(&path)
+                .expect("UTF-8")
+                .lines()
+                .map(|l| l.trim().trim_start_matches(['/', '!']).trim())
+                .collect::<Vec<_>>()
+                .join(" ");
+            let in_brackets = text.split("\\[").skip(1).filter_map(|rest| rest.split("\\]").next());
+            for key in in_brackets.flat_map(|keys| keys.split(';')).map(str::trim) {
+                let year = |word: &str| word.parse::<u32>().is_ok_and(|y| (1800..2100).contains(&y));
+                if key.starts_with(char::is_uppercase) && key.split([' ', ',']).any(year) {
+                    cited += 1;
+                    lost.extend((!listed.iter().any(|l| key.starts_with(l))).then(|| format!("{}: {key}", path.display())));
+                }
+            }
+        }
+    }
+    assert!(cited > 40 && lost.is_empty(), "{cited} cited, {lost:?}");
+}
+
 /// Every file within 400 lines, every function within 80.
 #[test]
 fn files_and_functions_are_short() {

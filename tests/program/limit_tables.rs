@@ -61,7 +61,7 @@ fn what_overheats_has_no_temperature() {
     let run = hartog(&["run", &path.to_string_lossy(), "--out", &out.to_string_lossy()]);
     let told = String::from_utf8_lossy(&run.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("FAILS (it overheats: no temperature is in balance"), "{told}{}", String::from_utf8_lossy(&run.stderr));
-    assert!(told.contains("Without a temperature in balance at some speeds: `hot` overheats."), "{told}");
+    assert!(told.contains("Overheats at some speeds, without a temperature in balance: `hot`."), "{told}");
     for table in ["limits.csv", "condition_limits.csv"] {
         let own: Vec<_> = rows(&out, table).into_iter().filter(|r| r.get("condition").is_none_or(|c| c == "in_operation")).collect();
         assert!(

@@ -3,7 +3,7 @@
 
 use crate::support::system;
 use hartog::absorber::types::TYPES;
-use hartog::absorber::{Absorber, Declaration, Mounted, Surroundings};
+use hartog::absorber::{Absorber, Declaration, Mounted, Range, Surroundings};
 use hartog::analysis::{self, OptimumResult, Silent};
 use hartog::input::{LimitSpec, Size, Study};
 use hartog::objective::{Measure, Over, PeakFinder, Property};
@@ -273,12 +273,14 @@ fn free_parameters(study: &mut Study, random: &mut Xoshiro256PlusPlus) {
             _ if i - 1 != first && i - 1 != second => (middle, middle),
             "loss_factor" => (0.03, 0.3),
             "damping_factor" => (0.05, 0.5),
-            "exponent" | "transition" | "flow_index" => (0.2, 0.8),
+            "fractional_exponent" | "transition_exponent" | "flow_index" => (0.2, 0.8),
             "tuning_order" => (0.5, 12.0),
             "dynamic_ratio" => (1.1, 2.0),
             "glass_ratio" => (3.0, 3000.0),
             _ => (middle * 10f64.powf(random.random_range(-2.0..-0.5)), middle * 10f64.powf(random.random_range(0.5..2.0))),
         };
+        // beyond its range a parameter is of no law of that type
+        let (low, high) = if let Range::Within(a, b) = p.range { (low.clamp(a, b), high.clamp(a, b)) } else { (low, high) };
         absorber.bounds.push((p.key, (low, high)));
     }
 }

@@ -58,12 +58,20 @@ impl Outcome {
         self.rows.hold() && self.kkt_residual < WELL_MET
     }
 
+    /// Whether its first-order conditions are met.
+    #[doc(hidden)]
+    pub fn meets_first_order(&self) -> bool {
+        self.kkt_residual < MET
+    }
+
     /// What outcomes are compared by: a limit that fails counts before the objective.
     pub(super) fn merit(&self) -> (f64, f64) {
         (if self.rows.hold() { 0.0 } else { self.rows.excess() }, self.rows.objective())
     }
 }
 
+/// First-order conditions are met below this residual.
+const MET: f64 = 1e-6;
 /// First-order residual of an optimum that others are held against.
 const WELL_MET: f64 = 1e-8;
 const MOST_ITERATIONS: usize = 80;

@@ -93,7 +93,7 @@ impl Optimum {
 
     /// A better outcome takes its place; it stays as another local optimum.
     pub(super) fn replace(&mut self, problem: &Problem, outcome: Outcome) {
-        if self.outcome.kkt_residual < MET && self.outcome.rows.hold() {
+        if self.outcome.meets_first_order() && self.outcome.rows.hold() {
             self.others.insert(0, LocalOptimum { design: self.design.clone(), value: self.value() });
         }
         self.design = problem.space.design(&outcome.point);
@@ -168,8 +168,6 @@ struct Searched {
 
 /// Costs that differ by less than this share are level.
 const LEVEL: f64 = 1e-12;
-/// First-order conditions are met below this residual.
-const MET: f64 = 1e-6;
 /// Ends closer than this in every coordinate are one.
 const APART: f64 = 1e-3;
 /// Points closer than this in every coordinate are of one basin.
@@ -232,7 +230,7 @@ pub(super) fn best_of(problem: &Problem, ends: Vec<Result<Outcome, ResponseError
     let mut met: Vec<Outcome> = Vec::new();
     let mut error = None;
     for outcome in ends {
-        met.extend(outcome.iter().filter(|o| o.kkt_residual < MET && o.rows.hold()).cloned());
+        met.extend(outcome.iter().filter(|o| o.meets_first_order() && o.rows.hold()).cloned());
         match outcome {
             Ok(o) if best.as_ref().is_none_or(|b| is_better(&o, b)) => best = Some(o),
             Ok(_) => {}

@@ -4,7 +4,6 @@ use super::table::{Table, number, optional};
 use crate::analysis::Results;
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
-use crate::optimise::Stop;
 
 /// `optima.csv`. `kkt_residual`: length of the steepest-descent step, in logarithms of the parameters; `smallest_curvature`: of the Lagrangian along the directions that first
 /// order leaves free, share of the objective per square of those.
@@ -51,7 +50,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             number(objective.unit.shown(optimum.value())),
             objective.unit.symbol().to_owned(),
             results.holds_limits(&o.design).to_string(),
-            (outcome.stop == Stop::Converged).to_string(),
+            o.has_converged().to_string(),
             optional(Some(outcome.kkt_residual).filter(|r| r.is_finite())),
             o.second_order.map_or_else(String::new, |s| s.free.to_string()),
             optional(o.second_order.and_then(|s| s.curvature)),

@@ -12,7 +12,6 @@ use crate::absorber::{Host, Mounted};
 use crate::analysis::{DesignResult, FrontResult, OptimumResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, InputFile, MeasureSpec, Placeholder, Study};
 use crate::objective::{HELD, holds};
-use crate::optimise::Stop;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -273,7 +272,7 @@ fn optimum(study: &Study, o: &OptimumResult) -> Optimum {
         design: o.design.name.clone(),
         objective: MeasureName::new(objective),
         value: objective.unit.shown(found.value()),
-        converged: found.outcome.stop == Stop::Converged,
+        converged: o.has_converged(),
         kkt_residual: Some(found.outcome.kkt_residual).filter(|r| r.is_finite()),
         starts: found.starts.len(),
         starts_agreeing: found.agreeing(),

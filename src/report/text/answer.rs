@@ -250,7 +250,7 @@ fn notes(study: &Study, results: &Results) -> String {
     text.push_str(&fronts(study, results));
     let hot: Vec<String> = results.designs.iter().filter(|d| results.overheats(&d.name)).map(|d| format!("`{}`", d.name)).collect();
     if !hot.is_empty() {
-        text.push_str(&format!("Without a temperature in balance at some speeds: {} overheats.\n", hot.join(", ")));
+        text.push_str(&format!("Overheats at some speeds, without a temperature in balance: {}.\n", hot.join(", ")));
     }
     let broken = |(i, limit): (usize, &LimitSpec)| {
         let by: Vec<String> = results.designs.iter().filter(|d| !holds(d.limits[i])).map(|d| format!("`{}`", d.name)).collect();

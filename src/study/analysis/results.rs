@@ -24,10 +24,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::{Condition, holds};
-use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Survey, Tradeoff};
-
-/// An optimum with a larger first-order residual has not met its conditions; what is printed of others has no more digits.
-const MET: f64 = 1e-4;
+use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Stop, Survey, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -75,10 +72,17 @@ impl OptimumResult {
         self.design.within_limits() && (!self.robust || self.conflict.is_none() && self.optimum.outcome.rows.hold())
     }
 
-    /// Whether first-order conditions are not met, of an optimum that holds its limits: of limits that are missed none are asked.
+    /// Whether first-order conditions are not met, of an optimum with something free that holds its limits: of limits that are missed none are asked.
     #[doc(hidden)]
     pub fn is_unfinished(&self) -> bool {
-        self.conflict.is_none() && self.optimum.outcome.kkt_residual > MET
+        let outcome = &self.optimum.outcome;
+        self.conflict.is_none() && outcome.stop != Stop::NothingFree && !outcome.meets_first_order()
+    }
+
+    /// Whether its search has converged: no step promised a decrease, and first-order conditions are met.
+    #[doc(hidden)]
+    pub fn has_converged(&self) -> bool {
+        self.optimum.outcome.stop == Stop::Converged && !self.is_unfinished()
     }
 }
 

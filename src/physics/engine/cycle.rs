@@ -59,6 +59,16 @@ impl<'a> Cycle<'a> {
         Some(Self { engine, geometry, speeds_rpm, traces, parts: OnceLock::new() })
     }
 
+    /// The engine.
+    pub(crate) fn engine(&self) -> &'a Engine {
+        self.engine
+    }
+
+    /// Of its slider-crank mechanism.
+    pub(crate) fn geometry(&self) -> &'a Geometry {
+        self.geometry
+    }
+
     /// Crank angle of every `stride`-th sample, rad.
     pub fn theta(&self, stride: usize) -> Vec<f64> {
         (0..samples(self.engine.strokes) / stride).map(|j| sample_angle(j * stride)).collect()

@@ -1,6 +1,7 @@
 //! Physics-free mathematics.
 
 pub(crate) mod abs_sums;
+pub(crate) mod banded;
 pub(crate) mod block_tridiagonal;
 pub mod eigen;
 pub mod elementary;
@@ -13,6 +14,7 @@ pub mod hull;
 pub mod interpolation;
 pub(crate) mod lazy_extremes;
 pub mod least_squares;
+pub(crate) mod lowest_modes;
 pub(crate) mod lu;
 pub mod matrix_exponential;
 pub(crate) mod matrix_product;

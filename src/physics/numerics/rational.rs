@@ -4,6 +4,7 @@
 //! samples \[Nakatsukasa, Sète & Trefethen 2018\], the same for all functions.
 
 use super::{C64, ZERO};
+use hartog_kernel::kernel;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
@@ -18,54 +19,122 @@ const MOST_SHARE: f64 = 0.5;
 /// A function below this share of the largest of all is what rounding leaves of none (where forces cancel by symmetry, say): its size is that share.
 const NOTHING: f64 = 1e-5;
 
-/// Rational functions with common poles.
+/// Supports that are summed side by side.
+const LANES: usize = 8;
+
+/// Rational functions with common poles. Supports come in blocks of so many lanes; those that fill the last one weigh nothing.
 #[derive(Debug, Clone)]
 pub(crate) struct Rational {
     supports: Vec<f64>,
-    weights: Vec<C64>,
+    weights: Vec<Block>,
     /// Function by function, at every support.
-    values: Vec<C64>,
+    values: Vec<Block>,
+}
+
+/// Complex numbers side by side.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Block {
+    re: [f64; LANES],
+    im: [f64; LANES],
+}
+
+impl Block {
+    const ZERO: Self = Self { re: [0.0; LANES], im: [0.0; LANES] };
+
+    /// Numbers in blocks, zeros behind the last.
+    fn all(numbers: &[C64]) -> Vec<Self> {
+        let of = |own: &[C64]| {
+            let at = |k: usize| own.get(k).copied().unwrap_or(ZERO);
+            Self { re: std::array::from_fn(|k| at(k).re), im: std::array::from_fn(|k| at(k).im) }
+        };
+        numbers.chunks(LANES).map(of).collect()
+    }
+
+    fn at(&self, k: usize) -> C64 {
+        C64::new(self.re[k], self.im[k])
+    }
+}
+
+/// What each support counts for at a place that is none of them: its weight over the distance, over the sum of all.
+#[kernel]
+fn shares(x: f64, supports: &[f64], weights: &[Block]) -> Vec<Block> {
+    let mut all = weights.to_vec();
+    let mut sum = Block::ZERO;
+    for (own, supports) in all.iter_mut().zip(supports.as_chunks::<LANES>().0) {
+        for (k, support) in supports.iter().enumerate() {
+            let distance = x - support;
+            (own.re[k], own.im[k]) = (own.re[k] / distance, own.im[k] / distance);
+            sum.re[k] += own.re[k];
+            sum.im[k] += own.im[k];
+        }
+    }
+    let (re, im) = (sum.re.iter().sum::<f64>(), sum.im.iter().sum::<f64>());
+    let square = re * re + im * im;
+    let (re, im) = (re / square, -im / square);
+    for own in &mut all {
+        for k in 0..LANES {
+            (own.re[k], own.im[k]) = (own.re[k] * re - own.im[k] * im, own.re[k] * im + own.im[k] * re);
+        }
+    }
+    all
+}
+
+/// Products of shares with some functions (their blocks one after another; by their indices), times a factor, added to what stands at those indices less `first` in `out`.
+#[kernel]
+fn add_products(
+    shares: &[Block],
+    values: &[Block],
+    functions: impl Iterator<Item = usize>,
+    (first, factor): (usize, C64),
+    out: &mut [C64],
+) {
+    for function in functions {
+        let mut sum = Block::ZERO;
+        for (a, b) in shares.iter().zip(&values[function * shares.len()..]) {
+            for k in 0..LANES {
+                sum.re[k] += a.re[k] * b.re[k] - a.im[k] * b.im[k];
+                sum.im[k] += a.re[k] * b.im[k] + a.im[k] * b.re[k];
+            }
+        }
+        out[function - first] += factor * C64::new(sum.re.iter().sum(), sum.im.iter().sum());
+    }
 }
 
 impl Rational {
+    fn new(supports: &[f64], weights: &[C64], functions: impl Iterator<Item = Vec<C64>>) -> Self {
+        let blocks = supports.len().div_ceil(LANES);
+        // no place is at infinity
+        let supports = supports.iter().copied().chain(std::iter::repeat(f64::INFINITY)).take(blocks * LANES).collect();
+        Self { supports, weights: Block::all(weights), values: functions.flat_map(|own| Block::all(&own)).collect() }
+    }
+
     /// What each support counts for at a place: the same for all functions.
-    pub(crate) fn shares(&self, x: f64) -> Vec<C64> {
-        if let Some(j) = self.supports.iter().position(|s| *s == x) {
-            return (0..self.supports.len()).map(|i| C64::from(f64::from(u8::from(i == j)))).collect();
+    pub(crate) fn shares(&self, x: f64) -> Vec<Block> {
+        match self.supports.iter().position(|s| *s == x) {
+            Some(j) => Block::all(&(0..self.supports.len()).map(|i| C64::from(f64::from(u8::from(i == j)))).collect::<Vec<_>>()),
+            None => shares(x, &self.supports, &self.weights),
         }
-        let mut shares: Vec<C64> = self.supports.iter().zip(&self.weights).map(|(s, weight)| weight / (x - s)).collect();
-        let scale = shares.iter().sum::<C64>().inv();
-        shares.iter_mut().for_each(|share| *share *= scale);
-        shares
+    }
+
+    /// How many functions there are.
+    fn functions(&self) -> usize {
+        self.values.len() / self.weights.len()
     }
 
     /// Some of the functions at the place of these shares, added to `out` times a factor.
-    pub(crate) fn add(&self, shares: &[C64], functions: Range<usize>, factor: C64, out: &mut [C64]) {
-        for (sum, function) in out.iter_mut().zip(functions) {
-            *sum += factor * self.value(shares, function);
-        }
-    }
-
-    fn value(&self, shares: &[C64], function: usize) -> C64 {
-        let own = &self.values[function * shares.len()..(function + 1) * shares.len()];
-        let (mut re, mut im) = (0.0, 0.0);
-        for (a, b) in shares.iter().zip(own) {
-            re += a.re * b.re - a.im * b.im;
-            im += a.re * b.im + a.im * b.re;
-        }
-        C64::new(re, im)
+    pub(crate) fn add(&self, shares: &[Block], functions: Range<usize>, factor: C64, out: &mut [C64]) {
+        let first = functions.start;
+        add_products(shares, &self.values, functions, (first, factor), out);
     }
 
     /// The same of those that `rows` names among them.
-    pub(crate) fn add_rows(&self, shares: &[C64], (first, rows): (usize, &[usize]), factor: C64, out: &mut [C64]) {
-        for row in rows {
-            out[*row] += factor * self.value(shares, first + row);
-        }
+    pub(crate) fn add_rows(&self, shares: &[Block], (first, rows): (usize, &[usize]), factor: C64, out: &mut [C64]) {
+        add_products(shares, &self.values, rows.iter().map(|row| first + row), (first, factor), out);
     }
 
     /// All functions at a place.
     fn at(&self, x: f64) -> Vec<C64> {
-        let mut out = vec![ZERO; self.values.len() / self.supports.len()];
+        let mut out = vec![ZERO; self.functions()];
         self.add(&self.shares(x), 0..out.len(), C64::from(1.0), &mut out);
         out
     }
@@ -81,8 +150,8 @@ impl Rational {
         while chosen.len() <= MOST && chosen.len() as f64 <= MOST_SHARE * x.len() as f64 {
             chosen.sort_unstable();
             let weights = weights(x, &combined, &chosen)?;
-            let values = (0..count).flat_map(|c| chosen.iter().map(move |i| rows[*i][c])).collect();
-            let found = Self { supports: chosen.iter().map(|i| x[*i]).collect(), weights, values };
+            let supports: Vec<f64> = chosen.iter().map(|i| x[*i]).collect();
+            let found = Self::new(&supports, &weights, (0..count).map(|c| chosen.iter().map(|i| rows[*i][c]).collect()));
             let errors: Vec<f64> = x
                 .iter()
                 .zip(rows)
@@ -112,11 +181,12 @@ impl Rational {
     /// Largest error at a place over the size of the samples, of each function against `row`.
     pub(crate) fn error(&self, x: f64, row: &[C64]) -> f64 {
         let out = self.at(x);
-        let most = |own: &[C64]| own.iter().map(|y| y.norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let norms = |own: &Block| (0..LANES).map(|k| own.at(k).norm()).fold(f64::MIN_POSITIVE, f64::max);
+        let most = |own: &[Block]| own.iter().map(norms).fold(f64::MIN_POSITIVE, f64::max);
         let floor = NOTHING * most(&self.values);
-        let largest = |own: &[C64]| most(own).max(floor);
-        let of = |(c, own): (usize, &[C64])| (out[c] - row[c]).norm() / largest(own);
-        self.values.chunks(self.supports.len()).enumerate().map(of).fold(0.0, f64::max)
+        let largest = |own: &[Block]| most(own).max(floor);
+        let of = |(c, own): (usize, &[Block])| (out[c] - row[c]).norm() / largest(own);
+        self.values.chunks(self.weights.len()).enumerate().map(of).fold(0.0, f64::max)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::batch::Block;
 use super::factored::Factored;
+use super::known_points::KnownPoints;
 use super::lane::{LANES, Lane};
 use super::output::Output;
 use super::{Grid, Quantity, Response, ResponseError, Work};
@@ -19,6 +20,7 @@ pub struct Direct<'a> {
     /// The system.
     pub system: &'a System,
     grid: &'a Grid,
+    known: KnownPoints,
 }
 
 /// Several points are solved at once without exchange of rows; one that cancels by more than this is solved again with it. Below, the error is at
@@ -47,7 +49,7 @@ impl BasePoint {
 impl<'a> Direct<'a> {
     /// For the speeds of `grid`.
     pub fn new(system: &'a System, grid: &'a Grid) -> Self {
-        Self { system, grid }
+        Self { system, grid, known: KnownPoints::default() }
     }
 
     /// The speeds.
@@ -83,6 +85,19 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<Vec<Vec<C64>>, ResponseError> {
         let mut out = vec![Vec::with_capacity(speeds.len() * self.system.orders()); quantities.len()];
+        if let Some(crank) = &self.system.flexible {
+            let mut solver = Factored::new(self.system);
+            let wanted = solver.wanted(design, quantities);
+            for speed in speeds {
+                let known = self.known.at((self.system, crank), &wanted, *speed);
+                let known = known.map_err(|order| ResponseError::unbounded(self.system.excitation.orders[order], *speed))?;
+                for (order, known) in known.chunks(wanted.len().max(1)).enumerate() {
+                    let put = |i: usize, y| out[i].push(y);
+                    solver.phasors_of_known((design, quantities), (order, *speed), (&wanted, known), work, put)?;
+                }
+            }
+            return Ok(out);
+        }
         self.points(design, quantities, speeds, work, |i, _, y| out[i].push(y))?;
         Ok(out)
     }

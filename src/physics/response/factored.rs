@@ -3,7 +3,8 @@
 //!
 //! Beside a shaft that is far stiffer than inertia at that frequency, what ties stations to inertial space is lost in the rounding of its stiffness: torques of shafts are then unknowns, too.
 
-use super::flexible_point::FlexiblePoint;
+use super::flexible_point::{Absorbers, FlexiblePoint};
+use super::known_points::Wanted;
 use super::shaft_torques::ShaftTorques;
 use super::{Quantity, ResponseError, Work};
 use crate::absorber::mounted::station_of;
@@ -89,16 +90,23 @@ impl<'a> Factored<'a> {
 
     /// Of a flexible crank asks no more from now on than what quantities are made of.
     pub fn ask(&mut self, design: &[Mounted], quantities: &[Quantity]) {
+        self.rows = Some(self.wanted(design, quantities).rows);
+    }
+
+    /// What of a flexible crank quantities are made of.
+    pub fn wanted(&self, design: &[Mounted], quantities: &[Quantity]) -> Wanted {
         let chain = &self.system.chain;
-        let hosts = (0..design.len()).map(|i| station_of(design, i));
+        let mut stations: Vec<usize> = (0..design.len()).map(|i| station_of(design, i)).collect();
+        stations.sort_unstable();
+        stations.dedup();
         let of = |quantity: &Quantity| match quantity {
             Quantity::ShaftTorque(s) => vec![chain.len() + s],
             q => q.difference(chain).map_or_else(Vec::new, |d| std::iter::once(d.from).chain(d.to.map(|to| to.0)).collect()),
         };
-        let mut rows: Vec<usize> = quantities.iter().flat_map(of).chain(hosts).collect();
+        let mut rows: Vec<usize> = quantities.iter().flat_map(of).chain(stations.iter().copied()).collect();
         rows.sort_unstable();
         rows.dedup();
-        self.rows = Some(rows.into());
+        Wanted { rows: rows.into(), stations }
     }
 
     /// Condenses the absorbers; returns numerator and denominator of their sum on each station that has some.
@@ -248,12 +256,38 @@ impl<'a> Factored<'a> {
         }
         for (i, quantity) in quantities.iter().enumerate() {
             let y = if still { ZERO } else { self.output(*quantity, &self.x) };
-            if !y.is_finite() {
-                return Err(ResponseError::unbounded(self.system.excitation.orders[at.0], at.1));
-            }
-            put(i, y);
+            put(i, self.finite(y, at)?);
         }
         Ok(())
+    }
+
+    /// The same of a flexible crank whose answers at an order without absorbers are known.
+    pub fn phasors_of_known(
+        &mut self,
+        (design, quantities): (&[Mounted], &[Quantity]),
+        (order, speed_rpm): (usize, f64),
+        (wanted, known): (&Wanted, &[C64]),
+        work: &mut Work,
+        mut put: impl FnMut(usize, C64),
+    ) -> Result<(), ResponseError> {
+        work.direct_solves += 1;
+        let excited = self.system.excitation.orders[order];
+        let sums = self.sums(design, Operating { omega: excited.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM });
+        let answers = 2 * self.torque.len() - 1;
+        let columns = sums.iter().map(|s| wanted.under_unit(s.0, known, answers)).collect();
+        let absorbers = Absorbers::new(&sums, columns);
+        self.x = absorbers
+            .and_then(|a| a.put_on(wanted.under_load(known, answers)))
+            .map_err(|_| ResponseError::unbounded(excited, speed_rpm))?;
+        for (i, quantity) in quantities.iter().enumerate() {
+            put(i, self.finite(self.output(*quantity, &self.x), (order, speed_rpm))?);
+        }
+        Ok(())
+    }
+
+    /// A phasor at an order and a speed, unless nothing bounds it.
+    fn finite(&self, y: C64, (order, speed_rpm): (usize, f64)) -> Result<C64, ResponseError> {
+        if y.is_finite() { Ok(y) } else { Err(ResponseError::unbounded(self.system.excitation.orders[order], speed_rpm)) }
     }
 
     pub fn phasor(&mut self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
@@ -293,7 +327,7 @@ impl<'a> Factored<'a> {
             Quantity::Twist { .. } | Quantity::Motion(..) => {
                 quantity.of_angle(quantity.difference(&self.system.chain).map_or(ZERO, |twist| twist.of(theta)), self.omega)
             }
-            Quantity::ShaftTorque(s) if self.flexible.is_some() => x[self.torque.len() + s],
+            Quantity::ShaftTorque(s) if self.system.flexible.is_some() => x[self.torque.len() + s],
             Quantity::ShaftTorque(s) if self.stiff => self.with_torques().map_or(ZERO, |all| all.torque(s, x)),
             Quantity::ShaftTorque(s) => self.system.chain.shaft_stiffness(s, self.omega) * self.system.chain.link(s).of(theta),
             Quantity::RingTwist(a) => {

@@ -14,6 +14,11 @@ use std::sync::Arc;
 pub(super) struct FlexiblePoint<'a> {
     crank: &'a FlexibleCrank,
     point: CrankPoint,
+    absorbers: Absorbers,
+}
+
+/// What absorbers change at an order and a speed.
+pub(super) struct Absorbers {
     /// Stations with absorbers and the numerators of their sums.
     stations: Vec<(usize, C64)>,
     /// Answers per unit torque on each of them.
@@ -38,6 +43,27 @@ impl<'a> FlexiblePoint<'a> {
     ) -> Result<Self, Singular> {
         let point = crank.at(at, rows)?;
         let columns = sums.iter().map(|s| crank.under_unit(&point, s.0)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { crank, point, absorbers: Absorbers::new(sums, columns)? })
+    }
+
+    /// Unknowns under the forces of an engine: angles of stations (over the denominators of their absorbers), then torques of shafts.
+    pub(super) fn under_load(&self, system: &System) -> Result<Vec<C64>, Singular> {
+        self.absorbers.put_on(self.crank.under_load(&self.point, &system.excitation))
+    }
+
+    /// The same under a unit torque on a station.
+    pub(super) fn under_unit(&self, station: usize) -> Result<Vec<C64>, Singular> {
+        let known = self.absorbers.stations.iter().position(|s| s.0 == station);
+        self.absorbers.put_on(match known {
+            Some(k) => self.absorbers.columns[k].clone(),
+            None => self.crank.under_unit(&self.point, station)?,
+        })
+    }
+}
+
+impl Absorbers {
+    /// Of their sums on each station (numerators and denominators) and the answers per unit torque there.
+    pub(super) fn new(sums: &[(usize, C64, C64)], columns: Vec<Vec<C64>>) -> Result<Self, Singular> {
         let n = sums.len();
         let element = |i: usize, k: usize| columns[k][sums[i].0] * sums[k].1 + if i == k { sums[i].2 } else { ZERO };
         let factors = match n {
@@ -48,24 +74,11 @@ impl<'a> FlexiblePoint<'a> {
         if matches!(&factors, Factors::One(x) if *x == ZERO) {
             return Err(Singular { row: 0 });
         }
-        Ok(Self { crank, point, stations: sums.iter().map(|s| (s.0, s.1)).collect(), columns, factors })
+        Ok(Self { stations: sums.iter().map(|s| (s.0, s.1)).collect(), columns, factors })
     }
 
-    /// Unknowns under the forces of an engine: angles of stations (over the denominators of their absorbers), then torques of shafts.
-    pub(super) fn under_load(&self, system: &System) -> Result<Vec<C64>, Singular> {
-        self.with_absorbers(self.crank.under_load(&self.point, &system.excitation))
-    }
-
-    /// The same under a unit torque on a station.
-    pub(super) fn under_unit(&self, station: usize) -> Result<Vec<C64>, Singular> {
-        let known = self.stations.iter().position(|s| s.0 == station);
-        self.with_absorbers(match known {
-            Some(k) => self.columns[k].clone(),
-            None => self.crank.under_unit(&self.point, station)?,
-        })
-    }
-
-    fn with_absorbers(&self, mut y: Vec<C64>) -> Result<Vec<C64>, Singular> {
+    /// Answers with them, of those without.
+    pub(super) fn put_on(&self, mut y: Vec<C64>) -> Result<Vec<C64>, Singular> {
         let Some((first, numerator)) = self.stations.first() else { return Ok(y) };
         let q = match &self.factors {
             Factors::One(element) => {

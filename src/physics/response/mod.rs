@@ -17,6 +17,7 @@ mod host_receptance;
 pub mod joint;
 mod joint_lanes;
 mod kernel;
+mod known_points;
 mod lane;
 pub mod large_twist;
 pub mod method;

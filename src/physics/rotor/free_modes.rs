@@ -1,11 +1,11 @@
 //! Undamped modes of a shaft at rest, and of which kind each is.
 
 use super::shaft::{Shaft, Six};
-use crate::numerics::eigen::of_full_mass;
+use crate::numerics::lowest_modes::lowest;
 use crate::numerics::{C64, eigen};
 use nalgebra::{DMatrix, DVector};
 
-/// Below this share of the highest square of a frequency a mode is rigid: what rounding leaves of zero.
+/// Below this share of the largest quotient of the diagonals of stiffness and mass the square of a frequency is what rounding leaves of zero: the mode is rigid.
 const RIGID: f64 = 1e-12;
 
 /// A mode at rest.
@@ -39,13 +39,13 @@ pub fn free_modes(shaft: &Shaft, count: usize) -> Option<Vec<FreeMode>> {
     let free = shaft.free();
     let part = |all: DMatrix<f64>| DMatrix::from_fn(free.len(), free.len(), |i, j| all[(free[i], free[j])]);
     let (m, k) = (part(shaft.mass_matrix()), part(shaft.stiffness_matrix()));
-    let (squares, shapes) = of_full_mass(&k, &m)?;
-    let largest = squares[squares.len().checked_sub(1)?];
+    let (squares, shapes) = lowest(&k, &m, count)?;
+    let largest = (0..free.len()).map(|i| k[(i, i)] / m[(i, i)]).fold(0.0, f64::max);
     let mode = |i: usize| {
         let omega = if squares[i] > RIGID * largest { squares[i].sqrt() } else { 0.0 };
         of(shaft, &free, &shapes.column(i).into_owned(), omega)
     };
-    Some((0..squares.len().min(count)).map(mode).collect())
+    Some((0..squares.len()).map(mode).collect())
 }
 
 /// A mode from its unknowns.

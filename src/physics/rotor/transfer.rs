@@ -5,7 +5,7 @@
 use super::shaft::{Shaft, Turning};
 use crate::numerics::C64;
 use crate::numerics::block_tridiagonal::Columns;
-use crate::numerics::rational::Rational;
+use crate::numerics::rational::{Block, Rational};
 use crate::numerics::tridiagonal::Singular;
 use nalgebra::SVector;
 use rayon::prelude::*;
@@ -29,7 +29,7 @@ const EVERY: usize = 5;
 #[derive(Debug, Clone)]
 pub(crate) enum Point {
     /// Between the speeds of its table.
-    Shares(Vec<C64>),
+    Shares(Vec<Block>),
     /// Solved: answers, load by load.
     Solved(Vec<C64>),
 }

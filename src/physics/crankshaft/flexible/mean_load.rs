@@ -1,19 +1,17 @@
 //! What acts on a crank in the mean over a cycle.
 
 use super::Assembled;
-use crate::engine::cycle::{crank_fixed, pin_angles, throw_loads};
-use crate::engine::{Engine, Source};
+use crate::engine::cycle::{Cycle, crank_fixed, pin_angles};
 use crate::numerics::C64;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::DVector;
 
-/// Forces and moments on all nodes: the means of what the rods do, and the unbalance of all that turns. Order zero of the crank in turning axes, where the flywheel is held against the mean torque. `None` where the torque of
-/// the engine comes from a table.
+/// Forces and moments on all nodes: the means of what the rods do, and the unbalance of all that turns. Order zero of the crank in turning axes, where the flywheel is held against the mean torque.
 #[doc(hidden)]
-pub fn mean_load(assembled: &Assembled, engine: &Engine, speed_rpm: f64) -> Option<DVector<C64>> {
-    let Source::Cylinder { geometry, .. } = &engine.source else { return None };
+pub fn mean_load(assembled: &Assembled, cycle: &Cycle, speed_rpm: f64) -> DVector<C64> {
+    let (engine, geometry) = (cycle.engine(), cycle.geometry());
     let speed = speed_rpm * RAD_PER_S_PER_RPM;
-    let loads = throw_loads(engine, speed_rpm)?;
+    let loads = cycle.loads(speed_rpm, 1);
     let shaft = &assembled.shaft;
     let mut force = DVector::from_element(6 * shaft.len(), C64::ZERO);
     for (i, own) in shaft.unbalance().iter().enumerate() {
@@ -40,5 +38,5 @@ pub fn mean_load(assembled: &Assembled, engine: &Engine, speed_rpm: f64) -> Opti
             }
         }
     }
-    Some(force)
+    force
 }

@@ -6,6 +6,7 @@ use super::{Assembled, LinearBearings, mean_load};
 use crate::absorber::condensed::Condensed as Absorbers;
 use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::flexible::OnStations;
+use crate::engine::cycle::Cycle;
 use crate::engine::{Engine, Excitation};
 use crate::numerics::block_tridiagonal::Columns;
 use crate::numerics::tridiagonal::Singular;
@@ -130,7 +131,7 @@ impl OnJoints<'_> {
         let speed = speed_rpm * RAD_PER_S_PER_RPM;
         let first = 2.0 / f64::from(self.engine.strokes) * speed;
         let harmonics = self.excitation.harmonics.last().map_or(0, |h| *h as usize);
-        let mean = mean_load(self.assembled, self.engine, speed_rpm).ok_or(NoMotion::Unbounded)?;
+        let mean = mean_load(self.assembled, &Cycle::new(self.engine).ok_or(NoMotion::Unbounded)?, speed_rpm);
         let all: Vec<(DVector<C64>, DMatrix<C64>)> = (0..=harmonics)
             .into_par_iter()
             .map(|m| {

@@ -11,6 +11,7 @@ use crate::engine::{Engine, Excitation};
 use crate::numerics::C64;
 use crate::numerics::block_tridiagonal::Columns;
 use crate::numerics::elementary::Elementary;
+use crate::numerics::matrix_product::add_product;
 use crate::numerics::tridiagonal::Singular;
 use crate::rotor::shaft::Turning;
 use crate::rotor::transfer::Transfer;
@@ -46,6 +47,8 @@ pub struct QuasiStatic {
     mean: DVector<f64>,
     /// The same per force at every pin, outwards and in the direction of rotation.
     per_force: DMatrix<f64>,
+    /// Loads at each order of the excitation.
+    orders: Vec<DVector<C64>>,
 }
 
 /// Loads of a web over the cycle in the plane of its throw, from those of all webs.
@@ -85,7 +88,7 @@ impl<'a> WebLoads<'a> {
         shaft.hold(flywheel, [false, false, false, false, false, true]);
         let columns = 1 + 2 * self.pins.len();
         let mut x = vec![Columns::zeros(columns); shaft.len()];
-        let mean = mean_load(self.assembled, self.engine, speed_rpm).unwrap_or_else(|| DVector::zeros(6 * shaft.len()));
+        let mean = mean_load(self.assembled, &self.cycle, speed_rpm);
         for (i, own) in x.iter_mut().enumerate() {
             (0..6).for_each(|k| own[(k, 0)] = mean[6 * i + k]);
         }
@@ -101,11 +104,10 @@ impl<'a> WebLoads<'a> {
             (answer.iter().map(|(node, k, factor)| x[*node][(*k, column)] * *factor).sum::<C64>() * section.factor(0.0)).re
         };
         let rows = 4 * sections.len();
-        Ok(QuasiStatic {
-            speed_rpm,
-            mean: DVector::from_fn(rows, |i, _| load(i, 0)),
-            per_force: DMatrix::from_fn(rows, columns - 1, |i, j| load(i, 1 + j)),
-        })
+        let per_force = DMatrix::from_fn(rows, columns - 1, |i, j| load(i, 1 + j));
+        let complex = per_force.map(C64::from);
+        let orders = (0..self.excitation.orders.len()).map(|n| &complex * self.amplitudes(n, speed_rpm)).collect();
+        Ok(QuasiStatic { speed_rpm, mean: DVector::from_fn(rows, |i, _| load(i, 0)), per_force, orders })
     }
 
     /// Loads of all webs at every order of the excitation at a speed, `torques` of the absorbers on their stations: four a web, N m and N.
@@ -138,23 +140,21 @@ impl<'a> WebLoads<'a> {
 
     /// Loads of all webs over the cycle without vibration: four columns a web, as [`WebLoad::ALL`], N m and N.
     pub fn still(&self, quasi: &QuasiStatic) -> DMatrix<f64> {
-        let mut all = self.forces(quasi.speed_rpm) * quasi.per_force.transpose();
-        for (mut load, mean) in all.column_iter_mut().zip(&quasi.mean) {
-            load.add_scalar_mut(*mean);
-        }
+        let mut all = DMatrix::from_fn(self.theta.len(), quasi.mean.len(), |_, load| quasi.mean[load]);
+        add_product(&self.forces(quasi.speed_rpm), &quasi.per_force.transpose(), &mut all);
         all
     }
 
     /// The same with vibration; `still`: without, `orders`: as [`Self::orders`] has them.
     pub fn vibrating(&self, quasi: &QuasiStatic, still: &DMatrix<f64>, orders: &[Vec<C64>]) -> DMatrix<f64> {
         let count = orders.len();
-        let per_force = quasi.per_force.map(C64::from);
-        let without: Vec<DVector<C64>> = (0..count).map(|n| &per_force * self.amplitudes(n, quasi.speed_rpm)).collect();
         let change = DMatrix::from_fn(2 * count, still.ncols(), |c, i| {
-            let change = orders[c % count][i] - without[c % count][i];
+            let change = orders[c % count][i] - quasi.orders[c % count][i];
             if c < count { change.re } else { change.im }
         });
-        still + &self.waves * change
+        let mut all = still.clone();
+        add_product(&self.waves, &change, &mut all);
+        all
     }
 
     /// Crank angle of every sample, rad.

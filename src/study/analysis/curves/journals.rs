@@ -4,6 +4,7 @@ use super::figure::{Axis, CRANK_DEG, FORCE, Figure, Panel, curve};
 use crate::crankshaft::flexible::mean_load;
 use crate::crankshaft::flexible::on_joints::OnJoints;
 use crate::drivetrain::System;
+use crate::engine::cycle::Cycle;
 use crate::input::{FlexibleModel, Study};
 use crate::numerics::C64;
 use crate::numerics::elementary::{Elementary, turn};
@@ -29,7 +30,7 @@ struct Motion {
 /// The mean of what the rods and the unbalance do: the flywheel holds the crank against the mean torque.
 fn mean(study: &Study, flexible: &FlexibleModel, speed_rpm: f64) -> Option<Result<DVector<f64>, Singular>> {
     let assembled = &flexible.assembled;
-    let force = mean_load(assembled, &study.engine, speed_rpm)?;
+    let force = mean_load(assembled, &Cycle::new(&study.engine)?, speed_rpm);
     let mut shaft = assembled.shaft.clone();
     let last = assembled.stations[assembled.stations.len() - 1];
     shaft.hold(last, [false, false, false, false, false, true]);

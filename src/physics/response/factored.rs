@@ -262,7 +262,7 @@ impl<'a> Factored<'a> {
     }
 
     /// The same of a flexible crank whose answers at an order without absorbers are known.
-    pub fn phasors_of_known(
+    pub(super) fn phasors_of_known(
         &mut self,
         (design, quantities): (&[Mounted], &[Quantity]),
         (order, speed_rpm): (usize, f64),

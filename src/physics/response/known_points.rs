@@ -32,12 +32,12 @@ impl Wanted {
     }
 
     /// Answers under the forces of the engine from those of an order; zero where they are not asked for.
-    pub fn under_load(&self, known: &[C64], answers: usize) -> Vec<C64> {
+    pub(super) fn under_load(&self, known: &[C64], answers: usize) -> Vec<C64> {
         self.whole(0, known, answers)
     }
 
     /// The same under a unit torque on a station.
-    pub fn under_unit(&self, station: usize, known: &[C64], answers: usize) -> Vec<C64> {
+    pub(super) fn under_unit(&self, station: usize, known: &[C64], answers: usize) -> Vec<C64> {
         self.stations.iter().position(|s| *s == station).map_or_else(Vec::new, |place| self.whole(1 + place, known, answers))
     }
 

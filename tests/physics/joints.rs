@@ -182,10 +182,10 @@ fn twist(study: &Study, found: &OnBoth, stations: usize, on_joints: bool) -> f64
 }
 
 /// The six on the joints of the thesis at three speeds, with orders to 24: Newton's method goes there at once, the journals stay within the reach of the law, and the linear bearings in the middle of the law give a twist that
-/// differs by less than 8 %. Fewer orders (18, 12) are off by less and less the more there are; on joints twice as stiff journals move less. Joints a tenth as stiff are found in stages at 2200 rpm. A study of bearings half as stiff is refused by name: from the linear
-/// bearings that it begins with the method does not converge at one of its speeds, which is a limit of the method and not of the crank.
+/// differs by less than 8 %. Fewer orders (18, 12) are off by less and less the more there are; on joints twice as stiff journals move less. Joints of half, a quarter and a tenth of
+/// that stiffness are found, too, the journals beyond the reach. A study of bearings a twentieth as stiff is refused by name: the method does not converge at one of its speeds, which is a limit of the method and not of the crank.
 #[test]
-#[ignore = "half a minute"]
+#[ignore = "a minute"]
 fn the_six_on_its_joints() {
     let (folder, study) = six();
     let flexible = study.flexible.as_ref().expect("flexible");
@@ -211,12 +211,14 @@ fn the_six_on_its_joints() {
         let (_, _, stiff) = on(24.0, speed, (2.0, 2.0));
         assert!(stiff.residual <= 1e-10 && stiff.largest < found.largest, "stiffer joints move less");
     }
-    // in stages from linear bearings that are far stiffer
-    let (_, _, soft) = on(24.0, 2200.0, (0.1, 0.1));
-    assert!(soft.residual <= 1e-10 && soft.stages > 1 && soft.largest > 1.0, "softer joints move beyond the reach");
+    // softer ones move beyond the reach
+    for (factor, speed) in [(0.5, 600.0), (0.25, 1900.0), (0.25, 3200.0), (0.1, 2200.0)] {
+        let (_, _, soft) = on(24.0, speed, (factor, factor));
+        assert!(soft.residual <= 1e-10 && soft.largest > 1.0, "{factor} at {speed} rpm");
+    }
     let engine = folder.path().join("engines/villalva_i6.toml");
     let text = std::fs::read_to_string(&engine).expect("an engine");
-    std::fs::write(&engine, text.replace("pressure_mpa = 40", "pressure_mpa = 20")).expect("written");
+    std::fs::write(&engine, text.replace("pressure_mpa = 40", "pressure_mpa = 2")).expect("written");
     let refused = hartog::input::read(&folder.path().join("villalva_i6_flexible.toml")).expect_err("not reached").to_string();
     assert!(refused.contains("rpm: harmonic balance does not converge: residual"), "{refused}");
 }

@@ -14,8 +14,8 @@ use nalgebra::{DMatrix, DVector};
 /// Balanced: the largest residual over the reach of the joints.
 const CLOSE: f64 = 1e-10;
 /// Steps of Newton's method, and products for each.
-const STEPS: usize = 25;
-const PRODUCTS: usize = 120;
+const STEPS: usize = 60;
+const PRODUCTS: usize = 300;
 /// Products of all steps: what takes more is given up.
 const MOST_PRODUCTS: usize = 8000;
 /// What is left of a residual by a step's linear system.
@@ -181,6 +181,16 @@ impl<'a> Problem<'a> {
         out
     }
 
+    /// The motion on linear bearings, that of each point no farther than the reach of its joint: beyond it the law grows without end, and a step of Newton's method comes back by little.
+    fn within_reach(&self) -> Rows {
+        let (mut x, z) = (self.free.clone(), self.waves.to_samples(&self.free));
+        for (p, joint) in self.joints.iter().enumerate() {
+            let farthest = (0..z.nrows()).map(|j| z[(j, 2 * p)].hypotenuse(z[(j, 2 * p + 1)])).fold(joint.reach, f64::max);
+            x.columns_mut(2 * p, 2).scale_mut(joint.reach / farthest);
+        }
+        x
+    }
+
     fn residual(&self, x: &Rows, share: f64) -> (Rows, Sampled) {
         let sampled = self.sampled(x, share);
         (self.moved(x, &sampled.forces) - &self.free, sampled)
@@ -249,7 +259,7 @@ fn flat(rows: Rows) -> DVector<f64> {
 pub fn balanced(condensed: &Condensed, joints: &[ExponentialJoint], nearby: Option<&Balanced>) -> Result<Balanced, NotBalanced> {
     let problem = Problem::new(condensed, joints);
     let mut work = (0, 0);
-    let start = nearby.map_or_else(|| problem.free.clone(), |n| displacements(&n.answers, 2 * joints.len()));
+    let start = nearby.map_or_else(|| problem.within_reach(), |n| displacements(&n.answers, 2 * joints.len()));
     match problem.solve(start, 1.0, &mut work) {
         Ok((x, residual)) => Ok(problem.found(&x, residual, (work, 1))),
         Err(residual) => Err(NotBalanced { steps: work.0, residual, share: 0.0 }),
@@ -282,7 +292,7 @@ impl Problem<'_> {
     /// From linear bearings to the joints in stages; the residual and the share of the way where that fails.
     fn in_stages(&self, work: &mut (usize, usize)) -> Result<Reached, (f64, f64)> {
         let (mut share, mut step, mut stages) = (0.0, 0.25f64, 0);
-        let mut x = self.free.clone();
+        let mut x = self.within_reach();
         loop {
             let to = f64::min(share + step, 1.0);
             match self.solve(x.clone(), to, work) {

@@ -236,6 +236,7 @@ impl<'a> Direct<'a> {
         work: &mut Work,
     ) -> Result<Vec<Vec<Vec<C64>>>, ResponseError> {
         let mut solver = Factored::new(self.system);
+        solver.ask(design, &[quantity]);
         let mut all = vec![Vec::with_capacity(orders.len()); absorbers.len()];
         for order in orders {
             solver.solve(design, (order, speed_rpm), work)?;

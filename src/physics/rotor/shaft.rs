@@ -204,7 +204,7 @@ impl Shaft {
     pub(crate) fn factored(&self, at: Turning) -> Result<Factored, Singular> {
         let n = self.len();
         let own = |i: usize| {
-            let mut block = self.block(&|row: &Row| &row.own[i], at, 1.0) + (self.circulatory[i] * at.speed).map(C64::from);
+            let mut block = self.block(&|row: &Row| &row.own[i], at).0 + (self.circulatory[i] * at.speed).map(C64::from);
             for (k, held) in self.held[i].iter().enumerate() {
                 if *held {
                     block.row_mut(k).fill(C64::ZERO);
@@ -216,8 +216,8 @@ impl Shaft {
         };
         let (mut upper, mut lower) = (Vec::with_capacity(n - 1), Vec::with_capacity(n - 1));
         for i in 0..n - 1 {
-            let mut right = self.block(&|row: &Row| &row.next[i], at, 1.0);
-            let mut below = self.block(&|row: &Row| &row.next[i], at, -1.0).transpose();
+            let (mut right, below) = self.block(&|row: &Row| &row.next[i], at);
+            let mut below = below.transpose();
             for (k, _) in self.held[i].iter().enumerate().filter(|h| *h.1) {
                 right.row_mut(k).fill(C64::ZERO);
                 below.column_mut(k).fill(C64::ZERO);
@@ -242,12 +242,13 @@ impl Shaft {
         Ok(DVector::from_fn(force.len(), |i, _| x[i / 6][(i % 6, 0)]))
     }
 
-    /// K + i loss + i omega (C + skew Omega G) - omega² M + Omega² (K_s + Kc - Z) of one block; `skew`: -1 for the transpose of what stands below the diagonal.
-    fn block<'a>(&'a self, of: &dyn Fn(&'a Row) -> &'a Real, at: Turning, skew: f64) -> Block {
+    /// K + i loss + i omega (C + Omega G) - omega² M + Omega² (K_s + Kc - Z) of one block; then with the sign of G changed, as the transpose of what stands below the diagonal.
+    fn block<'a>(&'a self, of: &dyn Fn(&'a Row) -> &'a Real, at: Turning) -> (Block, Block) {
         let (w, speed) = (at.omega, at.speed);
         let real = of(&self.stiffness) - of(&self.mass) * (w * w) + of(&self.turning) * (speed * speed);
-        let imaginary = of(&self.loss) + of(&self.damping) * w + of(&self.gyroscopic) * (skew * w * speed);
-        real.zip_map(&imaginary, C64::new)
+        let lossy = of(&self.loss) + of(&self.damping) * w;
+        let skew = of(&self.gyroscopic) * (w * speed);
+        (real.zip_map(&(lossy + skew), C64::new), real.zip_map(&(lossy - skew), C64::new))
     }
 
     /// M over all unknowns.

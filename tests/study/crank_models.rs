@@ -66,7 +66,7 @@ fn webs_of_the_guide() {
     let by_beam = results.margins.iter().find(|m| m.design == webs.design).expect("margins").smallest(0);
     assert_close(by_beam.into_iter().fold(f64::INFINITY, f64::min), margin.beam, 1e-12, 0.0, "the smallest of the sweep");
     let told = format!(
-        "adds up to {:.0} MPa in the last web, and its margin by Goodman is {:.2} instead of {:.2}, at {} and {} rpm",
+        "adds up to {:.0} MPa in the last web of the six, and the smallest margin of the crank by Goodman is {:.2} instead of {:.2}, at {} and {} rpm",
         webs.added() / 1e6,
         margin.margin,
         margin.beam,

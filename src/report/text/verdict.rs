@@ -86,7 +86,7 @@ pub(crate) fn clause(verdict: &Verdict, of: &MeasureSpec, design: &[Mounted]) ->
                 Source::Assumed(_) => " (assumption)".into(),
             };
             let own = if factor * value < 1e-3 { format!("{:.0e}", factor * value) } else { brief(factor * value) };
-            format!("{name}{} {own}{unit}{}, where {} exists{source}", which(*absorber), at(range.of), exists(range))
+            format!("{name}{} {own}{unit}{}; what exists has {}{source}", which(*absorber), at(range.of), exists(range))
         }
         Verdict::OnBound(hit) => {
             let declaration = design[hit.absorber].absorber.declaration();

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  hartog fit studies/absorbers/epdm_sleeve.csv --type fractional_zener --reference-c 23 --hold glass_ratio=500\n\n\
-TABLE has frequency_hz, stiffness_n_m_per_rad and loss_factor or damping_n_m_s_per_rad, as from a shaker, and temperature_c where there are several.\n\
+TABLE has frequency_hz, stiffness_n_m_per_rad (its real part) and loss_factor, loss_angle_deg or damping_n_m_s_per_rad, as from a shaker, and temperature_c where there are several.\n\
 Least squares of the error over the size of the stiffness, from 40 starts; standard errors by linear theory, from the errors that are left. Each\n\
 temperature but the reference has a factor of its own on what follows temperature.\n\n\
 Exit code: 0 done, 2 bad input."

@@ -142,6 +142,18 @@ fn measurements_and_catalogues_with_german_heads() {
     written(folder.path(), "german.csv", german);
     let read = |name: &str| hartog::input::tables::measured_law(&folder.path().join(name)).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(format!("{:?}", read("own.csv")), format!("{:?}", read("german.csv")));
+    // a loss angle has the loss factor for its tangent
+    for (head, factor) in [("Verlustwinkel [°]", 1.0), ("phase angle [deg]", 1.0), ("Verlustwinkel δ [rad]", std::f64::consts::PI / 180.0)]
+    {
+        let angles = german.replace("Verlustfaktor [-]", head);
+        let angles = [("0,25", 14.0), ("0,2", 11.5), ("0,3", 17.0)].iter().fold(angles, |text, (loss, deg): &(&str, f64)| {
+            text.replace(&format!(";{loss}\r"), &format!(";{}\r", (deg * factor).to_string().replace('.', ",")))
+        });
+        written(folder.path(), "angles.csv", angles);
+        let (real, lost) = read("angles.csv").stiffness[0][1];
+        assert_close(real, 120e3, 1e-12, 0.0, head);
+        assert_close(lost / real, (14.0 * std::f64::consts::PI / 180.0).tan(), 1e-12, 0.0, head);
+    }
     let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
     let study = format!(
         "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 200 }}\norder_limit = 6\n[[objective]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[catalogue]]\non.station = \"pulley\"\nfile = \"catalogue.csv\"\nbest = 1\n",

@@ -4,8 +4,9 @@ use super::named::MEASURED;
 use super::table::Table;
 use crate::absorber::measured::MeasuredTable;
 use crate::input::error::InputError;
+use crate::input::files::remark;
 use crate::numerics::elementary::Elementary;
-use crate::units::HZ_PER_RAD_PER_S;
+use crate::units::{HZ_PER_RAD_PER_S, RAD_PER_DEG};
 use std::path::Path;
 
 /// Smaller numbers are none of a measurement.
@@ -13,21 +14,60 @@ const LEAST: f64 = 1e-20;
 /// Stiffnesses of one table lie within this factor: from its rubbery to its glassy state a polymer has 1e3 to 1e4.
 const MOST_APART: f64 = 1e6;
 
-/// `frequency_hz, stiffness_n_m_per_rad` and either `loss_factor` or `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
+/// How a table states what is lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Loss {
+    Factor,
+    Angle,
+    Damping,
+}
+
+impl Loss {
+    const ALL: [Self; 3] = [Self::Factor, Self::Angle, Self::Damping];
+
+    fn column(self) -> &'static str {
+        match self {
+            Self::Factor => "loss_factor",
+            Self::Angle => "loss_angle_deg",
+            Self::Damping => "damping_n_m_s_per_rad",
+        }
+    }
+
+    /// Imaginary part of the stiffness, beside its real part at a frequency (Hz); `None` where no angle is as large.
+    fn stiffness(self, value: f64, (real, hz): (f64, f64)) -> Option<f64> {
+        match self {
+            Self::Factor => Some(real * value),
+            Self::Angle => {
+                let (sine, cosine) = (value * RAD_PER_DEG).sine_cosine();
+                (value < 90.0).then_some(real * sine / cosine)
+            }
+            Self::Damping => Some(value * hz / HZ_PER_RAD_PER_S),
+        }
+    }
+}
+
+/// `frequency_hz, stiffness_n_m_per_rad` (its real part) and one of `loss_factor`, `loss_angle_deg` (whose tangent that is) and `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
 #[doc(hidden)]
 pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
-    let columns = ["frequency_hz", "stiffness_n_m_per_rad", "loss_factor", "damping_n_m_s_per_rad", "temperature_c"];
+    let columns = ["frequency_hz", "stiffness_n_m_per_rad", "loss_factor", "loss_angle_deg", "damping_n_m_s_per_rad", "temperature_c"];
     let table = Table::read_named(path, &columns, &MEASURED)?.without_empty_columns(&columns);
     let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
-    let (loss, damping, temperature) =
-        (table.optional("loss_factor"), table.optional("damping_n_m_s_per_rad"), table.optional("temperature_c"));
-    let loss_column = match (loss, damping) {
-        (Some(c), None) | (None, Some(c)) => c,
-        _ => return Err(table.whole("found both or neither of `loss_factor` and `damping_n_m_s_per_rad`, expected one of them".into())),
+    let temperature = table.optional("temperature_c");
+    let losses: Vec<Loss> = Loss::ALL.into_iter().filter(|l| table.optional(l.column()).is_some()).collect();
+    let [loss] = losses.as_slice() else {
+        let names = Loss::ALL.map(|l| format!("`{}`", l.column())).join(", ");
+        return Err(table.whole(format!("found {} of {names}, expected one of them", losses.len())));
     };
+    let loss_column = table.column(loss.column())?;
+    if *loss == Loss::Angle {
+        remark(
+            path,
+            "the stiffness beside a loss angle is read as its real part: a magnitude has to be multiplied by the cosine of the angle",
+        );
+    }
     let known = [Some(frequency), Some(stiffness), Some(loss_column), temperature];
     if let Some(c) = (0..table.header.len()).find(|c| !known.contains(&Some(*c))) {
         return Err(table.at_head(c, format!("found column `{}`, which means nothing here", super::shown::shown(&table.header[c]))));
@@ -45,7 +85,9 @@ pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
             }
         }
         let hz = row[frequency];
-        let lost = if loss.is_some() { row[stiffness] * row[loss_column] } else { row[loss_column] * hz / HZ_PER_RAD_PER_S };
+        let Some(lost) = loss.stiffness(row[loss_column], (row[stiffness], hz)) else {
+            return Err(table.at(line, loss_column, format!("found {}, expected an angle below 90°", row[loss_column])));
+        };
         let celsius = temperature.map_or(0.0, |c| row[c]);
         if points.iter().any(|p| p.0 == celsius && p.1 == hz) {
             return Err(table.at(line, frequency, format!("found {hz} Hz a second time, expected each frequency once at a temperature")));

@@ -3,6 +3,7 @@
 use super::shown::shown;
 use crate::input::files::remark;
 use crate::input::import::unit::{DAMPING, INERTIA, STIFFNESS, STRESS, Units, folded, known, parts, scale};
+use crate::units::RAD_PER_DEG;
 use std::path::Path;
 
 /// A column that a table may have.
@@ -29,10 +30,15 @@ const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fat
 const SHARE: Units = &[("", 1.0), ("percent", 0.01)];
 
 /// Of measured stiffness.
-pub(super) const MEASURED: [Named; 5] = [
+pub(super) const MEASURED: [Named; 6] = [
     Named { key: "temperature_c", words: Hold(&["temp"]), units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
     Named { key: "frequency_hz", words: Hold(&["freq"]), units: &[("Hz", 1.0), ("kHz", 1e3)] },
     Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
+    Named {
+        key: "loss_angle_deg",
+        words: Hold(&["verlustwinkel", "loss angle", "phasenwinkel", "phase angle", "angle de perte", "angulo de perda"]),
+        units: &[("deg", 1.0), ("°", 1.0), ("rad", 1.0 / RAD_PER_DEG)],
+    },
     Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];

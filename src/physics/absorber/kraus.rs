@@ -20,14 +20,14 @@ pub struct Kraus {
 impl Kraus {
     /// Storage and loss modulus at an amplitude of strain over those at the reference.
     pub fn factors(&self, strain: f64) -> (f64, f64) {
-        let of = |strain: f64| {
+        let factors_at = |strain: f64| {
             let y = (strain / self.strain).power(self.exponent);
             let share = 1.0 / (1.0 + y * y);
             // y share, without infinity over infinity
             let slope = if y > 1.0 { 1.0 / (y + 1.0 / y) } else { y * share };
             (1.0 + (self.storage_ratio - 1.0) * share, 1.0 + 2.0 * (self.loss_ratio - 1.0) * slope)
         };
-        let (now, reference) = (of(strain), of(self.reference));
+        let (now, reference) = (factors_at(strain), factors_at(self.reference));
         (now.0 / reference.0, now.1 / reference.1)
     }
 }

@@ -134,12 +134,12 @@ impl Declaration {
     /// Factors on the parameters where temperature changes the material by a factor.
     #[doc(hidden)]
     pub fn followed(&self, factor: f64) -> Vec<f64> {
-        let of = |p: &Parameter| match p.follows {
+        let factor_of = |p: &Parameter| match p.follows {
             Follows::Nothing => 1.0,
             Follows::Factor => factor,
             Follows::Inverse => 1.0 / factor,
         };
-        self.parameters.iter().map(of).collect()
+        self.parameters.iter().map(factor_of).collect()
     }
 
     /// Whether its stiffness itself is multiplied by the factor: a law that is the same at every frequency, where a shift of frequency means nothing.

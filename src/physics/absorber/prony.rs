@@ -72,11 +72,11 @@ impl Law for Prony {
         self.ring_inertia
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
-        let of = |b: &Branch| {
+        let branch_stiffness = |b: &Branch| {
             let x = at.omega * b.relaxation_time * self.time_scale;
             C64::new(x * x, x) * (b.stiffness / (1.0 + x * x))
         };
-        self.stiffness_scale * (self.stiffness + self.branches.iter().map(of).sum::<C64>())
+        self.stiffness_scale * (self.stiffness + self.branches.iter().map(branch_stiffness).sum::<C64>())
     }
     fn is_analytic(&self) -> bool {
         true

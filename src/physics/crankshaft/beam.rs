@@ -48,9 +48,9 @@ impl Beam {
 
     fn at(&self, reactions: &Reactions, step: impl Fn(f64) -> f64) -> Vec<f64> {
         let steps: Vec<f64> = self.supports.iter().map(|s| step(s.at)).collect();
-        let of = |(column, at): (usize, &f64)| {
+        let value_at = |(column, at): (usize, &f64)| {
             step(*at) + reactions.0.column(column).iter().zip(&steps).map(|(reaction, step)| reaction * step).sum::<f64>()
         };
-        self.loads_at.iter().enumerate().map(of).collect()
+        self.loads_at.iter().enumerate().map(value_at).collect()
     }
 }

@@ -115,11 +115,11 @@ impl Section {
     }
 
     fn loads(self, crank: &Crank, loads: &CrankLoads) -> InPlane {
-        let own = |throw: usize, which: usize| loads.determinate(throw, crank.places(throw)[which] - crank.bearings()[throw]);
+        let determinate_at = |throw: usize, which: usize| loads.determinate(throw, crank.places(throw)[which] - crank.bearings()[throw]);
         match self {
             Self::Web(throw, rear) => loads.web(throw, rear),
-            Self::OwnWeb(throw, rear) => own(throw, if rear { 2 } else { 0 }),
-            Self::OwnPin(throw) => own(throw, 1),
+            Self::OwnWeb(throw, rear) => determinate_at(throw, if rear { 2 } else { 0 }),
+            Self::OwnPin(throw) => determinate_at(throw, 1),
         }
     }
 }

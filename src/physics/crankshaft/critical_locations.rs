@@ -49,8 +49,8 @@ impl CriticalLocation {
 /// Stations of the throws, by throw; nothing unless they follow each other along the chain, one way or the other.
 #[doc(hidden)]
 pub fn stations_of_throws(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
-    let of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));
-    let stations: Vec<usize> = (0..throws).map(of).collect::<Option<_>>()?;
+    let station_of = |throw: usize| chain.stations.iter().position(|s| s.throws.contains(&throw));
+    let stations: Vec<usize> = (0..throws).map(station_of).collect::<Option<_>>()?;
     let leads = |from: usize, to: usize| chain.path(from, to).iter().all(|link| link.1 > 0.0) && from < to;
     let rises = stations.windows(2).all(|p| leads(p[0], p[1]));
     let falls = stations.windows(2).all(|p| leads(p[1], p[0]));

@@ -73,7 +73,7 @@ impl Margin {
             Some(most) if (most.value, used.location) >= (used.value, most.location) => Some(most),
             _ => Some(used),
         };
-        let of = |fillet: &Fillet| -> Option<Used> {
+        let largest_use = |fillet: &Fillet| -> Option<Used> {
             let Fillet { criterion, locations, .. } = fillet;
             let torque_of = |i: usize| &torques[self.locations[i].shaft];
             let Some((word, histories)) = self.multiaxial(*criterion) else {
@@ -114,6 +114,6 @@ impl Margin {
             let used = |i: usize| multiaxially(histories, i, known.share((*criterion, i, speed_rpm), || shares(i)));
             worst(locations.iter().map(able).collect(), next, used)
         };
-        Worst { used: fillets.iter().filter_map(of).collect(), judged: judged.get() }
+        Worst { used: fillets.iter().filter_map(largest_use).collect(), judged: judged.get() }
     }
 }

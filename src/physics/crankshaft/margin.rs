@@ -86,10 +86,10 @@ impl Margin {
         let multiaxial = spec.criteria.iter().any(|c| matches!(c, MarginCriterion::Multiaxial(_)));
         let table = bending::table((engine, chain, crank), &locations, (speeds_rpm, webs), multiaxial)?;
         let histories = spec.limits.filter(|_| multiaxial).map(|limits| Histories::new(limits, harmonics, &locations, table.histories));
-        let own = |shaft: usize, family: Family| {
+        let locations_of = |shaft: usize, family: Family| {
             (0..locations.len()).filter(|i| locations[*i].shaft == shaft && locations[*i].family == family).collect()
         };
-        let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| own(s, family))).collect();
+        let of_shaft: Vec<[Vec<usize>; 4]> = (0..chain.len() - 1).map(|s| Family::ALL.map(|family| locations_of(s, family))).collect();
         let leading = leading(&locations, &of_shaft, (&table.bending, &table.columns));
         let leading_paths = histories.as_ref().map_or_else(Vec::new, |h| h.bounds.leading(&of_shaft));
         let mut margin = Self {
@@ -332,16 +332,16 @@ fn leading(
         let same = rows.iter().all(|row| row[i] == row[j]) && own.torsion == other.torsion;
         alike && more && own.torsion.abs() >= other.torsion.abs() && (!same || a < b)
     };
-    let at = |low: usize| {
+    let remaining_at = |low: usize| {
         let rows = [&bending[low], &bending[(low + 1).min(bending.len() - 1)]];
         // stresses per unit load are no business of the criteria that ask this
-        let of = |family: Family, list: &Vec<usize>| match family {
+        let remaining = |family: Family, list: &Vec<usize>| match family {
             Family::UnitLoads => Vec::new(),
             _ => unsurpassed(list, |a, b| surpasses(&rows, a, b)),
         };
-        of_shaft.iter().map(|families| Family::ALL.map(|f| of(f, &families[f as usize]))).collect()
+        of_shaft.iter().map(|families| Family::ALL.map(|f| remaining(f, &families[f as usize]))).collect()
     };
-    (0..bending.len()).map(at).collect()
+    (0..bending.len()).map(remaining_at).collect()
 }
 
 /// Bounds are as right as this: samples of a torque may exceed its extremes by rounding, and the mean shear is a quadrature.

@@ -72,11 +72,11 @@ impl PathBounds {
             }
         }
         let row = |i: usize| {
-            let of = |location: &&CriticalLocation| {
+            let bent_of = |location: &&CriticalLocation| {
                 let own = location.web();
                 bent(location, &sections[i][own], i.checked_sub(1).map(|before| &sections[before][own]))
             };
-            nominal.iter().map(of).collect()
+            nominal.iter().map(bent_of).collect()
         };
         let mut bent: Vec<Vec<Bent>> = (0..sections.len()).into_par_iter().map(row).collect();
         for i in 1..bent.len() {
@@ -160,8 +160,11 @@ impl PathBounds {
             };
             unsurpassed(list, surpasses)
         };
-        let of = |low: usize, families: &[Vec<usize>; 4]| of_nominal(low, &families[Family::Nominal as usize]);
-        (0..self.bent.len()).into_par_iter().map(|low| of_shaft.iter().map(|families| of(low, families)).collect()).collect()
+        let unsurpassed_nominal = |low: usize, families: &[Vec<usize>; 4]| of_nominal(low, &families[Family::Nominal as usize]);
+        (0..self.bent.len())
+            .into_par_iter()
+            .map(|low| of_shaft.iter().map(|families| unsurpassed_nominal(low, families)).collect())
+            .collect()
     }
 }
 
@@ -189,8 +192,8 @@ fn bent(location: &CriticalLocation, section: &Section, before: Option<&Section>
     let path = section[0].iter().zip(&section[2]).map(|(m, v)| nominal(*m, *v));
     let (low, high) = path.fold((f64::INFINITY, f64::NEG_INFINITY), |m, b| (m.0.min(b), m.1.max(b)));
     let change = |before: &Section| {
-        let at = |j: usize| nominal(section[0][j] - before[0][j], section[2][j] - before[2][j]).abs();
-        (0..section[0].len()).map(at).fold(0.0, f64::max)
+        let change_at = |j: usize| nominal(section[0][j] - before[0][j], section[2][j] - before[2][j]).abs();
+        (0..section[0].len()).map(change_at).fold(0.0, f64::max)
     };
     let history = History::plane_state(vec![low, high], vec![0.0; 2]);
     let i = Invariants::of(&history);

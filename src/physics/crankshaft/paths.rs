@@ -116,12 +116,12 @@ impl Margin {
 
     /// Share of the strength that a path uses by a multiaxial criterion, and by others that cost nothing besides, each with its index.
     pub(super) fn shares(&self, criterion: usize, histories: &Histories, path: &Path) -> Vec<(usize, f64)> {
-        let of = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
-        let searched = |c: &MarginCriterion| of(c).is_some_and(|c| Histories::is_searched(c, path));
+        let multiaxial_criterion = |c: &MarginCriterion| if let MarginCriterion::Multiaxial(c) = c { Some(*c) } else { None };
+        let searched = |c: &MarginCriterion| multiaxial_criterion(c).is_some_and(|c| Histories::is_searched(c, path));
         let together = searched(&self.criteria[criterion]);
         let asked: Vec<usize> =
             (0..self.criteria.len()).filter(|i| *i == criterion || (together && searched(&self.criteria[*i]))).collect();
-        let words: Vec<multiaxial::Criterion> = asked.iter().filter_map(|i| of(&self.criteria[*i])).collect();
+        let words: Vec<multiaxial::Criterion> = asked.iter().filter_map(|i| multiaxial_criterion(&self.criteria[*i])).collect();
         asked.into_iter().zip(histories.shares(&words, path)).collect()
     }
 }

@@ -106,20 +106,20 @@ impl UnitPoint {
         let low = self.bent(&rows[0][self.web]);
         let high = if at.fraction > 0.0 { &self.bent(&rows[1][self.web]) } else { &low };
         // what is a size or a range of a path is no larger than linear between two of them
-        let of = |part: fn(&Bent) -> f64| at.between(part(&low), part(high));
-        let (radius, length) = (of(|b| b.radius), self.lengths[3]);
+        let interpolated = |part: fn(&Bent) -> f64| at.between(part(&low), part(high));
+        let (radius, length) = (interpolated(|b| b.radius), self.lengths[3]);
         let (twisted, pressed) = (length * half_peak_to_peak, self.hydrostatic[3].abs() * largest);
-        let crossed = radius * radius + 2.0 * half_peak_to_peak * of(|b| b.crossed) + twisted * twisted;
+        let crossed = radius * radius + 2.0 * half_peak_to_peak * interpolated(|b| b.crossed) + twisted * twisted;
         let ball = crossed.sqrt().min(radius + twisted);
-        let hydrostatic = (of(|b| b.low) - pressed, of(|b| b.high) + pressed);
+        let hydrostatic = (interpolated(|b| b.low) - pressed, interpolated(|b| b.high) + pressed);
         Within {
             sqrt_j2_amplitude: ball,
             shear: ball,
             // the root of the mean square of half ranges is a norm
-            mean_shear: of(|b| b.mean_shear) + twisted,
+            mean_shear: interpolated(|b| b.mean_shear) + twisted,
             hydrostatic,
             middle: None,
-            normal: hydrostatic.0.abs().max(hydrostatic.1.abs()) + PRINCIPAL * (of(|b| b.deviator) + length * largest),
+            normal: hydrostatic.0.abs().max(hydrostatic.1.abs()) + PRINCIPAL * (interpolated(|b| b.deviator) + length * largest),
         }
     }
 }

@@ -136,7 +136,7 @@ impl WebPath {
 
     fn ball(&self, point: &UnitPoint) -> Ball {
         let (corners, squares) = (self.corners(), self.squares(point));
-        let at = |k: usize| corners.map(|row| row[k]);
+        let corner_at = |k: usize| corners.map(|row| row[k]);
         let farthest_from = |centre: &[f64; 4]| {
             let (slope, square) = from(point, centre);
             let (k, value) = farthest(corners, &squares, slope);
@@ -146,7 +146,7 @@ impl WebPath {
         // the middle of a long chord is a good centre to begin with
         let (first, square) = farthest_from(&best.centre);
         best.square = square;
-        let (second, _) = farthest_from(&at(first));
+        let (second, _) = farthest_from(&corner_at(first));
         let mut centre: [f64; 4] = std::array::from_fn(|l| 0.5 * (corners[l][first] + corners[l][second]));
         for step in 0..STEPS {
             let (far, square) = farthest_from(&centre);
@@ -241,10 +241,10 @@ fn ends(corners: [&[f64]; 4], weights: &[f64; 4]) -> (f64, f64) {
 
 /// Largest size of the hydrostatic stress (by weights, and that of the middles) with the largest principal deviatoric one, which lengths of the deviators bound.
 fn largest_normal(corners: [&[f64]; 4], (h, middle): (&[f64; 4], f64), squares: &[f64], (slope, square): ([f64; 4], f64)) -> f64 {
-    let at = |k: usize| {
+    let normal_at = |k: usize| {
         let q = corners.map(|row| row[k]);
         let along = |w: &[f64; 4]| (0..4).map(|l| w[l] * q[l]).sum::<f64>();
         (middle + along(h)).abs() + PRINCIPAL * (squares[k] + square - 2.0 * along(&slope)).max(0.0).sqrt()
     };
-    (0..squares.len()).map(at).fold(0.0, f64::max)
+    (0..squares.len()).map(normal_at).fold(0.0, f64::max)
 }

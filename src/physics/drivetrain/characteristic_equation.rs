@@ -153,9 +153,9 @@ impl<'a> Characteristic<'a> {
 
     /// Eigenvalues without damping, each law at a frequency that is typical of it: starts.
     fn undamped(&self) -> Option<Vec<C64>> {
-        let own = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order, ROUGHLY), self.order);
+        let spring_of = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order, ROUGHLY), self.order);
         if let [Mounted { on: Host::Station(_), absorber: Absorber::Ring(law), hub_inertia: 0.0, .. }] = self.design {
-            let k = own(law.as_ref()).stiffness;
+            let k = spring_of(law.as_ref()).stiffness;
             if k > 0.0 && k.is_finite() {
                 // a ring of coordinate sqrt(J) angle has no stiffness of its own, the modes theirs, and the spring is k v v'
                 let d: Vec<f64> = std::iter::once(0.0).chain(self.modes.iter().map(|mode| mode[0])).collect();
@@ -165,7 +165,7 @@ impl<'a> Characteristic<'a> {
                 return Some(omegas.into_iter().filter(|w| *w > 1e-6 * largest).map(|w| C64::new(0.0, w)).collect());
             }
         }
-        self.basis.undamped(self.design, &own)
+        self.basis.undamped(self.design, &spring_of)
     }
 
     /// The eigenvalue near `s`; nothing where it is one of those that are `known`.
@@ -193,8 +193,8 @@ impl<'a> Characteristic<'a> {
     fn newton_step(&self, s: C64, nearest: usize, laws: &mut Laws) -> C64 {
         let step = s * DIFFERENCE;
         let [station] = self.stations[..] else {
-            let at = |s: C64| self.at((s, &self.springs(s.im)), nearest, true);
-            return at(s) * step * 2.0 / (at(s + step) - at(s - step));
+            let value_at = |s: C64| self.at((s, &self.springs(s.im)), nearest, true);
+            return value_at(s) * step * 2.0 / (value_at(s + step) - value_at(s - step));
         };
         laws.at(s.im, |omega, springs| springs.extend(self.design.iter().map(|m| self.spring(m, omega))));
         let load = |s: C64, springs: &[SpringAndDamper]| self.load(Host::Station(station), (s, springs), true);
@@ -291,13 +291,13 @@ impl<'a> Characteristic<'a> {
     /// Receptance of the station, but for the share of the nearest mode, without damping at the places of a scan.
     fn receptances(&self) -> Vec<f64> {
         let own: Vec<f64> = self.basis.omegas().collect();
-        let at = |nearest: usize, i: usize| -> f64 {
+        let receptance_at = |nearest: usize, i: usize| -> f64 {
             let (low, high) = between(&own, nearest);
             let omega = low + (high - low) * share(i);
             let others = self.modes[..nearest].iter().chain(&self.modes[nearest + 1..]);
             others.map(|[k, _, square]| square / (k - omega * omega)).sum()
         };
-        (0..own.len()).flat_map(|nearest| (0..SCAN).map(move |i| (nearest, i))).map(|(nearest, i)| at(nearest, i)).collect()
+        (0..own.len()).flat_map(|nearest| (0..SCAN).map(move |i| (nearest, i))).map(|(nearest, i)| receptance_at(nearest, i)).collect()
     }
 
     /// Its left side; `damped`: whether damping counts.

@@ -120,11 +120,11 @@ impl<'a> Cycle<'a> {
             let gas = |theta| part(theta, ambient + GAUGE, 0.0).map(|x| x / GAUGE);
             (0..samples(self.engine.strokes)).map(sample_angle).map(|theta| [gas(theta), part(theta, ambient, 1.0)]).collect()
         });
-        let at = |(m, [gas, inertia]): (Moment, &[OnThrow; 2])| -> OnThrow {
+        let loads_at = |(m, [gas, inertia]): (Moment, &[OnThrow; 2])| -> OnThrow {
             let (gauge, omega2) = (m.pressure - ambient, m.omega * m.omega);
             std::array::from_fn(|i| gauge * gas[i] + omega2 * inertia[i])
         };
-        moments.zip(parts.iter().step_by(stride)).map(at).collect()
+        moments.zip(parts.iter().step_by(stride)).map(loads_at).collect()
     }
 
     /// Pressure, angle and speed of the cylinder that fires at 0°, at every `stride`-th sample.

@@ -113,11 +113,11 @@ fn levers(geometry: &Geometry, strokes: u32) -> Vec<f64> {
 /// interpolated with the gas.
 fn torque_without_inertia((geometry, levers): (&Geometry, &[f64]), trace: &[f64], speed_rpm: f64) -> Vec<f64> {
     let omega = speed_rpm * RAD_PER_S_PER_RPM;
-    let at = |(j, (&pressure, lever)): (usize, (&f64, &f64))| {
+    let torque_at = |(j, (&pressure, lever)): (usize, (&f64, &f64))| {
         let friction = friction_torque(geometry, Moment { pressure, theta: sample_angle(j), omega });
         gas_force(geometry, pressure) * lever + friction
     };
-    trace.iter().zip(levers).enumerate().map(at).collect()
+    trace.iter().zip(levers).enumerate().map(torque_at).collect()
 }
 
 impl Excitation {
@@ -204,9 +204,12 @@ impl Excitation {
     /// The same engine with `cylinder` (from 0) misfiring. The others keep their load.
     #[must_use]
     pub fn misfiring(&self, engine: &Engine, cylinder: usize, change: &MotoredChange) -> Self {
-        let of = |table: &[Vec<C64>]| self.of_cylinder(engine, cylinder, 1.0, table);
-        let changes =
-            vec![Change { throw: cylinder / engine.layout.rods_per_throw, torque: of(&change.torque), radial: of(&change.radial) }];
+        let misfire_change = |table: &[Vec<C64>]| self.of_cylinder(engine, cylinder, 1.0, table);
+        let changes = vec![Change {
+            throw: cylinder / engine.layout.rods_per_throw,
+            torque: misfire_change(&change.torque),
+            radial: misfire_change(&change.radial),
+        }];
         Self { units: Units::Misfiring(cylinder), changes, ..self.clone() }
     }
 

@@ -22,8 +22,8 @@ pub(super) fn of_masses(geometry: &Geometry, strokes: u32) -> Vec<f64> {
 /// Of the gas and of liner friction over a cycle: all but what the moving masses do without friction.
 pub(super) fn of_gas(geometry: &Geometry, masses: &[f64], trace: &[f64], speed_rpm: f64) -> Vec<f64> {
     let omega = speed_rpm * RAD_PER_S_PER_RPM;
-    let at = |(j, (&pressure, own)): (usize, (&f64, &f64))| {
+    let force_at = |(j, (&pressure, own)): (usize, (&f64, &f64))| {
         radial(geometry, Moment { pressure, theta: sample_angle(j), omega }) - own * omega * omega
     };
-    trace.iter().zip(masses).enumerate().map(at).collect()
+    trace.iter().zip(masses).enumerate().map(force_at).collect()
 }

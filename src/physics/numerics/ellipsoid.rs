@@ -11,13 +11,13 @@ pub fn ellipsoid<const D: usize>(points: [&[f64]; D]) -> [[f64; D]; D] {
     let count = points.first().map_or(0, |row| row.len());
     let reach = points.map(|row| row.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
     let unit = reach.map(|r| if r > 0.0 { r } else { 1.0 });
-    let at = |j: usize| -> [f64; D] { std::array::from_fn(|d| points[d][j] / unit[d]) };
+    let scaled_point = |j: usize| -> [f64; D] { std::array::from_fn(|d| points[d][j] / unit[d]) };
     let mut weights = vec![1.0 / count.max(1) as f64; count];
     let (mut moments, mut largest) = ([[0.0; D]; D], 0.0);
     for step in 0..STEPS {
         moments = [[0.0; D]; D];
         for (j, weight) in weights.iter().enumerate() {
-            let x = at(j);
+            let x = scaled_point(j);
             for a in 0..D {
                 for b in 0..D {
                     moments[a][b] += weight * x[a] * x[b];
@@ -28,7 +28,7 @@ pub fn ellipsoid<const D: usize>(points: [&[f64]; D]) -> [[f64; D]; D] {
         let root = cholesky(&moments);
         largest = 0.0;
         for (j, weight) in weights.iter_mut().enumerate() {
-            let square = square_in(&root, at(j));
+            let square = square_in(&root, scaled_point(j));
             largest = f64::max(largest, square);
             if step + 1 < STEPS {
                 *weight *= square / D as f64;

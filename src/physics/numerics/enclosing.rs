@@ -112,7 +112,7 @@ fn farthest_in_plane(x: &[f64], y: &[f64], centre: [f64; 2]) -> (usize, f64) {
 
 /// The smallest ball of a basis and one more point, which it holds on its surface.
 fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Ball<D>, new: usize) -> Option<Ball<D>> {
-    let at = |i: usize| points.map(|c| c[i]);
+    let point_at = |i: usize| points.map(|c| c[i]);
     let old = ball.support();
     let mut best: Option<Ball<D>> = None;
     for subset in 0..1u32 << old.len() {
@@ -129,7 +129,7 @@ fn exchange<const D: usize>(points: &[&[f64]; D], ball: &Ball<D>, new: usize) ->
         }
         let mut places = [[0.0; D]; MOST];
         for (place, i) in places.iter_mut().zip(&basis[..count]) {
-            *place = at(*i);
+            *place = point_at(*i);
         }
         let Some((centre, radius)) = circumball(&places[..count]) else { continue };
         let reached = radius * (1.0 + 16.0 * OUTSIDE);

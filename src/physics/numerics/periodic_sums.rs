@@ -36,8 +36,8 @@ impl PeriodicSums {
         let quarter = samples.is_multiple_of(4);
         let columns = if quarter { samples / 4 + 1 } else { samples };
         let table = |f: fn(f64) -> f64| {
-            let at = |h: u32, j: usize| f(TAU * ((h as usize * j) % samples.max(1)) as f64 / samples as f64);
-            let block = |b: usize| sorted.iter().flat_map(move |&i| (b * LANES..(b + 1) * LANES).map(move |j| at(harmonics[i], j)));
+            let entry = |h: u32, j: usize| f(TAU * ((h as usize * j) % samples.max(1)) as f64 / samples as f64);
+            let block = |b: usize| sorted.iter().flat_map(move |&i| (b * LANES..(b + 1) * LANES).map(move |j| entry(harmonics[i], j)));
             (0..columns.div_ceil(LANES)).flat_map(block).collect()
         };
         let (cosine, sine) = (table(f64::cosine), table(f64::sine));

@@ -8,8 +8,9 @@ impl Synthesiser {
     /// Values of the sum at its turning points over a period, in the order of their angles.
     pub(crate) fn turning_points(&self, phasors: &[C64]) -> Vec<f64> {
         let samples = self.samples(phasors);
-        let of = |sign: f64| self.local_maxima(phasors, &samples, sign, f64::INFINITY).into_iter().map(move |l| (l.angle, sign * l.value));
-        let mut points: Vec<(f64, f64)> = of(1.0).chain(of(-1.0)).collect();
+        let extremes =
+            |sign: f64| self.local_maxima(phasors, &samples, sign, f64::INFINITY).into_iter().map(move |l| (l.angle, sign * l.value));
+        let mut points: Vec<(f64, f64)> = extremes(1.0).chain(extremes(-1.0)).collect();
         points.sort_by(|a, b| a.0.rem_euclid(TAU).total_cmp(&b.0.rem_euclid(TAU)));
         points.into_iter().map(|p| p.1).collect()
     }

@@ -43,11 +43,11 @@ impl Block {
 
     /// Numbers in blocks, zeros behind the last.
     fn all(numbers: &[C64]) -> Vec<Self> {
-        let of = |own: &[C64]| {
-            let at = |k: usize| own.get(k).copied().unwrap_or(ZERO);
-            Self { re: std::array::from_fn(|k| at(k).re), im: std::array::from_fn(|k| at(k).im) }
+        let block_of = |own: &[C64]| {
+            let number_at = |k: usize| own.get(k).copied().unwrap_or(ZERO);
+            Self { re: std::array::from_fn(|k| number_at(k).re), im: std::array::from_fn(|k| number_at(k).im) }
         };
-        numbers.chunks(LANES).map(of).collect()
+        numbers.chunks(LANES).map(block_of).collect()
     }
 
     fn at(&self, k: usize) -> C64 {
@@ -185,15 +185,15 @@ impl Rational {
         let most = |own: &[Block]| own.iter().map(norms).fold(f64::MIN_POSITIVE, f64::max);
         let floor = NOTHING * most(&self.values);
         let largest = |own: &[Block]| most(own).max(floor);
-        let of = |(c, own): (usize, &[Block])| (out[c] - row[c]).norm() / largest(own);
-        self.values.chunks(self.weights.len()).enumerate().map(of).fold(0.0, f64::max)
+        let relative_error = |(c, own): (usize, &[Block])| (out[c] - row[c]).norm() / largest(own);
+        self.values.chunks(self.weights.len()).enumerate().map(relative_error).fold(0.0, f64::max)
     }
 }
 
 /// Size of every function: its largest magnitude.
 fn scales(rows: &[Vec<C64>]) -> Vec<f64> {
-    let of = |c: usize| rows.iter().map(|row| row[c].norm()).fold(0.0, f64::max);
-    let all: Vec<f64> = (0..rows[0].len()).map(of).collect();
+    let scale_of = |c: usize| rows.iter().map(|row| row[c].norm()).fold(0.0, f64::max);
+    let all: Vec<f64> = (0..rows[0].len()).map(scale_of).collect();
     let floor = NOTHING * all.iter().copied().fold(0.0, f64::max);
     all.into_iter().map(|largest| if largest > 0.0 { largest.max(floor) } else { 1.0 }).collect()
 }

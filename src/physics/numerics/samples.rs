@@ -81,8 +81,8 @@ impl Samples {
     /// Differences and sums of the samples one, two and three steps after and before sample `j`.
     fn beside(&self, j: usize) -> [(f64, f64); 3] {
         let (f, n) = (&self.values, self.values.len());
-        let at = |k: usize| f[if k >= n { k - n } else { k }];
-        [1, 2, 3].map(|d| (at(j + d) - at(j + n - d), at(j + d) + at(j + n - d)))
+        let sample = |k: usize| f[if k >= n { k - n } else { k }];
+        [1, 2, 3].map(|d| (sample(j + d) - sample(j + n - d), sample(j + d) + sample(j + n - d)))
     }
 
     /// The largest of `sign` f where no maximum stands further than `reach` above its nearest sample: to about a millionth where the shortest waves are small, else to a thousandth.

@@ -53,8 +53,9 @@ impl Tables {
         let quarter = (2 * harmonics.iter().max().map_or(1, |&h| h as usize)).next_multiple_of(2 * BLOCK);
         let table = |f: fn(f64) -> f64| {
             // angles by whole numbers of half steps
-            let at = |h: u32, j: usize| f(TAU * (((2 * j + 1) * h as usize) % (8 * quarter)) as f64 / (8 * quarter) as f64);
-            let column = |b: usize, i: Option<usize>| i.map_or([0.0; BLOCK], |i| std::array::from_fn(|j| at(harmonics[i], b * BLOCK + j)));
+            let entry = |h: u32, j: usize| f(TAU * (((2 * j + 1) * h as usize) % (8 * quarter)) as f64 / (8 * quarter) as f64);
+            let column =
+                |b: usize, i: Option<usize>| i.map_or([0.0; BLOCK], |i| std::array::from_fn(|j| entry(harmonics[i], b * BLOCK + j)));
             (0..quarter / BLOCK / 2).flat_map(|b| columns.iter().map(move |i| column(b, *i))).collect()
         };
         let (cosine, sine) = (table(f64::cosine), table(f64::sine));

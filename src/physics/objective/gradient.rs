@@ -122,8 +122,8 @@ impl PeakFinder<'_> {
         let mut y = vec![ZERO; self.system.orders()];
         self.direct.at(of.0, peak.quantity, peak.speed_rpm, &mut y, work)?;
         let length = |y: &[C64]| y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
-        let own = |speed: f64, work: &mut Work| Ok(self.changes((of.0, &[of.1]), peak, speed, work)?.swap_remove(0));
-        let here = own(peak.speed_rpm, work)?;
+        let changes_at = |speed: f64, work: &mut Work| Ok(self.changes((of.0, &[of.1]), peak, speed, work)?.swap_remove(0));
+        let here = changes_at(peak.speed_rpm, work)?;
         let steps: Vec<f64> = here.iter().map(|change| FARTHER * DIFFERENCE * length(&y) / length(change)).collect();
         let range = (self.grid.speed_rpm[0], self.grid.speed_rpm[self.grid.len() - 1]);
         let low = (peak.speed_rpm * (1.0 - BESIDE)).max(range.0);
@@ -132,7 +132,7 @@ impl PeakFinder<'_> {
         for (p, step) in steps.into_iter().enumerate().filter(|s| s.1.is_finite()) {
             let mut value = |speed: f64, step: f64| -> Result<f64, ResponseError> {
                 self.direct.at(of.0, peak.quantity, speed, &mut y, work)?;
-                let change = &own(speed, work)?[p];
+                let change = &changes_at(speed, work)?[p];
                 y.iter_mut().zip(change).for_each(|(y, d)| *y += d * step);
                 Ok(metric.value(speed, &self.synthesiser.extremes(&y), &y))
             };

@@ -170,8 +170,8 @@ impl Measure {
                 k
             }
         };
-        let of = |q: &Quantity| if let Quantity::RingTwist(k) = q { Quantity::RingTwist(place(*k)) } else { *q };
-        Self { quantities: self.quantities.iter().map(of).collect(), ..self.clone() }
+        let renumbered = |q: &Quantity| if let Quantity::RingTwist(k) = q { Quantity::RingTwist(place(*k)) } else { *q };
+        Self { quantities: self.quantities.iter().map(renumbered).collect(), ..self.clone() }
     }
 
     /// Whether another measure asks for the same; the order of quantities does not count.

@@ -37,10 +37,10 @@ impl PeakFinder<'_> {
     ) -> Result<(), ResponseError> {
         let orders = self.system.orders();
         let weights: Vec<f64> = speeds.rpm.iter().map(|s| measure.within.weight(*s)).collect();
-        let of = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
-        let mut top = only.clone().flat_map(of).fold(found.best, f64::max);
+        let weighted = |order: usize| sweep.iter().skip(order).step_by(orders).zip(&weights).map(|(v, w)| v * w);
+        let mut top = only.clone().flat_map(weighted).fold(found.best, f64::max);
         for order in only {
-            let values: Vec<f64> = of(order).collect();
+            let values: Vec<f64> = weighted(order).collect();
             let order_at = |speed: f64, work: &mut Work| self.direct.order_at(design, quantity, order, speed, work).map(|y| y.norm());
             let value_at = |speed: f64, work: &mut Work| order_at(speed, work).map(|y| y * measure.within.weight(speed));
             let wanted = found.keep * found.best.max(top);

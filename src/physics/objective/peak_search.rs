@@ -161,8 +161,8 @@ impl<'a> PeakFinder<'a> {
     ) -> Result<Vec<Peak>, ResponseError> {
         if measure.absorbers().any(|i| i >= design.len()) {
             // a design may have fewer absorbers than others of its study
-            let own = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
-            let quantities: Vec<Quantity> = measure.quantities.iter().copied().filter(own).collect();
+            let exists = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
+            let quantities: Vec<Quantity> = measure.quantities.iter().copied().filter(exists).collect();
             let fewer = Measure { quantities, ..measure.clone() };
             return if fewer.quantities.is_empty() { Ok(Vec::new()) } else { self.peaks_knowing(design, &fewer, asked, shared, work) };
         }
@@ -208,9 +208,9 @@ impl<'a> PeakFinder<'a> {
             }
             Over::Power => {
                 let twists = self.swept(design, measure, &speeds, shared, work)?;
-                let mut of =
+                let mut search_part =
                     |part: &(Range<usize>, Speeds)| self.powers(design, measure, (&part.1, part.0.start), &twists, &mut found, work);
-                parts.iter().try_for_each(&mut of)?;
+                parts.iter().try_for_each(&mut search_part)?;
             }
             Over::Temperature => parts.iter().try_for_each(|(_, speeds)| self.temperatures(design, measure, speeds, &mut found, work))?,
             Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => {}

@@ -40,8 +40,8 @@ impl PeakFinder<'_> {
             Property::RingInertia => sum(&|m| m.absorber.ring_inertia()),
             Property::TotalInertia => sum(&|m| m.absorber.ring_inertia() + m.hub_inertia),
             Property::LossFactor => {
-                let of = |i: usize| Some((loss_factor(&design.get(i)?.absorber)?, Quantity::RingTwist(i)));
-                measure.absorbers().filter_map(of).reduce(|a, b| if b.0 > a.0 { b } else { a })
+                let loss_of = |i: usize| Some((loss_factor(&design.get(i)?.absorber)?, Quantity::RingTwist(i)));
+                measure.absorbers().filter_map(loss_of).reduce(|a, b| if b.0 > a.0 { b } else { a })
             }
             Property::Band { low, high } => {
                 let inside = |f: f64| (f / low).min(high / f);
@@ -55,7 +55,7 @@ impl PeakFinder<'_> {
     pub(super) fn property_gradient(&self, design: &[Mounted], index: usize, measure: &Measure, property: Property) -> Vec<f64> {
         let Absorber::Ring(law) = &design[index].absorber else { return Vec::new() };
         let values = law.values();
-        let at = |parameter: usize, x: f64| {
+        let value_at = |parameter: usize, x: f64| {
             let mut moved = design.to_vec();
             let mut values = values.clone();
             values[parameter] = x;
@@ -64,7 +64,7 @@ impl PeakFinder<'_> {
         };
         let slope = |(parameter, x): (usize, &f64)| {
             let step = STEP * x.abs();
-            if step > 0.0 { (at(parameter, x + step) - at(parameter, x - step)) / (2.0 * step) } else { 0.0 }
+            if step > 0.0 { (value_at(parameter, x + step) - value_at(parameter, x - step)) / (2.0 * step) } else { 0.0 }
         };
         values.iter().enumerate().map(slope).collect()
     }

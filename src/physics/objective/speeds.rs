@@ -303,8 +303,8 @@ impl Speeds {
     /// The parts that lie in some ranges of speed; the whole where there are none.
     pub(crate) fn parts(&self, ranges: &[(f64, f64)]) -> Vec<std::ops::Range<usize>> {
         let whole = [(f64::NEG_INFINITY, f64::INFINITY)];
-        let of = |r: (f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
-        if ranges.is_empty() { &whole } else { ranges }.iter().map(|r| of(with_its_ends(*r))).filter(|p| !p.is_empty()).collect()
+        let part_in = |r: (f64, f64)| self.rpm.partition_point(|s| *s < r.0)..self.rpm.partition_point(|s| *s <= r.1);
+        if ranges.is_empty() { &whole } else { ranges }.iter().map(|r| part_in(with_its_ends(*r))).filter(|p| !p.is_empty()).collect()
     }
 
     /// Puts values of the added speeds between those of the grid; `per_speed` values belong to each speed.

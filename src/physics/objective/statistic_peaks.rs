@@ -109,13 +109,13 @@ impl PeakFinder<'_> {
         let y = self.statistic_at((design, peak.quantity), statistic, peak.speed_rpm, work)?.1;
         let all = self.direct.sensitivities(design, absorbers, peak.quantity, 0..y.len(), peak.speed_rpm, work)?;
         let slopes: Vec<f64> = (0..y.len()).map(|n| peak.weight * (statistic.0.slope)(&y, n)).collect();
-        let own = |changes: Vec<Vec<C64>>| {
+        let gradient_of = |changes: Vec<Vec<C64>>| {
             let mut gradient = vec![0.0; changes.first().map_or(0, Vec::len)];
             for ((y, slope), changes) in y.iter().zip(&slopes).zip(&changes) {
                 gradient.iter_mut().zip(changes).for_each(|(g, d)| *g += slope * (y.conj() * d).re);
             }
             gradient
         };
-        Ok(all.into_iter().map(own).collect())
+        Ok(all.into_iter().map(gradient_of).collect())
     }
 }

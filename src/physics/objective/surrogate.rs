@@ -297,16 +297,16 @@ impl<'a> Surrogate<'a> {
     /// shows against the quartic and the parabola through speeds twice as far.
     fn branch(&self, curve: &Curve, i: usize, known: &Extremes, row: &mut [C64]) -> Estimated {
         let last = self.speed_rpm.len() - 1;
-        let mut at = |i: usize, from: &Extremes| -> (Extremes, f64) {
+        let mut extremes_at = |i: usize, from: &Extremes| -> (Extremes, f64) {
             let extremes = curve.near(i, from, 2, row);
             (extremes, curve.value(i, &extremes))
         };
-        let (middle, value) = at(i, known);
+        let (middle, value) = extremes_at(i, known);
         if i < 2 || i + 2 > last {
             return Estimated { value, error: if i == 0 || i == last { ROUNDING } else { BESIDE_END } };
         }
-        let (left, right) = (at(i - 1, &middle), at(i + 1, &middle));
-        let (far_left, far_right) = (at(i - 2, &left.0), at(i + 2, &right.0));
+        let (left, right) = (extremes_at(i - 1, &middle), extremes_at(i + 1, &middle));
+        let (far_left, far_right) = (extremes_at(i - 2, &left.0), extremes_at(i + 2, &right.0));
         let through = |a: usize, b: usize, ends: [f64; 2]| {
             let x = [a, i, b].map(|i| self.speed_rpm[i]);
             let q = [ends[0], value, ends[1]].map(|v| v.powi(-2));

@@ -237,21 +237,21 @@ impl PeakFinder<'_> {
         work: &mut Work,
     ) -> Result<Option<Peaked>, ResponseError> {
         let Branches { design, quantity, metric, speeds, .. } = *branches;
-        let at = |speed_rpm: f64, y: &mut [C64], work: &mut Work| -> Result<Extremes, ResponseError> {
+        let extremes_at = |speed_rpm: f64, y: &mut [C64], work: &mut Work| -> Result<Extremes, ResponseError> {
             self.direct.at(design, quantity, speed_rpm, y, work)?;
             work.syntheses += 1;
             Ok(self.synthesiser.extremes(y))
         };
-        let value_at = |speed: f64, work: &mut Work| at(speed, y, work).map(|e| metric.value(speed, &e, y));
+        let value_at = |speed: f64, work: &mut Work| extremes_at(speed, y, work).map(|e| metric.value(speed, &e, y));
         let Some((mut speed_rpm, place)) = self.refined((design, quantity), candidate, speeds, wanted, value_at, work)? else {
             return Ok(None);
         };
-        let mut extremes = at(speed_rpm, y, work)?;
+        let mut extremes = extremes_at(speed_rpm, y, work)?;
         if share.is_some() && place == Place::Interior && speed_rpm == speeds.rpm[candidate.index] && !speeds.kink[candidate.index] {
             // nothing higher was met on either side: among several tops the search may have ended on a lower one. The branch itself has one
             let (up, value) = branches.searched_top(candidate.index, &extremes, y, work)?;
             speed_rpm = if value > metric.value(speed_rpm, &extremes, y) { up } else { speed_rpm };
-            extremes = at(speed_rpm, y, work)?;
+            extremes = extremes_at(speed_rpm, y, work)?;
         }
         let pairs = share.map_or_else(|| vec![extremes], |share| self.synthesiser.pairs(y, share));
         Ok(Some((speed_rpm, place, pairs)))

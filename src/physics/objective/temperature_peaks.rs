@@ -128,14 +128,19 @@ impl PeakFinder<'_> {
     fn temperature_differences(&self, (design, index): (&[Mounted], usize), own: usize, peak: &Peak) -> Result<Vec<f64>, ResponseError> {
         let Some(law) = design[index].absorber.law() else { return Ok(Vec::new()) };
         let values = law.values();
-        let at = |p: usize, share: f64| -> Result<f64, ResponseError> {
+        let temperature_at = |p: usize, share: f64| -> Result<f64, ResponseError> {
             let mut moved = values.clone();
             moved[p] *= 1.0 + share;
             let moved = with_law(design, index, |law| law.rebuilt(&moved));
             Follower::cooled(&moved, own).map_or(Ok(0.0), |of| self.reached(&of, peak.speed_rpm))
         };
-        let one =
-            |p: usize| if values[p] == 0.0 { Ok(0.0) } else { Ok(peak.weight * (at(p, STEP)? - at(p, -STEP)?) / (2.0 * STEP * values[p])) };
+        let one = |p: usize| {
+            if values[p] == 0.0 {
+                Ok(0.0)
+            } else {
+                Ok(peak.weight * (temperature_at(p, STEP)? - temperature_at(p, -STEP)?) / (2.0 * STEP * values[p]))
+            }
+        };
         (0..values.len()).map(one).collect()
     }
 }

@@ -139,7 +139,7 @@ impl<'a> Follower<'a> {
 
     /// Optima that others are walked to from.
     fn heads(&self, known: &[KnownOptimum], work: &mut Work) -> Result<BTreeMap<usize, Outcome>, ResponseError> {
-        let of = |(i, known): (usize, Option<&KnownOptimum>)| {
+        let head_of = |(i, known): (usize, Option<&KnownOptimum>)| {
             let walked = |k: &KnownOptimum| self.walk((k.space.clone(), k.outcome.clone()), std::iter::once(i), |_, _| true);
             match known.map(walked) {
                 Some(Ok((mut found, work))) => Ok((i, (found.swap_remove(0).1, work))),
@@ -148,7 +148,7 @@ impl<'a> Follower<'a> {
             }
         };
         let found: Vec<(usize, (Outcome, Work))> =
-            heads(self.inertias, known).into_par_iter().map(of).collect::<Result<_, ResponseError>>()?;
+            heads(self.inertias, known).into_par_iter().map(head_of).collect::<Result<_, ResponseError>>()?;
         found.iter().for_each(|f| *work += f.1.1);
         Ok(found.into_iter().map(|(i, (outcome, _))| (i, outcome)).collect())
     }

@@ -40,11 +40,11 @@ impl Tolerances {
     /// Those of some types (nothing for an absorber without one) by the keys of their parameters.
     pub fn new(types: &[Option<&'static Declaration>], shares: &[(&'static str, f64)]) -> Self {
         let counts = types.iter().map(|t| t.map_or(0, |t| t.parameters.len())).collect();
-        let own = |(i, t): (usize, &Option<&'static Declaration>)| -> Vec<(usize, usize, f64)> {
+        let edges_of = |(i, t): (usize, &Option<&'static Declaration>)| -> Vec<(usize, usize, f64)> {
             let place = |(key, share): &(&'static str, f64)| Some((i, t.as_ref()?.index(key)?, *share));
             shares.iter().filter_map(place).collect()
         };
-        Self { counts, edges: types.iter().enumerate().flat_map(own).collect() }
+        Self { counts, edges: types.iter().enumerate().flat_map(edges_of).collect() }
     }
 
     /// Of a design.
@@ -229,7 +229,7 @@ pub fn settled(
 
 /// Deviations that make an objective, or a limited measure beyond its limit, worse than in all scenarios of an optimum. Each limit is searched for itself: what is within its limit in all points that were drawn may exceed it between them.
 fn worse_inside(problem: &Problem, tolerances: &Tolerances, optimum: &Optimum, seed: u64) -> Vec<Deviation> {
-    let at = |point: &[f64], (objectives, weights): (&[Limit], &[f64])| {
+    let value_at = |point: &[f64], (objectives, weights): (&[Limit], &[f64])| {
         let deviation = tolerances.at(point);
         let cases: Vec<LoadCase> = problem.load_cases.iter().map(|case| LoadCase { deviation: Some(&deviation), ..*case }).collect();
         let built = Problem { load_cases: &cases, space: problem.space.clone(), objectives, weights, limits: &[], ..*problem };
@@ -237,11 +237,11 @@ fn worse_inside(problem: &Problem, tolerances: &Tolerances, optimum: &Optimum, s
     };
     let own = (problem.objectives, problem.weights);
     let value = optimum.value() * (1.0 + WORSE);
-    let mut worse: Vec<(Vec<f64>, f64)> = tolerances.highest(|point| at(point, own), seed);
+    let mut worse: Vec<(Vec<f64>, f64)> = tolerances.highest(|point| value_at(point, own), seed);
     worse.retain(|w| w.1 > value);
     let excess = optimum.outcome.rows.excess().exponential() * (1.0 + WORSE);
     for limit in problem.limits {
-        let beyond = tolerances.highest(|point| at(point, (std::slice::from_ref(limit), &[])), seed);
+        let beyond = tolerances.highest(|point| value_at(point, (std::slice::from_ref(limit), &[])), seed);
         worse.extend(beyond.into_iter().filter(|w| w.1 > excess));
     }
     worse.iter().map(|w| tolerances.at(&w.0)).collect()

@@ -90,10 +90,11 @@ pub fn solve(lines: &[Line], weights: &[f64], hessian: &DMatrix<f64>, reach: &[(
     }
     let change: Vec<f64> = x[..n].iter().zip(reach).map(|(d, (low, high))| d.clamp(*low, *high)).collect();
     // t and s from the rows themselves: exact for the clamped step
-    let at = |line: &Line| line.value + line.gradient.iter().zip(&change).map(|(g, d)| g * d).sum::<f64>();
-    let largest = |objective: usize| lines.iter().filter(|l| l.objective == Some(objective)).map(at).fold(f64::NEG_INFINITY, f64::max);
+    let value_of = |line: &Line| line.value + line.gradient.iter().zip(&change).map(|(g, d)| g * d).sum::<f64>();
+    let largest =
+        |objective: usize| lines.iter().filter(|l| l.objective == Some(objective)).map(value_of).fold(f64::NEG_INFINITY, f64::max);
     let top: f64 = weights.iter().enumerate().map(|(o, weight)| weight * largest(o)).sum();
-    let excess = lines.iter().filter(|l| l.objective.is_none()).map(at).fold(0.0, f64::max);
+    let excess = lines.iter().filter(|l| l.objective.is_none()).map(value_of).fold(0.0, f64::max);
     let d = nalgebra::DVector::from_column_slice(&change);
     let model = top + penalty * excess + 0.5 * (hessian * &d).dot(&d);
     let z = &solver.solution.z;

@@ -247,11 +247,11 @@ fn chosen(points: &Points, judged: &[Judged]) -> Vec<usize> {
     let mut list: Vec<usize> = Vec::new();
     let mut put = |key: &dyn Fn((f64, f64)) -> (f64, f64)| {
         // an objective that was not asked for is no lowest one
-        let own = |i: usize| judged[i].map(key).filter(|key| key.0 > 0.0 || key.1.is_finite());
+        let key_of = |i: usize| judged[i].map(key).filter(|key| key.0 > 0.0 || key.1.is_finite());
         let lowest =
-            |i: &usize| own(*i).is_some_and(|mine| points.beside(*i).into_iter().all(|j| own(j).is_none_or(|other| mine <= other)));
+            |i: &usize| key_of(*i).is_some_and(|mine| points.beside(*i).into_iter().all(|j| key_of(j).is_none_or(|other| mine <= other)));
         let mut found: Vec<usize> = (0..judged.len()).filter(lowest).collect();
-        found.sort_by(|a, b| own(*a).partial_cmp(&own(*b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(b)));
+        found.sort_by(|a, b| key_of(*a).partial_cmp(&key_of(*b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(b)));
         found.truncate(MOST_FOLLOWED / 3);
         list.extend(found);
     };

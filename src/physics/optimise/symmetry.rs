@@ -42,9 +42,9 @@ impl Interchange {
 
 /// Whether two absorbers are of one type and material in one place, with the same bounds, and neither carries another.
 fn alike(space: &Space, i: usize, j: usize) -> bool {
-    let own = |of: usize| space.variables.iter().filter(move |v| v.absorber == of).map(|v| Variable { absorber: 0, ..*v });
+    let variables_of = |of: usize| space.variables.iter().filter(move |v| v.absorber == of).map(|v| Variable { absorber: 0, ..*v });
     let carries = |i: usize| space.slots.iter().any(|s| s.on == Host::Ring(i));
-    space.slots[i] == space.slots[j] && own(i).eq(own(j)) && !carries(i) && !carries(j)
+    space.slots[i] == space.slots[j] && variables_of(i).eq(variables_of(j)) && !carries(i) && !carries(j)
 }
 
 /// Whether limits stay the same together where two absorbers change places.

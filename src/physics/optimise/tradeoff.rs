@@ -112,8 +112,8 @@ impl<'a> Follower<'a> {
     /// Both measures at a point, where the family can change them.
     fn values(&self, w: &[f64], work: &mut Work) -> Result<[f64; 2], ResponseError> {
         let design = self.problem.space.design(w);
-        let mut of = |limit: &Limit| largest(self.problem.steering().map(|s| s.1), &design, &limit.measure, work);
-        Ok([of(&self.problem.objectives[0])?, of(self.second)?])
+        let mut value_of = |limit: &Limit| largest(self.problem.steering().map(|s| s.1), &design, &limit.measure, work);
+        Ok([value_of(&self.problem.objectives[0])?, value_of(self.second)?])
     }
 
     /// The best outcome of the minimax method from some points, with the curvature there where it is known.

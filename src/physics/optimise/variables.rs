@@ -81,11 +81,11 @@ impl Space {
 
     /// The design at a point, for a reader: type, parameter and value.
     pub(crate) fn named(&self, w: &[f64]) -> Vec<(&'static str, &'static str, f64)> {
-        let of = |(slot, values): (&Slot, Vec<f64>)| {
+        let named_values = |(slot, values): (&Slot, Vec<f64>)| {
             let declaration = slot.declaration;
             declaration.parameters.iter().zip(values).map(|(p, value)| (declaration.name, p.key, value)).collect::<Vec<_>>()
         };
-        self.slots.iter().zip(self.values(w)).flat_map(of).collect()
+        self.slots.iter().zip(self.values(w)).flat_map(named_values).collect()
     }
 
     /// The point of given values (a row an absorber), moved into the bounds.

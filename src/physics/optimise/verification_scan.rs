@@ -87,11 +87,11 @@ pub fn scan(problem: &Problem, optimum: &mut Optimum, lines: &[Vec<Vec<f64>>]) -
     let costs: Vec<Vec<(f64, Work)>> = lines
         .par_iter()
         .map(|line| {
-            let at = |w: &Vec<f64>| {
+            let cost_at = |w: &Vec<f64>| {
                 let mut work = Work::default();
                 (problem.cost(w, &mut work), work)
             };
-            line.iter().map(at).collect()
+            line.iter().map(cost_at).collect()
         })
         .collect();
     costs.iter().flatten().for_each(|c| optimum.stages.search += c.1);

@@ -201,8 +201,8 @@ impl<'a> Direct<'a> {
         let mut solver = Factored::new(self.system);
         solver.ask(design, &[]);
         solver.solve(design, at, work)?;
-        let of = |(hub, z): (usize, &Hub)| (z.station, -solver.hub(hub, z.numerator, &solver.x));
-        Ok(solver.condensed.hubs.iter().enumerate().map(of).collect())
+        let torque_of_hub = |(hub, z): (usize, &Hub)| (z.station, -solver.hub(hub, z.numerator, &solver.x));
+        Ok(solver.condensed.hubs.iter().enumerate().map(torque_of_hub).collect())
     }
 
     /// Derivatives of the phasors of `quantity` at one speed with respect to the parameters of absorber `index` of the design

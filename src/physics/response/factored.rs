@@ -99,11 +99,11 @@ impl<'a> Factored<'a> {
         let mut stations: Vec<usize> = (0..design.len()).map(|i| station_of(design, i)).collect();
         stations.sort_unstable();
         stations.dedup();
-        let of = |quantity: &Quantity| match quantity {
+        let rows_of = |quantity: &Quantity| match quantity {
             Quantity::ShaftTorque(s) => vec![chain.len() + s],
             q => q.difference(chain).map_or_else(Vec::new, |d| std::iter::once(d.from).chain(d.to.map(|to| to.0)).collect()),
         };
-        let mut rows: Vec<usize> = quantities.iter().flat_map(of).chain(stations.iter().copied()).collect();
+        let mut rows: Vec<usize> = quantities.iter().flat_map(rows_of).chain(stations.iter().copied()).collect();
         rows.sort_unstable();
         rows.dedup();
         Wanted { rows: rows.into(), stations }

@@ -41,8 +41,8 @@ impl Hosts {
     pub fn of<'d>(direct: &Direct, quantity: Quantity, designs: impl Iterator<Item = &'d [Mounted]>) -> Self {
         let mut stations = BTreeMap::new();
         for station in designs.filter_map(single) {
-            let at = |speed: &f64| host(direct, &[], (station, Some(quantity)), *speed);
-            stations.entry(station).or_insert_with(|| direct.grid().speed_rpm.par_iter().map(at).collect());
+            let host_at = |speed: &f64| host(direct, &[], (station, Some(quantity)), *speed);
+            stations.entry(station).or_insert_with(|| direct.grid().speed_rpm.par_iter().map(host_at).collect());
         }
         Self { quantity, stations }
     }
@@ -211,11 +211,11 @@ impl Followed<'_> {
     /// A quantity for each order; nothing where the whole has to be solved.
     pub fn output(&mut self, log_factor: f64, quantity: Quantity) -> Option<Vec<C64>> {
         self.set(log_factor);
-        let at = |i: usize| {
+        let twist_and_stiffness = |i: usize| {
             let s = C64::new(self.stiffness[0][i], self.stiffness[1][i]) / self.stiffness[2][i];
             (self.known[i / LANES].twist(i % LANES, s, self.host[i].angle), s)
         };
-        self.open.output_on_host(quantity, self.host, (0..self.host.len()).map(at))
+        self.open.output_on_host(quantity, self.host, (0..self.host.len()).map(twist_and_stiffness))
     }
 }
 

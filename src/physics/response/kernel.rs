@@ -55,8 +55,8 @@ impl Points {
         let pieces = || {
             let all = Piecewise::new(&self.omega.iter().map(|w| w.logarithm()).collect::<Vec<_>>(), PIECE);
             let logarithms = all.filter(|p| WORTH * p.nodes().len() < self.omega.len())?;
-            let at = |x: &f64| x.exponential();
-            let nodes = logarithms.nodes().iter().map(at).map(|omega| Operating { omega, shaft_speed: omega }).collect();
+            let exponential = |x: &f64| x.exponential();
+            let nodes = logarithms.nodes().iter().map(exponential).map(|omega| Operating { omega, shaft_speed: omega }).collect();
             Some(Pieces { logarithms, nodes })
         };
         let whole = first == 0 && out.len() == self.omega.len() && law.is_analytic();

@@ -49,8 +49,9 @@ impl<'a> Modal<'a> {
         let m = self.modes(design, &mut Work::default());
         let n = m.bodies.len();
         let scaled = DMatrix::from_fn(n, m.omega2.len(), |i, j| m.bodies.inertia[i] * m.shapes[(i, j)]);
-        let of = |d: &[f64]| DMatrix::from_fn(n, n, |i, j| d.iter().enumerate().map(|(k, d)| scaled[(i, k)] * d * scaled[(j, k)]).sum());
-        (of(&m.viscous), of(&m.hysteretic))
+        let damping_matrix =
+            |d: &[f64]| DMatrix::from_fn(n, n, |i, j| d.iter().enumerate().map(|(k, d)| scaled[(i, k)] * d * scaled[(j, k)]).sum());
+        (damping_matrix(&m.viscous), damping_matrix(&m.hysteretic))
     }
 
     fn with(&self, m: &Modes, quantity: Quantity, order: usize, speed_rpm: f64, work: &mut Work) -> Result<C64, ResponseError> {

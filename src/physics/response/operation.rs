@@ -70,8 +70,8 @@ pub struct Follower<'a> {
 impl<'a> Follower<'a> {
     /// The first absorber of a design whose material is as asked for.
     pub fn of(design: &'a [Mounted], asked: impl Fn(&Material) -> bool) -> Option<Self> {
-        let own = |m: &Mounted| m.absorber.law().filter(|l| l.material().is_some_and(&asked)).cloned();
-        design.iter().enumerate().find_map(|(index, m)| Some(Self { design, index, law: own(m)? }))
+        let law_of = |m: &Mounted| m.absorber.law().filter(|l| l.material().is_some_and(&asked)).cloned();
+        design.iter().enumerate().find_map(|(index, m)| Some(Self { design, index, law: law_of(m)? }))
     }
 
     /// Absorber `index` of a design, where its material says what cools it.

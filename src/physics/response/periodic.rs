@@ -196,10 +196,10 @@ fn torques(system: &System, bodies: usize, speed_rpm: f64, steps: usize) -> Vec<
         system.torque(n, speed_rpm, row);
     }
     let turn: Vec<C64> = (0..steps).map(|j| turn(std::f64::consts::TAU * j as f64 / steps as f64)).collect();
-    let at = |j: usize, station: usize| -> f64 {
+    let torque_at = |j: usize, station: usize| -> f64 {
         orders.iter().zip(&system.excitation.harmonics).map(|(row, h)| (row[station] * turn[(j * *h as usize) % steps]).re).sum()
     };
-    (0..steps).map(|j| DVector::from_fn(bodies, |i, _| if i < stations { at(j, i) } else { 0.0 })).collect()
+    (0..steps).map(|j| DVector::from_fn(bodies, |i, _| if i < stations { torque_at(j, i) } else { 0.0 })).collect()
 }
 
 /// A matrix to a whole power, by squaring.

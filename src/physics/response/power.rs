@@ -74,7 +74,7 @@ pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>
     let mut torque = vec![ZERO; n];
     // twists between stations are referred to the crankshaft, those of links are not
     let ratios = system.chain.speed_ratios().unwrap_or_else(|| vec![1.0; n]);
-    let at = |point: usize| Motion {
+    let motion_at = |point: usize| Motion {
         stations: sweeps[..n].iter().map(|s| s[point]).collect(),
         shafts: sweeps[n..2 * n - 1].iter().zip(&ratios).map(|(s, ratio)| s[point] * *ratio).collect(),
         rings: sweeps[2 * n - 1..].iter().map(|s| s[point]).collect(),
@@ -84,7 +84,7 @@ pub fn powers(method: &dyn Response, design: &[Mounted], own: Option<Dissipated>
         let mut power = Power::default();
         for order in method.orders() {
             let omega = system.excitation.orders[order].omega(speed_rpm);
-            let bodies = at(i * orders + order);
+            let bodies = motion_at(i * orders + order);
             system.torque(order, speed_rpm, &mut torque);
             power.input += torque.iter().zip(&bodies.stations).map(|(t, y)| 0.5 * (t.conj() * I * omega * y).re).sum::<f64>();
             power.dissipated += match own {

@@ -89,9 +89,9 @@ impl<'a> Receptance<'a> {
             return None;
         }
         let (all, orders) = (&self.tables[t].1, self.direct.system.orders());
-        let own = |points: Arc<Points>| Some(Rows { points, orders, station: self.station });
+        let rows_of = |points: Arc<Points>| Some(Rows { points, orders, station: self.station });
         if stride == 1 {
-            return own(all.clone());
+            return rows_of(all.clone());
         }
         let mut points = Points { ring: all.ring, ..Points::default() };
         for i in every(stride, self.grid().len()) {
@@ -104,7 +104,7 @@ impl<'a> Receptance<'a> {
                 points.h[part].extend(&all.h[part][row.clone()]);
             }
         }
-        own(Arc::new(points))
+        rows_of(Arc::new(points))
     }
 
     /// Replaces the points near a singular base by direct solutions.

@@ -331,7 +331,7 @@ impl Problem<'_> {
     /// Linear bearings nearest to the joints over the cycle: k and c of least squares of f on z and v.
     fn equivalent(&self, x: &Rows) -> Vec<[f64; 2]> {
         let (z, v) = (self.waves.to_samples(x), self.waves.to_samples(&self.velocity(x)));
-        let of = |(p, joint): (usize, &ExponentialJoint)| {
+        let linear_fit = |(p, joint): (usize, &ExponentialJoint)| {
             let (mut zz, mut zv, mut vv, mut fz, mut fv) = (0.0, 0.0, 0.0, 0.0, 0.0);
             for j in 0..z.nrows() {
                 let (at, rate) = ([z[(j, 2 * p)], z[(j, 2 * p + 1)]], [v[(j, 2 * p)], v[(j, 2 * p + 1)]]);
@@ -357,6 +357,6 @@ impl Problem<'_> {
                 [joint.stiffness[0], joint.damping[0]]
             }
         };
-        self.joints.iter().enumerate().map(of).collect()
+        self.joints.iter().enumerate().map(linear_fit).collect()
     }
 }

@@ -143,7 +143,7 @@ impl Shaft {
     /// Centrifugal forces and moments of all masses as they are drawn, per square of the speed.
     pub fn unbalance(&self) -> Vec<Six> {
         let places: Vec<Six> = self.places.iter().map(|p| Six::new(p.x, p.y, 0.0, 0.0, 0.0, 0.0)).collect();
-        let of = |i: usize| {
+        let unbalance_at = |i: usize| {
             let mut sum = self.mass.own[i] * places[i] + self.beside[i];
             if i + 1 < places.len() {
                 sum += self.mass.next[i] * places[i + 1];
@@ -153,7 +153,7 @@ impl Shaft {
             }
             sum
         };
-        (0..self.len()).map(of).collect()
+        (0..self.len()).map(unbalance_at).collect()
     }
 
     /// Inertia against rotation about the axis alone, kg m².
@@ -203,7 +203,7 @@ impl Shaft {
     /// [`Singular`] at an undamped resonance, and where nothing holds the shaft.
     pub(crate) fn factored(&self, at: Turning) -> Result<Factored, Singular> {
         let n = self.len();
-        let own = |i: usize| {
+        let diagonal_block = |i: usize| {
             let mut block = self.block(&|row: &Row| &row.own[i], at).0 + (self.circulatory[i] * at.speed).map(C64::from);
             for (k, held) in self.held[i].iter().enumerate() {
                 if *held {
@@ -229,7 +229,7 @@ impl Shaft {
             upper.push(right);
             lower.push(below);
         }
-        factor((0..n).map(own).collect(), &upper, lower)
+        factor((0..n).map(diagonal_block).collect(), &upper, lower)
     }
 
     /// Motion of all nodes under forces and moments on them.

@@ -72,15 +72,15 @@ impl Structure {
                 turn[(i, j)] = f64::from(u8::from(old[usize::from(u.component - first)] == usize::from(k)));
             }
         }
-        let of = |x: &DMatrix<f64>| &turn * x * turn.transpose();
+        let rotated = |x: &DMatrix<f64>| &turn * x * turn.transpose();
         let place = |p: &Vector3<f64>| Vector3::new(p[old[0]], p[old[1]], p[old[2]]);
         Some(Self {
             unknowns: self.unknowns.clone(),
             places: self.places.iter().map(|(node, p)| (*node, place(p))).collect(),
-            stiffness: of(&self.stiffness),
-            mass: self.mass.as_ref().map(of),
-            gyroscopic: self.gyroscopic.as_ref().map(of),
-            turning: self.turning.as_ref().map(of),
+            stiffness: rotated(&self.stiffness),
+            mass: self.mass.as_ref().map(rotated),
+            gyroscopic: self.gyroscopic.as_ref().map(rotated),
+            turning: self.turning.as_ref().map(rotated),
         })
     }
 }

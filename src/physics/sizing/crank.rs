@@ -108,19 +108,19 @@ pub fn shares(bearings: &Bearings) -> (f64, f64) {
 /// Bending per force on every throw at a place of a throw, m: `at` from the bearing before it.
 fn influence(throws: usize, throw: usize, at: f64, bearings: &Bearings, bending: Bending) -> Vec<f64> {
     let span = bearings.before + bearings.after;
-    let own = || {
+    let determinate_influence = || {
         let mut own = vec![0.0; throws];
         own[throw] = shares(bearings).0 * at - (at - bearings.before).max(0.0);
         own
     };
     if bending == Bending::OwnBearings || throws == 1 {
-        return own();
+        return determinate_influence();
     }
     let supports = (0..=throws).map(|i| Support { at: span * i as f64, stiffness: None }).collect();
     let loads_at = (0..throws).map(|i| span * i as f64 + bearings.before).collect();
     // on rigid bearings the reactions do not depend on the rigidity
     let beam = Beam { supports, loads_at, rigidity: span * span };
-    reactions(&beam).map_or_else(own, |r| beam.moment_at(&r, span * throw as f64 + at).into_iter().map(|m| -m).collect())
+    reactions(&beam).map_or_else(determinate_influence, |r| beam.moment_at(&r, span * throw as f64 + at).into_iter().map(|m| -m).collect())
 }
 
 /// Bending at a place of a throw over the cycle, in the plane of the throw and across it, N m.

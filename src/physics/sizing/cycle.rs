@@ -109,11 +109,11 @@ impl Cycle {
 pub(super) fn delayed(history: &[f64], deg: f64, cycle_deg: f64) -> Vec<f64> {
     let n = history.len();
     let shift = deg / cycle_deg * n as f64;
-    let at = |j: usize| {
+    let delayed_sample = |j: usize| {
         let x = (j as f64 - shift).rem_euclid(n as f64);
         let i = x.floor() as usize % n;
         let fraction = x - x.floor();
         history[i] + (history[(i + 1) % n] - history[i]) * fraction
     };
-    (0..n).map(at).collect()
+    (0..n).map(delayed_sample).collect()
 }

@@ -20,21 +20,21 @@ pub(super) fn loads(spec: &Specification, rod: &Body, torque: Option<&[TorqueCas
     let rigid = |c: &Cycle| crank::rigid_throws(c, &spec.firing_deg, radius, cycle_deg);
     let mut list: Vec<(Cycle, Vec<ThrowLoads>)> = match torque {
         None => {
-            let of = |speed: &f64| {
+            let loads_at_speed = |speed: &f64| {
                 let c = cycle(*speed, Gas::Fired);
                 let throws = rigid(&c);
                 (c, throws)
             };
-            spec.speeds_rpm.par_iter().map(of).collect()
+            spec.speeds_rpm.par_iter().map(loads_at_speed).collect()
         }
         Some(cases) => {
             let orders = Orders::new(cases.first().map_or(&[][..], |c| &c.harmonics), samples_of_cycle(spec.strokes));
-            let of = |case: &TorqueCase| {
+            let loads_of_case = |case: &TorqueCase| {
                 let c = cycle(case.speed_rpm, Gas::Fired);
                 let throws = crank::with_response(rigid(&c), (&c, &spec.firing_deg), (case, &orders), (radius, cycle_deg));
                 (c, throws)
             };
-            cases.par_iter().map(of).collect()
+            cases.par_iter().map(loads_of_case).collect()
         }
     };
     let driven = cycle(highest, Gas::None);

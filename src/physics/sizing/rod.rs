@@ -61,9 +61,9 @@ pub fn buckling_thickness(load: f64, yield_strength: f64, length: f64) -> f64 {
 /// t of the smallest section against yielding and against fatigue, for a factor, m. A mean compression counts as none.
 pub(super) fn axial_thickness(loads: &ShankLoads, material: &Material, factor: f64) -> [f64; 2] {
     let limit = material.fatigue_limit(Loading::Axial, 0.0);
-    let of = |area: f64| (factor * area / AREA_AT_SMALL_EYE).sqrt();
+    let thickness = |area: f64| (factor * area / AREA_AT_SMALL_EYE).sqrt();
     let goodman = |force: Swing| force.amplitude / limit + force.mean.max(0.0) / material.tensile;
-    [of(loads.largest / material.yield_strength), of(loads.force.map(goodman).into_iter().fold(0.0, f64::max))]
+    [thickness(loads.largest / material.yield_strength), thickness(loads.force.map(goodman).into_iter().fold(0.0, f64::max))]
 }
 
 /// Force that buckles a shank, N.

@@ -101,8 +101,8 @@ impl RoundSection<'_> {
     fn diameter(&self, factor: f64, given: Option<f64>, first: f64) -> f64 {
         let needed = |d: f64| {
             let strength = self.strength(d);
-            let of = |m: &Moments| m.static_diameter(&strength, factor).max(m.fatigue_diameter(&strength, self.notch, factor));
-            self.moments.iter().map(of).fold(0.0, f64::max)
+            let diameter_for = |m: &Moments| m.static_diameter(&strength, factor).max(m.fatigue_diameter(&strength, self.notch, factor));
+            self.moments.iter().map(diameter_for).fold(0.0, f64::max)
         };
         given.unwrap_or_else(|| least(needed, first))
     }
@@ -203,12 +203,12 @@ pub(super) fn round(
 }
 
 fn shank_thickness(spec: &Specification, loads: &[ShankLoads]) -> f64 {
-    let of = |l: &ShankLoads| {
+    let thickness_for = |l: &ShankLoads| {
         let [yielding, fatigue] = rod::axial_thickness(l, &spec.rod, spec.design_factor);
         let buckling = rod::buckling_thickness(spec.buckling_factor * l.compression, spec.rod.yield_strength, spec.rod_length);
         buckling.max(yielding).max(fatigue)
     };
-    loads.iter().map(of).fold(0.0, f64::max)
+    loads.iter().map(thickness_for).fold(0.0, f64::max)
 }
 
 fn shank_margin(spec: &Specification, loads: &[ShankLoads], thickness: f64) -> Margin {
@@ -221,10 +221,10 @@ fn shank_margin(spec: &Specification, loads: &[ShankLoads], thickness: f64) -> M
 fn notch(spec: &Specification, diameter: f64, sizes: &Sizes) -> Notch {
     let radius = spec.fillet_radius / diameter;
     let height = bodies::web_height(sizes, spec.crank_radius());
-    let of = |kt: f64, torsion: bool| fatigue_factor(kt, notch_sensitivity(spec.fillet_radius, spec.crank.tensile, torsion));
+    let notch_factor = |kt: f64, torsion: bool| fatigue_factor(kt, notch_sensitivity(spec.fillet_radius, spec.crank.tensile, torsion));
     Notch {
-        bending: of(stepped_shaft::bending(radius, height / diameter), false),
-        torsion: of(stepped_shaft::torsion(radius, sizes.web_breadth / diameter), true),
+        bending: notch_factor(stepped_shaft::bending(radius, height / diameter), false),
+        torsion: notch_factor(stepped_shaft::torsion(radius, sizes.web_breadth / diameter), true),
     }
 }
 

@@ -27,16 +27,16 @@ pub const LARGEST_RADIUS: f64 = 0.3;
 /// Linear in D/d between the rows and from one at D = d to the first; beyond the last row as there.
 fn factor(rows: &[(f64, f64, f64)], radius: f64, ratio: f64) -> f64 {
     let radius = radius.min(LARGEST_RADIUS);
-    let at = |row: &(f64, f64, f64)| (row.1 * radius.power(row.2)).max(1.0);
+    let row_factor = |row: &(f64, f64, f64)| (row.1 * radius.power(row.2)).max(1.0);
     let last = rows[rows.len() - 1];
     if ratio >= last.0 {
-        return at(&last);
+        return row_factor(&last);
     }
     let above = rows.iter().position(|r| r.0 > ratio).unwrap_or(0);
     let (low, high) = if above == 0 {
-        ((1.0, 1.0), (rows[0].0, at(&rows[0])))
+        ((1.0, 1.0), (rows[0].0, row_factor(&rows[0])))
     } else {
-        ((rows[above - 1].0, at(&rows[above - 1])), (rows[above].0, at(&rows[above])))
+        ((rows[above - 1].0, row_factor(&rows[above - 1])), (rows[above].0, row_factor(&rows[above])))
     };
     low.1 + (high.1 - low.1) * ((ratio - low.0) / (high.0 - low.0)).max(0.0)
 }

@@ -31,9 +31,9 @@ pub fn mean_load(assembled: &Assembled, cycle: &Cycle, speed_rpm: f64) -> DVecto
             let on = &loads.rod_force[t * rods + rod];
             let each = loads.theta.iter().zip(on).map(|(theta, force)| crank_fixed(*force, theta + angle));
             let sum = each.fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
-            let of = |k: usize| sum[k] / loads.theta.len() as f64;
-            let radial = of(0) - on_pin * radius * speed * speed;
-            for (direction, value) in assembled.directions[t].iter().zip([radial, of(1)]) {
+            let mean_component = |k: usize| sum[k] / loads.theta.len() as f64;
+            let radial = mean_component(0) - on_pin * radius * speed * speed;
+            for (direction, value) in assembled.directions[t].iter().zip([radial, mean_component(1)]) {
                 (0..3).for_each(|k| force[6 * node + k] += value * direction[k]);
             }
         }

@@ -118,8 +118,8 @@ impl OnJoints<'_> {
     /// Linear bearings of all points, N/m and N s/m.
     fn given(&self) -> Vec<[f64; 2]> {
         let nodes = &self.assembled.bearings;
-        let of = |b: usize| (0..nodes[b].len()).map(move |p| self.linear.point(b, p, nodes[b].len()));
-        (0..nodes.len()).flat_map(of).map(|l| [l.stiffness, l.damping]).collect()
+        let points_of = |b: usize| (0..nodes[b].len()).map(move |p| self.linear.point(b, p, nodes[b].len()));
+        (0..nodes.len()).flat_map(points_of).map(|l| [l.stiffness, l.damping]).collect()
     }
 
     /// All that is linear, as the points see it on these linear bearings.

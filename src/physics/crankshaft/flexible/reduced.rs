@@ -10,11 +10,12 @@ use nalgebra::DMatrix;
 pub fn reduced(assembled: &Assembled, modes: usize) -> Option<Structure> {
     let shaft = &assembled.shaft;
     let free = shaft.free();
-    let of = |node: usize, components: std::ops::Range<usize>| components.map(move |k| 6 * node + k).filter(|i| free.contains(i));
+    let free_unknowns =
+        |node: usize, components: std::ops::Range<usize>| components.map(move |k| 6 * node + k).filter(|i| free.contains(i));
     let points = assembled.bearings.iter().chain(&assembled.rods).flatten();
-    let mut interface: Vec<usize> = points.flat_map(|node| of(*node, 0..3)).collect();
+    let mut interface: Vec<usize> = points.flat_map(|node| free_unknowns(*node, 0..3)).collect();
     let pins = assembled.rods.concat();
-    interface.extend(assembled.stations.iter().filter(|node| !pins.contains(node)).flat_map(|node| of(*node, 0..6)));
+    interface.extend(assembled.stations.iter().filter(|node| !pins.contains(node)).flat_map(|node| free_unknowns(*node, 0..6)));
     interface.sort_unstable();
     interface.dedup();
     let place = |i: &usize| free.iter().position(|f| f == i);

@@ -87,11 +87,11 @@ impl JointSpec {
     pub fn joints(&self, crank: &Crank, nodes: BearingNodes, (stiffness, damping): (f64, f64)) -> Vec<ExponentialJoint> {
         let reach = self.clearance_ratio * crank.journal_diameter;
         let there = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b));
-        let of = |b: usize| {
+        let joint_at = |b: usize| {
             let size = [crank.journal_diameter, crank.journal_lengths[b]];
             ExponentialJoint::of_journal(self.pressure, size, reach, nodes.count(), (self.loose, self.time)).scaled(stiffness, damping)
         };
-        there.flat_map(|b| std::iter::repeat_n(of(b), nodes.count())).collect()
+        there.flat_map(|b| std::iter::repeat_n(joint_at(b), nodes.count())).collect()
     }
 }
 

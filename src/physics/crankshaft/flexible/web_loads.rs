@@ -118,24 +118,24 @@ impl<'a> WebLoads<'a> {
         let sections: Vec<_> = self.assembled.sections.iter().flatten().collect();
         let answers = || sections.iter().flat_map(|s| s.answers.iter().cloned()).collect();
         let transfer = self.transfer.get_or_init(|| self.crank.other_answers(answers()));
-        let of = |(n, torques): (usize, &Vec<(usize, C64)>)| {
+        let loads_of_order = |(n, torques): (usize, &Vec<(usize, C64)>)| {
             let mut all = self.crank.answered(transfer, self.excitation, (n, speed_rpm), torques)?;
             let omega = self.excitation.orders[n].omega(speed_rpm);
             all.iter_mut().enumerate().for_each(|(i, y)| *y *= sections[i / 4].factor(omega));
             Ok(all)
         };
-        torques.iter().enumerate().map(of).collect()
+        torques.iter().enumerate().map(loads_of_order).collect()
     }
 
     /// The same under a motion of all nodes at every order.
     #[doc(hidden)]
     pub fn of_motions(&self, speed_rpm: f64, motions: &[DVector<C64>]) -> Vec<Vec<C64>> {
         let omega = |n: usize| self.excitation.orders[n].omega(speed_rpm);
-        let of = |(n, motion): (usize, &DVector<C64>)| {
+        let loads_of_order = |(n, motion): (usize, &DVector<C64>)| {
             let sections = self.assembled.sections.iter().flatten();
             sections.flat_map(|s| WebLoad::ALL.map(|load| s.load(load, motion, omega(n)))).collect()
         };
-        motions.iter().enumerate().map(of).collect()
+        motions.iter().enumerate().map(loads_of_order).collect()
     }
 
     /// Loads of all webs over the cycle without vibration: four columns a web, as [`WebLoad::ALL`], N m and N.

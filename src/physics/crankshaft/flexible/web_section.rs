@@ -58,11 +58,11 @@ impl WebSection {
         let answer = |load: WebLoad| -> Answer {
             let part = WebLoad::of(directions, load);
             let sides = [(first, half(before, 1, &part)), (first + 1, half(behind, 0, &part))];
-            let of = |(node, factors): &(usize, SVector<f64, 12>)| {
+            let terms_of = |(node, factors): &(usize, SVector<f64, 12>)| {
                 let node = *node;
                 factors.iter().enumerate().map(move |(k, factor)| (node + k / 6, k % 6, *factor)).collect::<Vec<_>>()
             };
-            sides.iter().flat_map(of).filter(|(_, _, factor)| *factor != 0.0).collect()
+            sides.iter().flat_map(terms_of).filter(|(_, _, factor)| *factor != 0.0).collect()
         };
         Self { answers: WebLoad::ALL.map(answer), dissipation }
     }

@@ -67,12 +67,12 @@ impl Otto {
 
     /// Compression from inlet pressure, expansion to `after` at bottom dead centre.
     fn isentropes(&self, powers: &[f64], after: f64) -> Vec<f64> {
-        let at = |(j, power): (usize, &f64)| match closed_part_deg(j, powers.len()) {
+        let pressure_at = |(j, power): (usize, &f64)| match closed_part_deg(j, powers.len()) {
             // heat comes and goes at dead centre, where the lever is zero: which side holds there does not matter
             Some(deg) if deg < 0.0 => self.inlet_pressure * power,
             Some(_) => after * power,
             None => self.inlet_pressure,
         };
-        powers.iter().enumerate().map(at).collect()
+        powers.iter().enumerate().map(pressure_at).collect()
     }
 }

@@ -72,8 +72,9 @@ impl Wiebe {
     fn compressed(&self, geometry: &Geometry, gas: &[Gas]) -> Vec<f64> {
         let constant = (self.compression_ratio * self.clearance(geometry)).power(self.heat_capacity_ratio);
         let n = gas.len();
-        let at = |(j, g): (usize, &Gas)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * g.isentrope } else { 1.0 };
-        gas.iter().enumerate().map(at).collect()
+        let pressure_at =
+            |(j, g): (usize, &Gas)| self.boost_pressure * if closed_part_deg(j, n).is_some() { constant * g.isentrope } else { 1.0 };
+        gas.iter().enumerate().map(pressure_at).collect()
     }
 
     /// d(p V^k) = (k - 1) V^(k - 1) dQ is linear in the heat: the pressure is that of the motored cycle plus heat times a unit trace,

@@ -71,7 +71,7 @@ pub(super) fn critical(history: &History, l: &Limits) -> Critical {
     let top = all.iter().map(|p| p[0].0).fold(f64::NEG_INFINITY, f64::max);
     let (sine, cosine) = angle(l).sine_cosine();
     let mut scratch = Scratch::default();
-    let mut of = |normal: [f64; 3]| {
+    let mut evaluate_plane = |normal: [f64; 3]| {
         let plane = Plane::of(normal);
         let n = plane.normal();
         let (low, high) = history.range(&resolved(&n, &n));
@@ -85,13 +85,13 @@ pub(super) fn critical(history: &History, l: &Limits) -> Critical {
     let mut most: Option<Critical> = None;
     for stresses in instants {
         for direction in towards(stresses) {
-            let found = of([0, 1, 2].map(|d| cosine * stresses[0].1[d] + sine * direction[d]));
+            let found = evaluate_plane([0, 1, 2].map(|d| cosine * stresses[0].1[d] + sine * direction[d]));
             if most.as_ref().is_none_or(|m| found.value > m.value) {
                 most = Some(found);
             }
         }
     }
-    most.unwrap_or_else(|| of([1.0, 0.0, 0.0]))
+    most.unwrap_or_else(|| evaluate_plane([1.0, 0.0, 0.0]))
 }
 
 /// Of amplitude and mean of the normal stress, and amplitude of the shear stress.

@@ -60,8 +60,8 @@ impl Invariants {
     /// Largest over the cycle of the Tresca stress of the deviator about the ball's centre and `k` times the hydrostatic stress \[Dang Van 1989\].
     pub(crate) fn mesoscopic(&self, history: &History, k: f64) -> f64 {
         let (path, p) = (history.deviator(), history.hydrostatic());
-        let at = |j: usize| tresca([0, 1, 2, 3, 4].map(|d| path[d][j] - self.centre[d])) + k * p[j];
-        (0..history.len()).map(at).fold(f64::NEG_INFINITY, f64::max)
+        let stress_at = |j: usize| tresca([0, 1, 2, 3, 4].map(|d| path[d][j] - self.centre[d])) + k * p[j];
+        (0..history.len()).map(stress_at).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 

@@ -98,7 +98,7 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
         uu * du * du + 2.0 * uv * du * dv + vv * dv * dv
     };
     let mean_shear = (1.25 * moments.iter().enumerate().map(square).sum::<f64>()).sqrt();
-    let of = |rise: f64, still: Within, support: &[usize]| {
+    let bounds_at = |rise: f64, still: Within, support: &[usize]| {
         let risen = v.map(|v| rise * v);
         let ball = smallest_ball_from([&u, &risen], support);
         // the path's own circle is smaller by no more than the cosine of half the angle between two sides, so that its centre lies no farther off than the tangent; the sides of a risen path are
@@ -115,8 +115,8 @@ pub fn within(normal: &Row, (per_load, load): (f64, &Row), rise: f64) -> [Within
         };
         (within, ball.support().to_vec())
     };
-    let (own, support) = of(1.0, still[0], &[]);
-    [own, if rise == 1.0 { own } else { of(rise, still[1], &support).0 }]
+    let (own, support) = bounds_at(1.0, still[0], &[]);
+    [own, if rise == 1.0 { own } else { bounds_at(rise, still[1], &support).0 }]
 }
 
 /// Distances from the least, scaled.

@@ -57,8 +57,8 @@ impl PlaneState {
         self.corners.get_or_init(|| {
             let Points { normal, shear } = &self.samples;
             let corners = hull(normal, shear);
-            let at = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
-            Points { normal: at(normal), shear: at(shear) }
+            let at_corners = |path: &[f64]| corners.iter().map(|j| path[*j]).collect();
+            Points { normal: at_corners(normal), shear: at_corners(shear) }
         })
     }
 

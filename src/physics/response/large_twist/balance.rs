@@ -181,13 +181,13 @@ impl<'a> Balance<'a> {
         let hub_rate = rate(hub);
         let rates = t.sampled((0.0, &hub_rate), (0.0, &rate(&twist_rate)));
         let hub_acceleration = t.sampled((0.0, &rate(&hub_rate)), (0.0, &[]));
-        let at = |j: usize| Instant {
+        let instant_at = |j: usize| Instant {
             acceleration: rates[j].im,
             hub_rate: rates[j].re,
             hub_acceleration: hub_acceleration[j].re,
             ..moving(&angle[j])
         };
-        (0..angle.len()).map(|j| equations.reactions(&at(j))).collect()
+        (0..angle.len()).map(|j| equations.reactions(&instant_at(j))).collect()
     }
 
     /// Turns a motion back by full turns of what moves to where it is about its rest, and says whether it stays within half a turn there: beyond, a mass on a circle would pass over the top, and
@@ -292,14 +292,14 @@ impl<'a> Balance<'a> {
         let f = self.forces(linear, x[0], (&twist, &hub), false)?;
         let ring = self.equations().is_ring();
         let torque = |k: usize| if ring { self.ring_torque(linear, k, twist[k]) } else { f.torque.phasor(k + 1) };
-        let of = |each: &Vec<(C64, C64)>| each.iter().enumerate().map(|(k, (y0, by))| y0 - by * torque(k)).collect();
+        let phasors_of = |each: &Vec<(C64, C64)>| each.iter().enumerate().map(|(k, (y0, by))| y0 - by * torque(k)).collect();
         let mean_torque = f.torque.phasor(0).re;
         let vibratory: f64 = (0..hub.len()).map(|k| 0.5 * (torque(k) * (I * linear.omega[k] * hub[k]).conj()).re).sum();
         let power = mean_torque * linear.speed_rpm * RAD_PER_S_PER_RPM + vibratory;
         Some(Steady {
             speed_rpm: linear.speed_rpm,
             mean_twist: x[0],
-            quantities: linear.outputs.iter().map(of).collect(),
+            quantities: linear.outputs.iter().map(phasors_of).collect(),
             twist,
             hub,
             mean_torque,

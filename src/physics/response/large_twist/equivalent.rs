@@ -27,13 +27,13 @@ impl Balance<'_> {
         let sine: Vec<f64> = (0..SAMPLES).map(|i| (TAU * i as f64 / SAMPLES as f64).cosine()).collect();
         let mean_stiffness = |amplitude: f64| self.mean_stiffness((amplitude, &sine), linear.speed_rpm);
         let least = mean_stiffness(LEAST);
-        let at = |amplitude: f64| self.linear_motion(linear, mean_stiffness(amplitude) - least);
-        let own =
+        let motion_at = |amplitude: f64| self.linear_motion(linear, mean_stiffness(amplitude) - least);
+        let twist_amplitude =
             |x: &DVector<f64>| x.as_slice()[1..].as_chunks::<2>().0.iter().map(|c| C64::new(c[0], c[1]).norm_sqr()).sum::<f64>().sqrt();
-        let mut excess = |x: f64| Ok::<f64, Infallible>(x - own(&at(x.exponential())).max(LEAST).logarithm());
+        let mut excess = |x: f64| Ok::<f64, Infallible>(x - twist_amplitude(&motion_at(x.exponential())).max(LEAST).logarithm());
         let most = self.equations().largest_twist().unwrap_or(MOST);
         let Ok(found) = roots(LEAST.logarithm(), most.logarithm(), AMPLITUDES, &mut excess);
-        if found.len() < 2 { Vec::new() } else { found.into_iter().map(|x| at(x.exponential())).collect() }
+        if found.len() < 2 { Vec::new() } else { found.into_iter().map(|x| motion_at(x.exponential())).collect() }
     }
 
     /// Mean stiffness of the spring over a sine of this amplitude (rad): 1/(pi A) times the integral of T(A cos phi) cos phi over a period, N m/rad.

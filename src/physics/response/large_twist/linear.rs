@@ -60,9 +60,9 @@ impl Surroundings<'_> {
         let (h, shaft_speed) = (self.harmonics, speed_rpm * RAD_PER_S_PER_RPM);
         let outputs = vec![Vec::with_capacity(h); self.quantities.len()];
         let mut linear = Linear { speed_rpm, omega: Vec::new(), hub: Vec::new(), outputs, ring: Vec::new(), row: Vec::new() };
-        let at = |k: usize| Operating { omega: k as f64 * self.order_of_cycle * shaft_speed, shaft_speed };
-        linear.omega.extend((1..=h).map(|k| at(k).omega));
-        linear.row.extend((0..=h).map(|k| C64::from(1.0 / (self.ring_inertia * at(k.max(1)).omega.powi(2)))));
+        let operating_at = |k: usize| Operating { omega: k as f64 * self.order_of_cycle * shaft_speed, shaft_speed };
+        linear.omega.extend((1..=h).map(|k| operating_at(k).omega));
+        linear.row.extend((0..=h).map(|k| C64::from(1.0 / (self.ring_inertia * operating_at(k.max(1)).omega.powi(2)))));
         let harmonics = &self.system.excitation.harmonics;
         let order = |k: usize| harmonics.iter().position(|own| *own as usize == k);
         let stations = self.system.chain.len();
@@ -77,17 +77,17 @@ impl Surroundings<'_> {
         let mut block = Block::new(&self.system.chain, self.others.len());
         let mut scalar: Option<Factored> = None;
         for first in (1..=h).step_by(LANES) {
-            let motions = self.several(&mut block, &made_of, |lane| at((first + lane).min(h)), &torques[first - 1..]);
+            let motions = self.several(&mut block, &made_of, |lane| operating_at((first + lane).min(h)), &torques[first - 1..]);
             for (k, motions) in (first..=h).zip(motions) {
                 let motions = match motions {
                     Some(motions) => motions,
                     None => {
                         let solver = scalar.get_or_insert_with(|| Factored::new(self.system));
                         let unbounded = || ResponseError::unbounded(self.system.excitation.orders[order(k).unwrap_or_default()], speed_rpm);
-                        self.single(solver, at(k), torques[k - 1].as_deref()).ok_or_else(unbounded)?
+                        self.single(solver, operating_at(k), torques[k - 1].as_deref()).ok_or_else(unbounded)?
                     }
                 };
-                let inertial = self.ring_inertia * at(k).omega.powi(2);
+                let inertial = self.ring_inertia * operating_at(k).omega.powi(2);
                 linear.ring.push(-inertial / (1.0 - inertial * motions[0].1));
                 linear.hub.push(motions[0]);
                 linear.outputs.iter_mut().zip(&motions[1..]).for_each(|(own, motion)| own.push(*motion));

@@ -39,16 +39,16 @@ pub fn near(
     let (low, high) = ((speed_rpm * (1.0 - WINDOW)).max(first), (speed_rpm * (1.0 + WINDOW)).min(last));
     let Some(order) = direct.system.excitation.orders.iter().position(|o| *o == order).filter(|_| low <= high) else { return Ok(None) };
     let hub = Quantity::Twist { from: study.hub, to: None };
-    let at = |i: usize| low + (high - low) * i as f64 / POINTS as f64;
+    let speed_at = |i: usize| low + (high - low) * i as f64 / POINTS as f64;
     let mut value = |speed: f64| direct.order_at(design, hub, order, speed, work).map(|y| y.norm());
     let mut best = (0, f64::NEG_INFINITY);
     for i in 0..=POINTS {
-        let v = value(at(i))?;
+        let v = value(speed_at(i))?;
         if v > best.1 {
             best = (i, v);
         }
     }
-    let (speed, refined) = maximise(at(best.0.max(1) - 1), at((best.0 + 1).min(POINTS)), value)?;
-    let (amplitude, speed_rpm) = if refined > best.1 { (refined, speed) } else { (best.1, at(best.0)) };
+    let (speed, refined) = maximise(speed_at(best.0.max(1) - 1), speed_at((best.0 + 1).min(POINTS)), value)?;
+    let (amplitude, speed_rpm) = if refined > best.1 { (refined, speed) } else { (best.1, speed_at(best.0)) };
     Ok(Some(Near { amplitude, speed_rpm }))
 }

@@ -141,8 +141,8 @@ pub(crate) fn choose(study: &mut Study) -> Result<Option<f64>, RunError> {
     let bare: (&str, &[Mounted]) = ("no absorber", &[]);
     let given = study.designs.iter().map(|d| (d.name.as_str(), d.absorbers.as_slice()));
     let designs: Vec<(&str, &[Mounted])> = std::iter::once(bare).chain(given).collect();
-    let of = |model| by(study, model, &designs).map_err(|(what, error)| RunError { what, error });
-    let Some((chain, flexible)) = of(Modelled::Chain)?.zip(of(Modelled::Flexible)?) else { return Ok(None) };
+    let largest_twists = |model| by(study, model, &designs).map_err(|(what, error)| RunError { what, error });
+    let Some((chain, flexible)) = largest_twists(Modelled::Chain)?.zip(largest_twists(Modelled::Flexible)?) else { return Ok(None) };
     let apart = |(a, b): (&(f64, f64), &(f64, f64))| if a.0.max(b.0) > 0.0 { (a.0 - b.0).abs() / a.0.max(b.0) } else { 0.0 };
     let difference = chain.iter().zip(&flexible).map(apart).fold(0.0, f64::max);
     study.crank_model = if difference <= study.tolerance { CrankModel::Chain } else { CrankModel::Flexible };

@@ -108,8 +108,8 @@ pub(crate) fn floor(finder: &PeakFinder, quantity: Quantity, over: Over) -> f64 
         Over::Orders => work.iter().map(|y| y.norm()).fold(0.0, f64::max),
         Over::Order(order) => {
             let index = finder.system.excitation.orders.iter().position(|o| *o == order);
-            let own = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
-            index.map_or(0.0, own)
+            let largest_of_order = |n| work.iter().skip(n).step_by(finder.system.orders()).map(|y| y.norm()).fold(0.0, f64::max);
+            index.map_or(0.0, largest_of_order)
         }
         Over::Statistic(s) => work.chunks(system.orders()).map(|y| (s.0.value)(y)).fold(0.0, f64::max),
         Over::Synthesis
@@ -239,15 +239,15 @@ fn firing(
     wanted: &EvaluationPlan,
     work: &mut Work,
 ) -> Result<(DesignResult, Vec<f64>), ResponseError> {
-    let of = |quantities: Vec<Quantity>, over: Over| Measure::new(quantities, over);
+    let measure_of = |quantities: Vec<Quantity>, over: Over| Measure::new(quantities, over);
     let rings: Vec<Quantity> = (0..design.len()).map(Quantity::RingTwist).collect();
-    let (twist, torque) = (of(vec![wanted.twist], Over::Synthesis), of(shafts(finder), Over::Synthesis));
-    let (ring_twist, power) = (of(rings.clone(), Over::Synthesis), of(rings, Over::Power));
+    let (twist, torque) = (measure_of(vec![wanted.twist], Over::Synthesis), measure_of(shafts(finder), Over::Synthesis));
+    let (ring_twist, power) = (measure_of(rings.clone(), Over::Synthesis), measure_of(rings, Over::Power));
     let measures = [&twist, &torque, &ring_twist, &power].into_iter().chain(wanted.asked()).chain(wanted.margins);
     let peaks = &mut DesignPeaks::new(finder, design, measures);
     let twist = peaks.peak(&twist, work)?;
-    let order_twist = peaks.peak(&of(vec![wanted.twist], Over::Orders), work)?;
-    let order_hub = peaks.peak(&of(vec![Quantity::Twist { from: wanted.hub, to: None }], Over::Orders), work)?;
+    let order_twist = peaks.peak(&measure_of(vec![wanted.twist], Over::Orders), work)?;
+    let order_hub = peaks.peak(&measure_of(vec![Quantity::Twist { from: wanted.hub, to: None }], Over::Orders), work)?;
     let torque = if torque.quantities.is_empty() { None } else { peaks.peak(&torque, work)? };
     let mut largest = |measure: &Measure| -> Result<Option<f64>, ResponseError> {
         if design.is_empty() { Ok(None) } else { Ok(Some(peaks.peak(measure, work)?.map_or(0.0, |p| p.value))) }

@@ -154,12 +154,15 @@ impl LawFit {
         };
         let nearness = |above: f64| -off(c2(above)).map(|e| e * e).sum::<f64>();
         let (low, high) = C2_ABOVE_COLDEST;
-        let at = |i: usize| low.logarithm() + (high / low).logarithm() * i as f64 / C2_STEPS as f64;
-        let best = (0..=C2_STEPS).max_by(|a, b| nearness(at(*a)).total_cmp(&nearness(at(*b))))?;
+        let logarithm_at = |i: usize| low.logarithm() + (high / low).logarithm() * i as f64 / C2_STEPS as f64;
+        let best = (0..=C2_STEPS).max_by(|a, b| nearness(logarithm_at(*a)).total_cmp(&nearness(logarithm_at(*b))))?;
         // at an end the factors have a pole, or fall as an exponential
         let is_inside = points.len() > 1 && best > 0 && best < C2_STEPS;
-        let (above, _) =
-            if is_inside { maximise(at(best - 1), at(best + 1), |x| Ok::<f64, Infallible>(nearness(x))).ok()? } else { return None };
+        let (above, _) = if is_inside {
+            maximise(logarithm_at(best - 1), logarithm_at(best + 1), |x| Ok::<f64, Infallible>(nearness(x))).ok()?
+        } else {
+            return None;
+        };
         let (c1, c2) = (c1(c2(above)), c2(above));
         (c1 > 0.0).then(|| (c1, c2, (off(c2).fold(0.0, f64::max) * LN_10).exponential()))
     }
@@ -178,13 +181,13 @@ impl LawFit {
     #[doc(hidden)]
     pub fn figure(&self) -> Figure {
         let panel = |title: &str, y: Axis, part: &dyn Fn(C64) -> f64| {
-            let of = |celsius: f64| self.points.iter().filter(move |p| p.celsius == celsius);
+            let points_at = |celsius: f64| self.points.iter().filter(move |p| p.celsius == celsius);
             let pair = |(celsius, _): &(f64, Fitted)| {
                 let place = if self.factors.len() > 1 { format!(", {celsius} °C") } else { String::new() };
-                let hz = || of(*celsius).map(|p| p.hz);
+                let hz = || points_at(*celsius).map(|p| p.hz);
                 [
-                    curve(format!("measured{place}"), hz(), of(*celsius).map(|p| part(p.measured))),
-                    curve(format!("law{place}"), hz(), of(*celsius).map(|p| part(p.fitted))),
+                    curve(format!("measured{place}"), hz(), points_at(*celsius).map(|p| part(p.measured))),
+                    curve(format!("law{place}"), hz(), points_at(*celsius).map(|p| part(p.fitted))),
                 ]
             };
             Panel { title: title.into(), x: FREQUENCY, y, curves: self.factors.iter().flat_map(pair).collect(), y_top: None }

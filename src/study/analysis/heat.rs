@@ -78,8 +78,8 @@ pub fn of_design(
 ) -> Result<Option<HeatOfDesign>, ResponseError> {
     let Some(of) = Follower::of(design, |m| m.thermal.is_some()) else { return Ok(None) };
     let Some(thermal) = of.law.material().and_then(|m| m.thermal) else { return Ok(None) };
-    let at = |(i, speed): (usize, &f64)| at(study, finder, (&of, thermal), *speed, (hosts, i));
-    let points = finder.grid.speed_rpm.par_iter().enumerate().map(at).collect::<Result<_, _>>()?;
+    let heat_at = |(i, speed): (usize, &f64)| at(study, finder, (&of, thermal), *speed, (hosts, i));
+    let points = finder.grid.speed_rpm.par_iter().enumerate().map(heat_at).collect::<Result<_, _>>()?;
     Ok(Some(HeatOfDesign { design: name.to_owned(), absorber: of.index, limit: thermal.cooling.limit, points }))
 }
 

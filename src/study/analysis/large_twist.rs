@@ -77,8 +77,10 @@ pub fn large_twist<'d>(
         progress.stage("motions at their own amplitude", followed.len());
     }
     let one = |d: &&&'d DesignResult| {
-        let own = || of_design(study, finder, (&d.name, &d.absorbers));
-        let found = remembered(progress.memory(), &("large twist", &d.name, &d.absorbers), own).map_err(|error| (**d, error)).transpose();
+        let follow_motions = || of_design(study, finder, (&d.name, &d.absorbers));
+        let found = remembered(progress.memory(), &("large twist", &d.name, &d.absorbers), follow_motions)
+            .map_err(|error| (**d, error))
+            .transpose();
         progress.step();
         found
     };
@@ -240,11 +242,11 @@ fn peak(
     let points = &curves[c].points;
     let mut best = Peak { steady: points[i].steady.clone(), stability: points[i].stability, value: at };
     for j in [i.checked_sub(1), Some(i + 1).filter(|j| *j < points.len())].into_iter().flatten() {
-        let at = |share: f64| balance.between(&curves[c], (i, j), share);
-        let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &at)? };
+        let motion_at = |share: f64| balance.between(&curves[c], (i, j), share);
+        let end = if points[j].stability.may_last() { 1.0 } else { end_of_stability(balance, &motion_at)? };
         let mut top: Option<(Steady, f64)> = None;
         maximise(0.0, end, |share| {
-            let Some(found) = at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
+            let Some(found) = motion_at(share)?.filter(|f| (range.0..=range.1).contains(&f.speed_rpm)) else { return Ok(0.0) };
             let own = value(&found);
             if top.as_ref().is_none_or(|top| own > top.1) {
                 top = Some((found, own));

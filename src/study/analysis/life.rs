@@ -42,11 +42,11 @@ pub(super) fn over<'s>(
     design: &[Mounted],
 ) -> Result<Vec<LifeOverDuty>, ResponseError> {
     let known = |(absorber, m): (usize, &Mounted)| Some((absorber, Sheared::of(m)?));
-    let of = |(absorber, sheared): (usize, Sheared)| {
+    let life_of = |(absorber, sheared): (usize, Sheared)| {
         let points = duty.clone().map(|(point, system)| at(system, design, point, (absorber, sheared))).collect::<Result<_, _>>()?;
         Ok(LifeOverDuty { absorber, points })
     };
-    design.iter().enumerate().filter_map(known).map(of).collect()
+    design.iter().enumerate().filter_map(known).map(life_of).collect()
 }
 
 fn at(system: &System, design: &[Mounted], point: DutyPoint, (absorber, sheared): (usize, Sheared)) -> Result<LifeAt, ResponseError> {

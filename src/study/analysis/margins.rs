@@ -128,7 +128,7 @@ pub(super) fn sweep_by(
     let orders = finder.system.orders();
     let fillets = model.fillets();
     let none = Torque { extremes: Extremes::default(), phasors: &[] };
-    let at = |(i, speed): (usize, &f64)| {
+    let worst_at = |(i, speed): (usize, &f64)| {
         // of all shafts, those beside no throw left out
         let mut torques = vec![none; finder.system.chain.len() - 1];
         for (shaft, sweep) in shafts.iter().zip(&sweeps) {
@@ -139,12 +139,12 @@ pub(super) fn sweep_by(
         step();
         worst
     };
-    let rows: Vec<Worst> = grid.speed_rpm.par_iter().enumerate().map(at).collect();
-    let of = |(k, fillet): (usize, Fillet)| FilletSweep {
+    let rows: Vec<Worst> = grid.speed_rpm.par_iter().enumerate().map(worst_at).collect();
+    let sweep_of = |(k, fillet): (usize, Fillet)| FilletSweep {
         criterion: fillet.criterion,
         name: fillet.name,
         used: rows.iter().map(|row| row.used[k]).collect(),
     };
     let judged = rows.iter().map(|row| row.judged).sum();
-    Ok(MarginSweep { design: name.to_owned(), fillets: fillets.into_iter().enumerate().map(of).collect(), judged })
+    Ok(MarginSweep { design: name.to_owned(), fillets: fillets.into_iter().enumerate().map(sweep_of).collect(), judged })
 }

@@ -175,7 +175,7 @@ fn tables<'s>(
         Some(probes.par_iter().filter(|m| surrogate.takes(m)).map_init(Scratch::default, one).collect())
     };
     let Some(all) = peaks(1).filter(|all| !all.is_empty()) else { return Vec::new() };
-    let at = |stride: &usize| {
+    let considered = |stride: &usize| {
         let found = peaks(*stride)?;
         let (mut error, mut seconds) = (0.0, 0.0);
         for (own, full) in found.iter().zip(&all) {
@@ -188,5 +188,5 @@ fn tables<'s>(
         }
         Some(Considered { strategy: Strategy::Tables(*stride), seconds: seconds / found.len() as f64, error })
     };
-    strides.par_iter().filter_map(at).collect()
+    strides.par_iter().filter_map(considered).collect()
 }

@@ -40,8 +40,9 @@ const BESIDE: f64 = 1.15;
 #[doc(hidden)]
 pub fn critical_speeds_above(study: &Study, orders: &[Order]) -> Vec<Critical> {
     let high = study.speeds_rpm[study.speeds_rpm.len() - 1];
-    let at = |mode: usize, m: usize, order: Order| Critical { mode: m + 1, order, speed_rpm: study.modes.critical_speed_rpm(mode, order) };
-    let all = study.modes.elastic().enumerate().flat_map(|(m, mode)| orders.iter().map(move |order| at(mode, m, *order)));
+    let critical_speed =
+        |mode: usize, m: usize, order: Order| Critical { mode: m + 1, order, speed_rpm: study.modes.critical_speed_rpm(mode, order) };
+    let all = study.modes.elastic().enumerate().flat_map(|(m, mode)| orders.iter().map(move |order| critical_speed(mode, m, *order)));
     all.filter(|c| c.speed_rpm > high && c.speed_rpm <= BESIDE * high).collect()
 }
 
@@ -54,7 +55,7 @@ pub(crate) fn largest_resonance(study: &Study, system: &System, order: usize) ->
 /// The same for a range that ends at `reach` times the highest speed.
 fn largest_up_to(reach: f64, study: &Study, system: &System, order: usize) -> f64 {
     let (low, high) = (study.speeds_rpm[0], reach * study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let at = |m: usize| {
+    let response_of = |m: usize| {
         let speed = study.modes.critical_speed_rpm(m, system.excitation.orders[order]);
         if !(low..=high).contains(&speed) {
             return 0.0;
@@ -64,7 +65,7 @@ fn largest_up_to(reach: f64, study: &Study, system: &System, order: usize) -> f6
         // an undamped mode has no finite resonance: modes are then compared by their torque
         force / (study.modes.damping_ratio(m).max(LEAST_DAMPING) * study.modes.omega[m].powi(2))
     };
-    study.modes.elastic().take(3).map(at).fold(0.0, f64::max)
+    study.modes.elastic().take(3).map(response_of).fold(0.0, f64::max)
 }
 
 /// Order lines of a Campbell diagram: those with the largest resonances.

@@ -73,7 +73,7 @@ pub(crate) fn on_joints(study: &Study, shown: &[&DesignResult], (progress, clock
     let Some(joints) = flexible.on_joints((crank, &study.engine), &excitation, (1.0, 1.0)) else { return Vec::new() };
     progress.stage("bearings that are not linear", shown.len());
     let (low, high) = (study.speeds_rpm[0], study.speeds_rpm[study.speeds_rpm.len() - 1]);
-    let at = |d: &DesignResult, speed_rpm: f64, nearby: &mut Option<OnBoth>| {
+    let solve_at = |d: &DesignResult, speed_rpm: f64, nearby: &mut Option<OnBoth>| {
         let words = |why: NoMotion| why.to_string();
         let (linear, own) = match joints.at(speed_rpm, &d.absorbers, nearby.as_ref()) {
             Ok(found) => {
@@ -93,7 +93,7 @@ pub(crate) fn on_joints(study: &Study, shown: &[&DesignResult], (progress, clock
         };
         AtSpeedOnJoints { speed_rpm, linear, joints: own }
     };
-    let of = |d: &&DesignResult| {
+    let solve_design = |d: &&DesignResult| {
         let peak = d.twist.map_or(high, |p| p.speed_rpm);
         let mut speeds: Vec<f64> = Vec::new();
         for speed in BESIDE.map(|share| (share * peak).clamp(low, high)) {
@@ -103,13 +103,13 @@ pub(crate) fn on_joints(study: &Study, shown: &[&DesignResult], (progress, clock
         }
         // from the largest twist to what is beside it
         let mut nearby = None;
-        let mut found: Vec<AtSpeedOnJoints> = speeds.into_iter().map(|s| at(d, s, &mut nearby)).collect();
+        let mut found: Vec<AtSpeedOnJoints> = speeds.into_iter().map(|s| solve_at(d, s, &mut nearby)).collect();
         found.sort_by(|a, b| a.speed_rpm.total_cmp(&b.speed_rpm));
         let found = OnJointsOfDesign { design: d.name.clone(), speeds: found };
         progress.step();
         found
     };
-    let all = shown.par_iter().map(of).collect();
+    let all = shown.par_iter().map(solve_design).collect();
     clock.lap("bearings that are not linear", Work::default());
     all
 }
@@ -117,8 +117,8 @@ pub(crate) fn on_joints(study: &Study, shown: &[&DesignResult], (progress, clock
 /// The design without absorber, the given one with the smallest objective and the best optimum.
 pub(super) fn of_note<'r>(designs: &'r [DesignResult], optima: impl Iterator<Item = &'r DesignResult>) -> Vec<&'r DesignResult> {
     fn lowest<'r>(all: impl Iterator<Item = &'r DesignResult>) -> Option<&'r DesignResult> {
-        let of = |d: &DesignResult| d.objective.unwrap_or(f64::INFINITY);
-        all.reduce(|a, b| if of(b) < of(a) { b } else { a })
+        let objective_of = |d: &DesignResult| d.objective.unwrap_or(f64::INFINITY);
+        all.reduce(|a, b| if objective_of(b) < objective_of(a) { b } else { a })
     }
     let none = designs.iter().find(|d| d.absorbers.is_empty());
     none.into_iter().chain(lowest(designs.iter().filter(|d| !d.absorbers.is_empty()))).chain(lowest(optima)).collect()

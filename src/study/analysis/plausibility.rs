@@ -259,12 +259,12 @@ pub fn implausible(study: &Study, audit: &[Audit]) -> Vec<Implausible> {
 fn throw_inertia(study: &Study) -> Option<Implausible> {
     let per_cylinder = 2.0 * study.engine.reciprocating_inertia()?;
     let reciprocating = per_cylinder * study.engine.layout.rods_per_throw as f64;
-    let own = |(station, s): (usize, &Station)| (!s.throws.is_empty()).then(|| (station, s.inertia / s.throws.len() as f64));
+    let inertia_per_throw = |(station, s): (usize, &Station)| (!s.throws.is_empty()).then(|| (station, s.inertia / s.throws.len() as f64));
     let far = |inertia: f64| {
         let ratio = inertia / reciprocating;
         (ratio / THROW.end()).max(THROW.start() / ratio)
     };
-    let all = study.chain.stations.iter().enumerate().filter_map(own).filter(|(_, inertia)| far(*inertia) > 1.0);
+    let all = study.chain.stations.iter().enumerate().filter_map(inertia_per_throw).filter(|(_, inertia)| far(*inertia) > 1.0);
     let (station, inertia) = all.max_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
     Some(Implausible::ThrowInertia { station, inertia, reciprocating })
 }

@@ -65,9 +65,9 @@ pub fn robust<'d>(
     progress.stage("tolerances", shown.len());
     let one = |d: &&'d DesignResult| {
         let tolerances = Tolerances::of(&d.absorbers, &spec.shares);
-        let own = || within(study, (finder, cases), d, (spec, &tolerances, seed));
+        let sample_tolerances = || within(study, (finder, cases), d, (spec, &tolerances, seed));
         let found = (tolerances.edges() > 0)
-            .then(|| remembered(progress.memory(), &("tolerances", &d.name, &d.absorbers), own).map_err(|error| (*d, error)));
+            .then(|| remembered(progress.memory(), &("tolerances", &d.name, &d.absorbers), sample_tolerances).map_err(|error| (*d, error)));
         progress.step();
         found
     };
@@ -108,8 +108,8 @@ fn percentile(
     values.sort_by(f64::total_cmp);
     let (n, share) = (s.samples as f64, s.percentile / 100.0);
     let half = TWO_SIDED_95 * (n * share * (1.0 - share)).sqrt();
-    let at = |rank: f64| values[(rank.ceil().max(1.0) as usize).min(values.len()) - 1];
-    Percentile { value: at(n * share), between: (at(n * share - half), at(n * share + half + 1.0)) }
+    let value_at_rank = |rank: f64| values[(rank.ceil().max(1.0) as usize).min(values.len()) - 1];
+    Percentile { value: value_at_rank(n * share), between: (value_at_rank(n * share - half), value_at_rank(n * share + half + 1.0)) }
 }
 
 fn band(study: &Study, finder: &PeakFinder, d: &DesignResult, tolerances: &Tolerances) -> Result<Vec<(f64, f64)>, ResponseError> {

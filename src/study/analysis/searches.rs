@@ -123,12 +123,12 @@ impl<'a> Searches<'a> {
 
     /// The given designs that are of a family, moved into its bounds.
     fn given(&self, space: &Space) -> Vec<(String, Vec<f64>)> {
-        let of = |d: &DesignSpec| -> Option<(String, Vec<f64>)> {
+        let named_point = |d: &DesignSpec| -> Option<(String, Vec<f64>)> {
             let alike = |(m, slot): (&Mounted, &Slot)| m.on == slot.on && m.absorber.declaration() == Some(slot.declaration);
             let fits = d.absorbers.len() == space.slots.len() && d.absorbers.iter().zip(&space.slots).all(alike);
             fits.then(|| (d.name.clone(), space.point_of(&d.absorbers)))
         };
-        self.study.designs.iter().filter_map(of).collect()
+        self.study.designs.iter().filter_map(named_point).collect()
     }
 
     /// Frequencies over the range that the torque excites, equal ratios apart, rad/s.

@@ -65,13 +65,13 @@ fn by_rule(
     let points = points.map(|(i, s)| at(study, finder, (of, rule), *s, Some((hosts, i)))).collect::<Result<Vec<StrainAt>, _>>()?;
     let best = (0..points.len()).fold(0, |m, i| if points[i].twist > points[m].twist { i } else { m });
     let mut peak = points[best].clone();
-    let at = |speed_rpm: f64| at(study, finder, (of, rule), speed_rpm, None);
+    let strain_at = |speed_rpm: f64| at(study, finder, (of, rule), speed_rpm, None);
     if finder.refine {
         let (low, high) = (points[best.saturating_sub(1)].speed_rpm, points[(best + 1).min(points.len() - 1)].speed_rpm);
         if low < high {
-            let (speed, twist) = maximise(low, high, |speed| at(speed).map(|p| p.twist))?;
+            let (speed, twist) = maximise(low, high, |speed| strain_at(speed).map(|p| p.twist))?;
             if twist > peak.twist {
-                peak = at(speed)?;
+                peak = strain_at(speed)?;
             }
         }
     }

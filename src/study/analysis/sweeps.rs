@@ -147,8 +147,9 @@ pub fn orders(
     let (grid, count) = (Grid::new(speeds_rpm, &[]), system.orders());
     let list: Vec<Quantity> = quantities.iter().map(|q| q.1).collect();
     let found = Direct::new(system, &grid).sweep_each(design, &list, &mut Work::default())?;
-    let of = |((of, _), phasors): (&(Swept, Quantity), Vec<C64>)| (0..count).map(|n| OrderSweep::of(*of, (n, count), &phasors)).collect();
-    Ok(quantities.iter().zip(found).map(of).collect())
+    let orders_of =
+        |((of, _), phasors): (&(Swept, Quantity), Vec<C64>)| (0..count).map(|n| OrderSweep::of(*of, (n, count), &phasors)).collect();
+    Ok(quantities.iter().zip(found).map(orders_of).collect())
 }
 
 /// Response of one design over the speeds of the study.

@@ -23,7 +23,7 @@ pub(crate) fn systems(study: &Study, excitation: Excitation, progress: &dyn Prog
     let asked = |burning: &Burning| study.conditions.iter().any(|c| c.burning() == *burning);
     let burnings: Vec<Burning> = [Burning::AllButOne, Burning::Unequally, Burning::NotAtAll].into_iter().filter(asked).collect();
     let change = if burnings.is_empty() { None } else { excitation.motored_change(engine) };
-    let of = |(burning, change): (Burning, &MotoredChange)| match (burning, &study.scatter) {
+    let excitations_of = |(burning, change): (Burning, &MotoredChange)| match (burning, &study.scatter) {
         (Burning::AllButOne, _) => {
             (0..engine.layout.firing_deg.len()).map(|cylinder| excitation.misfiring(engine, cylinder, change)).collect()
         }
@@ -31,7 +31,7 @@ pub(crate) fn systems(study: &Study, excitation: Excitation, progress: &dyn Prog
         (Burning::NotAtAll, _) => vec![excitation.motored(engine, change)],
         (Burning::Alike, _) | (Burning::Unequally, None) => Vec::new(),
     };
-    let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(of).collect();
+    let unlike: Vec<Excitation> = burnings.into_iter().filter_map(|b| Some((b, change.as_ref()?))).flat_map(excitations_of).collect();
     let with = |excitation| study.system(excitation);
     std::iter::once(excitation).chain(unlike).map(with).collect()
 }

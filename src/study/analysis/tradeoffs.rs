@@ -37,8 +37,8 @@ impl Searches<'_> {
     /// The optimum of a family by a measure within the limits of the study, where the study has asked for it.
     fn known<'o>(&self, spec: &OptimiseSpec, space: &Space, measure: &Limit, optima: &'o [OptimumResult]) -> Option<&'o Optimum> {
         let family = families::wanted(spec, self.modes).into_iter().find(|f| f.space == *space)?;
-        let own = |o: &&OptimumResult| o.family == family.family && self.objectives.get(o.objective) == Some(measure);
-        optima.iter().filter(own).find(|o| !o.robust && o.conflict.is_none()).map(|o| &o.optimum)
+        let is_wanted = |o: &&OptimumResult| o.family == family.family && self.objectives.get(o.objective) == Some(measure);
+        optima.iter().filter(is_wanted).find(|o| !o.robust && o.conflict.is_none()).map(|o| &o.optimum)
     }
 
     /// Fronts of every pair of the study's measures, beginning with optima that are known.

@@ -108,8 +108,9 @@ fn properties(m: &Mounted, load: &AbsorberLoad) -> Vec<(Property, f64)> {
         Some(made) if made.viscosity.is_some() => list.extend(made.viscosity.map(|v| (Property::Viscosity, v / OIL_DENSITY))),
         Some(made) => {
             let strain = made.strain;
-            let of = |(_, modulus, loss)| [(Property::Modulus, modulus), (Property::LossFactor, loss), (Property::Strain, strain)];
-            list.extend(made.rubber.into_iter().flat_map(of));
+            let properties_of =
+                |(_, modulus, loss)| [(Property::Modulus, modulus), (Property::LossFactor, loss), (Property::Strain, strain)];
+            list.extend(made.rubber.into_iter().flat_map(properties_of));
         }
         // a spring with less loss is one of steel
         None => list.extend(

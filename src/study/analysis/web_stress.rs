@@ -83,11 +83,11 @@ impl WebsOfDesign {
 
 /// Half peak-to-peak of the moment of every web.
 fn half_ranges(all: &DMatrix<f64>) -> Vec<f64> {
-    let of = |web: usize| {
+    let half_range = |web: usize| {
         let own = all.column(4 * web + WebLoad::Moment as usize);
         0.5 * (own.max() - own.min())
     };
-    (0..all.ncols() / 4).map(of).collect()
+    (0..all.ncols() / 4).map(half_range).collect()
 }
 
 /// Told of all loads at the speed of an index, with vibration and without.
@@ -120,8 +120,8 @@ impl<'a> Cut<'a> {
 
     /// Amplitudes of all loads by order at a speed, the absorbers of a design in place.
     fn orders(&self, design: &[Mounted], speed_rpm: f64) -> Result<Vec<Vec<C64>>, ResponseError> {
-        let of = |n: usize| self.direct.absorber_torques(design, (n, speed_rpm), &mut Work::default());
-        let torques = (0..self.system.orders()).map(of).collect::<Result<Vec<_>, _>>()?;
+        let torques_of_order = |n: usize| self.direct.absorber_torques(design, (n, speed_rpm), &mut Work::default());
+        let torques = (0..self.system.orders()).map(torques_of_order).collect::<Result<Vec<_>, _>>()?;
         self.loads.orders(speed_rpm, &torques).map_err(|_| ResponseError::unbounded(self.system.excitation.orders[0], speed_rpm))
     }
 
@@ -145,14 +145,14 @@ impl<'a> Cut<'a> {
         let quantities: Vec<Quantity> = (0..shafts).map(Quantity::ShaftTorque).collect();
         let sweeps = self.direct.sweep_each(design, &quantities, &mut Work::default())?;
         let (orders, cycle) = (self.system.orders(), self.study.engine.cycle_deg());
-        let at = |(i, speed_rpm): (usize, &f64)| -> Option<VonMisesAt> {
+        let von_mises_at = |(i, speed_rpm): (usize, &f64)| -> Option<VonMisesAt> {
             let torques: Vec<&[C64]> = sweeps.iter().map(|sweep| &sweep[i * orders..(i + 1) * orders]).collect();
             let most = margin.largest_von_mises(*speed_rpm, &torques)?;
             let fillet = margin.locations[most.location].name.clone();
             let crank_deg = cycle * most.sample.0 as f64 / most.sample.1 as f64;
             Some(VonMisesAt { speed_rpm: *speed_rpm, stress: most.stress, fillet, crank_deg })
         };
-        Ok(self.speeds.par_iter().enumerate().filter_map(at).collect())
+        Ok(self.speeds.par_iter().enumerate().filter_map(von_mises_at).collect())
     }
 }
 
@@ -201,7 +201,7 @@ pub(super) fn web_stress(
     let cut = Cut::new(study, finder.system, &grid).map_err(|error| RunError { what: "webs of the crank".into(), error })?;
     let Some(cut) = cut else { return Ok(Vec::new()) };
     let bending = section::web_bending(dimensions.web_breadth, dimensions.bearing_web());
-    let of = |d: &&DesignResult| -> Result<WebsOfDesign, ResponseError> {
+    let webs_of = |d: &&DesignResult| -> Result<WebsOfDesign, ResponseError> {
         let swings: Vec<OnceLock<[Vec<f64>; 2]>> = vec![OnceLock::new(); grid.len()];
         // a speed is asked for once
         let tell = |i: usize, all: &DMatrix<f64>, still: &DMatrix<f64>| _ = swings[i].set([half_ranges(all), half_ranges(still)]);
@@ -216,7 +216,7 @@ pub(super) fn web_stress(
         progress.step();
         Ok(found)
     };
-    let named = |d: &&DesignResult| of(d).map_err(|error| RunError { what: format!("design `{}`", d.name), error });
+    let named = |d: &&DesignResult| webs_of(d).map_err(|error| RunError { what: format!("design `{}`", d.name), error });
     let all = designs.par_iter().map(named).collect();
     clock.lap("webs of the crank", Work::default());
     all
@@ -233,12 +233,12 @@ fn web(web: usize, swings: &[[Vec<f64>; 2]], (speeds, per_moment): (&[f64], f64)
 /// The smallest margins by the criteria that bend the whole crank, beside those of the beam.
 fn margins(sweep: &MarginSweep, model: &Margin, speeds: &[f64], beams: &[MarginSweep]) -> Vec<WebMargin> {
     let beam = beams.iter().find(|b| b.design == sweep.design);
-    let of = |criterion: usize| {
+    let smallest_margin = |criterion: usize| {
         let fillets = sweep.fillets.iter().filter(|f| f.criterion == criterion);
         let all = fillets.flat_map(|f| f.used.iter().enumerate().map(move |(i, used)| (used.value, f.name.as_str(), i)));
         let (value, fillet, i) = all.reduce(|m, u| if u.0 > m.0 { u } else { m })?;
         let beam = beam?.smallest(criterion).into_iter().fold(f64::INFINITY, f64::min);
         Some(WebMargin { criterion, margin: 1.0 / value, fillet: fillet.to_owned(), speed_rpm: speeds[i], beam })
     };
-    (0..model.criteria.len()).filter(|c| model.criteria[*c].bends_the_whole_crank()).filter_map(of).collect()
+    (0..model.criteria.len()).filter(|c| model.criteria[*c].bends_the_whole_crank()).filter_map(smallest_margin).collect()
 }

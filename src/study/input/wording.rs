@@ -10,8 +10,8 @@ pub(super) fn of_grammar(text: &str, span: &Range<usize>, message: &str) -> (Str
     if let Some(found) = decimal_comma(text, span) {
         return (found, None);
     }
-    let at = |place: usize| text.get(..place.min(text.len())).map_or(0, |before| before.rfind('\n').map_or(0, |i| i + 1));
-    let line = text[at(span.start)..].lines().next().unwrap_or("");
+    let line_start = |place: usize| text.get(..place.min(text.len())).map_or(0, |before| before.rfind('\n').map_or(0, |i| i + 1));
+    let line = text[line_start(span.start)..].lines().next().unwrap_or("");
     let (message, help) = reword(message);
     if line.split('"').skip(1).step_by(2).any(|quoted| quoted.contains('\\')) && (message.contains("escape") || message.contains("unicode"))
     {
@@ -33,7 +33,7 @@ pub(super) fn of_grammar(text: &str, span: &Range<usize>, message: &str) -> (Str
         let help = (!key.is_empty()).then(|| format!("`hartog keys {key}` lists them{fixed}"));
         return (format!("found {found}, expected one choice: a table with one key"), help);
     }
-    let before_mistake = span.start.saturating_sub(at(span.start)) + 1;
+    let before_mistake = span.start.saturating_sub(line_start(span.start)) + 1;
     let help = help.or_else(|| comma_in_brackets(line, before_mistake));
     (message, help)
 }

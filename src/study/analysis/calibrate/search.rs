@@ -71,8 +71,8 @@ pub fn search(
     progress.stage("calibration", 1 + FIRST.len() + FURTHER.len());
     let mut starts: Vec<Vec<f64>> = vec![spec.inputs.iter().map(|f| f.start.clamp(f.lower, f.upper)).collect()];
     let between = |share: f64| {
-        let at = |r: &Range| r.value(r.ends().0 + share * (r.ends().1 - r.ends().0));
-        ranges.iter().map(at).collect::<Vec<f64>>()
+        let value_at = |r: &Range| r.value(r.ends().0 + share * (r.ends().1 - r.ends().0));
+        ranges.iter().map(value_at).collect::<Vec<f64>>()
     };
     starts.extend(FIRST.map(between));
     let mut fits = all(starts)?;

@@ -15,7 +15,7 @@ const RATIOS: (f64, f64) = (0.01, 1.0);
 /// Tuning, damping and peak \[Villalva 2014\] chapter 6; the peaks are those at the fixed points, sqrt(1 + 2/mu) tuned by Den Hartog, 1 + 2/mu for a viscous one.
 pub(super) fn absorber_chart() -> Figure {
     let ratio = |i: usize| RATIOS.0 * (RATIOS.1 / RATIOS.0).power(i as f64 / (POINTS - 1) as f64);
-    let of = |label: &str, f: &dyn Fn(f64) -> f64| -> Curve { curve(label, (0..POINTS).map(ratio), (0..POINTS).map(|i| f(ratio(i)))) };
+    let line = |label: &str, f: &dyn Fn(f64) -> f64| -> Curve { curve(label, (0..POINTS).map(ratio), (0..POINTS).map(|i| f(ratio(i)))) };
     let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x: RATIO, y, curves, y_top: None };
     Figure {
         name: "absorber_chart".into(),
@@ -24,19 +24,19 @@ pub(super) fn absorber_chart() -> Figure {
             panel(
                 "tuning",
                 TUNING,
-                vec![of("unity", &|_| 1.0), of("Den Hartog", &|mu| 1.0 / (1.0 + mu)), of("exact optimum", &|mu| h_infinity(mu).0)],
+                vec![line("unity", &|_| 1.0), line("Den Hartog", &|mu| 1.0 / (1.0 + mu)), line("exact optimum", &|mu| h_infinity(mu).0)],
             ),
             panel(
                 "damping",
                 DAMPING,
                 vec![
-                    of("unity, Brock", &brock_unity),
-                    of("Den Hartog and Brock", &den_hartog_brock),
-                    of("exact optimum", &|mu| h_infinity(mu).1),
-                    of("viscous", &viscous_untuned),
+                    line("unity, Brock", &brock_unity),
+                    line("Den Hartog and Brock", &den_hartog_brock),
+                    line("exact optimum", &|mu| h_infinity(mu).1),
+                    line("viscous", &viscous_untuned),
                 ],
             ),
-            panel("peak", PEAK, vec![of("Den Hartog", &|mu| (1.0 + 2.0 / mu).sqrt()), of("viscous", &|mu| 1.0 + 2.0 / mu)]),
+            panel("peak", PEAK, vec![line("Den Hartog", &|mu| (1.0 + 2.0 / mu).sqrt()), line("viscous", &|mu| 1.0 + 2.0 / mu)]),
         ],
     }
 }

@@ -25,11 +25,11 @@ pub(super) fn balance(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let units: Vec<[f64; 4]> = (0..layout.throws())
         .flat_map(|t| {
             let places = study.crank.as_ref().map(|c| c.rod_places(t));
-            let at = move |i: usize| places.as_ref().zip(middle).map_or(0.0, |(p, m)| p[i] - m);
+            let offset = move |i: usize| places.as_ref().zip(middle).map_or(0.0, |(p, m)| p[i] - m);
             let axes = axes(&study.engine, t);
             let pin = pins[t];
             let firing: Vec<f64> = layout.firing_on_throw(t).to_vec();
-            (0..firing.len()).map(move |i| [axes[i], firing[i] * RAD_PER_DEG, pin, at(i)]).collect::<Vec<_>>()
+            (0..firing.len()).map(move |i| [axes[i], firing[i] * RAD_PER_DEG, pin, offset(i)]).collect::<Vec<_>>()
         })
         .collect();
     let n = samples(study.engine.strokes) / STRIDE;
@@ -51,16 +51,16 @@ pub(super) fn balance(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let arm = units.iter().map(|u| u[3].abs()).fold(0.0, f64::max);
     let snapped = |v: f64, size: f64| if v.abs() < ROUNDING * size { 0.0 } else { v };
     let size = |i: usize| if i < 2 { one } else { one * arm };
-    let of = |label: &str, i: usize| curve(label, degrees(n), sums.iter().map(move |s| snapped(s[i], size(i))));
+    let line = |label: &str, i: usize| curve(label, degrees(n), sums.iter().map(move |s| snapped(s[i], size(i))));
     let mut panels = vec![Panel {
         title: "free force".into(),
         x: CRANK_DEG,
         y: FORCE,
-        curves: vec![of("along the middle of the banks", 0), of("across it", 1)],
+        curves: vec![line("along the middle of the banks", 0), line("across it", 1)],
         y_top: None,
     }];
     if middle.is_some() {
-        let curves = vec![of("in the plane of the middle of the banks", 2), of("across it", 3)];
+        let curves = vec![line("in the plane of the middle of the banks", 2), line("across it", 3)];
         panels.push(Panel { title: "free moment about the middle of the crank".into(), x: CRANK_DEG, y: MOMENT, curves, y_top: None });
     }
     Some(Figure { name: "balance".into(), title: format!("{}: balance at {speed_rpm} rpm", study.engine.name), panels })

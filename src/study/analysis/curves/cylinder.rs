@@ -68,7 +68,7 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let moments = Cycle::new(&study.engine)?.moments(speed_rpm, STRIDE);
     let unit: Vec<UnitForces> = moments.iter().map(|m| unit_forces(geometry, *m)).collect();
     let n = unit.len();
-    let of = |label: &str, f: &dyn Fn(usize) -> f64| curve(label, degrees(n), (0..n).map(f));
+    let line = |label: &str, f: &dyn Fn(usize) -> f64| curve(label, degrees(n), (0..n).map(f));
     let gas = |j: usize| gas_torque(geometry, moments[j].pressure, moments[j].theta);
     let masses = |j: usize| inertia_torque_per_omega2(geometry, moments[j].theta) * moments[j].omega.powi(2);
     let friction = |j: usize| friction_torque(geometry, moments[j]);
@@ -81,24 +81,29 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
                 "along the cylinder, away from the crankshaft",
                 FORCE,
                 vec![
-                    of("gas on piston", &|j| -(moments[j].pressure - geometry.crankcase_pressure) * geometry.piston_area()),
-                    of("rod on piston", &|j| unit[j].small_end[0]),
-                    of("rod on crankpin", &|j| unit[j].big_end[0]),
+                    line("gas on piston", &|j| -(moments[j].pressure - geometry.crankcase_pressure) * geometry.piston_area()),
+                    line("rod on piston", &|j| unit[j].small_end[0]),
+                    line("rod on crankpin", &|j| unit[j].big_end[0]),
                 ],
             ),
             panel(
                 "across the cylinder",
                 FORCE,
                 vec![
-                    of("rod on piston", &|j| unit[j].small_end[1]),
-                    of("rod on crankpin", &|j| unit[j].big_end[1]),
-                    of("liner on piston", &|j| unit[j].liner),
+                    line("rod on piston", &|j| unit[j].small_end[1]),
+                    line("rod on crankpin", &|j| unit[j].big_end[1]),
+                    line("liner on piston", &|j| unit[j].liner),
                 ],
             ),
             panel(
                 "torque on the crank",
                 TORQUE,
-                vec![of("all", &|j| unit[j].torque), of("gas", &gas), of("moving masses", &masses), of("liner friction", &friction)],
+                vec![
+                    line("all", &|j| unit[j].torque),
+                    line("gas", &gas),
+                    line("moving masses", &masses),
+                    line("liner friction", &friction),
+                ],
             ),
         ],
     })

@@ -83,12 +83,12 @@ pub(super) fn modes(study: &Study) -> Figure {
         let nodes: Vec<String> = (0..shape.len() - 1).filter_map(node).collect();
         let label =
             format!("{:.2} Hz, nodes at {}", frequencies[number - 1], if nodes.is_empty() { "none".into() } else { nodes.join(", ") });
-        let of = |label: String, stations: &[usize]| {
+        let line = |label: String, stations: &[usize]| {
             curve(label, stations.iter().map(|i| (i + 1) as f64), stations.iter().map(|i| shape[*i]).collect::<Vec<f64>>())
         };
         let ways = branches(study);
         let curves = ways.iter().enumerate().map(|(b, stations)| {
-            of(if b == 0 { label.clone() } else { format!("branch of {}", chain.stations[stations[0]].name) }, stations)
+            line(if b == 0 { label.clone() } else { format!("branch of {}", chain.stations[stations[0]].name) }, stations)
         });
         let curves = curves.collect();
         Panel { title: format!("mode {number}"), x: STATION, y: RELATIVE, curves, y_top: None }

@@ -21,13 +21,13 @@ pub(super) fn spectrum(study: &Study, system: &System) -> Figure {
     let mut speeds = vec![all[0], all[all.len() / 2], all[all.len() - 1]];
     speeds.dedup();
     let orders = || system.excitation.orders.iter().map(|o| o.value());
-    let at = |speed: &f64| {
+    let spectrum_at = |speed: &f64| {
         curve(format!("{speed} rpm"), orders(), (0..system.orders()).map(|n| system.excitation.throw_torque(0, n, *speed).norm()))
     };
     Figure {
         name: "spectrum".into(),
         title: format!("{}: orders of the torque", study.engine.name),
-        panels: vec![Panel { title: "throw 1".into(), x: ORDER, y: TORQUE, curves: speeds.iter().map(at).collect(), y_top: None }],
+        panels: vec![Panel { title: "throw 1".into(), x: ORDER, y: TORQUE, curves: speeds.iter().map(spectrum_at).collect(), y_top: None }],
     }
 }
 
@@ -94,12 +94,12 @@ pub(super) fn histories(study: &Study, system: &System) -> Result<Figure, Respon
         let sweeps = direct.at_each(&design.absorbers, &quantities, &study.speeds_rpm, &mut Work::default())?;
         let twists: Vec<f64> = sweeps[0].chunks(orders).map(half).collect();
         let worst = (0..twists.len()).fold(0, |m, i| if twists[i] > twists[m] { i } else { m });
-        let at = |q: usize| &sweeps[q][worst * orders..(worst + 1) * orders];
-        let largest = (2..sweeps.len()).max_by(|a, b| half(at(*a)).total_cmp(&half(at(*b))));
+        let phasors_of = |q: usize| &sweeps[q][worst * orders..(worst + 1) * orders];
+        let largest = (2..sweeps.len()).max_by(|a, b| half(phasors_of(*a)).total_cmp(&half(phasors_of(*b))));
         let label = format!("{} at {} rpm", design.name.replace('_', " "), study.speeds_rpm[worst]);
         for (panel, (q, scale)) in panels.iter_mut().zip([(Some(0), DEG_PER_RAD), (Some(1), DEG_PER_RAD), (largest, 1.0)]) {
             let Some(q) = q else { continue };
-            panel.curves.push(Curve { label: label.clone(), order: None, points: over_cycle(system, at(q), scale) });
+            panel.curves.push(Curve { label: label.clone(), order: None, points: over_cycle(system, phasors_of(q), scale) });
         }
     }
     let panels = panels.into_iter().filter(|p| !p.curves.is_empty()).collect();

@@ -25,7 +25,7 @@ pub(super) fn webs(study: &Study, system: &System, speed_rpm: f64) -> Result<Opt
     let all = loads.vibrating(&quasi, &loads.still(&quasi), &loads.of_motions(speed_rpm, &motions));
     let angles: Vec<f64> = loads.theta().iter().map(|theta| theta * DEG_PER_RAD).collect();
     let panel = |(rear, load, title): (usize, WebLoad, &str)| {
-        let of = |throw: usize| {
+        let line = |throw: usize| {
             let own = all.column(4 * (2 * throw + rear) + load as usize);
             let own: Vec<f64> = own.iter().step_by(APART).copied().collect();
             curve(format!("throw {}", throw + 1), angles.iter().step_by(APART).copied(), own)
@@ -34,7 +34,7 @@ pub(super) fn webs(study: &Study, system: &System, speed_rpm: f64) -> Result<Opt
             title: format!("{title}, {} webs", ["front", "rear"][rear]),
             x: CRANK_DEG,
             y: MOMENT,
-            curves: (0..all.ncols() / 8).map(of).collect(),
+            curves: (0..all.ncols() / 8).map(line).collect(),
             y_top: None,
         }
     };

@@ -78,15 +78,15 @@ const TWIST: Axis = Axis { column: "peak_twist_deg", label: "twist / °" };
 pub fn front_figure(study: &SizingStudy, front: &[FrontPoint]) -> Figure {
     let rings: Vec<&FrontPoint> = front.iter().filter(|p| p.ring_inertia > 0.0).collect();
     let panel = |title: &str, y: Axis, value: &dyn Fn(&FrontPoint) -> f64| {
-        let of = |points: &[&FrontPoint], label: &str, level: Option<f64>| {
+        let line = |points: &[&FrontPoint], label: &str, level: Option<f64>| {
             curve(label, points.iter().map(|p| p.ring_inertia), points.iter().map(|p| level.unwrap_or_else(|| value(p))))
         };
-        let none = front.iter().find(|p| p.ring_inertia == 0.0).map(|p| of(&rings, "without absorber", Some(value(p))));
+        let none = front.iter().find(|p| p.ring_inertia == 0.0).map(|p| line(&rings, "without absorber", Some(value(p))));
         Panel {
             title: title.into(),
             x: RING,
             y,
-            curves: std::iter::once(of(&rings, "with absorber", None)).chain(none).collect(),
+            curves: std::iter::once(line(&rings, "with absorber", None)).chain(none).collect(),
             y_top: None,
         }
     };

@@ -42,17 +42,17 @@ pub(super) fn read(path: &Path) -> Result<FoundChain, InputError> {
 fn check_line(sheet: &Sheet, columns: &[Column], stations: &[FoundStation]) -> Result<(), InputError> {
     let column = |role: Role| columns.iter().find(|c| c.0 == role).map_or(0, |c| c.1);
     for (i, s) in stations.iter().enumerate() {
-        let at = |role: Role, message: String| Err(sheet.at(sheet.rows()[i].0, column(role), message));
+        let fault_at = |role: Role, message: String| Err(sheet.at(sheet.rows()[i].0, column(role), message));
         let is_last = i + 1 == stations.len();
         if stations[..i].iter().any(|other| other.name == s.name) {
-            return at(Role::Name, format!("found station `{}` a second time, expected different names", s.name));
+            return fault_at(Role::Name, format!("found station `{}` a second time, expected different names", s.name));
         }
         if !is_last && s.stiffness_to_next <= 0.0 {
             let message = format!("found no stiffness from `{}` to the next station, expected one for all but the last", s.name);
-            return at(Role::Stiffness, message);
+            return fault_at(Role::Stiffness, message);
         }
         if is_last && s.stiffness_to_next > 0.0 {
-            return at(Role::Stiffness, format!("found a stiffness behind the last station `{}`, expected none", s.name));
+            return fault_at(Role::Stiffness, format!("found a stiffness behind the last station `{}`, expected none", s.name));
         }
     }
     Ok(())

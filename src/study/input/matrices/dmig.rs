@@ -67,8 +67,8 @@ pub(super) fn read(lines: &Lines) -> Result<Raw, InputError> {
             }
         } else if name.is_some() && column.is_some() {
             terms.extend(own.chunks(4).filter(|c| !c[0].is_empty()).map(|c| {
-                let at = |i: usize| c.get(i).cloned().unwrap_or_default();
-                [at(0), at(1), at(2)]
+                let cell = |i: usize| c.get(i).cloned().unwrap_or_default();
+                [cell(0), cell(1), cell(2)]
             }));
         } else {
             continue;

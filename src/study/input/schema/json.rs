@@ -175,11 +175,11 @@ impl JsonSchema for RawType {
         "Type".into()
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let of = |t: &&'static Declaration| {
+        let schema_of = |t: &&'static Declaration| {
             let keys: Vec<&str> = t.parameters.iter().map(|p| p.key).collect();
             (t.name, t.about, table(t.parameters.iter().map(|p| (p.key.to_owned(), value(p))).collect(), &keys))
         };
-        let mut list: Vec<_> = TYPES.iter().map(of).collect();
+        let mut list: Vec<_> = TYPES.iter().map(schema_of).collect();
         list.push(("locked", "A ring that is fixed to its hub.", generator.subschema_for::<RawLocked>().to_value()));
         list.push(("seeded", "A ring with stiffness and damping by a closed form.", generator.subschema_for::<RawSeeded>().to_value()));
         list.push(("measured", "A ring on measured stiffness.", generator.subschema_for::<RawMeasured>().to_value()));

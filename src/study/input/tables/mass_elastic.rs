@@ -38,7 +38,7 @@ pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawSt
     }
     let mut stations = Vec::new();
     for (row, cells) in &table.rows {
-        let at = |value: f64| At::new(named.clone(), value);
+        let located = |value: f64| At::new(named.clone(), value);
         let optional = |name: &str| -> Result<Option<At<f64>>, InputError> {
             let Some(column) = table.optional(name) else { return Ok(None) };
             let value = table.number(*row, column, &cells[column])?;
@@ -47,7 +47,7 @@ pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawSt
                 Some(x) if x < 0.0 && name != "gear_ratio_to_next" => {
                     Err(table.at(*row, column, format!("found {x}, expected at least zero")))
                 }
-                found => Ok(found.map(at)),
+                found => Ok(found.map(located)),
             }
         };
         let mut throws = Vec::new();
@@ -67,7 +67,7 @@ pub(crate) fn mass_elastic(path: &Path, named: Range<usize>) -> Result<Vec<RawSt
         stations.push(RawStation {
             name: At::new(named.clone(), table.words(*row, station, &cells[station])?),
             throws,
-            inertia_kg_m2: Some(at(mass)),
+            inertia_kg_m2: Some(located(mass)),
             stiffness_to_next_n_m_per_rad: optional(COLUMNS[2])?,
             damping_to_next_n_m_s_per_rad: optional("damping_to_next_n_m_s_per_rad")?,
             loss_factor_to_next: optional("loss_factor_to_next")?,

@@ -62,10 +62,10 @@ impl Stream {
         }
         note_stream(path);
         let columns: Vec<&'static str> = first.into_iter().chain(TENSOR).collect();
-        let at = |line: u64, column: &str, message: String| -> InputError {
+        let mistake_at = |line: u64, column: &str, message: String| -> InputError {
             Mistake { message, place: Place::Cell { path: path.to_path_buf(), row: line, column: column.to_owned() }, help: None }.into()
         };
-        let failed = |fault: Fault| at(fault.line, columns[0], fault.message);
+        let failed = |fault: Fault| mistake_at(fault.line, columns[0], fault.message);
         let (start, bytes) = beginning(path)?;
         let key = |head: &str| columns.iter().find(|c| **c == head).map(|c| (*c, 1.0)).or_else(|| named::key(list, head));
         let form = Form::of(&start, &|cells| cells.iter().filter(|cell| key(cell).is_some()).count()).map_err(failed)?;
@@ -89,7 +89,7 @@ impl Stream {
                 ),
                 _ => format!("found column `{name}` a second time"),
             };
-            return Err(at(form.line, name, wrong));
+            return Err(mistake_at(form.line, name, wrong));
         }
         named::tell(path, columns.iter().zip(&places).map(|(name, (i, _))| (form.header[*i].as_str(), *name)));
         let mut rows = Records::new(bytes, form.delimiter);

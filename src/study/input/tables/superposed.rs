@@ -80,10 +80,10 @@ impl Iterator for Superposed {
     fn next(&mut self) -> Option<Self::Item> {
         let superposed = |(name, tensors): crate::input::tables::UnitPoint| {
             let samples = self.loads.values.first().map_or(0, Vec::len);
-            let at = |j: usize| -> [f64; 6] {
+            let tensor_at = |j: usize| -> [f64; 6] {
                 std::array::from_fn(|c| tensors.iter().zip(&self.loads.values).map(|(t, load)| t[c] * load[j]).sum())
             };
-            let history = History::new((0..samples).map(at));
+            let history = History::new((0..samples).map(tensor_at));
             if history.components.iter().flatten().all(|s| *s == 0.0) {
                 let message = format!("found no stress at all at point `{}` under these loads, expected some", super::shown::shown(&name));
                 return Err(whole(&self.path, message));

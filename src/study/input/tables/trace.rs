@@ -24,22 +24,22 @@ pub(crate) struct TraceFault {
 /// The first fault of traces over the same angles, degrees; None where they are right: at least 24 rows, ascending, none missing, over one cycle (its last angle may be
 /// left out), and absolute pressures.
 pub(crate) fn fault(crank_deg: &[f64], traces: &[Vec<f64>], cycle_deg: f64) -> Option<TraceFault> {
-    let at = |row: Option<usize>, message: String| Some(TraceFault { row, trace: None, message });
+    let fault_at = |row: Option<usize>, message: String| Some(TraceFault { row, trace: None, message });
     let rows = crank_deg.len();
     if rows < FEWEST {
-        return at(None, format!("found {rows} rows, expected at least {FEWEST} over a cycle"));
+        return fault_at(None, format!("found {rows} rows, expected at least {FEWEST} over a cycle"));
     }
     if let Some(i) = crank_deg.windows(2).position(|pair| pair[1] <= pair[0]) {
-        return at(Some(i + 1), format!("found {} after {}, expected ascending angles", crank_deg[i + 1], crank_deg[i]));
+        return fault_at(Some(i + 1), format!("found {} after {}, expected ascending angles", crank_deg[i + 1], crank_deg[i]));
     }
     if let Some((i, found)) = hole(crank_deg) {
-        return at(Some(i), found);
+        return fault_at(Some(i), found);
     }
     let widest = crank_deg.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
     let span = crank_deg[rows - 1] - crank_deg[0];
     if span > cycle_deg + 1e-6 || span + 1.5 * widest < cycle_deg {
         let message = format!("found a cycle of {span} degrees, expected {cycle_deg} (with or without its last angle)");
-        return at(Some(rows - 1), message);
+        return fault_at(Some(rows - 1), message);
     }
     let not_absolute = traces.iter().enumerate().find_map(|(trace, pressures)| {
         let row = pressures.iter().position(|p| *p <= 0.0)?;

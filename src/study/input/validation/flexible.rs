@@ -182,8 +182,8 @@ fn bearings(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(B
 fn web_factors(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(WebFactors, bool)> {
     match &at.get_ref().web_factors {
         RawWebFactors::Given(f) => {
-            let mut of = |value: &At<f64>| check.within(value, 1e-3..=1000.0, "a factor from 0.001 to 1000");
-            Some((WebFactors { bending: of(&f.bending), twist: of(&f.twist), edge: of(&f.edge) }, false))
+            let mut factor = |value: &At<f64>| check.within(value, 1e-3..=1000.0, "a factor from 0.001 to 1000");
+            Some((WebFactors { bending: factor(&f.bending), twist: factor(&f.twist), edge: factor(&f.edge) }, false))
         }
         RawWebFactors::Estimate => match WebFactors::estimate(crank) {
             Ok(factors) => Some((factors, true)),

@@ -80,8 +80,9 @@ impl FlexibleModel {
         let excitation = Self::excitation_on_joints(engine);
         let Some(joints) = self.on_joints((crank, engine), &excitation, (1.0, 1.0)) else { return Ok(self.clone()) };
         let speeds = [speeds_rpm[0], speeds_rpm[speeds_rpm.len() / 2], speeds_rpm[speeds_rpm.len() - 1]];
-        let at = |speed: f64| joints.at(speed, &[], None).map(|found| found.joints.equivalent).map_err(|why| format!("{speed} rpm: {why}"));
-        let all = speeds.par_iter().map(|speed| at(*speed)).collect::<Result<Vec<_>, _>>()?;
+        let bearings_at =
+            |speed: f64| joints.at(speed, &[], None).map(|found| found.joints.equivalent).map_err(|why| format!("{speed} rpm: {why}"));
+        let all = speeds.par_iter().map(|speed| bearings_at(*speed)).collect::<Result<Vec<_>, _>>()?;
         let mean = |place: usize, k: usize| all.iter().map(|points| points[place][k]).sum::<f64>() / all.len() as f64;
         let mut place = 0..;
         let mut next = || {

@@ -361,8 +361,8 @@ impl MaterialSpec {
             states.push(Factors { state, factors: declaration.followed(law.factor(celsius)) });
         }
         if !self.ageing.is_empty() {
-            let of = |key: &str| self.ageing.iter().find(|a| a.0 == key).map_or(1.0, |a| a.1);
-            states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| of(p.key)).collect() });
+            let ageing_factor = |key: &str| self.ageing.iter().find(|a| a.0 == key).map_or(1.0, |a| a.1);
+            states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| ageing_factor(p.key)).collect() });
         }
         let thermal = self.temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling });
         Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude, life: self.life }

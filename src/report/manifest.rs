@@ -259,8 +259,8 @@ impl Manifest {
 
 /// `summary.json`, where it is one of ours.
 fn summary(path: &Path) -> Result<Option<Summary>> {
-    let of = |text: Vec<u8>| serde_json::from_slice::<Summary>(&text).ok().filter(|s| s.program.starts_with("hartog "));
-    Ok(bytes(path)?.and_then(of))
+    let parsed = |text: Vec<u8>| serde_json::from_slice::<Summary>(&text).ok().filter(|s| s.program.starts_with("hartog "));
+    Ok(bytes(path)?.and_then(parsed))
 }
 
 /// Returns what a file holds, None where there is none: links, folders and devices are none of ours.

@@ -42,8 +42,8 @@ impl MatrixFormat {
     /// Files that any of them may write.
     pub(crate) fn files() -> impl Iterator<Item = String> {
         let all = [Self::MatrixMarket, Self::Calculix, Self::Dmig, Self::Op4];
-        let of = |f: Self| (0..NAMES.len()).map(move |m| format!("{}.{}", NAMES[m], f.ending(m)));
-        all.into_iter().flat_map(of).chain(["unknowns.dof".to_owned(), "nodes.csv".to_owned()])
+        let files_of = |f: Self| (0..NAMES.len()).map(move |m| format!("{}.{}", NAMES[m], f.ending(m)));
+        all.into_iter().flat_map(files_of).chain(["unknowns.dof".to_owned(), "nodes.csv".to_owned()])
     }
 }
 
@@ -153,7 +153,7 @@ pub fn write_matrices(s: &Structure, format: MatrixFormat, folder: &Folder) -> R
 
 /// What is unlikely, in words.
 fn words(objection: &Objection) -> String {
-    let of = |x: f64| significant(x, 3);
+    let rounded = |x: f64| significant(x, 3);
     let off = |ratio: f64| significant(100.0 * (ratio - 1.0), 3);
     match *objection {
         Objection::NegativeStiffness(n) => format!("its stiffness has {n} negative eigenvalues: it is no structure at rest"),
@@ -161,7 +161,7 @@ fn words(objection: &Objection) -> String {
         Objection::HeldSomewhere(r) => {
             format!(
                 "motion as a rigid body meets a stiffness of {} of the largest, above {:e}: is it free, are places and units right?",
-                of(r),
+                rounded(r),
                 Objection::RESIDUAL
             )
         }
@@ -174,22 +174,24 @@ fn words(objection: &Objection) -> String {
             let most = 1e3 * Objection::OFF_AXIS;
             format!(
                 "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (--axis)?",
-                of(1e3 * off)
+                rounded(1e3 * off)
             )
         }
-        Objection::Slow(hz) => format!("its lowest elastic frequency is {} Hz, below {}: are the units right?", of(hz), Objection::SLOW),
+        Objection::Slow(hz) => {
+            format!("its lowest elastic frequency is {} Hz, below {}: are the units right?", rounded(hz), Objection::SLOW)
+        }
         Objection::Extent(m) => {
             let (least, most) = (Objection::EXTENT.start(), Objection::EXTENT.end());
-            format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", of(m))
+            format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", rounded(m))
         }
         Objection::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
-            format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", of(ratio))
+            format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", rounded(ratio))
         }
         Objection::Inertia(ratio) => {
-            format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), of(100.0 * Objection::INERTIA))
+            format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Objection::INERTIA))
         }
         Objection::TorsionalStiffness(ratio) => {
-            format!("its torsional stiffness is {} % off that of the chain, above {} %", off(ratio), of(100.0 * Objection::STIFFNESS))
+            format!("its torsional stiffness is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Objection::STIFFNESS))
         }
     }
 }
@@ -200,15 +202,15 @@ pub fn matrices(s: &Structure, c: &Checks, chain: Option<OfChain>) -> String {
     let modal = s.unknowns.iter().filter(|u| u.component == 0).count();
     let mut text = format!("{} unknowns of {} nodes, {modal} of them of modes\n", s.unknowns.len(), s.nodes());
     let mut line = |words: &str, value: Option<String>| _ = value.map(|value| writeln!(text, "  {words:<34}{value}"));
-    let of = |x: f64, unit: &str| format!("{} {unit}", significant(x, 7));
+    let with_unit = |x: f64, unit: &str| format!("{} {unit}", significant(x, 7));
     line("stiffness against rigid motion", c.rigid_residual.map(|x| format!("{x:.1e} of the largest")));
     line("rigid modes", c.rigid_modes.map(|n| n.to_string()));
-    line("mass", c.mass.map(|m| of(m[0], "kg")));
+    line("mass", c.mass.map(|m| with_unit(m[0], "kg")));
     line("centre of mass", c.centre.map(|p| format!("{}, {}, {} m", significant(p.x, 4), significant(p.y, 4), significant(p.z, 6))));
-    line("inertia about z", c.polar_inertia.map(|x| of(x, "kg m²")));
-    line("  of the chain", chain.map(|own| of(own.inertia, "kg m²")));
-    line("torsional stiffness, free ends", c.torsional_stiffness.map(|x| of(x, "N m/rad")));
-    line("  of the chain", chain.map(|own| of(own.stiffness, "N m/rad")));
+    line("inertia about z", c.polar_inertia.map(|x| with_unit(x, "kg m²")));
+    line("  of the chain", chain.map(|own| with_unit(own.inertia, "kg m²")));
+    line("torsional stiffness, free ends", c.torsional_stiffness.map(|x| with_unit(x, "N m/rad")));
+    line("  of the chain", chain.map(|own| with_unit(own.stiffness, "N m/rad")));
     let hz = |f: &Vec<f64>| f.iter().take(10).map(|x| significant(*x, 6)).collect::<Vec<_>>().join(", ");
     line("elastic frequencies/Hz", c.frequencies_hz.as_ref().map(hz));
     if s.places.is_empty() {

@@ -115,8 +115,8 @@ pub(super) fn refuse(
     let mut others = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let name = entry.map_err(failed)?.file_name().to_string_lossy().into_owned();
-        let own = |e: std::io::Error| WriteError { path: folder.join(&name), reason: reason(&e) };
-        if names.hold(&name) && !manifest.may_be_replaced(folder, &name).map_err(own)? {
+        let write_error = |e: std::io::Error| WriteError { path: folder.join(&name), reason: reason(&e) };
+        if names.hold(&name) && !manifest.may_be_replaced(folder, &name).map_err(write_error)? {
             others.push(name);
         }
     }

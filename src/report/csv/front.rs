@@ -64,10 +64,10 @@ fn of(t: &TradeoffResult, measures: &[MeasureSpec]) -> String {
 
 /// Every measure at a point, in the unit of its column.
 fn values(t: &TradeoffResult, measures: &[MeasureSpec], point: &TradeoffPoint, third: Option<f64>) -> Vec<String> {
-    let of = |m: usize| match t.of.iter().position(|of| *of == m) {
+    let value_of = |m: usize| match t.of.iter().position(|of| *of == m) {
         Some(k) => Some(point.values[k]),
         None => third,
     };
-    let shown = |(m, spec): (usize, &MeasureSpec)| of(m).map(|v| spec.unit.shown(v)).filter(|v| v.is_finite());
+    let shown = |(m, spec): (usize, &MeasureSpec)| value_of(m).map(|v| spec.unit.shown(v)).filter(|v| v.is_finite());
     measures.iter().enumerate().map(shown).map(optional).collect()
 }

@@ -19,16 +19,16 @@ pub(crate) fn joints(results: &Results, folder: &Folder) -> Result<(), WriteErro
     for d in &results.joints {
         for s in &d.speeds {
             let found = s.joints.as_ref().ok();
-            let of = |value: &dyn Fn(&crate::analysis::FoundOnJoints) -> f64| found.map_or_else(String::new, |f| number(value(f)));
+            let cell = |value: &dyn Fn(&crate::analysis::FoundOnJoints) -> f64| found.map_or_else(String::new, |f| number(value(f)));
             table.row([
                 d.design.clone(),
                 number(s.speed_rpm),
                 if s.linear.is_finite() { number(s.linear * DEG_PER_RAD) } else { String::new() },
-                of(&|f| f.twist * DEG_PER_RAD),
-                of(&|f| f.displacement),
-                of(&|f| f.last),
-                of(&|f| f.steps as f64),
-                of(&|f| f.stages as f64),
+                cell(&|f| f.twist * DEG_PER_RAD),
+                cell(&|f| f.displacement),
+                cell(&|f| f.last),
+                cell(&|f| f.steps as f64),
+                cell(&|f| f.stages as f64),
                 s.joints.as_ref().err().map_or_else(|| "found".into(), Clone::clone),
             ]);
         }

@@ -39,8 +39,8 @@ pub fn robust(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         for (measure, limit, worst) in std::iter::once((&study.objective, None, &d.worst)).chain(limits) {
             let unit = limit.unwrap_or(1.0);
             let shown = |value: f64| Some(measure.unit.shown(value)).filter(|v| v.is_finite() && design.has(&measure.measure));
-            let own = |value: f64| optional(if limit.is_none() { shown(value) } else { None });
-            let sampled = |f: &dyn Fn(&crate::analysis::Percentile) -> f64| d.percentile.as_ref().map_or_else(String::new, |p| own(f(p)));
+            let cell = |value: f64| optional(if limit.is_none() { shown(value) } else { None });
+            let sampled = |f: &dyn Fn(&crate::analysis::Percentile) -> f64| d.percentile.as_ref().map_or_else(String::new, |p| cell(f(p)));
             table.row([
                 d.design.clone(),
                 if limit.is_none() { "objective" } else { "limit" }.to_owned(),

@@ -43,11 +43,11 @@ fn holzer(c: &Classification) -> Markup {
         h2 { "Holzer's tables" }
         p class="soft" { "For an angle of one at the largest station; the last sum is what the eigensolver leaves." }
         @for mode in 1..=modes {
-            @let own = || c.holzer.iter().filter(|r| r.mode == mode);
-            h3 { "Mode " (mode) ", " (own().next().map_or_else(String::new, |r| short(r.frequency_hz))) " Hz, " (nodes(own())) }
+            @let rows = || c.holzer.iter().filter(|r| r.mode == mode);
+            h3 { "Mode " (mode) ", " (rows().next().map_or_else(String::new, |r| short(r.frequency_hz))) " Hz, " (nodes(rows())) }
             div class="scroll" { table {
                 thead { tr { th { "station" } th { "J, kg m²" } th { "Θ" } th { "J ω² Θ, N m" } th { "Σ, N m" } th { "k, N m/rad" } th { "Σ/k" } } }
-                tbody { @for r in own() { tr { td { (r.station) } td { (short(r.inertia)) } td { (format!("{:.5}", r.angle)) } td { (format!("{:.4e}", r.torque)) } td { (format!("{:.4e}", r.sum)) } td { (short(r.stiffness)) } td { (format!("{:.5}", r.twist)) } } } }
+                tbody { @for r in rows() { tr { td { (r.station) } td { (short(r.inertia)) } td { (format!("{:.5}", r.angle)) } td { (format!("{:.4e}", r.torque)) } td { (format!("{:.4e}", r.sum)) } td { (short(r.stiffness)) } td { (format!("{:.5}", r.twist)) } } } }
             } }
         }
     }

@@ -49,11 +49,11 @@ fn sweep(s: &Sweeps, results: &Results) -> Value {
 
 fn margins(study: &Study, results: &Results) -> Value {
     let criteria = study.fatigue.as_ref().map_or(&[][..], |f| f.criteria.as_slice());
-    let of = |m: &crate::analysis::MarginSweep| {
+    let margins_of = |m: &crate::analysis::MarginSweep| {
         let each = criteria.iter().enumerate().map(|(i, c)| (c.column().to_owned(), list(&m.smallest(i))));
         (m.design.clone(), Value::Object(each.collect()))
     };
-    Value::Object(results.margins.iter().map(of).collect())
+    Value::Object(results.margins.iter().map(margins_of).collect())
 }
 
 /// Everything.

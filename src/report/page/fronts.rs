@@ -11,13 +11,13 @@ use serde_json::{Map, Value, json};
 
 /// A design in words: the parameters of its absorbers.
 pub(super) fn told(absorbers: &[Mounted]) -> String {
-    let of = |m: &Mounted| {
+    let parameters = |m: &Mounted| {
         let law = m.absorber.law()?;
         let parts = law.declaration().parameters.iter().zip(law.values());
         let values: Vec<String> = parts.map(|(p, v)| format!("{} {}", p.label.replacen('/', ", ", 1), short(v))).collect();
         Some(values.join("; "))
     };
-    absorbers.iter().filter_map(of).collect::<Vec<_>>().join(" | ")
+    absorbers.iter().filter_map(parameters).collect::<Vec<_>>().join(" | ")
 }
 
 /// The measures that the study wants fronts of; none where it wants them over ring inertia.
@@ -60,7 +60,7 @@ fn over_inertia(study: &Study, results: &Results, shown: &[&DesignResult]) -> Op
         dominated: p.dominated,
         told: format!("{}: {}", told(&p.design), said(&study.objective, p.value)),
     };
-    let of = |f: &FrontResult| family(f.declaration.name, &f.front.points.iter().map(point).collect::<Vec<_>>());
+    let family_of = |f: &FrontResult| family(f.declaration.name, &f.front.points.iter().map(point).collect::<Vec<_>>());
     let ring = |d: &DesignResult| d.absorbers.iter().map(|m| m.absorber.ring_inertia()).sum();
     let beside = |d: &&DesignResult| {
         let value = d.objective.filter(|_| !d.absorbers.is_empty())?;
@@ -70,7 +70,7 @@ fn over_inertia(study: &Study, results: &Results, shown: &[&DesignResult]) -> Op
         "title": "over ring inertia",
         "x": "ring inertia, kg m²",
         "y": axis(&study.objective),
-        "fronts": results.fronts.iter().map(of).collect::<Vec<_>>(),
+        "fronts": results.fronts.iter().map(family_of).collect::<Vec<_>>(),
         "designs": shown.iter().filter_map(beside).collect::<Map<_, _>>(),
     }))
 }
@@ -79,12 +79,12 @@ fn over_inertia(study: &Study, results: &Results, shown: &[&DesignResult]) -> Op
 fn of_pair(study: &Study, t: &TradeoffResult) -> Value {
     let [up, right] = t.of.map(|m| &measures(study)[m]);
     let third = (0..measures(study).len()).find(|m| !t.of.contains(m)).map(|m| &measures(study)[m]);
-    let at = |values: [f64; 2]| [right.unit.shown(values[1]), up.unit.shown(values[0])];
-    let of = |(i, (name, front)): (usize, &(String, crate::optimise::Tradeoff))| {
+    let coordinates = |values: [f64; 2]| [right.unit.shown(values[1]), up.unit.shown(values[0])];
+    let family_of = |(i, (name, front)): (usize, &(String, crate::optimise::Tradeoff))| {
         let point = |(k, p): (usize, &crate::optimise::TradeoffPoint)| {
             let more = third.zip(t.third.get(i).and_then(|v| v.get(k)));
             Point {
-                at: at(p.values),
+                at: coordinates(p.values),
                 dominated: p.dominated,
                 told: format!(
                     "{}: {}, {}{}{}",
@@ -100,14 +100,14 @@ fn of_pair(study: &Study, t: &TradeoffResult) -> Value {
         family(&name.replace('_', " and "), &front.points.iter().enumerate().map(point).filter(finite).collect::<Vec<_>>())
     };
     let beside = |g: &crate::analysis::Beside| {
-        let place = at(g.values);
+        let place = coordinates(g.values);
         place.iter().all(|v| v.is_finite()).then(|| (g.design.clone(), json!(place.map(digits))))
     };
     json!({
         "title": format!("{} against {}", up.label.replace('_', " "), right.label.replace('_', " ")),
         "x": axis(right),
         "y": axis(up),
-        "fronts": t.families.iter().enumerate().map(of).collect::<Vec<_>>(),
+        "fronts": t.families.iter().enumerate().map(family_of).collect::<Vec<_>>(),
         "designs": t.given.iter().filter_map(beside).collect::<Map<_, _>>(),
     })
 }

@@ -31,9 +31,9 @@ pub(super) fn data(study: &Study, results: &Results) -> Value {
     let designs: Map<String, Value> = designs.map(|d| (d.name.clone(), list(&d.frequencies_hz))).collect();
     let rows = holzer(study);
     let shape = |mode: usize| {
-        let own = || rows.iter().filter(|r| r.mode == mode);
-        let hz = own().next().map_or(Value::Null, |r| digits(r.frequency_hz));
-        json!({ "hz": hz, "angles": own().map(|r| digits(r.angle)).collect::<Vec<_>>() })
+        let rows_of_mode = || rows.iter().filter(|r| r.mode == mode);
+        let hz = rows_of_mode().next().map_or(Value::Null, |r| digits(r.frequency_hz));
+        json!({ "hz": hz, "angles": rows_of_mode().map(|r| digits(r.angle)).collect::<Vec<_>>() })
     };
     let shapes: Vec<Value> = (1..=rows.iter().map(|r| r.mode).max().unwrap_or(0)).map(shape).collect();
     let alone = if results.system.flexible.is_some() { "flexible crank alone" } else { "chain alone" };

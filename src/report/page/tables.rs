@@ -52,9 +52,9 @@ fn table(folder: &Folder, name: &str) -> Markup {
 fn read(path: &Path) -> Option<(Vec<String>, Vec<Vec<String>>)> {
     std::fs::metadata(path).ok().filter(|m| m.len() <= MOST_BYTES)?;
     let mut reader = csv::Reader::from_path(path).ok()?;
-    let of = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
-    let head = of(reader.headers().ok()?);
-    let rows: Vec<Vec<String>> = reader.records().take(MOST_ROWS + 1).map(|r| r.ok().map(|r| of(&r))).collect::<Option<_>>()?;
+    let cells = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
+    let head = cells(reader.headers().ok()?);
+    let rows: Vec<Vec<String>> = reader.records().take(MOST_ROWS + 1).map(|r| r.ok().map(|r| cells(&r))).collect::<Option<_>>()?;
     (rows.len() <= MOST_ROWS).then_some((head, rows))
 }
 

@@ -84,13 +84,13 @@ pub fn speed_accuracy(study: &Study, measured: &SpeedAccuracy, folder: &Folder) 
         chart.draw_series(ways(true).into_iter().map(diamond))?;
         chart.draw_series(ways(false).into_iter().map(|p| Cross::new(p, px(5), line(BLACK, 20))))?;
         for candidate in Candidate::ALL {
-            let of = |refined: bool| -> Vec<(f64, f64)> {
+            let series = |refined: bool| -> Vec<(f64, f64)> {
                 let own = points.iter().filter(|p| p.0.candidate == candidate && matches!(p.0.search, Search::Refined(_)) == refined);
                 own.map(|(p, e)| (p.seconds, *e)).collect()
             };
-            chart.draw_series(LineSeries::new(of(false), line(colour(candidate), 16)))?;
-            chart.draw_series(of(false).into_iter().map(|p| Circle::new(p, px(3), line(colour(candidate), 14))))?;
-            chart.draw_series(of(true).into_iter().map(|p| Circle::new(p, px(4), fill(colour(candidate), 1.0))))?;
+            chart.draw_series(LineSeries::new(series(false), line(colour(candidate), 16)))?;
+            chart.draw_series(series(false).into_iter().map(|p| Circle::new(p, px(3), line(colour(candidate), 14))))?;
+            chart.draw_series(series(true).into_iter().map(|p| Circle::new(p, px(4), fill(colour(candidate), 1.0))))?;
         }
         Ok(())
     })
@@ -156,16 +156,16 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
     let [(good, _), (rough, _), (wrong, _), (refused, _), (defect, _)] = LEGEND;
     canvas::save(folder, "stability", size, |area| {
         let centred = |size: u32| text(size).pos(Pos::new(HPos::Center, VPos::Center));
-        let at = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
-        area.draw(&Text::new("Where methods fail: error against a dense solution", at(size.0 / 2, 18), centred(16)))?;
+        let pixels = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
+        area.draw(&Text::new("Where methods fail: error against a dense solution", pixels(size.0 / 2, 18), centred(16)))?;
         for (row, (scenario, cells)) in map.iter().enumerate() {
             let y = top + row as u32 * height;
-            area.draw(&Text::new(scenario.name, at(8, y + 7), text(13)))?;
+            area.draw(&Text::new(scenario.name, pixels(8, y + 7), text(13)))?;
             for (column, cell) in cells.iter().enumerate() {
                 let x = left + column as u32 * width;
                 if row == 0 {
                     let upwards = text(13).transform(FontTransform::Rotate270).pos(Pos::new(HPos::Left, VPos::Center));
-                    area.draw(&Text::new(cell.candidate.label(), at(x + width / 2, top - 6), upwards))?;
+                    area.draw(&Text::new(cell.candidate.label(), pixels(x + width / 2, top - 6), upwards))?;
                 }
                 let colour = match (cell.as_declared(), cell.word()) {
                     (false, _) => defect,
@@ -182,8 +182,8 @@ pub fn stability(map: &[(Scenario, Vec<Cell>)], folder: &Folder) -> Result<(), W
                     Ok(_) => ">999%".into(),
                     Err(_) => "–".into(),
                 };
-                area.draw(&Rectangle::new([at(x + 1, y + 1), at(x + width - 1, y + height - 1)], fill(colour, 1.0)))?;
-                area.draw(&Text::new(words, at(x + width / 2, y + height / 2), centred(13)))?;
+                area.draw(&Rectangle::new([pixels(x + 1, y + 1), pixels(x + width - 1, y + height - 1)], fill(colour, 1.0)))?;
+                area.draw(&Text::new(words, pixels(x + width / 2, y + height / 2), centred(13)))?;
             }
         }
         legend::below(area, &entries)?;

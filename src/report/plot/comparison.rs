@@ -23,11 +23,11 @@ struct Pair {
 
 /// A square plot on logarithmic axes with lines of equality and ten per cent.
 fn scatter(area: &canvas::Area, title: &str, what: &str, marks: &[Pair], entries: &[(String, RGBColor, bool)]) -> Drawn {
-    let own = |(label, colour, filled): &(String, RGBColor, bool)| {
+    let entry = |(label, colour, filled): &(String, RGBColor, bool)| {
         Entry::new(label, Mark::Point(if *filled { fill(*colour, 1.0) } else { line(*colour, 20) }))
     };
     let (equal, tenth) = (Stroke::solid(line(BLACK, 12)), Stroke::dashed(line(GREY, 10)));
-    let mut legend: Vec<Entry> = entries.iter().map(own).collect();
+    let mut legend: Vec<Entry> = entries.iter().map(entry).collect();
     legend.extend([Entry::curve("equal", equal), Entry::curve("±10 %", tenth)]);
     let main = legend::below(area, &legend)?;
     let all = marks.iter().flat_map(|m| [m.published, m.computed]).filter(|x| *x > 0.0);
@@ -102,9 +102,9 @@ const ROOM: f64 = 1.15;
 
 /// Orders at the hub of every design with published amplitudes, side by side on one scale, with the published points.
 pub fn orders(study: &Study, comparison: &Comparison, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let of = |design: usize| comparison.amplitudes.iter().filter(move |r| r.design == design && r.published.is_some());
+    let rows_of = |design: usize| comparison.amplitudes.iter().filter(move |r| r.design == design && r.published.is_some());
     let designs: Vec<(usize, &Sweeps)> = (0..study.designs.len())
-        .filter(|d| of(*d).next().is_some())
+        .filter(|d| rows_of(*d).next().is_some())
         .filter_map(|d| results.sweeps.iter().find(|s| s.design == study.designs[d].name).map(|s| (d, s)))
         .collect();
     let mut named: Vec<Order> = comparison.amplitudes.iter().map(|r| r.order).collect();
@@ -122,7 +122,7 @@ pub fn orders(study: &Study, comparison: &Comparison, results: &Results, folder:
         let titled = canvas::titled(area, &title)?;
         let main = legend::below(&titled, &entries)?;
         for (panel, (design, sweep)) in main.split_evenly((rows, COLUMNS)).iter().zip(&designs) {
-            one(panel, study, results, sweep, &named, top, of(*design).filter_map(|r| Some((r.order, r.speed_rpm, r.published?))))?;
+            one(panel, study, results, sweep, &named, top, rows_of(*design).filter_map(|r| Some((r.order, r.speed_rpm, r.published?))))?;
         }
         Ok(())
     })

@@ -18,15 +18,15 @@ use std::f64::consts::TAU;
 #[doc(hidden)]
 pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), WriteError> {
     let Some((point, result)) = &summary.critical else { return Ok(()) };
-    let of = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
+    let verdict = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
     canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {
         let titled = canvas::titled(area, &format!("point {}: the smallest factor of all points", point.name))?;
         let (upper, right) = titled.split_vertically(px(370));
         let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
-        if let Some(v) = of(Criterion::MATAKE) {
+        if let Some(v) = verdict(Criterion::MATAKE) {
             shear_path(&left, point, v)?;
         }
-        if let Some(v) = of(Criterion::DANG_VAN_PLANE) {
+        if let Some(v) = verdict(Criterion::DANG_VAN_PLANE) {
             dang_van(&middle, point, v, limits)?;
         }
         factors(&right, &result.verdicts)

@@ -21,13 +21,13 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     }
     let name = |d: &HeatOfDesign| d.design.replace('_', " ");
     let bears = |i: usize| Stroke { style: line(COLOURS[i % COLOURS.len()], 7), ..Stroke::dashed(line(BLACK, 7)) };
-    let of = |(i, d): (usize, &HeatOfDesign)| {
+    let entries_of = |(i, d): (usize, &HeatOfDesign)| {
         [
             Entry::curve(name(d), Stroke::solid(line(COLOURS[i % COLOURS.len()], 20))),
             Entry::curve(format!("{}: what its material bears", name(d)), bears(i)),
         ]
     };
-    let mut entries: Vec<Entry> = results.heat.iter().enumerate().flat_map(of).collect();
+    let mut entries: Vec<Entry> = results.heat.iter().enumerate().flat_map(entries_of).collect();
     if results.heat.iter().any(|d| others(d, false).next().is_some()) {
         entries.push(Entry::new("balance that is not stable", Mark::Point(line(GREY, 10))));
     }
@@ -56,10 +56,10 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
 
 /// Balances that are not reached from cold.
 fn others(d: &HeatOfDesign, stable: bool) -> impl Iterator<Item = (f64, f64)> + '_ {
-    let of = move |p: &crate::analysis::HeatAt| {
+    let balances_of = move |p: &crate::analysis::HeatAt| {
         let speed = p.speed_rpm;
         let own: Vec<(f64, f64)> = p.balances.iter().skip(1).filter(|b| b.stable == stable).map(|b| (speed, b.celsius)).collect();
         own
     };
-    d.points.iter().flat_map(of)
+    d.points.iter().flat_map(balances_of)
 }

@@ -65,10 +65,10 @@ pub(crate) fn ladder(study: &Study, ladder: &Ladder, folder: &Folder) -> Result<
         canvas::log_axes!(chart, "time / s", "relative error", &|v| canvas::tick(v));
         for r in &rungs {
             let c = colour(r.rung);
-            let at = |e: f64| (r.seconds, e.max(LEAST_ERROR));
-            chart.draw_series([Circle::new(at(r.peak), px(5), fill(c, 1.0))])?;
-            chart.draw_series(r.margin.map(|e| Circle::new(at(e), px(5), line(c, 18))))?;
-            chart.draw_series(r.optimum.map(|e| TriangleMarker::new(at(e), px(6), fill(c, 1.0))))?;
+            let point = |e: f64| (r.seconds, e.max(LEAST_ERROR));
+            chart.draw_series([Circle::new(point(r.peak), px(5), fill(c, 1.0))])?;
+            chart.draw_series(r.margin.map(|e| Circle::new(point(e), px(5), line(c, 18))))?;
+            chart.draw_series(r.optimum.map(|e| TriangleMarker::new(point(e), px(6), fill(c, 1.0))))?;
         }
         if let Some(own) = ladder.rungs.iter().find(|r| r.rung == Rung::Flexible) {
             canvas::curve(&mut chart, [(own.seconds, y.0), (own.seconds, y.1)], Stroke::dashed(line(BLACK, 12)))?;
@@ -77,8 +77,8 @@ pub(crate) fn ladder(study: &Study, ladder: &Ladder, folder: &Folder) -> Result<
         let mut chart = logarithmic(&own, (bearing_x, decades(bearing_x.0, bearing_x.1)), bearing_y)?;
         canvas::log_axes!(chart, "stiffness of all bearings over that given", "relative error of the peak", &|v| canvas::tick(v));
         for rung in Rung::ALL.into_iter().filter(|r| r.is_chain()) {
-            let of = |b: &(f64, Vec<(Rung, f64)>)| b.1.iter().find(|e| e.0 == rung).map(|e| (b.0, e.1.max(LEAST_ERROR)));
-            let points: Vec<(f64, f64)> = ladder.bearings.iter().filter_map(of).collect();
+            let point_of = |b: &(f64, Vec<(Rung, f64)>)| b.1.iter().find(|e| e.0 == rung).map(|e| (b.0, e.1.max(LEAST_ERROR)));
+            let points: Vec<(f64, f64)> = ladder.bearings.iter().filter_map(point_of).collect();
             canvas::curve(&mut chart, points.iter().copied(), Stroke::solid(line(colour(rung), 16)))?;
             chart.draw_series(points.iter().map(|p| Circle::new(*p, px(3), fill(colour(rung), 1.0))))?;
         }

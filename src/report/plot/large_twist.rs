@@ -21,12 +21,12 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     let motions = results.large_twist.iter().flat_map(|d| d.curves.iter().flatten().map(|p| p.twist * DEG_PER_RAD));
     let high = motions.chain(results.large_twist.iter().flat_map(|d| small(&d.design))).fold(0.0, f64::max);
     let small_stroke = |i: usize| Stroke { style: line(COLOURS[i % COLOURS.len()], 8), ..Stroke::dashed(line(BLACK, 8)) };
-    let of = |(i, d): (usize, &LargeTwistOfDesign)| {
+    let entries_of = |(i, d): (usize, &LargeTwistOfDesign)| {
         let name = d.design.replace('_', " ");
         let own = Stroke::solid(line(COLOURS[i % COLOURS.len()], 20));
         [Entry::curve(&name, own), Entry::curve(format!("{name}, if its twist were small"), small_stroke(i))]
     };
-    let mut entries: Vec<Entry> = results.large_twist.iter().enumerate().flat_map(of).collect();
+    let mut entries: Vec<Entry> = results.large_twist.iter().enumerate().flat_map(entries_of).collect();
     if results.large_twist.iter().flat_map(|d| d.curves.iter().flatten()).any(|p| p.stable == Some(false)) {
         entries.push(Entry::new("motion that does not last", Mark::Point(fill(GREY, 1.0))));
     }
@@ -44,12 +44,12 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
             canvas::curve(&mut chart, study.speeds_rpm.iter().copied().zip(small(&d.design)), small_stroke(i))?;
             for curve in &d.curves {
                 let inside = |p: &&LargePoint| (x.0..=x.1).contains(&p.speed_rpm);
-                let at = |p: &LargePoint| (p.speed_rpm, p.twist * DEG_PER_RAD);
+                let point = |p: &LargePoint| (p.speed_rpm, p.twist * DEG_PER_RAD);
                 for piece in curve.split(|p| p.stable == Some(false)).filter(|p| !p.is_empty()) {
-                    chart.draw_series(LineSeries::new(piece.iter().filter(inside).map(at), line(colour, 20)))?;
+                    chart.draw_series(LineSeries::new(piece.iter().filter(inside).map(point), line(colour, 20)))?;
                 }
                 let fleeting = curve.iter().filter(|p| p.stable == Some(false)).filter(inside);
-                chart.draw_series(fleeting.map(|p| Circle::new(at(p), px(1), fill(colour, 1.0))))?;
+                chart.draw_series(fleeting.map(|p| Circle::new(point(p), px(1), fill(colour, 1.0))))?;
             }
         }
         Ok(())

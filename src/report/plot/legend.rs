@@ -63,7 +63,7 @@ pub(crate) fn below<'a>(area: &Area<'a>, entries: &[Entry]) -> Result<Area<'a>, 
 fn draw(area: &Area, entries: &[Entry], width: u32) -> Drawn {
     let columns = columns(entries, width);
     let rows = (entries.len() as u32).div_ceil(columns);
-    let at = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
+    let pixels = |x: u32, y: u32| (px(x) as i32, px(y) as i32);
     for (i, entry) in (0u32..).zip(entries) {
         let (x, y) = (SIDE + i / rows * ((width - SIDE) / columns), 4 + APART * (i % rows) + APART / 2);
         let label = match entry.mark {
@@ -71,17 +71,19 @@ fn draw(area: &Area, entries: &[Entry], width: u32) -> Drawn {
             _ => x + MARK,
         };
         match entry.mark {
-            Mark::Curve(Stroke { style, dash: None }) => area.draw(&PathElement::new(vec![at(x, y), at(x + MARK - 6, y)], style))?,
+            Mark::Curve(Stroke { style, dash: None }) => {
+                area.draw(&PathElement::new(vec![pixels(x, y), pixels(x + MARK - 6, y)], style))?
+            }
             Mark::Curve(Stroke { style, dash: Some((dash, gap)) }) => {
                 for from in (x..x + MARK - 6).step_by((dash + gap) as usize) {
-                    area.draw(&PathElement::new(vec![at(from, y), at((from + dash).min(x + MARK - 6), y)], style))?;
+                    area.draw(&PathElement::new(vec![pixels(from, y), pixels((from + dash).min(x + MARK - 6), y)], style))?;
                 }
             }
-            Mark::Point(style) => area.draw(&Circle::new(at(x + (MARK - 6) / 2, y), px(4), style))?,
-            Mark::Block(style) => area.draw(&Rectangle::new([at(x, y - 5), at(x + MARK - 6, y + 5)], style))?,
+            Mark::Point(style) => area.draw(&Circle::new(pixels(x + (MARK - 6) / 2, y), px(4), style))?,
+            Mark::Block(style) => area.draw(&Rectangle::new([pixels(x, y - 5), pixels(x + MARK - 6, y + 5)], style))?,
             Mark::Note => {}
         }
-        area.draw(&Text::new(entry.label.clone(), at(label, y - 7), text(13)))?;
+        area.draw(&Text::new(entry.label.clone(), pixels(label, y - 7), text(13)))?;
     }
     Ok(())
 }

@@ -93,13 +93,13 @@ fn stroke(results: &Results, i: usize, design: &str) -> Stroke {
 pub fn diagram(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let Some(d) = &results.diagram else { return Ok(()) };
     let in_planes = |pick: fn(&Instant) -> &InPlanes, unit: f64| -> Vec<Curve> {
-        let of = |(i, instant): (usize, &Instant)| {
+        let curves_of = |(i, instant): (usize, &Instant)| {
             let planes = ["in the plane of the throw", "across it"].into_iter().zip(pick(instant)).zip([22, 10]);
             planes
                 .map(|((plane, points), width)| Curve::new(format!("{}, {plane}", angle(instant)), points, unit, (i, width)))
                 .collect::<Vec<_>>()
         };
-        d.instants.iter().enumerate().flat_map(of).collect()
+        d.instants.iter().enumerate().flat_map(curves_of).collect()
     };
     let shear = in_planes(|i| &i.shear, N_PER_KN);
     let moment = in_planes(|i| &i.moment, 1.0);

@@ -148,8 +148,8 @@ impl Drawing {
             let [r, g, b] = colour(stroke.paint())?;
             self.content.set_stroke_rgb(r, g, b);
         }
-        let of = |own: Option<f32>| (255.0 * opacity * own.unwrap_or(1.0)).round() as u8;
-        let opacities = (of(fill.map(|f| f.opacity().get())), of(stroke.map(|s| s.opacity().get())));
+        let opacity_byte = |own: Option<f32>| (255.0 * opacity * own.unwrap_or(1.0)).round() as u8;
+        let opacities = (opacity_byte(fill.map(|f| f.opacity().get())), opacity_byte(stroke.map(|s| s.opacity().get())));
         if !self.opacities.contains(&opacities) {
             self.opacities.push(opacities);
         }

@@ -48,8 +48,9 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
 
 /// Designs that are drawn together.
 fn panels(results: &Results) -> Vec<Vec<&RobustOfDesign>> {
-    let of = |name: &str| results.robust.iter().find(|d| d.design == name);
+    let design_named = |name: &str| results.robust.iter().find(|d| d.design == name);
     let robust = results.optima.iter().filter(|o| o.robust);
-    let pairs: Vec<Vec<&RobustOfDesign>> = robust.map(|o| [of(&o.family), of(&o.design.name)].into_iter().flatten().collect()).collect();
+    let pairs: Vec<Vec<&RobustOfDesign>> =
+        robust.map(|o| [design_named(&o.family), design_named(&o.design.name)].into_iter().flatten().collect()).collect();
     if pairs.is_empty() { results.robust.iter().map(|d| vec![d]).collect() } else { pairs }
 }

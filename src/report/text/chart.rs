@@ -185,14 +185,14 @@ pub fn models(heading: &str, models: &[ModelError]) -> String {
 
 /// Exponents of the cost.
 pub fn growth(measured: &[Growth]) -> String {
-    let of = |candidate: Candidate, size: &str| {
+    let exponent = |candidate: Candidate, size: &str| {
         let found = measured.iter().find(|g| g.candidate == candidate && g.size == size);
         found.map_or_else(|| "-".into(), |g| format!("{:.2}", g.exponent))
     };
     let rows: Vec<Vec<String>> = Candidate::ALL
         .into_iter()
         .filter(|c| measured.iter().any(|g| g.candidate == *c))
-        .map(|c| std::iter::once(c.label()).chain(SIZES.map(|size| of(c, size))).collect())
+        .map(|c| std::iter::once(c.label()).chain(SIZES.map(|size| exponent(c, size))).collect())
         .collect();
     format!("Exponents of the cost of a sweep, set-up aside:\n{}", table(&[&["method"], &SIZES[..]].concat(), &rows))
 }

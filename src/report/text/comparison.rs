@@ -253,7 +253,7 @@ fn tolerances(c: &Comparison) -> Vec<String> {
 fn own_stresses(c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
     for case in ["case A", "case B", "case C", "finite elements", "largest von Mises stress"] {
-        let of = |kind: Kind| {
+        let ratios_of = |kind: Kind| {
             let own = c.entries.iter().filter(move |e| e.kind == kind && e.quantity.contains(case));
             let mut ratios: Vec<f64> = own.filter_map(|e| Some(e.computed? / e.published?)).collect();
             ratios.sort_by(f64::total_cmp);
@@ -265,7 +265,7 @@ fn own_stresses(c: &Comparison) -> Vec<String> {
         };
         let all = [("stresses", Kind::OwnStress), ("safety factors", Kind::OwnMargin)];
         let parts: Vec<String> =
-            all.iter().filter_map(|(what, kind)| Some(format!("{what} {} the printed ones", words(&of(*kind))?))).collect();
+            all.iter().filter_map(|(what, kind)| Some(format!("{what} {} the printed ones", words(&ratios_of(*kind))?))).collect();
         if !parts.is_empty() {
             lines.push(format!("Crank by our own loads on assumed lengths, {case}: {}.", parts.join(", ")));
         }

@@ -118,13 +118,13 @@ fn by_webs(results: &Results, d: &DesignResult) -> Option<String> {
 /// Stiffness of a throw by what its bearings hold; nothing without a flexible crank.
 fn stiffness(study: &Study) -> Option<String> {
     let k = crank_at_speed::stiffness(study)?;
-    let of = |x: f64| significant(x / 1e6, 4);
+    let in_mega = |x: f64| significant(x / 1e6, 4);
     Some(format!(
         "k_held/k_free {}: a throw has {} MN m/rad with free ends, {} guided, {} held in its bearings",
         significant(k.held / k.free, 3),
-        of(k.free),
-        of(k.guided),
-        of(k.held)
+        in_mega(k.free),
+        in_mega(k.guided),
+        in_mega(k.held)
     ))
 }
 
@@ -157,9 +157,9 @@ pub(crate) fn in_full(study: &Study) -> String {
         .iter()
         .enumerate()
         .map(|(t, b)| {
-            let of = |x: f64| significant(x, 4);
-            let webs = if b.counterweight > 0.0 { format!("{} kg", of(b.counterweight)) } else { "none".into() };
-            vec![format!("{}", t + 1), of(b.steel), of(b.on_pin), of(b.station), webs, of(b.density)]
+            let rounded = |x: f64| significant(x, 4);
+            let webs = if b.counterweight > 0.0 { format!("{} kg", rounded(b.counterweight)) } else { "none".into() };
+            vec![format!("{}", t + 1), rounded(b.steel), rounded(b.on_pin), rounded(b.station), webs, rounded(b.density)]
         })
         .collect();
     let header = ["throw", "steel as drawn/kg m²", "on the pin/kg m²", "station/kg m²", "counterweights", "density factor"];

@@ -28,13 +28,13 @@ fn row(results: &Results, d: &LargeTwistOfDesign) -> Vec<String> {
     let shown = results.designs.iter().chain(results.optima.iter().map(|o| &o.design));
     let small = shown.filter(|own| own.name == d.design).find_map(|own| own.twist);
     let dash = |x: Option<String>| x.unwrap_or_else(|| "-".into());
-    let of = |f: &dyn Fn(&LargePoint) -> f64| dash(d.peak.as_ref().map(|p| degrees(f(p))));
+    let cell = |f: &dyn Fn(&LargePoint) -> f64| dash(d.peak.as_ref().map(|p| degrees(f(p))));
     let largest = d.curves.iter().flatten().filter(|p| p.stable != Some(false)).map(|p| p.ring_twist).fold(0.0, f64::max);
     let most = d.curves.iter().flatten().filter(|p| p.stable != Some(false)).map(|p| p.power).fold(0.0, f64::max);
     vec![
         d.design.clone(),
         dash(small.map(|p| degrees(p.value))),
-        of(&|p| p.twist),
+        cell(&|p| p.twist),
         dash(d.peak.as_ref().map(|p| format!("{:.1}", p.speed_rpm))),
         degrees(largest),
         format!("{most:.0}"),
@@ -47,8 +47,8 @@ fn speeds(d: &LargeTwistOfDesign, asked: impl Fn(usize, usize) -> bool) -> Vec<f
     let mut all: Vec<f64> = d.curves.iter().flatten().filter(|p| p.asked).map(|p| p.speed_rpm).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
-    let of = |speed: f64| d.curves.iter().flatten().filter(move |p| p.asked && p.speed_rpm == speed);
-    all.retain(|s| asked(of(*s).count(), of(*s).filter(|p| p.stable != Some(false)).count()));
+    let points_at = |speed: f64| d.curves.iter().flatten().filter(move |p| p.asked && p.speed_rpm == speed);
+    all.retain(|s| asked(points_at(*s).count(), points_at(*s).filter(|p| p.stable != Some(false)).count()));
     all
 }
 

@@ -32,14 +32,14 @@ pub fn strain(results: &Results) -> String {
     );
     for d in &results.strain {
         let rule = d.rule.name().replace('_', " ");
-        let at = |wanted: &dyn Fn(usize) -> bool| -> Vec<f64> {
+        let speeds_where = |wanted: &dyn Fn(usize) -> bool| -> Vec<f64> {
             d.points.iter().filter(|p| wanted(p.strains.len())).map(|p| p.speed_rpm).collect()
         };
-        let several = at(&|count| count > 1);
+        let several = speeds_where(&|count| count > 1);
         if !several.is_empty() {
             text.push_str(&format!("  {}, {rule}: several strains agree with themselves at {}.\n", d.design, between(&several)));
         }
-        let none = at(&|count| count == 0);
+        let none = speeds_where(&|count| count == 0);
         if !none.is_empty() {
             let most = significant(MOST_STRAIN, 2);
             text.push_str(&format!(

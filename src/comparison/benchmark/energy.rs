@@ -55,11 +55,11 @@ fn of_scenario(s: &Scenario) -> Vec<Balance> {
     put("receptance", "dampers of the system", powers(&tables, &s.design, None, &mut work));
     let modal = Modal::new(&s.system, &grid);
     let (viscous, hysteretic) = modal.own_damping(&s.design);
-    let own = |omega: f64, motion: &Motion| {
+    let damping_power = |omega: f64, motion: &Motion| {
         let angles = motion.angles(&s.design);
         0.5 * omega * omega * quadratic(&viscous, &angles) + 0.5 * omega * quadratic(&hysteretic, &angles)
     };
-    put("modal", "its own damping matrix", powers(&modal, &s.design, Some(&own), &mut work));
+    put("modal", "its own damping matrix", powers(&modal, &s.design, Some(&damping_power), &mut work));
     put("modal", "dampers of the system", powers(&modal, &s.design, None, &mut work));
     let mut newmark = |beta: f64, gamma: f64| -> Result<Vec<Power>, ResponseError> {
         let method = Newmark::new(&s.system, &grid, (beta, gamma), STEPS);

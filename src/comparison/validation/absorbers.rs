@@ -58,7 +58,7 @@ pub(crate) fn conventions(study: &Study, published: &Published) -> Vec<Frequenci
         let off = |(i, hz): (usize, &Option<f64>)| hz.map(|hz| own.get(i).map_or(f64::INFINITY, |o| (o / hz - 1.0).abs()));
         row.frequencies_hz.iter().enumerate().filter_map(off).fold(0.0, f64::max)
     };
-    let of = |row: &PublishedAbsorber| {
+    let frequencies_of = |row: &PublishedAbsorber| {
         let design = study.designs.iter().find(|d| d.name == row.design)?;
         let with = |absorbers: &[Mounted]| natural::frequencies_hz(&study.chain, &study.modes, absorbers);
         let (damped, free) = (with(&design.absorbers), with(&undamped(&design.absorbers)));
@@ -71,7 +71,7 @@ pub(crate) fn conventions(study: &Study, published: &Published) -> Vec<Frequenci
             Frequencies { design, convention: Some(Convention::Undamped), fitting: free, other: damped }
         })
     };
-    published.absorbers.iter().filter_map(of).collect()
+    published.absorbers.iter().filter_map(frequencies_of).collect()
 }
 
 pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]) -> Vec<Entry> {
@@ -156,8 +156,8 @@ fn off(computed: f64, published: f64) -> f64 {
 /// The damping of a ring without a spring, by the inertia that gives it best.
 fn viscous_procedure(row: &PublishedAbsorber, ring: f64, unit: f64, inertias: &[(f64, &'static str)]) -> Option<Procedure> {
     let published = row.damping?;
-    let of = |(inertia, words): &(f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), *words);
-    let (computed, inertia) = inertias.iter().map(of).min_by(|a, b| off(a.0, published).total_cmp(&off(b.0, published)))?;
+    let damping_by = |(inertia, words): &(f64, &'static str)| (unit * closed_forms::viscous_untuned(ring / inertia), *words);
+    let (computed, inertia) = inertias.iter().map(damping_by).min_by(|a, b| off(a.0, published).total_cmp(&off(b.0, published)))?;
     let note = format!("1/sqrt(2(1+mu)(2+mu)), mu of the {inertia}");
     Some(Procedure {
         quantity: "damping by procedure".into(),

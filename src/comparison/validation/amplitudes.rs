@@ -51,7 +51,7 @@ pub fn rows(
     let mut rows = Vec::new();
     for (i, p) in published.amplitudes.iter().enumerate() {
         let design = &study.designs[p.design];
-        let at = |order| near(study, &direct, &design.absorbers, order, p.speed_rpm, &mut Work::default());
+        let peak_of_order = |order| near(study, &direct, &design.absorbers, order, p.speed_rpm, &mut Work::default());
         let failed = |error: ResponseError| RunError { what: format!("design `{}`", design.name), error };
         let role = match calibration {
             _ if excluded.contains(&i) => Role::Unexplained,
@@ -62,7 +62,7 @@ pub fn rows(
         if role == Role::Unexplained {
             for order in system.excitation.orders.iter().copied() {
                 // what is rigid at any speed would always win
-                let found = at(order).map_err(failed)?;
+                let found = peak_of_order(order).map_err(failed)?;
                 if let Some(n) =
                     found.filter(|n| resonant(system, order, n.speed_rpm) && largest.is_none_or(|l| n.amplitude > l.1.amplitude))
                 {
@@ -75,7 +75,7 @@ pub fn rows(
             order: p.order,
             speed_rpm: p.speed_rpm,
             published: p.amplitude,
-            computed: at(p.order).map_err(failed)?,
+            computed: peak_of_order(p.order).map_err(failed)?,
             largest,
             role,
             // a printed 0.10 is large enough for a limit of 0.1 whatever the rounding of the units

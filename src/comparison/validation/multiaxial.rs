@@ -76,9 +76,9 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
 /// Dang Van's factor beside its bounds; the nearer bound where it lies outside.
 fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Told> {
     let (shear, k) = (h.shear_amplitude?, Criterion::DANG_VAN_PLANE.weight(l).ok()?);
-    let at = |p: f64| if shear + k * p > 0.0 { l.torsion / (shear + k * p) } else { f64::INFINITY };
-    let least = at(h.hydrostatic_mean + h.hydrostatic_amplitude);
-    let most = at(h.hydrostatic_mean - h.hydrostatic_amplitude);
+    let factor_at = |p: f64| if shear + k * p > 0.0 { l.torsion / (shear + k * p) } else { f64::INFINITY };
+    let least = factor_at(h.hydrostatic_mean + h.hydrostatic_amplitude);
+    let most = factor_at(h.hydrostatic_mean - h.hydrostatic_amplitude);
     let bounds = format!(
         "between {least:.2}, if shear met the largest hydrostatic stress (the thesis's form), and {most:.2}, if it met the smallest"
     );

@@ -63,8 +63,8 @@ pub fn inverse(geometry: &Geometry, wanted: [f64; 4]) -> Option<Inverse> {
 
 /// The published factors at crankpin and journal: bending and torsion of each.
 pub(crate) fn published_factors(published: &Published) -> Option<[f64; 4]> {
-    let at = |fillet: &str| published.factors.iter().find(|f| f.fillet == fillet);
-    let (pin, journal) = (at("crankpin")?, at("journal")?);
+    let factors_at = |fillet: &str| published.factors.iter().find(|f| f.fillet == fillet);
+    let (pin, journal) = (factors_at("crankpin")?, factors_at("journal")?);
     Some([pin.bending, pin.torsion, journal.bending, journal.torsion])
 }
 

@@ -36,7 +36,7 @@ pub fn inputs(study: &Study, published: &Published) -> Vec<Entry> {
         Pressure::Otto(o) => o.speeds_rpm.iter().copied().zip(o.brake_torque.iter().copied()).map(of).reduce(f64::max),
         _ => None,
     };
-    let own = |name: &str| match name {
+    let study_value = |name: &str| match name {
         "piston_diameter" => Some((geometry.bore / M_PER_MM, "mm")),
         "crank_radius" => Some((geometry.slider_crank.crank_radius / M_PER_MM, "mm")),
         "rod_length" => Some((geometry.slider_crank.rod_length / M_PER_MM, "mm")),
@@ -48,7 +48,7 @@ pub fn inputs(study: &Study, published: &Published) -> Vec<Entry> {
         _ => None,
     };
     let given = |q: &PublishedQuantity| {
-        let (value, unit) = own(&q.name)?;
+        let (value, unit) = study_value(&q.name)?;
         let same = q.unit == unit;
         let note = if same { "input of the engine file".into() } else { format!("input of the engine file: {value} {unit}") };
         Some(entry(q, "", Some(value).filter(|_| same), Role::Given, note))

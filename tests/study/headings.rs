@@ -15,6 +15,8 @@ fn what_lies_where_in_a_chain() {
         ("Abs. Dämpfung", 5.0, 0.0),
         ("Äußere Dämpfung", 5.0, 0.0),
         ("Dämpfung gegen Gehäuse", 5.0, 0.0),
+        ("Dämpfung gegen Erde", 5.0, 0.0),
+        ("Dämpfung gegen Gestell", 5.0, 0.0),
         ("Rel. Dämpfung", 0.0, 5.0),
         ("Innere Dämpfung", 0.0, 5.0),
     ]
@@ -30,9 +32,16 @@ fn what_lies_where_in_a_chain() {
         assert_eq!((crank.damping_to_ground, crank.damping_to_next), (ground, next), "{head}");
     }
     // the relative damping of a coupling's maker is 2 pi loss factors [DIN 740-2], and without a unit
-    for (i, (head, loss)) in [("Relative Dämpfung ψ [-]", 5.0 / std::f64::consts::TAU), ("Verlustfaktor", 5.0), ("Loss factor [%]", 0.05)]
-        .into_iter()
-        .enumerate()
+    let psi = 5.0 / std::f64::consts::TAU;
+    for (i, (head, loss)) in [
+        ("Relative Dämpfung ψ [-]", psi),
+        ("rel. Dämpfung [-]", psi),
+        ("Dämpfung [ψ]", psi),
+        ("Verlustfaktor", 5.0),
+        ("Loss factor [%]", 0.05),
+    ]
+    .into_iter()
+    .enumerate()
     {
         let own = format!("loss{i}");
         written(place.path(), "c.csv", damped("").replace(" [N m s/rad]", head));
@@ -154,6 +163,20 @@ fn measurements_and_catalogues_with_german_heads() {
         assert_close(real, 120e3, 1e-12, 0.0, head);
         assert_close(lost / real, (14.0 * std::f64::consts::PI / 180.0).tan(), 1e-12, 0.0, head);
     }
+    // a magnitude has both parts
+    let magnitude = german.replace("dyn. Drehsteifigkeit", "dyn. Drehsteifigkeit |c*|");
+    written(folder.path(), "magnitude.csv", magnitude);
+    let (real, lost) = read("magnitude.csv").stiffness[0][1];
+    assert_close(real.hypot(lost), 120e3, 1e-12, 0.0, "magnitude");
+    assert_close(lost / real, 0.25, 1e-12, 0.0, "loss factor");
+    // units may stand in a row of their own
+    let below = german.replace(
+        " [°C];Frequenz [Hz];dyn. Drehsteifigkeit [kNm/rad];Verlustfaktor [-]",
+        ";Frequenz;dyn. Drehsteifigkeit;Verlustfaktor\r\n°C;Hz;kNm/rad;-",
+    );
+    assert!(below != german);
+    written(folder.path(), "below.csv", below);
+    assert_eq!(format!("{:?}", read("own.csv")), format!("{:?}", read("below.csv")));
     let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/engines/villalva_i6.toml");
     let study = format!(
         "engine = '{}'\nspeed_rpm = {{ from = 600, to = 3200, step = 200 }}\norder_limit = 6\n[[objective]]\npeak_twist = {{ from = \"pulley\", to = \"flywheel\" }}\n[[catalogue]]\non.station = \"pulley\"\nfile = \"catalogue.csv\"\nbest = 1\n",
@@ -169,6 +192,14 @@ fn measurements_and_catalogues_with_german_heads() {
     assert_eq!(catalogue(keys), catalogue(words));
     // a share in per cent, the tangent of the loss angle, and two columns for one key
     assert_eq!(catalogue(keys), catalogue(&words.replace("Verlustfaktor [-]", "tan δ [%]").replace(";0,12;", ";12,0;")));
+    // the spring by the frequency of the ring on its held hub, the inertia of the hub beside it
+    let omega = 2.0 * std::f64::consts::PI * 130.0;
+    let stiff = keys.replace("26687", &(0.04 * omega * omega).to_string()).replace("per_rad\n", "per_rad,hub_inertia_kg_m2\n");
+    let stiff = stiff.replace("0.12,\n", "0.12,,0.002\n").replace(",35\n", ",35,\n");
+    let frequency =
+        words.replace("Drehsteifigkeit [Nm/rad]", "Eigenfrequenz [Hz]").replace("[Nms/rad]\r", "[Nms/rad];Nabenträgheit [kg cm²]\r");
+    let frequency = frequency.replace("26.687", "130").replace("0,12;\r", "0,12;;20\r").replace(";35\r", ";35;\r");
+    assert_eq!(catalogue(&stiff), catalogue(&frequency));
     let twice = words.replace("Bezeichnung;", "Artikel-Nr.;Bezeichnung;").replace("\r\na;", "\r\n7;a;").replace("\r\nb;", "\r\n8;b;");
     written(folder.path(), "catalogue.csv", twice);
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("two names").to_string();
@@ -186,7 +217,7 @@ fn measurements_and_catalogues_with_german_heads() {
     }
     written(folder.path(), "catalogue.csv", words.replace("Ringträgheit", "Nabenträgheit"));
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("of the hub").to_string();
-    assert!(error.contains("Nabenträgheit [kg cm²]") && error.contains("expected `ring_inertia_kg_m2` among them"), "{error}");
+    assert!(error.contains("`hub_inertia_kg_m2`") && error.contains("expected `ring_inertia_kg_m2` among them"), "{error}");
     // neither is the inertia of the primary side nor a static stiffness
     for (head, other) in [("Ringträgheit", "Primärträgheit"), ("Drehsteifigkeit", "stat. Drehsteifigkeit")] {
         written(folder.path(), "catalogue.csv", words.replace(head, other));

@@ -190,16 +190,17 @@ pub fn optimise(
     let cases = scenarios(problem.load_cases, &deviations);
     let of_corners = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
     let optimum = search::optimise(&of_corners, starts, Finish::Distinct, recorder)?;
-    settled(problem, tolerances, (deviations, optimum), seed)
+    settled((problem, &[]), tolerances, (deviations, optimum), seed)
 }
 
-/// An optimum for some deviations, held against the whole box: what is worse inside joins the deviations, and the optimum is sought anew, until none is found or after a number of rounds.
+/// An optimum for some deviations, held against the whole box: what is worse inside joins the deviations, and the optimum is sought anew, until none is found or after a number of rounds. `as_drawn`: load cases that count
+/// without deviations.
 ///
 /// # Errors
 /// As [`optimise`].
 #[doc(hidden)]
-pub fn settled(
-    problem: &Problem,
+pub fn settled<'a>(
+    (problem, as_drawn): (&Problem<'a>, &[LoadCase<'a>]),
     tolerances: &Tolerances,
     (mut deviations, mut optimum): (Vec<Deviation>, Optimum),
     seed: u64,
@@ -213,7 +214,8 @@ pub fn settled(
                 deviations.push(deviation);
             }
         }
-        let cases = scenarios(problem.load_cases, &deviations);
+        let mut cases = scenarios(problem.load_cases, &deviations);
+        cases.extend(as_drawn);
         let problem = Problem { load_cases: &cases, space: problem.space.clone(), ..*problem };
         if deviations.len() > known {
             optimum = again(&problem, optimum)?;

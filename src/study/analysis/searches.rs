@@ -182,18 +182,23 @@ impl<'a> Searches<'a> {
         };
         if let Some(tolerances) = within.as_ref().filter(|_| looked.led_elsewhere()) {
             // a design from elsewhere has its own worst deviation
-            (deviations, optimum) = robust::settled(&problem, tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
+            (deviations, optimum) = robust::settled((&problem, &[]), tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
         }
-        let mut scenarios = robust::scenarios(self.load_cases, &deviations);
-        let at_reference = scenarios.clone();
         // limits are judged in operation, too: a design that is as good there is the best of both
-        if within.is_none() && (spec.in_operation || !self.limits.is_empty()) {
-            scenarios.push(LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None });
+        let mut counts = false;
+        let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
+        if spec.in_operation || !self.limits.is_empty() {
+            let scenarios: Vec<LoadCase> = robust::scenarios(self.load_cases, &deviations).into_iter().chain([operation]).collect();
             let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            if !in_operation(&both, (&mut optimum, &mut looked), &all, spec.seed, step).map_err(failed)? {
-                scenarios.pop();
-            }
+            counts = in_operation(&both, (&mut optimum, &mut looked), &all, spec.seed, step).map_err(failed)?;
         }
+        if let Some(tolerances) = within.as_ref().filter(|_| counts && looked.conflict.is_none()) {
+            // in operation the design is as drawn, elsewhere it has its own worst deviation
+            (deviations, optimum) =
+                robust::settled((&problem, &[operation]), tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
+        }
+        let at_reference = robust::scenarios(self.load_cases, &deviations);
+        let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
         let others = conflict.is_none() && within.is_none();

@@ -1,6 +1,6 @@
 //! Tables as other programs save them, with words and units in their heads.
 
-use super::unit::{SURROUNDINGS, Units, is_unit, known, parts, plain, prefix_of_another, scale};
+use super::unit::{SURROUNDINGS, Units, known, parts, plain, prefix_of_another, scale};
 use crate::input::error::InputError;
 use crate::input::tables::Table;
 use std::path::Path;
@@ -18,19 +18,7 @@ impl Sheet {
     pub(super) fn read(path: &Path, knows: &dyn Fn(&[&str]) -> usize) -> Result<Self, InputError> {
         // one head that means something may be a title or a name
         let score = |cells: &[&str]| Some(knows(cells)).filter(|known| *known > 1).unwrap_or(0);
-        let mut table = Table::of(path, &score)?;
-        // units in a row of their own
-        let units = table.rows.first().filter(|(_, cells)| {
-            let mut said = cells.iter().filter(|cell| !cell.is_empty()).peekable();
-            said.peek().is_some() && said.all(|cell| is_unit(cell))
-        });
-        if let Some((_, units)) = units.cloned() {
-            table.rows.remove(0);
-            for (head, unit) in table.header.iter_mut().zip(units).filter(|(head, unit)| !unit.is_empty() && parts(head).1.is_none()) {
-                *head += &format!(" [{}]", unit.trim_matches(['[', ']', '(', ')']));
-            }
-        }
-        Ok(Self { table })
+        Ok(Self { table: Table::of(path, &score)? })
     }
 
     /// Says which columns are read: the others say nothing of how numbers are written.

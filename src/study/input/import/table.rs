@@ -145,7 +145,7 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
             return Err(sheet.at(row, *column, words.into()));
         }
         if *role == Role::Name && is_sum(&folded(cell)) {
-            return Err(sheet.at(row, *column, format!("found `{cell}`, expected a station: a row of sums is none")));
+            return Err(sheet.at(row, *column, format!("found `{cell}`, expected a station, not a row of sums")));
         }
         if *role == Role::Inertia && station.inertia <= 0.0 {
             let message = match cell.as_str() {

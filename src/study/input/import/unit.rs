@@ -107,7 +107,7 @@ const SAME: [(&str, &str); 17] = [
 ];
 
 /// A unit without spaces, powers and signs between its parts, in small letters.
-pub(super) fn plain(unit: &str) -> String {
+pub(crate) fn plain(unit: &str) -> String {
     let text = folded(&unit.replace("⁻¹", "-1").replace('²', "2"));
     let text: String = text.chars().filter(|c| c.is_alphanumeric() || ['/', '°', '-'].contains(c)).collect();
     // the s of "lb s²" is a second, that of "lbs in²" a plural
@@ -132,7 +132,7 @@ pub(super) fn prefix_of_another(unit: &str) -> Option<(&'static str, &'static st
 pub(super) const SURROUNDINGS: &str = "pressures are absolute: add that of the surroundings, 1.013 bar or 14.7 psi";
 
 /// Whether this is a unit of any column, in brackets or without.
-pub(super) fn is_unit(text: &str) -> bool {
+pub(crate) fn is_unit(text: &str) -> bool {
     let text = text.trim();
     let inner = text.strip_prefix(['[', '(']).and_then(|t| t.strip_suffix([']', ')'])).unwrap_or(text);
     [INERTIA, STIFFNESS, DAMPING, ANGLE.0, PRESSURE.0].iter().any(|units| known(units, inner).is_some())

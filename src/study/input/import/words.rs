@@ -4,8 +4,25 @@ use super::unit::{self, SURROUNDINGS, Units, known, parts};
 
 const THROW: &[&str] = &["throw", "kropfung", "kroepfung", "maneton", "manivela"];
 const DAMPING: &[&str] = &["damp", "dampf", "daempf", "amort"];
-const TO_GROUND: &[&str] =
-    &["ground", "absolut", "absolu", "extern", "aussen", "ausser", "aeusser", "gehaus", "gehaeus", "grund", "terra", "boden"];
+const TO_GROUND: &[&str] = &[
+    "ground",
+    "absolut",
+    "absolu",
+    "extern",
+    "aussen",
+    "ausser",
+    "aeusser",
+    "gehaus",
+    "gehaeus",
+    "grund",
+    "terra",
+    "boden",
+    "erde",
+    "gestell",
+    "fundament",
+    "housing",
+    "frame",
+];
 const TO_NEXT: &[&str] = &[
     "next", "relativ", "shaft", "intern", "innere", "welle", "folgend", "nachst", "naechst", "arbre", "suivant", "eixo", "seguinte",
     "proxim",
@@ -77,12 +94,18 @@ pub(super) fn is_ratio(words: &str) -> bool {
 
 /// How many loss factors one is, where a (folded) head names the loss factor of a shaft, or the relative damping ψ of a coupling \[DIN 740-2\]: the energy lost in a cycle over that stored, 2π loss factors.
 pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<f64> {
-    let percent = match unit.map(str::trim) {
-        None | Some("" | "-" | "1") => 1.0,
-        Some("%") => 0.01,
+    let (percent, says_psi) = match unit.map(str::trim) {
+        None | Some("" | "-" | "–" | "1") => (1.0, false),
+        Some("%") => (0.01, false),
+        Some("ψ") => (1.0, true),
         Some(_) => return None,
     };
-    let is_psi = words.split(|c: char| !c.is_alphanumeric()).any(|word| ["ψ", "psi"].contains(&word));
+    // a relative damping without a unit is ψ: that of a coupling's maker in N m s/rad has one
+    let is_relative = || {
+        let is_rel = ["relativ", "verhaltnismass", "verhaeltnismaess"].iter().any(|w| words.contains(w)) || has_word(words, &["rel"]);
+        is_rel && DAMPING.iter().any(|w| words.contains(w)) && unit.is_some()
+    };
+    let is_psi = says_psi || words.split(|c: char| !c.is_alphanumeric()).any(|word| ["ψ", "psi"].contains(&word)) || is_relative();
     let is_named = ["loss factor", "loss_factor", "verlustfaktor", "facteur de perte", "fator de perda"].iter().any(|w| words.contains(w));
     match (is_named, is_psi) {
         (true, false) => Some(percent),

@@ -1,13 +1,14 @@
 //! Absorbers that can be bought.
 
 use super::named::{CATALOGUE, type_of};
+use super::plain_names::not_plain;
 use super::shown::shown;
 use super::table::Table;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
 use crate::absorber::{Declaration, Parameter, Range, TYPES, types};
 use crate::input::error::InputError;
 use crate::input::files::remark;
-use crate::units::PA_PER_MPA;
+use crate::units::{HZ_PER_RAD_PER_S, PA_PER_MPA};
 use std::path::Path;
 
 /// An absorber of a catalogue.
@@ -19,14 +20,15 @@ pub(crate) struct CatalogueRow {
     pub declaration: &'static Declaration,
     /// A value for each of its parameters.
     pub values: Vec<f64>,
+    /// Of the hub, kg m².
+    pub hub_inertia: f64,
 }
 
-/// A name of a catalogue with `_` for what names of files and rows do not have; nothing where little is left of it.
-fn plain_name(found: &str) -> Option<String> {
-    let plain: String = found.chars().map(|c| if c.is_ascii_alphanumeric() || "_-.".contains(c) { c } else { '_' }).collect();
-    let has_word = plain.chars().any(|c| c.is_ascii_alphanumeric()) && !plain.starts_with(['.', '-']) && !plain.starts_with("optimum_");
-    (has_word && plain.len() <= 100).then_some(plain)
-}
+/// Of the hub, in a column of its own.
+const HUB_INERTIA: &str = "hub_inertia_kg_m2";
+/// Of the ring on its held hub: in the place of the stiffness of types whose spring is the same at every frequency.
+const OWN_FREQUENCY: &str = "own_frequency_hz";
+const SAME_SPRING: [&str; 3] = ["tuned", "undamped", "rubber"];
 
 /// What a study says of all rows of a catalogue.
 #[derive(Debug, Clone, Copy, Default)]
@@ -50,13 +52,12 @@ impl MadeWith {
         if p.key == RING_INERTIA.key {
             return Ok(self.ring_inertia);
         }
+        if p.key == STIFFNESS.key && table.header.iter().any(|h| h == OWN_FREQUENCY) {
+            return self.by_own_frequency(table, (line, cells)).map(Some);
+        }
         let own = OF_MATERIALS.iter().filter(|m| m.1 == p.key && table.header.iter().any(|h| h == m.0));
         let (Some(factor), true) = (self.factor, own.count() > 0) else { return Ok(None) };
-        let value = |key: &str| -> Result<f64, InputError> {
-            let column = table.column(key)?;
-            let value = table.filled(line, column, &cells[column])?;
-            if value > 0.0 { Ok(value) } else { Err(table.at(line, column, format!("found {value}, expected a number above zero"))) }
-        };
+        let value = |key: &str| positive(table, (line, cells), key);
         let made = if p.key == STIFFNESS.key {
             PA_PER_MPA * value("shear_modulus_mpa")?
         } else {
@@ -65,11 +66,39 @@ impl MadeWith {
         Ok(Some(factor * made))
     }
 
+    /// J (2 pi f)².
+    fn by_own_frequency(&self, table: &Table, (line, cells): (u64, &[String])) -> Result<f64, InputError> {
+        let omega = positive(table, (line, cells), OWN_FREQUENCY)? / HZ_PER_RAD_PER_S;
+        let inertia = match self.ring_inertia.filter(|_| table.header.iter().all(|h| h != RING_INERTIA.key)) {
+            Some(inertia) => inertia,
+            None => positive(table, (line, cells), RING_INERTIA.key)?,
+        };
+        Ok(inertia * omega * omega)
+    }
+
     /// Whether a column of materials makes a parameter of a type.
     fn takes(table: &Table, declaration: &Declaration, column: &str) -> bool {
+        if column == OWN_FREQUENCY {
+            let has_stiffness = table.header.iter().any(|h| h == STIFFNESS.key);
+            return SAME_SPRING.contains(&declaration.name) && !has_stiffness;
+        }
         let makes = |m: &&(&str, &str)| m.0 == column && declaration.index(m.1).is_some() && !table.header.iter().any(|h| h == m.1);
         OF_MATERIALS.iter().any(|m| makes(&m))
     }
+}
+
+/// A cell of a row that is to be above zero.
+fn positive(table: &Table, (line, cells): (u64, &[String]), key: &str) -> Result<f64, InputError> {
+    let column = table.column(key)?;
+    let value = table.filled(line, column, &cells[column])?;
+    if value > 0.0 { Ok(value) } else { Err(table.at(line, column, format!("found {value}, expected a number above zero"))) }
+}
+
+/// Of the hub of a row, kg m²; none where it says none.
+fn hub_inertia(table: &Table, (line, cells): (u64, &[String])) -> Result<f64, InputError> {
+    let Some(column) = table.optional(HUB_INERTIA).filter(|c| !cells[*c].is_empty()) else { return Ok(0.0) };
+    let value = table.filled(line, column, &cells[column])?;
+    if value >= 0.0 { Ok(value) } else { Err(table.at(line, column, format!("found {value}, expected zero or more"))) }
 }
 
 const M2_PER_MM2: f64 = 1e-6;
@@ -80,7 +109,10 @@ const M2_PER_MM2: f64 = 1e-6;
 /// [`InputError`] with file, row and column.
 #[doc(hidden)]
 pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, InputError> {
-    let own = ["name", "type"].into_iter().chain(OF_MATERIALS.map(|m| m.0)).chain(TYPES.iter().flat_map(|t| t.parameters).map(|p| p.key));
+    let own = ["name", "type", HUB_INERTIA, OWN_FREQUENCY]
+        .into_iter()
+        .chain(OF_MATERIALS.map(|m| m.0))
+        .chain(TYPES.iter().flat_map(|t| t.parameters).map(|p| p.key));
     let table = Table::read_named(path, &own.collect::<Vec<_>>(), &CATALOGUE)?;
     let (name, kind) = (table.column("name")?, table.column("type")?);
     if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {
@@ -88,7 +120,11 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         return Err(table.at_head(column, found));
     }
     let of_material = |key: &String| OF_MATERIALS.iter().any(|m| m.0 == key);
-    let known = |key: &String| ["name", "type"].contains(&key.as_str()) || of_material(key) || TYPES.iter().any(|t| t.index(key).is_some());
+    let known = |key: &String| {
+        ["name", "type", HUB_INERTIA, OWN_FREQUENCY].contains(&key.as_str())
+            || of_material(key)
+            || TYPES.iter().any(|t| t.index(key).is_some())
+    };
     let others: Vec<String> =
         table.header.iter().filter(|key| !known(key) && !key.is_empty()).map(|key| format!("`{}`", shown(key))).collect();
     if !others.is_empty() {
@@ -97,13 +133,7 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {
         let (own, word) = (&cells[name], &cells[kind]);
-        let plain = !own.is_empty() && own.len() <= 100 && own.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
-        if !plain || own.starts_with(['.', '-']) || own.starts_with("optimum_") {
-            let found = format!(
-                "found the name `{}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`{}",
-                shown(own),
-                plain_name(own).map_or_else(String::new, |name| format!(": `{name}`, say"))
-            );
+        if let Some(found) = not_plain(own) {
             return Err(table.at(*line, name, found));
         }
         if rows.iter().any(|r| r.name == *own) {
@@ -135,6 +165,9 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         for (column, cell) in
             cells.iter().enumerate().filter(|(c, cell)| ![name, kind].contains(c) && !cell.is_empty() && known(&table.header[*c]))
         {
+            if table.header[column] == HUB_INERTIA {
+                continue;
+            }
             if declaration.index(&table.header[column]).is_none() && !MadeWith::takes(&table, declaration, &table.header[column]) {
                 let found = format!(
                     "found `{}`, expected an empty cell: `{}` has no `{}`",
@@ -145,7 +178,8 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
                 return Err(table.at(*line, column, found));
             }
         }
-        rows.push(CatalogueRow { name: own.clone(), declaration, values });
+        let hub_inertia = hub_inertia(&table, (*line, cells))?;
+        rows.push(CatalogueRow { name: own.clone(), declaration, values, hub_inertia });
     }
     if rows.is_empty() {
         return Err(table.whole("found no absorber, expected at least one row".into()));

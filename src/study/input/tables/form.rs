@@ -3,6 +3,7 @@
 use super::numbers::Convention;
 use super::records::{Fault, Record, Records};
 use super::shown::shown;
+use crate::input::import::unit::{is_unit, parts, plain};
 use std::io::Cursor;
 
 /// A header is looked for in so many rows.
@@ -64,11 +65,16 @@ impl Form {
         for delimiter in candidates {
             let rows = rows(start, delimiter);
             for (i, (line, record)) in rows.iter().enumerate().skip(skipped) {
-                let cells: Vec<&str> = record.iter().collect();
-                let known = score(&cells);
+                let heads: Vec<String> = record.iter().map(str::to_owned).collect();
+                let with_units = rows.get(i + 1).and_then(|(_, below)| with_units(&heads, below));
+                let known_of = |heads: &[String]| score(&heads.iter().map(String::as_str).collect::<Vec<_>>());
+                let (mut known, mut own) = (known_of(&heads), (heads, i + 1));
+                if let Some(heads) = with_units.filter(|heads| known_of(heads) >= known) {
+                    (known, own) = (known_of(&heads), (heads, i + 2));
+                }
                 if known > best.as_ref().map_or(0, |b| b.0) {
                     let titles = (i > skipped).then(|| (rows[skipped].0, rows[i - 1].0, text(&rows[skipped].1)));
-                    best = Some((known, Self::new(delimiter, *line, record, i + 1, titles)));
+                    best = Some((known, Self::new(delimiter, *line, own, titles)));
                 }
             }
         }
@@ -90,11 +96,11 @@ impl Form {
                 record = own;
             }
         }
-        Ok(Self::new(delimiter, line, &record, skipped + 1, None))
+        Ok(Self::new(delimiter, line, (record.iter().map(str::to_owned).collect(), skipped + 1), None))
     }
 
-    fn new(delimiter: char, line: u64, record: &Record, skip: usize, titles: Option<(u64, u64, String)>) -> Self {
-        let mut header: Vec<String> = record.iter().map(str::to_owned).collect();
+    /// With a header and the rows to leave out.
+    fn new(delimiter: char, line: u64, (mut header, skip): (Vec<String>, usize), titles: Option<(u64, u64, String)>) -> Self {
         // what a spreadsheet leaves behind the last column
         while header.last().is_some_and(String::is_empty) {
             header.pop();
@@ -126,6 +132,35 @@ impl Form {
         }
         convention
     }
+}
+
+/// Heads with the units of a row of their own below them, in brackets; `None` where that row is none, or contradicts a head.
+fn with_units(heads: &[String], below: &Record) -> Option<Vec<String>> {
+    let units: Vec<&str> = below.iter().collect();
+    let mut said = units.iter().filter(|cell| !cell.is_empty()).peekable();
+    if said.peek().is_none() || units.len() > heads.len() || !units.iter().any(|cell| is_unit(cell) || is_other_unit(cell)) {
+        return None;
+    }
+    if !said.all(|cell| is_unit(cell) || is_other_unit(cell) || ["-", "–", "%", "ψ"].contains(&bare(cell))) {
+        return None;
+    }
+    let joined = |(head, unit): (&String, &&str)| match parts(head).1 {
+        _ if unit.is_empty() => Some(head.clone()),
+        None => Some(format!("{head} [{}]", bare(unit))),
+        Some(own) => (plain(&own) == plain(bare(unit))).then(|| head.clone()),
+    };
+    let rest = &heads[units.len().min(heads.len())..];
+    heads.iter().zip(&units).map(joined).chain(rest.iter().cloned().map(Some)).collect()
+}
+
+/// A unit without the brackets round it.
+fn bare(unit: &str) -> &str {
+    unit.trim().trim_matches(['[', ']', '(', ')'])
+}
+
+/// Units of columns that no chain and no pressure has.
+fn is_other_unit(cell: &str) -> bool {
+    ["Hz", "kHz", "°C", "deg C", "MPa", "N/mm²", "N/mm2"].contains(&bare(cell))
 }
 
 /// The filled cells of a row.

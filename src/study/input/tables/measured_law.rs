@@ -3,6 +3,7 @@
 use super::named::MEASURED;
 use super::table::Table;
 use crate::absorber::measured::MeasuredTable;
+use crate::absorber::parameter::STIFFNESS;
 use crate::input::error::InputError;
 use crate::input::files::remark;
 use crate::numerics::elementary::Elementary;
@@ -13,6 +14,9 @@ use std::path::Path;
 const LEAST: f64 = 1e-20;
 /// Stiffnesses of one table lie within this factor: from its rubbery to its glassy state a polymer has 1e3 to 1e4.
 const MOST_APART: f64 = 1e6;
+
+/// In the place of the real part.
+const MAGNITUDE: &str = "stiffness_magnitude_n_m_per_rad";
 
 /// How a table states what is lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,28 +37,36 @@ impl Loss {
         }
     }
 
-    /// Imaginary part of the stiffness, beside its real part at a frequency (Hz); `None` where no angle is as large.
-    fn stiffness(self, value: f64, (real, hz): (f64, f64)) -> Option<f64> {
-        match self {
-            Self::Factor => Some(real * value),
+    /// Real and imaginary part of a stiffness by one of its parts or its magnitude, with this loss at a frequency (Hz); `None` where no stiffness has so much.
+    fn parts(self, value: f64, (stiffness, is_magnitude): (f64, bool), hz: f64) -> Option<(f64, f64)> {
+        let tangent = match self {
+            Self::Factor => value,
             Self::Angle => {
                 let (sine, cosine) = (value * RAD_PER_DEG).sine_cosine();
-                (value < 90.0).then_some(real * sine / cosine)
+                if value < 90.0 { sine / cosine } else { return None }
             }
-            Self::Damping => Some(value * hz / HZ_PER_RAD_PER_S),
-        }
+            Self::Damping => {
+                let lost = value * hz / HZ_PER_RAD_PER_S;
+                let real = if is_magnitude { ((stiffness - lost) * (stiffness + lost)).sqrt() } else { stiffness };
+                return (real > 0.0).then_some((real, lost));
+            }
+        };
+        let real = if is_magnitude { stiffness / tangent.hypotenuse(1.0) } else { stiffness };
+        Some((real, real * tangent))
     }
 }
 
-/// `frequency_hz, stiffness_n_m_per_rad` (its real part) and one of `loss_factor`, `loss_angle_deg` (whose tangent that is) and `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
+/// `frequency_hz, stiffness_n_m_per_rad` (its real part) or `stiffness_magnitude_n_m_per_rad`, and one of `loss_factor`, `loss_angle_deg` (whose tangent that is) and `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
 ///
 /// # Errors
 /// [`InputError`] with file, row and column.
 #[doc(hidden)]
 pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
-    let columns = ["frequency_hz", "stiffness_n_m_per_rad", "loss_factor", "loss_angle_deg", "damping_n_m_s_per_rad", "temperature_c"];
+    let columns = ["frequency_hz", STIFFNESS.key, MAGNITUDE, "loss_factor", "loss_angle_deg", "damping_n_m_s_per_rad", "temperature_c"];
     let table = Table::read_named(path, &columns, &MEASURED)?.without_empty_columns(&columns);
-    let (frequency, stiffness) = (table.column("frequency_hz")?, table.column("stiffness_n_m_per_rad")?);
+    let frequency = table.column("frequency_hz")?;
+    let magnitude = table.optional(MAGNITUDE).filter(|_| table.optional(STIFFNESS.key).is_none());
+    let stiffness = magnitude.map_or_else(|| table.column(STIFFNESS.key), Ok)?;
     let temperature = table.optional("temperature_c");
     let losses: Vec<Loss> = Loss::ALL.into_iter().filter(|l| table.optional(l.column()).is_some()).collect();
     let [loss] = losses.as_slice() else {
@@ -62,11 +74,9 @@ pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
         return Err(table.whole(format!("found {} of {names}, expected one of them", losses.len())));
     };
     let loss_column = table.column(loss.column())?;
-    if *loss == Loss::Angle {
-        remark(
-            path,
-            "the stiffness beside a loss angle is read as its real part: a magnitude has to be multiplied by the cosine of the angle",
-        );
+    if *loss == Loss::Angle && magnitude.is_none() {
+        let words = "the stiffness beside a loss angle is read as its real part: a magnitude has |c*| in its head, or is";
+        remark(path, &format!("{words} `{MAGNITUDE}`"));
     }
     let known = [Some(frequency), Some(stiffness), Some(loss_column), temperature];
     if let Some(c) = (0..table.header.len()).find(|c| !known.contains(&Some(*c))) {
@@ -85,15 +95,15 @@ pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
             }
         }
         let hz = row[frequency];
-        let Some(lost) = loss.stiffness(row[loss_column], (row[stiffness], hz)) else {
-            return Err(table.at(line, loss_column, format!("found {}, expected an angle below 90°", row[loss_column])));
+        let Some((real, lost)) = loss.parts(row[loss_column], (row[stiffness], magnitude.is_some()), hz) else {
+            return Err(table.at(line, loss_column, format!("found {}, expected less: no stiffness has so much loss", row[loss_column])));
         };
         let celsius = temperature.map_or(0.0, |c| row[c]);
         if points.iter().any(|p| p.0 == celsius && p.1 == hz) {
             return Err(table.at(line, frequency, format!("found {hz} Hz a second time, expected each frequency once at a temperature")));
         }
-        points.push((celsius, hz, row[stiffness], lost));
-        lines.push((line, row[stiffness].hypotenuse(lost)));
+        points.push((celsius, hz, real, lost));
+        lines.push((line, real.hypotenuse(lost)));
     }
     let largest = lines.iter().map(|l| l.1).fold(0.0, f64::max);
     if let Some((line, size)) = lines.iter().find(|l| l.1 * MOST_APART < largest) {

@@ -30,7 +30,7 @@ const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fat
 const SHARE: Units = &[("", 1.0), ("percent", 0.01)];
 
 /// Of measured stiffness.
-pub(super) const MEASURED: [Named; 6] = [
+pub(super) const MEASURED: [Named; 7] = [
     Named { key: "temperature_c", words: Hold(&["temp"]), units: &[("°C", 1.0), ("C", 1.0), ("deg C", 1.0)] },
     Named { key: "frequency_hz", words: Hold(&["freq"]), units: &[("Hz", 1.0), ("kHz", 1e3)] },
     Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
@@ -40,11 +40,19 @@ pub(super) const MEASURED: [Named; 6] = [
         units: &[("deg", 1.0), ("°", 1.0), ("rad", 1.0 / RAD_PER_DEG)],
     },
     Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
+    Named {
+        key: "stiffness_magnitude_n_m_per_rad",
+        words: Hold(&["|c", "|k", "|s", "betrag", "magnitude", "absolutwert"]),
+        units: STIFFNESS,
+    },
     Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];
 
+/// Of the hub of an absorber in a catalogue.
+const HUB_INERTIA: &str = "hub_inertia_kg_m2";
+
 /// Of catalogues.
-pub(super) const CATALOGUE: [Named; 6] = [
+pub(super) const CATALOGUE: [Named; 8] = [
     Named {
         key: "name",
         words: Hold(&[
@@ -63,6 +71,24 @@ pub(super) const CATALOGUE: [Named; 6] = [
     },
     Named { key: "type", words: Hold(&["bauart", "typ", "tipo"]), units: &[] },
     Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
+    Named {
+        key: HUB_INERTIA,
+        words: Hold(&[
+            "nabentrag",
+            "nabentraeg",
+            "tragheit der nabe",
+            "hub inertia",
+            "inertia of the hub",
+            "inertie du moyeu",
+            "inercia do cubo",
+        ]),
+        units: INERTIA,
+    },
+    Named {
+        key: "own_frequency_hz",
+        words: Hold(&["eigenfreq", "own freq", "natural freq", "resonan", "frequence propre", "frequencia propria"]),
+        units: &[("Hz", 1.0)],
+    },
     Named { key: "ring_inertia_kg_m2", words: Hold(&["inertia", "tragheit", "traegheit", "inertie", "inercia"]), units: INERTIA },
     Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
@@ -128,10 +154,11 @@ const OTHERS: [&str; 25] = [
 /// The key that a head says in other words, and the factor of its unit; `None` where it is none of these, may be another, or where its unit is not one of the column's.
 pub(super) fn key(list: &[Named], head: &str) -> Option<(&'static str, f64)> {
     let (words, unit) = parts(head);
-    if OTHERS.iter().any(|w| words.contains(w)) || scale(&words).is_some() {
+    let own = list.iter().find(|n| n.words.are(&words))?;
+    let is_other = own.key != HUB_INERTIA && OTHERS.iter().any(|w| words.contains(w));
+    if is_other || scale(&words).is_some() {
         return None;
     }
-    let own = list.iter().find(|n| n.words.are(&words))?;
     let unit = unit.filter(|u| !["", "-", "–", "1"].contains(&u.trim()));
     match (unit, own.units) {
         (None, []) => Some((own.key, 1.0)),
@@ -183,13 +210,14 @@ fn component(words: &str) -> Option<(char, char)> {
 /// The type of absorber that a word of another language names; the word itself where it is none.
 pub(super) fn type_of(word: &str) -> &str {
     // not viscoelastic ones, which are of rubber
-    const WORDS: [(&str, &str); 10] = [
+    const WORDS: [(&str, &str); 11] = [
         ("gummi", "rubber"),
         ("kautschuk", "rubber"),
         ("elastomer", "rubber"),
         ("caoutchouc", "rubber"),
         ("borracha", "rubber"),
         ("viskos", "viscous"),
+        ("visko", "viscous"),
         ("viscous", "viscous"),
         ("visqueu", "viscous"),
         ("viscoso", "viscous"),

@@ -12,6 +12,7 @@ use crate::input::schema::absorber::{RawAbsorber, RawEngineInertia, RawMeasured,
 use crate::input::schema::material_states::RawMaterialStates;
 use crate::input::schema::study::{RawDesign, RawStudy};
 use crate::input::tables::measured_law;
+use crate::input::tables::not_plain;
 use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -47,13 +48,8 @@ pub(crate) fn resolve(check: &mut Check, study: &RawStudy, of: Reaches) -> Vec<D
             check.wrong(&raw.name, format!("found design `{name}` a second time, expected different names"));
         }
         check.name(&raw.name);
-        let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c)) && !name.starts_with('.');
-        if (!plain || name.starts_with("optimum_")) && fault(name).is_none() {
-            check.wrong_with_help(
-                &raw.name,
-                format!("found the name `{name}`, expected letters, digits, `_`, `-` and `.`, not starting with `-`, `.` or `optimum_`"),
-                "designs name files and rows; `optimum_…` are hartog's own",
-            );
+        if let Some(found) = not_plain(name).filter(|_| fault(name).is_none()) {
+            check.wrong_with_help(&raw.name, found, "designs name files and rows; `optimum_…` are hartog's own");
         }
         let hosts = hosts(check, chain, &raw.absorber.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
         only_one_follows(check, raw.absorber.iter().map(|a| a.material.iter().map(At::get_ref).collect()));

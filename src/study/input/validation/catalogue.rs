@@ -81,7 +81,10 @@ pub(super) fn resolve(
             }
             let law = (row.declaration.build)(&row.values);
             let absorber = Absorber::Ring(WithMaterial::of(law, materials.get(row.declaration.name).unwrap_or(&plain)));
-            designs.push(DesignSpec { name: row.name, absorbers: vec![Mounted::on_station(on, absorber)] });
+            designs.push(DesignSpec {
+                name: row.name,
+                absorbers: vec![Mounted { hub_inertia: row.hub_inertia, ..Mounted::on_station(on, absorber) }],
+            });
         }
         list.push(CatalogueSpec { file: raw.file.get_ref().clone(), best, designs, free });
     }

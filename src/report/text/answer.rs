@@ -68,7 +68,8 @@ fn fewer(mut lines: Vec<String>) -> Vec<String> {
     if lines.len() > MOST_LIMITS {
         lines.sort_by_key(|line| !line.contains("FAILS"));
         let more = lines.split_off(MOST_LIMITS).len();
-        lines.push(format!("  and {more} more lines on limits: --verbose prints them"));
+        let lines_on = if more == 1 { "line" } else { "lines" };
+        lines.push(format!("  and {more} more {lines_on} on limits: --verbose has all"));
     }
     lines
 }
@@ -147,7 +148,7 @@ fn alike(own: &Judged, other: &Judged) -> (&'static str, f64, f64) {
     let apart = [Basis::In(Condition::InOperation), Basis::OwnAmplitude, Basis::Tolerances];
     let differ = apart.into_iter().any(|b| beyond(own, b) != beyond(other, b));
     let changes = own.other_reference().is_some() || other.other_reference().is_some();
-    if differ && changes { (" at the reference", own.reference, other.reference) } else { ("", own.value, other.value) }
+    if differ && changes { ("at the reference", own.reference, other.reference) } else { ("", own.value, other.value) }
 }
 
 /// By how much a design is better than others, in words: than the engine without absorber, and than the best given design.
@@ -175,7 +176,8 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
         && let Some((words, value)) = against(own, other)
     {
         let fails = if results.holds_limits(best) { "" } else { ", which breaks limits" };
-        parts.push(format!("{words} the best given design, {} ({value}{at}{fails})", best.name));
+        let with = if at.is_empty() { String::new() } else { format!("{at}, with {}, ", value_of(&study.objective, own)) };
+        parts.push(format!("{with}{words} the best given design, {} ({value}{fails})", best.name));
     }
     if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
 }
@@ -244,9 +246,9 @@ fn notes(study: &Study, results: &Results) -> String {
             text.push_str(&format!("Best by {}: {} with {}.\n", objective.label, o.design.name, value_of(objective, own.value)));
         }
     }
+    text.push_str(&best_of_catalogues(study, results));
     text.push_str(&failures(study, results));
     below_acceptable(study, results).iter().for_each(|line| text.extend([line.as_str(), "\n"]));
-    text.push_str(&best_of_catalogues(study, results));
     text.push_str(&fronts(study, results));
     let hot: Vec<String> = results.designs.iter().filter(|d| results.overheats(&d.name)).map(|d| format!("`{}`", d.name)).collect();
     if !hot.is_empty() {

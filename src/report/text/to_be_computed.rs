@@ -123,7 +123,8 @@ fn goals(study: &Study, most: usize) -> String {
         let _ = writeln!(text, "  limit: {}", limit.words);
     }
     if study.limits.len() > most {
-        let _ = writeln!(text, "  and {} more of the limits", study.limits.len() - most);
+        let more = study.limits.len() - most;
+        let _ = writeln!(text, "  and {more} more limit{}", if more == 1 { "" } else { "s" });
     }
     if let Some(o) = &study.optimise {
         for a in &o.absorbers {

@@ -8,8 +8,8 @@ use super::results::{OptimumResult, RowCase};
 use super::sensitivities::sensitivities;
 use super::timing::Clock;
 use super::{Progress, RunError};
-use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Deviation, Mounted};
 use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
@@ -184,19 +184,13 @@ impl<'a> Searches<'a> {
             // a design from elsewhere has its own worst deviation
             (deviations, optimum) = robust::settled((&problem, &[]), tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
         }
-        // limits are judged in operation, too: a design that is as good there is the best of both
-        let mut counts = false;
         let operation = LoadCase { condition: Condition::InOperation, cylinder: None, finder: &self.finders[0], deviation: None };
-        if spec.in_operation || !self.limits.is_empty() {
-            let scenarios: Vec<LoadCase> = robust::scenarios(self.load_cases, &deviations).into_iter().chain([operation]).collect();
-            let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..problem };
-            counts = in_operation(&both, (&mut optimum, &mut looked), &all, spec.seed, step).map_err(failed)?;
-        }
-        if let Some(tolerances) = within.as_ref().filter(|_| counts && looked.conflict.is_none()) {
-            // in operation the design is as drawn, elsewhere it has its own worst deviation
-            (deviations, optimum) =
-                robust::settled((&problem, &[operation]), tolerances, (deviations, optimum), spec.seed).map_err(failed)?;
-        }
+        let is_asked = spec.in_operation || !self.limits.is_empty();
+        let held_against = (within.as_ref(), &mut deviations);
+        let counts = is_asked
+            && self
+                .is_of_operation((&problem, operation), held_against, (&mut optimum, &mut looked), (&all, spec.seed, step))
+                .map_err(failed)?;
         let at_reference = robust::scenarios(self.load_cases, &deviations);
         let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
@@ -248,6 +242,24 @@ impl<'a> Searches<'a> {
             robust: within.is_some(),
             reference,
         })
+    }
+
+    /// Limits are judged in operation, too: whether an optimum differs there, which then is sought anew. A design that is as good there is the best of both; within tolerances it is as drawn there.
+    fn is_of_operation(
+        &self,
+        (problem, operation): (&Problem, LoadCase),
+        (within, deviations): (Option<&Tolerances>, &mut Vec<Deviation>),
+        (optimum, looked): (&mut Optimum, &mut LookedOver),
+        (starts, seed, step): (&[NamedPoint], u64, Recorder),
+    ) -> Result<bool, ResponseError> {
+        let scenarios: Vec<LoadCase> = robust::scenarios(self.load_cases, deviations).into_iter().chain([operation]).collect();
+        let both = Problem { load_cases: &scenarios, space: problem.space.clone(), ..*problem };
+        let counts = in_operation(&both, (optimum, looked), starts, seed, step)?;
+        if let Some(tolerances) = within.filter(|_| counts && looked.conflict.is_none()) {
+            // it has its own worst deviation
+            (*deviations, *optimum) = robust::settled((problem, &[operation]), tolerances, (deviations.clone(), optimum.clone()), seed)?;
+        }
+        Ok(counts)
     }
 
     /// The numbers of an optimum. A limit may jump between two speeds that a search looks at, as a temperature does where a balance of heat is lost: where the design then breaks one, the best of the other local optima

@@ -208,9 +208,10 @@ fn measured(check: &mut Check, raw: &RawMeasured, of: Reaches) -> Option<Absorbe
     let (low, high) = (found.frequencies_hz[0], found.frequencies_hz[found.frequencies_hz.len() - 1]);
     if low > of.frequencies_hz.0 || high < of.frequencies_hz.1 {
         let (from, to) = of.frequencies_hz;
-        check.wrong(
+        check.wrong_with_help(
             &raw.file,
             format!("found measurements from {low} to {high} Hz, expected those of the study's speeds and orders, {from:.4} to {to:.4} Hz"),
+            "`hartog fit` finds a law that goes on beyond what was measured; `speed_rpm` and `order_limit` make the range narrower",
         );
     }
     let has_temperature = found.temperatures_c.len() > 1;

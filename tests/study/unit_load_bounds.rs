@@ -122,7 +122,7 @@ fn many_points_are_told_by_the_worst() {
     let mut study = short("villalva_i6_thesis");
     study.designs.truncate(1);
     study.refine_peaks = false;
-    study.speeds_rpm = study.speeds_rpm.into_iter().step_by(4).collect();
+    study.speeds_rpm = study.speeds_rpm.into_iter().step_by(10).collect();
     let mut random = Xoshiro256PlusPlus::seed_from_u64(59);
     let all = points(&mut random, 104);
     let run_with = |fillets: Vec<FilletSpec>| {

@@ -210,6 +210,9 @@ fn measurements_and_catalogues_with_german_heads() {
         words.replace("Drehsteifigkeit [Nm/rad]", "Eigenfrequenz [Hz]").replace("[Nms/rad]\r", "[Nms/rad];Nabenträgheit [kg cm²]\r");
     let frequency = frequency.replace("26.687", "130").replace("0,12;\r", "0,12;;20\r").replace(";35\r", ";35;\r");
     assert_eq!(catalogue(&stiff), catalogue(&frequency));
+    // beside a stiffness it is left out
+    let both = words.replace("Drehsteifigkeit [Nm/rad]", "Eigenfrequenz [Hz];Drehsteifigkeit [Nm/rad]").replace(";26.687;", ";130;26.687;");
+    assert_eq!(catalogue(keys), catalogue(&both.replace(";400;;;35", ";400;;;;35")));
     let twice = words.replace("Bezeichnung;", "Artikel-Nr.;Bezeichnung;").replace("\r\na;", "\r\n7;a;").replace("\r\nb;", "\r\n8;b;");
     written(folder.path(), "catalogue.csv", twice);
     let error = hartog::input::Study::from_toml(&study, folder.path().join("study.toml")).expect_err("two names").to_string();

@@ -52,6 +52,11 @@ impl Sheet {
         self.table.at_head_with_help(column, message, help)
     }
 
+    /// What is to be said of it.
+    pub(super) fn remark(&self, words: &str) {
+        self.table.remark(words);
+    }
+
     /// A mistake of the file.
     pub(super) fn whole(&self, message: String) -> InputError {
         self.table.whole(message)

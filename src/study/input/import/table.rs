@@ -95,7 +95,12 @@ fn columns(sheet: &Sheet) -> Result<(Vec<Column>, Vec<String>), InputError> {
             true => return Err(sheet.at_head(i, format!("found a second column like `{}`, expected one", role.example()))),
             false => {
                 let factor = match loss_factors(&words, unit.as_deref()).filter(|_| role == Role::LossFactorToNext) {
-                    Some(factor) => factor,
+                    Some((factor, is_psi)) => {
+                        if is_psi {
+                            sheet.remark(&format!("column `{head}` is read as the relative damping ψ, 2π times the loss factor"));
+                        }
+                        factor
+                    }
                     None => sheet.factor(i, (units(role), role.example()), unit.as_deref())?,
                 };
                 columns.push((role, i, factor));

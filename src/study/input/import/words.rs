@@ -92,8 +92,8 @@ pub(super) fn is_ratio(words: &str) -> bool {
     ["ratio", "drehzahlverh", "ubersetzung", "uebersetzung", "rapport", "relacao", "transmiss"].iter().any(|w| words.contains(w))
 }
 
-/// How many loss factors one is, where a (folded) head names the loss factor of a shaft, or the relative damping ψ of a coupling \[DIN 740-2\]: the energy lost in a cycle over that stored, 2π loss factors.
-pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<f64> {
+/// How many loss factors one is, where a (folded) head names the loss factor of a shaft, or the relative damping ψ of a coupling \[DIN 740-2\], and whether it is that: the energy lost in a cycle over that stored, 2π loss factors.
+pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<(f64, bool)> {
     let (percent, says_psi) = match unit.map(str::trim) {
         None | Some("" | "-" | "–" | "1") => (1.0, false),
         Some("%") => (0.01, false),
@@ -108,8 +108,8 @@ pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<f64> {
     let is_psi = says_psi || words.split(|c: char| !c.is_alphanumeric()).any(|word| ["ψ", "psi"].contains(&word)) || is_relative();
     let is_named = ["loss factor", "loss_factor", "verlustfaktor", "facteur de perte", "fator de perda"].iter().any(|w| words.contains(w));
     match (is_named, is_psi) {
-        (true, false) => Some(percent),
-        (false, true) => Some(percent / std::f64::consts::TAU),
+        (true, false) => Some((percent, false)),
+        (false, true) => Some((percent / std::f64::consts::TAU, true)),
         _ => None,
     }
 }

@@ -79,8 +79,7 @@ impl MadeWith {
     /// Whether a column of materials makes a parameter of a type.
     fn takes(table: &Table, declaration: &Declaration, column: &str) -> bool {
         if column == OWN_FREQUENCY {
-            let has_stiffness = table.header.iter().any(|h| h == STIFFNESS.key);
-            return SAME_SPRING.contains(&declaration.name) && !has_stiffness;
+            return SAME_SPRING.contains(&declaration.name);
         }
         let makes = |m: &&(&str, &str)| m.0 == column && declaration.index(m.1).is_some() && !table.header.iter().any(|h| h == m.1);
         OF_MATERIALS.iter().any(|m| makes(&m))
@@ -120,15 +119,18 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         return Err(table.at_head(column, found));
     }
     let of_material = |key: &String| OF_MATERIALS.iter().any(|m| m.0 == key);
+    // beside a stiffness the frequency says nothing more
+    let has_stiffness = table.header.iter().any(|h| h == STIFFNESS.key);
     let known = |key: &String| {
-        ["name", "type", HUB_INERTIA, OWN_FREQUENCY].contains(&key.as_str())
+        ["name", "type", HUB_INERTIA].contains(&key.as_str())
+            || key == OWN_FREQUENCY && !has_stiffness
             || of_material(key)
             || TYPES.iter().any(|t| t.index(key).is_some())
     };
     let others: Vec<String> =
         table.header.iter().filter(|key| !known(key) && !key.is_empty()).map(|key| format!("`{}`", shown(key))).collect();
     if !others.is_empty() {
-        remark(path, &format!("columns are left out, as no type has them: {}", others.join(", ")));
+        remark(path, &format!("columns are left out: {}", others.join(", ")));
     }
     let mut rows: Vec<CatalogueRow> = Vec::new();
     for (line, cells) in &table.rows {

@@ -69,6 +69,11 @@ impl Table {
         self.at_with_help(self.head, column, message, Some(help))
     }
 
+    /// What is to be said of it.
+    pub(crate) fn remark(&self, words: &str) {
+        remark(&self.path, words);
+    }
+
     pub fn whole(&self, message: String) -> InputError {
         whole(&self.path, message)
     }

@@ -164,12 +164,8 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
             }
             values.push(value);
         }
-        for (column, cell) in
-            cells.iter().enumerate().filter(|(c, cell)| ![name, kind].contains(c) && !cell.is_empty() && known(&table.header[*c]))
-        {
-            if table.header[column] == HUB_INERTIA {
-                continue;
-            }
+        let is_value = |c: usize| ![name, kind].contains(&c) && table.header[c] != HUB_INERTIA && known(&table.header[c]);
+        for (column, cell) in cells.iter().enumerate().filter(|(c, cell)| !cell.is_empty() && is_value(*c)) {
             if declaration.index(&table.header[column]).is_none() && !MadeWith::takes(&table, declaration, &table.header[column]) {
                 let found = format!(
                     "found `{}`, expected an empty cell: `{}` has no `{}`",

@@ -1,6 +1,7 @@
 //! What the tables hold, in the words in which `guide/outputs.md` tells of their files.
 
 use super::run_tables::RUN_TABLES;
+use crate::absorber::TYPES;
 
 /// Stems of names of files that no row of [`RUN_TABLES`] is for, and what is in them.
 const CAPTIONS: [(&str, &str); 12] = [
@@ -24,4 +25,16 @@ pub(super) fn caption(stem: &str) -> String {
     let known = of_runs.chain(CAPTIONS).find(|c| c.0 == stem);
     let words = known.map_or_else(|| stem.replace('_', " "), |c| c.1.to_owned());
     words.chars().take(1).flat_map(char::to_uppercase).chain(words.chars().skip(1)).collect()
+}
+
+/// Types of a family, whose names are joined by `_` and may hold one.
+pub(crate) fn types_of(family: &str) -> String {
+    let (mut rest, mut list) = (family, Vec::new());
+    while !rest.is_empty() {
+        let begins = |name: &&str| rest.strip_prefix(name).is_some_and(|behind| behind.is_empty() || behind.starts_with('_'));
+        let name = TYPES.iter().map(|t| t.name).filter(begins).max_by_key(|name| name.len()).unwrap_or(rest);
+        list.push(name);
+        rest = rest[name.len()..].trim_start_matches('_');
+    }
+    list.join(" and ")
 }

@@ -3,6 +3,7 @@
 use super::numbers::{digits, list};
 use crate::absorber::Mounted;
 use crate::analysis::{DesignResult, FrontResult, Results, TradeoffResult};
+use crate::captions::types_of;
 use crate::csv::in_unit;
 use crate::input::{FrontSpec, MeasureSpec, Study};
 use crate::text::short;
@@ -97,7 +98,7 @@ fn of_pair(study: &Study, t: &TradeoffResult) -> Value {
             }
         };
         let finite = |p: &Point| p.at.iter().all(|v| v.is_finite());
-        family(&name.replace('_', " and "), &front.points.iter().enumerate().map(point).filter(finite).collect::<Vec<_>>())
+        family(&types_of(name), &front.points.iter().enumerate().map(point).filter(finite).collect::<Vec<_>>())
     };
     let beside = |g: &crate::analysis::Beside| {
         let place = coordinates(g.values);

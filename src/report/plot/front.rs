@@ -4,6 +4,7 @@ use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, p
 use super::labels;
 use super::legend::{self, Entry, Mark};
 use crate::analysis::{Results, TradeoffResult};
+use crate::captions::types_of;
 use crate::files::{Folder, WriteError};
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use plotters::prelude::*;
@@ -61,8 +62,7 @@ fn one(study: &Study, t: &TradeoffResult, measures: [&MeasureSpec; 2], folder: &
     let (x, y) = (range(all().map(|p| p.0), measures[1].unit), range(all().map(|p| p.1), measures[0].unit));
     let name = format!("front_{}_{}", measures[0].word, measures[1].word);
     let stroke = |i: usize| Stroke::of(i, 20);
-    let mut entries: Vec<Entry> =
-        t.families.iter().enumerate().map(|(i, (family, _))| Entry::curve(family.replace('_', " and "), stroke(i))).collect();
+    let mut entries: Vec<Entry> = t.families.iter().enumerate().map(|(i, (family, _))| Entry::curve(types_of(family), stroke(i))).collect();
     entries.push(Entry::new("knee", Mark::Point(line(BLACK, 16))));
     if t.families.iter().flat_map(|f| &f.1.points).any(|p| p.dominated) {
         entries.push(Entry::new("another is no worse", Mark::Point(fill(COLOURS[0], 0.3))));

@@ -12,6 +12,7 @@ use super::verdict::{clause, of_design};
 use crate::analysis::judged::Basis;
 use crate::analysis::method_selection::{Choice, Strategy};
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
+use crate::captions::types_of;
 use crate::input::{FrontSpec, MeasureSpec, Study, UnitOf};
 use crate::objective::{Condition, Over, Peak, Place, holds};
 use crate::optimise::Role;
@@ -119,7 +120,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
 
 /// A line for each family of each front: its knee, or that it has no design.
 pub(super) fn fronts(study: &Study, results: &Results) -> String {
-    let Some(FrontSpec::Of { measures, .. }) = &study.front else { return String::new() };
+    let Some(FrontSpec::Of { measures, points }) = &study.front else { return String::new() };
     let mut text = String::new();
     for t in &results.tradeoffs {
         let [first, second] = t.of.map(|i| &measures[i]);
@@ -136,7 +137,12 @@ pub(super) fn fronts(study: &Study, results: &Results) -> String {
                 count if left == 0 => format!("{count} points, all of them dominated by designs of another family"),
                 count => format!("{count} points, {left} of them not dominated{knee}"),
             };
-            let _ = writeln!(text, "Front of {} against {}, {}: {what}.", first.label, second.label, family.replace('_', " and "));
+            // in a gap of a front there may be designs all the same
+            let fewer = match front.points.len() {
+                count if count > 1 && 4 * count <= 3 * points => format!(" ({points} were asked for; between these no other was found)"),
+                _ => String::new(),
+            };
+            let _ = writeln!(text, "Front of {} against {}, {}: {what}{fewer}.", first.label, second.label, types_of(family));
         }
     }
     text

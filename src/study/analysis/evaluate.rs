@@ -204,8 +204,8 @@ pub fn evaluate(
     work: &mut Work,
 ) -> Result<DesignResult, RunError> {
     let firing = firing(&finders[0], name, design, wanted, work);
-    let (mut result, own_limits) = firing.map_err(|error| RunError { what: name.to_owned(), error })?;
-    let conditions = conditions::in_conditions(finders, name, design, wanted, work)?;
+    let (mut result, mut own_limits) = firing.map_err(|error| RunError { what: name.to_owned(), error })?;
+    let mut conditions = conditions::in_conditions(finders, name, design, wanted, work)?;
     let mut asked: Vec<(f64, &Vec<f64>)> = vec![(result.objective.unwrap_or(0.0), &own_limits)];
     // a condition that makes no difference to the design is that of firing
     let judged_in = wanted.judged_in(design);
@@ -222,6 +222,8 @@ pub fn evaluate(
     let excepted = barred::excepted(finders, design, wanted).map_err(failed)?;
     // what a rule does not let be barred is not excepted by it
     for b in excepted.iter().filter(|b| b.objection.is_some()) {
+        let own = conditions.iter_mut().find(|c| c.condition == b.condition).map_or(&mut own_limits, |c| &mut c.limits);
+        own[b.limit] = own[b.limit].max(b.ratio);
         result.limits[b.limit] = result.limits[b.limit].max(b.ratio);
     }
     result.barred.extend(excepted);

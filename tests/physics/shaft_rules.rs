@@ -80,7 +80,11 @@ fn excepted_ranges_are_held_to_the_rule() {
             assert_close(found.ratio, own.ratio, 1e-6, 0.0, "the stress in it");
             assert_eq!((found.from_rpm, found.to_rpm, found.objection), (own.from_rpm, own.to_rpm, own.objection));
             if found.objection.is_some() {
-                assert!(d.limits[0] >= found.ratio * (1.0 - 1e-12), "{:?}", d.limits);
+                // in its own condition, too
+                let own = d.conditions.iter().find(|c| c.condition == found.condition).map_or(&d.limits_firing, |c| &c.limits);
+                for limits in [&d.limits, own] {
+                    assert!(limits[0] >= found.ratio * (1.0 - 1e-12), "{limits:?}");
+                }
             } else {
                 // as a sweep has it elsewhere, where the limit is asked for
                 let modulus = std::f64::consts::PI * (1e-3 * f64::from(diameter)).powi(3) / 16.0;

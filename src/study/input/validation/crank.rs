@@ -43,7 +43,13 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         return None;
     };
     if engine.layout.split_pin_deg != 0.0 {
-        check.wrong(raw, "found [crank] with split pins, expected it without: each of its throws has one plane and one crankpin");
+        let help =
+            "an engine with split pins has no margins: its studies go without [fatigue] and without objectives and limits of `margin`, too";
+        check.wrong_with_help(
+            raw,
+            "found [crank] with split pins, expected it without: each of its throws has one plane and one crankpin",
+            help,
+        );
         return None;
     }
     let raw = raw.get_ref();

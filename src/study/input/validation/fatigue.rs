@@ -24,7 +24,8 @@ const LARGEST_FACTOR: f64 = 20.0;
 /// The table, or nothing where a mistake leaves none. Paths are relative to `folder`.
 pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Crank>, folder: &Path) -> Option<FatigueSpec> {
     let Some(crank) = crank else {
-        check.wrong(raw, "found [fatigue] for an engine without [crank], expected its dimensions in the engine file");
+        let help = "an engine with split pins, or with torque harmonics, has no [crank]: leave out [fatigue] and all that is of `margin`";
+        check.wrong_with_help(raw, "found [fatigue] for an engine without [crank], expected its dimensions in the engine file", help);
         return None;
     };
     let raw = raw.get_ref();

@@ -43,13 +43,8 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawCrank>, engine: &Engine) ->
         return None;
     };
     if engine.layout.split_pin_deg != 0.0 {
-        let help =
-            "an engine with split pins has no margins: its studies go without [fatigue] and without objectives and limits of `margin`, too";
-        check.wrong_with_help(
-            raw,
-            "found [crank] with split pins, expected it without: each of its throws has one plane and one crankpin",
-            help,
-        );
+        let found = "found [crank] with split pins, expected it without: each of its throws has one plane and one crankpin";
+        check.wrong_with_help(raw, found, "its studies go without [fatigue] and without objectives and limits of `margin`, too");
         return None;
     }
     let raw = raw.get_ref();

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const BLOCK: usize = 6;
 /// The shift is this share of the largest quotient of the diagonals, below zero: K need not be definite.
 const SHIFT: f64 = 1e-7;
-/// Vectors before the first look, over those that are wanted; of fewer unknowns than this all pairs are computed at once.
+/// Vectors before the first look, over those that are wanted; of no more than twice as many unknowns all pairs are computed at once.
 const FIRST: usize = 3;
 /// Blocks from one look to the next.
 const EVERY: usize = 4;

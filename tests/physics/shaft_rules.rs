@@ -1,24 +1,27 @@
 //! Limits of classification societies for shafts and cranks, against fine sweeps and the rules' own formulas.
 
 use crate::support::assert_close;
-use hartog::absorber::Mounted;
+use hartog::absorber::{Mounted, Tuned};
 use hartog::analysis::{self, Objection, Silent};
-use hartog::input::Study;
+use hartog::input::{DesignSpec, Study};
 use hartog::objective::PeakFinder;
 use hartog::response::{Direct, Grid, Method, Quantity, Response, Work};
 
 /// The study of limits of the six with one limit, its given designs only.
 fn judged_by(rule: &str) -> Study {
+    study_of(rule, "")
+}
+
+/// The same with a search.
+fn study_of(rule: &str, search: &str) -> Study {
     let root = env!("CARGO_MANIFEST_DIR");
     let text = std::fs::read_to_string(format!("{root}/studies/villalva_i6_limits.toml")).expect("a study");
-    let (head, rest) = (&text[..text.find("[[constraint]]").expect("limits")], &text[text.find("[optimise]").expect("optimises")..]);
-    let text = format!("{head}[[constraint]]\n{rule}\n\n{rest}").replace("engines/", &format!("{root}/studies/engines/"));
+    let head = &text[..text.find("[[constraint]]").expect("limits")];
+    let text = format!("{head}[[constraint]]\n{rule}\n\n{search}").replace("engines/", &format!("{root}/studies/engines/"));
     let folder = tempfile::tempdir().expect("folder");
     let file = folder.path().join("rule.toml");
     std::fs::write(&file, text).expect("written");
-    let mut s = Study::read(&file).unwrap_or_else(|e| panic!("{e}"));
-    (s.optimise, s.front) = (None, None);
-    s
+    Study::read(&file).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Stress of a shaft over its limit at every half rpm, with the speeds.
@@ -53,13 +56,12 @@ fn shafts_by_the_rule() {
     for d in &results.designs {
         let ratios = sweep_of(&s, &d.absorbers, 6, modulus, &|speed| limit(speed / 2800.0));
         let largest = |from: f64, to: f64| ratios.iter().filter(|r| (from..=to).contains(&r.0)).map(|r| r.1).fold(0.0, f64::max);
-        // above 0.8 of the rated speed the rule lets nothing be barred: what is excepted there counts where it breaks the limit
-        let excepted = Some(largest(2900.0, 2940.0)).filter(|r| *r > 1.0).unwrap_or(0.0);
-        assert_close(d.limits[0], largest(0.0, 2900.0).max(excepted), 2e-4, 0.0, &d.name);
+        // above 0.8 of the rated speed the rule lets nothing be barred: what is excepted there counts
+        assert_close(d.limits[0], largest(0.0, 2940.0), 2e-4, 0.0, &d.name);
     }
 }
 
-/// What a study excepts from a limit by a rule is to be barred: a range that the rule does not let be barred leaves the limit broken, with the stress in it; one that it does leaves the limit as it is elsewhere, and is told, too.
+/// What a study excepts from a limit by a rule is to be barred: a range that the rule does not let be barred leaves the limit broken, with the stress in it; one that it does leaves the limit as it is elsewhere, with the stress in it over that for passing through, 1.7/sqrt(c_K) of the other, and is told, too.
 #[test]
 fn excepted_ranges_are_held_to_the_rule() {
     let rule = |rated: u32, diameter: u32, except: &str| {
@@ -79,11 +81,12 @@ fn excepted_ranges_are_held_to_the_rule() {
             let found = d.barred.iter().find(|b| b.excepted && b.condition == own.condition).expect("told");
             assert_close(found.ratio, own.ratio, 1e-6, 0.0, "the stress in it");
             assert_eq!((found.from_rpm, found.to_rpm, found.objection), (own.from_rpm, own.to_rpm, own.objection));
+            let allowed = if found.objection == Some(Objection::TooHigh) { 1.0 } else { 1.7 / 0.6f64.sqrt() };
             if found.objection.is_some() {
                 // in its own condition, too
                 let own = d.conditions.iter().find(|c| c.condition == found.condition).map_or(&d.limits_firing, |c| &c.limits);
                 for limits in [&d.limits, own] {
-                    assert!(limits[0] >= found.ratio * (1.0 - 1e-12), "{limits:?}");
+                    assert!(limits[0] >= found.ratio / allowed * (1.0 - 1e-12), "{limits:?}");
                 }
             } else {
                 // as a sweep has it elsewhere, where the limit is asked for
@@ -91,13 +94,46 @@ fn excepted_ranges_are_held_to_the_rule() {
                 let sweep = sweep_of(&s, &d.absorbers, 6, modulus, &|speed| limit(speed / f64::from(rated), f64::from(diameter)));
                 let is_outside = |speed: f64| speed <= own.from_rpm || (own.to_rpm..=f64::from(top)).contains(&speed);
                 let outside = sweep.iter().filter(|r| is_outside(r.0)).map(|r| r.1).fold(0.0, f64::max);
-                assert_close(d.limits[0], outside, 1e-3, 0.0, "elsewhere");
+                assert_close(d.limits[0], outside.max(found.ratio / allowed), 1e-3, 0.0, "elsewhere");
                 assert!(d.limits[0] < 0.999 * found.ratio, "the range decides: {:?}", d.limits);
             }
             seen[usize::from(found.objection.is_some())] += 1;
         }
     }
     assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
+}
+
+/// An optimum holds what a rule allows at the speeds that a study excepts: the stress for passing through, or above 0.8 of the rated speed that for continuous running. By a sweep it lies on that limit, and no design of
+/// a grid that holds it is lower. Searches left these speeds out: both optima broke the limit though designs hold it, and fronts had holes.
+#[test]
+fn optima_hold_the_rule_at_excepted_speeds() {
+    let passing = (42, 0.9, "speed_rpm = [600, 2200], except_rpm = [[1000, 2200]]", (1000.0, 2200.0), 1.7 / 0.9f64.sqrt());
+    let too_high = (60, 0.6, "speed_rpm = [600, 2300], except_rpm = [[1500, 2300]]", (1500.0, 2300.0), 1.0);
+    for (diameter, factor, speeds, excepted, allowed) in [passing, too_high] {
+        let of = format!("rated_speed_rpm = 2800, tensile_strength_mpa = 600, stress_factor = {factor}");
+        let rule = format!("shaft_stress = {{ shaft = \"throw_6\", outer_diameter_mm = {diameter}, iacs_m68 = {{ {of} }}, {speeds} }}");
+        let ring = "[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n";
+        let bounds = "stiffness_n_m_per_rad.between = [1e4, 1e6]\ndamping_n_m_s_per_rad.between = [1, 300]\n";
+        let mut s = study_of(&rule, &format!("[optimise]\nrandom_starts = 2\n{ring}{bounds}"));
+        let designs = (0..900).map(|i| {
+            let (k, c) = (1e4 * 100f64.powf(f64::from(i % 30) / 29.0), 300f64.powf(f64::from(i / 30) / 29.0));
+            let ring = Tuned { ring_inertia: 0.076, stiffness: k, damping: c };
+            DesignSpec { name: format!("grid_{i}"), absorbers: vec![Mounted::on_station(0, ring)] }
+        });
+        s.designs.extend(designs);
+        let results = analysis::run(&s, &Silent).unwrap_or_else(|e| panic!("{e}"));
+        let optimum = &results.optima[0].design;
+        assert!(optimum.within_limits(), "{:?}", optimum.limits);
+        let modulus = std::f64::consts::PI * (1e-3 * f64::from(diameter)).powi(3) / 16.0;
+        let tau = |speed: f64| limit(speed / 2800.0, f64::from(diameter)) * factor / 0.6;
+        let sweep = sweep_of(&s, &optimum.absorbers, 6, modulus, &tau);
+        let inside = sweep.iter().filter(|r| (excepted.0..=excepted.1).contains(&r.0)).map(|r| r.1).fold(0.0, f64::max);
+        assert_close(inside, allowed, 1e-3, 0.0, "on the limit at excepted speeds");
+        let held: Vec<f64> = results.designs.iter().filter(|d| d.within_limits()).filter_map(|d| d.objective).collect();
+        assert!(held.len() > 3 && held.len() < results.designs.len(), "some hold it: {}", held.len());
+        let best = held.into_iter().fold(f64::INFINITY, f64::min);
+        assert!(optimum.objective.expect("judged") <= best * (1.0 + 1e-6), "{:?} above {best}", optimum.objective);
+    }
 }
 
 /// Source: [KR Pt 5 Ch 4]: 45 - 24 lambda² N/mm² for four-strokes in line, above the rated speed 21 + 237 (lambda - 0.8) sqrt(lambda - 1) up to 1.15 of it, times 1 + 2/3 (sigma_B/440 - 1). The

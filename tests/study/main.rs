@@ -28,6 +28,7 @@ mod matrices_read;
 mod measures;
 mod multiaxial_margin;
 mod one_order;
+mod prices;
 mod progress;
 mod real_absorbers;
 mod robust;

@@ -349,7 +349,7 @@ fn optimum_by_margin() {
         }
         // between what the optimum by twist has and the most there is
         let asked = 0.5 * (margin(&by_twist.point) + most);
-        let limit = Limit { measure: measures[0].clone(), limit: 1.0 / asked };
+        let limit = Limit { limit: 1.0 / asked, ..measures[0].in_si() };
         let limited = best(twist, std::slice::from_ref(&limit));
         assert!(limited.rows.excess() < 1e-6);
         assert_close(margin(&limited.point), asked, 1e-5, 0.0, "the limit is active");

@@ -118,6 +118,12 @@ impl Condition {
         if let Absorbers::InState(state) = self.row().2 { Some(state) } else { None }
     }
 
+    /// Whether it is service with all cylinders firing alike and absorbers as they are: what rules call normal firing.
+    #[doc(hidden)]
+    pub fn is_service(self) -> bool {
+        matches!(self, Self::Firing | Self::InOperation)
+    }
+
     /// Whether it makes no difference to a design: there are no absorbers, or none whose material it changes.
     #[doc(hidden)]
     pub fn changes_nothing(self, design: &[Mounted]) -> bool {

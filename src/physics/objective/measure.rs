@@ -1,5 +1,6 @@
 //! Measures of a design: what objectives, limits and fronts are made of.
 
+use super::condition::Condition;
 use super::statistic::Statistic;
 use crate::engine::Order;
 use crate::response::Quantity;
@@ -156,7 +157,7 @@ impl Measure {
     /// In units of one: W, rad, N m.
     #[must_use]
     pub fn in_si(&self) -> Limit {
-        Limit { measure: self.clone(), limit: 1.0 }
+        Limit { measure: self.clone(), limit: 1.0, excepted: Vec::new() }
     }
 
     /// The same where two absorbers have changed places.
@@ -211,4 +212,35 @@ pub struct Limit {
     pub measure: Measure,
     /// In the unit of the measure; positive.
     pub limit: f64,
+    /// What is left of it at speeds that a study excepts.
+    pub excepted: Vec<AtExceptedSpeeds>,
+}
+
+/// What a limit allows at speeds that a study excepts from it: a rule lets them be barred, but limits the stress there, too.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtExceptedSpeeds {
+    /// The measure at those speeds.
+    pub measure: Measure,
+    /// In its unit.
+    pub limit: f64,
+    /// Whether it holds with all cylinders firing only.
+    pub in_service: bool,
+}
+
+impl Limit {
+    /// The same, a factor as large.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let excepted = self.excepted.iter().map(|e| AtExceptedSpeeds { limit: e.limit * factor, ..e.clone() }).collect();
+        Self { measure: self.measure.clone(), limit: self.limit * factor, excepted }
+    }
+
+    /// Its measures, each with what it is in units of, and whether that holds with all cylinders firing only.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&Measure, f64, bool)> {
+        std::iter::once((&self.measure, self.limit, false)).chain(self.excepted.iter().map(|e| (&e.measure, e.limit, e.in_service)))
+    }
+
+    /// Those that count in a condition.
+    pub(crate) fn parts_in(&self, condition: Condition) -> impl Iterator<Item = (&Measure, f64)> {
+        self.parts().filter(move |p| !p.2 || condition.is_service()).map(|p| (p.0, p.1))
+    }
 }

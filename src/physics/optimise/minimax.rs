@@ -91,7 +91,7 @@ const MOST_POLISHING: usize = 12;
 const ARRIVED: (f64, [f64; 2]) = (1e-4, [1e-9, 1e-7]);
 
 /// Rows in units of the largest objective.
-fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
+pub(super) fn lines(rows: &Rows, unit: f64) -> Vec<Line> {
     let line = |r: &Row| {
         let scale = if r.role.is_limit() { 1.0 } else { 1.0 / unit };
         Line { objective: rows.term(r.role), value: r.value * scale, gradient: r.gradient.iter().map(|g| g * scale).collect() }

@@ -206,14 +206,17 @@ impl Problem<'_> {
         for (_, load_case) in self.steering() {
             let (design, shared) = (load_case.absorbers(&own)?, self.shared());
             for (value, objective) in values.iter_mut().zip(self.objectives).filter(|o| load_case.asks(&o.1.measure)) {
-                *value = value.max(of(load_case.finder, &design, (&objective.measure, 0.0), &shared)? / objective.limit);
+                for (measure, unit) in objective.parts_in(load_case.condition) {
+                    *value = value.max(of(load_case.finder, &design, (measure, 0.0), &shared)? / unit);
+                }
             }
             if self.together(&values) > most {
                 return Ok((self.together(&values), f64::INFINITY));
             }
-            for limit in self.limits.iter().filter(|l| load_case.asks(&l.measure)) {
+            let asked = self.limits.iter().filter(|l| load_case.asks(&l.measure));
+            for (measure, limit) in asked.flat_map(|l| l.parts_in(load_case.condition)) {
                 // what does not reach its limit exceeds nothing
-                excess = excess.max((of(load_case.finder, &design, (&limit.measure, limit.limit), &shared)? / limit.limit).logarithm());
+                excess = excess.max((of(load_case.finder, &design, (measure, limit), &shared)? / limit).logarithm());
             }
         }
         Ok((self.together(&values), excess))
@@ -232,9 +235,12 @@ impl Problem<'_> {
         let (own, mut values) = (self.space.design(w), vec![0.0_f64; self.objectives.len()]);
         rows.rows.iter().filter(|r| rows.is_largest(r, ACTIVE)).any(|row| {
             let Role::Objective(i) = row.role else { return false };
-            let (load_case, Limit { measure, limit }) = (&self.load_cases[row.load_case], &self.objectives[i]);
+            let load_case = &self.load_cases[row.load_case];
+            // speeds that are excepted from a limit have rows of their own
+            let holds = |m: &Measure| m.within.holds(row.peak.speed_rpm);
+            let Some((measure, unit)) = self.objectives[i].parts_in(load_case.condition).find(|part| holds(part.0)) else { return false };
             let least = load_case.finder.at_least(&load_case.absorbers_at_few_speeds(&own), (measure, &row.peak), work);
-            values[i] = values[i].max(least.unwrap_or(0.0) / limit);
+            values[i] = values[i].max(least.unwrap_or(0.0) / unit);
             self.together(&values) > value
         })
     }
@@ -262,11 +268,12 @@ impl Problem<'_> {
         let own = self.space.design(w);
         let objectives = self.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l));
         let limits = self.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
-        let asked: Vec<(Role, &Limit, f64)> = objectives
+        let asked: Vec<_> = objectives
             .chain(limits)
-            .map(|(role, limit)| {
-                let of_margin = matches!(limit.measure.over, Over::Margin(_));
-                (role, limit, if of_margin { share.max(ROW_SHARE_OF_MARGIN) } else { share })
+            .flat_map(|(role, limit)| limit.parts().map(move |(measure, unit, in_service)| (role, measure, unit, in_service)))
+            .map(|(role, measure, unit, in_service)| {
+                let of_margin = matches!(measure.over, Over::Margin(_));
+                (role, measure, unit, in_service, if of_margin { share.max(ROW_SHARE_OF_MARGIN) } else { share })
             })
             .collect();
         // case by case: what measures share of one is given up before the next
@@ -274,8 +281,10 @@ impl Problem<'_> {
         let mut designs = Vec::new();
         for (load_case, s) in self.steering() {
             let (design, shared) = (s.absorbers(&own)?, self.shared());
-            for ((role, Limit { measure, limit }, keep), found) in asked.iter().zip(&mut by_measure).filter(|a| s.asks(&a.0.1.measure)) {
-                let least = if role.is_limit() { FAR_BELOW * limit } else { 0.0 };
+            let counts = |in_service: bool| !in_service || s.condition.is_service();
+            let here = asked.iter().zip(&mut by_measure).filter(|(a, _)| s.asks(a.1) && counts(a.3));
+            for ((role, measure, unit, _, keep), found) in here {
+                let least = if role.is_limit() { FAR_BELOW * unit } else { 0.0 };
                 let peaks = s.finder.peaks_knowing(&design, measure, Asked { keep: *keep, least }, &shared, work)?;
                 found.extend(peaks.into_iter().map(|p| (designs.len(), p)));
             }
@@ -283,7 +292,7 @@ impl Problem<'_> {
         }
         let varying: Vec<usize> = (0..own.len()).filter(|i| self.space.varies(*i)).collect();
         let mut rows = Vec::new();
-        for ((role, Limit { measure, limit: unit }, share), mut found) in asked.into_iter().zip(by_measure) {
+        for ((role, measure, unit, _, share), mut found) in asked.into_iter().zip(by_measure) {
             // peaks that are large in their own load case may be small among all
             let largest = found.iter().map(|p| p.1.value).fold(0.0, f64::max);
             found.retain(|p| p.1.value >= share * largest);
@@ -295,8 +304,7 @@ impl Problem<'_> {
                     _ => self.space.chain_rule(w, &finder.gradients(design, &varying, measure, &peak, work)?),
                 };
                 // the logarithm keeps limits that are missed by far of a size with the objective
-                let (value, unit) =
-                    if role.is_limit() { ((peak.value / unit).logarithm(), peak.value) } else { (peak.value / unit, *unit) };
+                let (value, unit) = if role.is_limit() { ((peak.value / unit).logarithm(), peak.value) } else { (peak.value / unit, unit) };
                 let gradient = gradient.iter().map(|g| g / unit).collect();
                 rows.push(Row { load_case: *load_case, role, value, gradient, peak });
             }
@@ -315,7 +323,7 @@ impl Problem<'_> {
 
     /// What evaluations of a design in one load case share.
     fn shared(&self) -> Shared {
-        Shared::of(self.objectives.iter().chain(self.limits).map(|l| &l.measure))
+        Shared::of(self.objectives.iter().chain(self.limits).flat_map(Limit::parts).map(|part| part.0))
     }
 
     /// Load cases in which the family can change something, with their indices.

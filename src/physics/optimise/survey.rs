@@ -371,7 +371,7 @@ fn tightened(problem: &Problem, from: &[f64], work: &mut Work) -> Option<Outcome
     }
     for step in (0..TIGHTENED).rev() {
         let factor = (excess * step as f64 / TIGHTENED as f64).exponential();
-        let limits: Vec<Limit> = problem.limits.iter().map(|l| Limit { limit: l.limit * factor, ..l.clone() }).collect();
+        let limits: Vec<Limit> = problem.limits.iter().map(|l| l.scaled(factor)).collect();
         let eased = Problem { limits: &limits, space: problem.space.clone(), ..free };
         outcome = minimax::minimise_with(&eased, &outcome.point, outcome.curvature, work).ok()?;
     }

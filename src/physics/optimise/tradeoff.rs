@@ -92,7 +92,7 @@ impl<'a> Follower<'a> {
 
     /// Limits of the problem, the second measure at most at a level being the last.
     fn limits(&self, most: f64) -> Vec<Limit> {
-        self.problem.limits.iter().cloned().chain([Limit { measure: self.second.measure.clone(), limit: most }]).collect()
+        self.problem.limits.iter().cloned().chain([Limit { limit: most, ..self.second.measure.in_si() }]).collect()
     }
 
     fn within<'p>(&self, limits: &'p [Limit], objectives: &'p [Limit]) -> Problem<'p>
@@ -187,7 +187,7 @@ impl<'a> Follower<'a> {
     /// Of designs that are level with this one in the first measure the one with the least of the second, from it and from the starts that led to a level one.
     fn least_of_second(&self, last: Level, level: &[String], work: &mut Work) -> Result<Level, ResponseError> {
         let most = last.values[0] * (1.0 + HELD);
-        let first = Limit { measure: self.problem.objectives[0].measure.clone(), limit: most };
+        let first = Limit { limit: most, ..self.problem.objectives[0].measure.in_si() };
         let limits: Vec<Limit> = self.problem.limits.iter().cloned().chain([first]).collect();
         let seconds = [self.second.measure.in_si()];
         let problem = self.within(&limits, &seconds);

@@ -3,7 +3,7 @@
 use super::evaluation_plan::EvaluationPlan;
 use super::systems::engines_in;
 use crate::absorber::Mounted;
-use crate::fatigue::shaft_rules::{HIGHEST_BARRED, barred};
+use crate::fatigue::shaft_rules::barred;
 use crate::input::{LimitOfRule, LimitSpec};
 use crate::objective::in_operation::absorbers;
 use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds};
@@ -169,17 +169,26 @@ pub(crate) fn ranges(
     Ok(list)
 }
 
+/// The stress in a range that is to be barred over what a rule allows there: that for continuous running where it does not let the range be barred, else that for passing through. Zero where that is not judged.
+pub(crate) fn over_allowed(rule: &LimitOfRule, range: &BarredRange) -> f64 {
+    if is_too_high(rule, range) { range.ratio } else { rule.transient.map_or(0.0, |most| range.ratio / most) }
+}
+
+/// Whether a range reaches above that up to which a rule lets ranges be barred in normal firing.
+fn is_too_high(rule: &LimitOfRule, range: &BarredRange) -> bool {
+    range.condition.is_service() && rule.is_too_high(range.to_rpm)
+}
+
 /// Why a rule does not let a range be barred, where it does not.
 fn objection(rule: &LimitOfRule, range: &BarredRange) -> Option<Objection> {
-    let in_service = matches!(range.condition, Condition::Firing | Condition::InOperation);
     match () {
-        () if rule.transient.is_some_and(|most| range.ratio > most) => Some(Objection::Transient),
-        () if in_service && range.to_rpm > HIGHEST_BARRED * rule.rated_rpm => Some(Objection::TooHigh),
+        () if rule.transient.is_some_and(|most| !holds(range.ratio / most)) => Some(Objection::Transient),
+        () if is_too_high(rule, range) => Some(Objection::TooHigh),
         () => None,
     }
 }
 
-/// Ranges of speed that a study excepts from limits by rules, in every condition in which a design breaks the limit there: what is excepted is to be barred, and a rule does not let every range be.
+/// Ranges of speed that a study excepts from limits by rules, in every condition that a design is judged in: what is excepted is to be barred, and a rule does not let every range be.
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
@@ -187,13 +196,8 @@ pub(crate) fn excepted(finders: &[PeakFinder], design: &[Mounted], wanted: &Eval
     let mut list: Vec<BarredRange> = Vec::new();
     for (index, limit) in wanted.limits.iter().enumerate() {
         let Some(rule) = &limit.rule else { continue };
-        // the rule says nothing beyond the ends of its curve
-        let curve = &limit.of.measure.within.factors;
-        let (first, last) = (curve.first().map_or(0.0, |f| f.0), curve.last().map_or(f64::INFINITY, |f| f.0));
-        let covered = rule.excepted.iter().map(|(from, to)| (from.max(first), to.min(last))).filter(|(from, to)| from < to);
-        for (from_rpm, to_rpm) in covered {
-            let mut there = limit.of.measure.clone();
-            there.within.ranges = vec![(from_rpm, to_rpm)];
+        for (from_rpm, to_rpm) in limit.excepted() {
+            let there = limit.within(vec![(from_rpm, to_rpm)]);
             for condition in wanted.judged_in(design) {
                 for finder in engines_in(condition, finders) {
                     let Some(peak) = finder.peak(&absorbers(condition, finder, design)?, &there, &mut Work::default())? else { continue };
@@ -201,10 +205,10 @@ pub(crate) fn excepted(finders: &[PeakFinder], design: &[Mounted], wanted: &Eval
                     let mut range =
                         BarredRange { limit: index, condition, critical_rpm, ratio, from_rpm, to_rpm, objection: None, excepted: true };
                     let same = |r: &BarredRange| (r.limit, r.condition, r.from_rpm) == (index, condition, from_rpm);
-                    if holds(ratio) || list.iter().any(|r| same(r) && r.ratio >= ratio) {
+                    if list.iter().any(|r| same(r) && r.ratio >= ratio) {
                         continue;
                     }
-                    range.objection = objection(rule, &range);
+                    range.objection = objection(rule, &range).filter(|_| !holds(ratio));
                     list.retain(|r| !same(r));
                     list.push(range);
                 }

@@ -220,13 +220,13 @@ pub fn evaluate(
     result.barred = barred::ranges(finders, design, wanted, &result.limits).map_err(failed)?;
     result.still_broken = barred::still_broken(finders, design, wanted, &result.limits, &result.barred).map_err(failed)?;
     let excepted = barred::excepted(finders, design, wanted).map_err(failed)?;
-    // what a rule does not let be barred is not excepted by it
-    for b in excepted.iter().filter(|b| b.objection.is_some()) {
+    for b in &excepted {
         let own = conditions.iter_mut().find(|c| c.condition == b.condition).map_or(&mut own_limits, |c| &mut c.limits);
-        own[b.limit] = own[b.limit].max(b.ratio);
-        result.limits[b.limit] = result.limits[b.limit].max(b.ratio);
+        let used = wanted.limits[b.limit].rule.as_ref().map_or(0.0, |rule| barred::over_allowed(rule, b));
+        own[b.limit] = own[b.limit].max(used);
+        result.limits[b.limit] = result.limits[b.limit].max(used);
     }
-    result.barred.extend(excepted);
+    result.barred.extend(excepted.into_iter().filter(|b| !holds(b.ratio)));
     result.rule_stresses = barred::rule_stresses(finders, design, wanted).map_err(failed)?;
     result.conditions = conditions;
     result.limits_firing = own_limits;

@@ -2,7 +2,7 @@
 
 use super::{DesignResult, Progress};
 use crate::absorber::Deviation;
-use crate::input::{RobustSpec, Sampling, Study};
+use crate::input::{LimitSpec, RobustSpec, Sampling, Study};
 use crate::objective::{Measure, PeakFinder};
 use crate::optimise::checkpoint::remembered;
 use crate::optimise::{LoadCase, Tolerances, robust};
@@ -81,15 +81,24 @@ fn within(
     (spec, tolerances, seed): (&RobustSpec, &Tolerances, u64),
 ) -> Result<RobustOfDesign, ResponseError> {
     let objective = &study.objective.measure;
-    let worst = |measure: &Measure, unit: f64| -> Result<Worst, ResponseError> {
+    let in_cases = |cases: &[LoadCase], measure: &Measure, unit: f64| -> Result<Worst, ResponseError> {
         let nominal = crate::optimise::largest(cases.iter(), &d.absorbers, measure, &mut Work::default())?;
         let (point, value) = tolerances.worst(|p| robust::deviated(cases, &d.absorbers, &tolerances.at(p), measure), seed);
         Ok(Worst { nominal: nominal / unit, value: value / unit, deviation: tolerances.at(&point).within(&d.absorbers) })
     };
+    let worst = |measure: &Measure, unit: f64| in_cases(cases, measure, unit);
+    let in_service: Vec<LoadCase> = cases.iter().filter(|c| c.condition.is_service()).copied().collect();
+    let of_limit = |l: &LimitSpec| -> Result<Worst, ResponseError> {
+        l.to_limit().excepted.iter().try_fold(worst(&l.of.measure, l.limit)?, |known, e| {
+            let own = in_cases(if e.in_service { &in_service } else { cases }, &e.measure, e.limit)?;
+            let nominal = known.nominal.max(own.nominal);
+            Ok(Worst { nominal, ..if own.value > known.value { own } else { known } })
+        })
+    };
     Ok(RobustOfDesign {
         design: d.name.clone(),
         worst: worst(objective, 1.0)?,
-        limits: study.limits.iter().map(|l| worst(&l.of.measure, l.limit)).collect::<Result<_, _>>()?,
+        limits: study.limits.iter().map(of_limit).collect::<Result<_, _>>()?,
         percentile: spec.sampling.map(|s| percentile(cases, d, objective, (tolerances, s, seed))),
         band: band(study, finder, d, tolerances)?,
     })

@@ -221,8 +221,7 @@ impl<'a> Searches<'a> {
         let load_cases = optimum.outcome.rows.rows.iter().map(load_case).collect();
         let firing = LoadCase { condition: Condition::Firing, cylinder: None, finder: &self.finders[0], deviation: None };
         let reference = self.comes_to(objective, &[firing], mounted).ok();
-        let (prices, on_bounds) =
-            (shadow_prices::prices(&optimum.outcome, self.limits.len()), shadow_prices::on_bounds(&problem.space, &optimum.outcome));
+        let (prices, on_bounds) = shadow_prices::prices(&problem.space, &optimum.outcome, self.limits.len());
         Ok(OptimumResult {
             design,
             optimum,

@@ -1,7 +1,7 @@
 //! A measure as a study names it: with its unit, and its names in tables and titles.
 
-use crate::fatigue::shaft_rules::ShaftRule;
-use crate::objective::{Limit, Measure};
+use crate::fatigue::shaft_rules::{HIGHEST_BARRED, ShaftRule};
+use crate::objective::{AtExceptedSpeeds, Limit, Measure};
 use crate::response::Rate;
 use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
 
@@ -181,10 +181,44 @@ pub struct CombinedSpec {
     pub spec: MeasureSpec,
 }
 
+impl LimitOfRule {
+    /// Whether a range up to a speed, rpm, reaches above that up to which ranges may be barred in normal firing.
+    pub(crate) fn is_too_high(&self, to_rpm: f64) -> bool {
+        to_rpm > HIGHEST_BARRED * self.rated_rpm
+    }
+}
+
 impl LimitSpec {
-    /// As optimisers take it.
+    /// As optimisers take it: of a rule, too, what it allows at the speeds that the study excepts. There the stress for passing through is the limit; where a range reaches above that up to which ranges may be barred in normal
+    /// firing, that for continuous running is, in service.
     #[doc(hidden)]
     pub fn to_limit(&self) -> Limit {
-        Limit { measure: self.of.measure.clone(), limit: self.limit }
+        let mut excepted = Vec::new();
+        if let Some(rule) = &self.rule {
+            let (high, all) = (self.excepted().into_iter().filter(|r| rule.is_too_high(r.1)).collect(), self.excepted());
+            let at = |ranges: Vec<(f64, f64)>, limit, in_service| {
+                let measure = self.within(ranges);
+                (!measure.within.ranges.is_empty()).then_some(AtExceptedSpeeds { measure, limit, in_service })
+            };
+            excepted.extend(at(high, self.limit, true));
+            excepted.extend(rule.transient.and_then(|most| at(all, self.limit * most, false)));
+        }
+        Limit { measure: self.of.measure.clone(), limit: self.limit, excepted }
+    }
+
+    /// Its measure in other ranges of speed.
+    pub(crate) fn within(&self, ranges: Vec<(f64, f64)>) -> Measure {
+        let mut measure = self.of.measure.clone();
+        measure.within.ranges = ranges;
+        measure
+    }
+
+    /// Ranges of speed, rpm, that a study excepts from a rule, as far as its curve goes: beyond its ends the rule says nothing.
+    pub(crate) fn excepted(&self) -> Vec<(f64, f64)> {
+        let Some(rule) = &self.rule else { return Vec::new() };
+        let curve = &self.of.measure.within.factors;
+        let (first, last) = (curve.first().map_or(0.0, |f| f.0), curve.last().map_or(f64::INFINITY, |f| f.0));
+        let covered = rule.excepted.iter().map(|(from, to)| (from.max(first), to.min(last)));
+        covered.filter(|(from, to)| from < to).collect()
     }
 }

@@ -115,8 +115,8 @@ fn optima_hold_the_rule_at_excepted_speeds() {
         let ring = "[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n";
         let bounds = "stiffness_n_m_per_rad.between = [1e4, 1e6]\ndamping_n_m_s_per_rad.between = [1, 300]\n";
         let mut s = study_of(&rule, &format!("[optimise]\nrandom_starts = 2\n{ring}{bounds}"));
-        let designs = (0..900).map(|i| {
-            let (k, c) = (1e4 * 100f64.powf(f64::from(i % 30) / 29.0), 300f64.powf(f64::from(i / 30) / 29.0));
+        let designs = (0..225).map(|i| {
+            let (k, c) = (1e4 * 100f64.powf(f64::from(i % 15) / 14.0), 300f64.powf(f64::from(i / 15) / 14.0));
             let ring = Tuned { ring_inertia: 0.076, stiffness: k, damping: c };
             DesignSpec { name: format!("grid_{i}"), absorbers: vec![Mounted::on_station(0, ring)] }
         });
@@ -130,7 +130,7 @@ fn optima_hold_the_rule_at_excepted_speeds() {
         let inside = sweep.iter().filter(|r| (excepted.0..=excepted.1).contains(&r.0)).map(|r| r.1).fold(0.0, f64::max);
         assert_close(inside, allowed, 1e-3, 0.0, "on the limit at excepted speeds");
         let held: Vec<f64> = results.designs.iter().filter(|d| d.within_limits()).filter_map(|d| d.objective).collect();
-        assert!(held.len() > 3 && held.len() < results.designs.len(), "some hold it: {}", held.len());
+        assert!(held.len() > 1 && held.len() < results.designs.len(), "some hold it: {}", held.len());
         let best = held.into_iter().fold(f64::INFINITY, f64::min);
         assert!(optimum.objective.expect("judged") <= best * (1.0 + 1e-6), "{:?} above {best}", optimum.objective);
     }

@@ -295,3 +295,31 @@ fn an_inertia_is_of_no_condition() {
     assert!(judged.is_reference() && judged.other_reference().is_none(), "{judged:?}");
     assert!(judged.value == optimum.optimum.value() && results.study.held().len() == 2);
 }
+
+/// The curve of a misfire is that of the worst cylinder at every speed: the largest synthesis of a sweep of each, whose orders add up to it. It was the curve of the cylinder that is worst at its peak, 26 % below another one
+/// elsewhere.
+#[test]
+fn the_curve_of_a_misfire_is_of_the_worst_cylinder_everywhere() {
+    let mut s = study("villalva_i6_thesis");
+    (s.optimise, s.front, s.conditions) = (None, None, vec![Condition::Misfire]);
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(10).collect();
+    let results = analysis::run(&s, &Silent).expect("damped");
+    let none = results.sweeps.iter().find(|d| d.design == "none").expect("a design without absorber");
+    let curve = none.quantities.iter().find(|q| q.condition == Condition::Misfire).expect("its twist");
+    let grid = Grid::new(&s.speeds_rpm, &[]);
+    let of = |cylinder: usize| {
+        let system = System::new(s.chain.clone(), misfiring(&s, cylinder));
+        let method = Method::Direct(Direct::new(&system, &grid));
+        let mut sweep = Vec::new();
+        method.sweep(&[], s.twist, &mut sweep, &mut Work::default()).expect("damped");
+        PeakFinder::new(&system, &grid, &method, false).synthesis(&sweep)
+    };
+    let all: Vec<Vec<f64>> = (0..6).map(of).collect();
+    let mut worst_at = std::collections::BTreeSet::new();
+    for (i, total) in curve.total.iter().enumerate() {
+        let (worst, largest) = all.iter().map(|c| c[i]).enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).expect("cylinders");
+        assert_close(*total, largest.to_degrees(), 1e-9, 0.0, &format!("{} rpm", s.speeds_rpm[i]));
+        worst_at.insert(worst);
+    }
+    assert!(worst_at.len() > 1, "one cylinder is worst everywhere");
+}

@@ -218,3 +218,24 @@ fn the_least_mean_over_a_duty() {
         assert!(other > best * (1.0 - 1e-9), "{a} {b}: {other} is below {best}");
     }
 }
+
+/// The twist that tables report is the first that a study asks for, as an objective or as a limit, whatever stands before it: behind a margin or an inertia it was that over the whole chain.
+#[test]
+fn the_twist_that_is_reported_is_the_one_that_is_asked_for() {
+    let twist = "peak_twist = { from = \"throw_1\", to = \"throw_6\"";
+    let objective = |measure: &str| format!("[[objective]]\n{measure}\n");
+    let asked = |parts: &[String]| {
+        let head = "engine = \"engines/villalva_i6.toml\"\nspeed_rpm = { from = 600, to = 3200, step = 100 }\norder_limit = 6\n";
+        let search = "[optimise]\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.between = [0.01, 0.1]\n";
+        let text = format!("{head}{}{search}", parts.concat());
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/twist.toml");
+        Study::from_toml(&text, file).unwrap_or_else(|e| panic!("{e}")).twist
+    };
+    let inertia = objective("ring_inertia = {}");
+    let limit = format!("[[constraint]]\n{twist}, max_deg = 0.5 }}\n");
+    let expected = Quantity::Twist { from: 1, to: Some(6) };
+    assert_eq!(asked(&[inertia.clone(), objective(&format!("{twist} }}"))]), expected);
+    assert_eq!(asked(&[inertia.clone(), limit]), expected);
+    let most = "[[constraint]]\ndissipated_power = { max_w = 300 }\n".to_owned();
+    assert_eq!(asked(&[inertia, most]), Quantity::Twist { from: 0, to: Some(7) });
+}

@@ -4,7 +4,7 @@ use super::table::{Table, number, optional};
 use crate::analysis::{DesignResult, Results};
 use crate::files::{Folder, WriteError};
 use crate::input::{LimitSpec, Study};
-use crate::objective::{Condition, holds};
+use crate::objective::{Condition, Over, holds};
 
 /// What both tables say of a limit.
 const OF_LIMIT: [&str; 7] = ["measure", "where", "value", "limit", "unit", "used_percent", "held"];
@@ -55,7 +55,9 @@ pub fn condition_limits(study: &Study, results: &Results, folder: &Folder) -> Re
     let columns: Vec<&str> = ["design", "condition"].into_iter().chain(OF_LIMIT).chain(["role"]).collect();
     let mut table = Table::new(&columns);
     let mut put = |d: &DesignResult, condition: Condition, ratios: &[f64]| {
-        for (limit, ratio) in study.limits.iter().zip(ratios) {
+        // a temperature is that in operation: in a state of the material there is none
+        let is_known = |(limit, ratio): &(&LimitSpec, &f64)| limit.of.measure.over != Over::Temperature || **ratio != 0.0;
+        for (limit, ratio) in study.limits.iter().zip(ratios).filter(is_known) {
             let own = of_limit(results, d, limit, *ratio);
             let named = [d.name.clone(), condition.name().to_owned()];
             table.row(named.into_iter().chain(own).chain([role(study, condition).to_owned()]));

@@ -123,7 +123,7 @@ pub(super) fn fronts(results: &Results) -> Markup {
     let number = results.tradeoffs.len() + usize::from(!results.fronts.is_empty());
     html! { @if number > 0 {
         h2 { "Fronts" }
-        p class="soft" { "Each point is the best absorber of its kind that was found at that cost. Filled ones hold the limits, and no other point of their kind is better in both; of the others, beaten or beyond a limit, those beyond are the nearest to their limits that were found. Given designs stand beside: a click draws one below." }
+        p class="soft" { "Each point is the best absorber of its kind that was found at that cost. Filled ones hold the limits, and no other point of any kind is better in both; of the others, beaten or beyond a limit, those beyond are the nearest to their limits that were found. Given designs stand beside: a click draws one below." }
         div class="tools" hidden[number < 2] { label { "Front " select id="fronts" {} } }
         div id="front" {}
         p id="picked" class="read" {}

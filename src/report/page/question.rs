@@ -4,7 +4,7 @@ use super::parts::{limits_judged_in, value_of};
 use crate::analysis::verdict::Verdict;
 use crate::analysis::{DesignResult, OptimumResult, Results};
 use crate::input::Study;
-use crate::objective::Condition;
+use crate::objective::{Condition, Over};
 use crate::text::judged::{asked, is_other, list, of_what, word};
 use crate::text::limits::broken_within_tolerances;
 use crate::text::verdict::{clause, of_design};
@@ -58,7 +58,8 @@ pub(super) fn question(study: &Study, results: &Results) -> Markup {
     let (drawn, robust) = (results.best_optimum(false), results.best_optimum(true));
     html! {
         h1 { (study.engine.name) ": " (study.name) }
-        p { "Which absorber makes the " (study.objective.label) " smallest from " (low) " to " (high) " rpm"
+        p { "Which absorber makes the " (study.objective.label) @if study.objective.unit.is_inverse() { " largest" } @else { " smallest" }
+            @if !matches!(study.objective.measure.over, Over::Property(_)) { " from " (low) " to " (high) " rpm" }
             @if !judged_in.is_empty() { ", at the worst of " (judged_in) }
             @if !study.limits.is_empty() { ", within " @for (i, l) in study.limits.iter().enumerate() { @if i > 0 { ", " } (l.words) }
                 @if judged_in.is_empty() && limits_in != ["firing"] { ", each at the worst of " (list(&limits_in)) } }

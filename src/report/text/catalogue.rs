@@ -1,5 +1,6 @@
 //! Absorbers of catalogues, in words.
 
+use super::limits::broken_within_tolerances;
 use super::table::{significant, table};
 use crate::analysis::Results;
 use crate::input::Study;
@@ -49,7 +50,10 @@ pub(super) fn best_of_catalogues(study: &Study, results: &Results) -> String {
         let best = results.catalogue.iter().filter(|r| r.file == *file && r.objective.is_some()).min_by_key(|r| r.place)?;
         let (value, unit) = (significant(study.objective.unit.shown(best.objective?), 5), study.objective.unit.suffix());
         let held = if study.limits.is_empty() || holds(best.over_limit) { "" } else { ", which breaks a limit" };
-        Some(format!("Best of catalogue {file}: {} with {value}{unit}{held}.\n", best.design))
+        let design = results.designs.iter().find(|d| d.name == best.design);
+        let built = design.and_then(|d| broken_within_tolerances(study, results, d)).filter(|_| held.is_empty());
+        let built = built.map_or_else(String::new, |words| format!("; {words}"));
+        Some(format!("Best of catalogue {file}: {} with {value}{unit}{held}{built}.\n", best.design))
     };
     study.catalogues.iter().filter_map(|spec| line(&spec.file)).collect()
 }

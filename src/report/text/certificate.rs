@@ -10,35 +10,56 @@ const ROUNDING: f64 = 1e-6;
 /// Most other optima that are named.
 const MOST_NAMED: usize = 3;
 
+/// Words for designs beside an optimum: of a margin or a life the larger is the better.
+struct Compared {
+    better: &'static str,
+    worse: &'static str,
+    worse_ones: &'static str,
+}
+
+impl Compared {
+    fn of(objective: &MeasureSpec) -> Self {
+        if objective.unit.is_inverse() {
+            Self { better: "better", worse: "worse than", worse_ones: "worse" }
+        } else {
+            Self { better: "lower", worse: "above", worse_ones: "higher" }
+        }
+    }
+}
+
 /// Its lines.
 pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: impl Fn(&MeasureSpec, f64) -> String) -> Vec<String> {
     let mut lines = vec![starts(o)];
+    let words = Compared::of(objective);
+    let better = words.better;
     let others = &o.optimum.others;
     if !others.is_empty() {
         let named: Vec<String> = others.iter().take(MOST_NAMED).map(|l| value(objective, l.value)).collect();
-        let more = if others.len() > MOST_NAMED { format!(" and {} higher ones", others.len() - MOST_NAMED) } else { String::new() };
+        let more =
+            if others.len() > MOST_NAMED { format!(" and {} {} ones", others.len() - MOST_NAMED, words.worse_ones) } else { String::new() };
         let held = if o.survey.is_some_and(|s| s.under_limits) { ", which hold the limits" } else { "" };
         lines.push(format!("  other local optima{held}: {}{more}", named.join(", ")));
     }
     match &o.scan {
         scan if scan.better && (o.nearby.better || o.survey.is_some_and(|s| s.better)) => {
-            lines.push(format!("  one of {} designs elsewhere led lower than the starts: more random starts are advised", scan.designs));
+            let led = format!("  one of {} designs elsewhere led to a {better} one than the starts", scan.designs);
+            lines.push(format!("{led}: more random starts are advised"));
         }
         scan if scan.better => {
             lines.push(format!("  found from one of {} designs elsewhere, not from a start: more random starts are advised", scan.designs));
         }
         scan if scan.designs > 0 => {
             lines.push(format!(
-                "  none of {} designs elsewhere, nor what the best {} of them lead to, is lower",
+                "  none of {} designs elsewhere, nor what the best {} of them lead to, is {better}",
                 scan.designs, scan.followed
             ));
         }
         _ => {}
     }
-    lines.extend(o.survey.as_ref().map(|s| survey(s, o.nearby.better)));
+    lines.extend(o.survey.as_ref().map(|s| survey(s, o.nearby.better, &words)));
     match &o.nearby {
         near if near.better => lines.push(format!("  found from one of {} random designs near the end of the search", near.designs)),
-        near if near.designs > 0 => lines.push(format!("  none of {} random designs near it is lower", near.designs)),
+        near if near.designs > 0 => lines.push(format!("  none of {} random designs near it is {better}", near.designs)),
         _ => {}
     }
     let (s, outcome) = (&o.optimum.stages, &o.optimum.outcome);
@@ -59,7 +80,7 @@ pub(super) fn certificate(objective: &MeasureSpec, o: &OptimumResult, value: imp
 }
 
 /// What was looked at of the whole box, and what came of it: no more than that.
-fn survey(s: &Survey, better_beside: bool) -> String {
+fn survey(s: &Survey, better_beside: bool, Compared { better, worse, .. }: &Compared) -> String {
     let of = match s.per_coordinate {
         Some(n) => format!("of {} designs on a grid over all bounds, {n} along each free parameter,", s.designs),
         None => format!("of {} designs at the ends and corners of the bounds and at random between them,", s.designs),
@@ -72,16 +93,16 @@ fn survey(s: &Survey, better_beside: bool) -> String {
         n => Some(format!("{n} hold all limits")),
     };
     let above = (s.above > 0).then(|| match &held {
-        Some(held) => format!("{} are above the optimum by a quarter or have no finite response; of the other {asked}, {held}", s.above),
-        None => format!("{} are above the optimum by a quarter or have no finite response", s.above),
+        Some(held) => format!("{} are {worse} the optimum by a quarter or have no finite response; of the other {asked}, {held}", s.above),
+        None => format!("{} are {worse} the optimum by a quarter or have no finite response", s.above),
     });
     let followed = match (s.followed, s.better) {
         (0, _) => "none of them was worth following".to_owned(),
-        (n, true) if better_beside => format!("{n} were followed: one of these led lower than what was known"),
+        (n, true) if better_beside => format!("{n} were followed: one of these led to a {better} one than what was known"),
         (n, true) => format!("{n} were followed: it was found from one of these"),
         (n, false) => {
             let within = if s.under_limits { " within the limits" } else { "" };
-            format!("{n} were followed: none of these, nor what the best of them lead to, is lower{within}")
+            format!("{n} were followed: none of these, nor what the best of them lead to, is {better}{within}")
         }
     };
     match above.or(held) {

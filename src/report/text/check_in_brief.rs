@@ -3,7 +3,7 @@
 use super::check::{engine, unlikely};
 use super::table::significant;
 use super::to_be_computed::work;
-use crate::analysis::model_check;
+use crate::analysis::model_check::{self, Critical};
 use crate::engine::Excitation;
 use crate::engine::excitation::Audit;
 use crate::input::Study;
@@ -46,15 +46,20 @@ pub fn check_in_brief(study: &Study) -> String {
     }
     text += &super::flexible::in_brief(study);
     let critical = model_check::critical_speeds(study, &excitation.orders);
-    if let Some(lowest) = critical.iter().map(|c| c.mode).min() {
-        let met: Vec<String> =
-            critical.iter().filter(|c| c.mode == lowest).take(CRITICALS).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
-        let more = critical.iter().filter(|c| c.mode == lowest).count() - met.len();
-        let more = if more == 0 { String::new() } else { format!(", and {more} more") };
-        let above = model_check::critical_speeds_above(study, &excitation.orders);
-        let above: Vec<String> = above.iter().filter(|c| c.mode == lowest).map(|c| format!("{} @ {:.0}", c.order, c.speed_rpm)).collect();
-        let above = if above.is_empty() { String::new() } else { format!("; just above the range {}", above.join(", ")) };
-        _ = writeln!(text, "  critical speeds of mode {lowest}{of_chain} (order @ rpm): {}{more}{above}", met.join(", "));
+    let above = model_check::critical_speeds_above(study, &excitation.orders);
+    let told = |c: &&Critical| format!("{} @ {:.0}", c.order, c.speed_rpm);
+    let of_mode = |mode: usize| {
+        let met: Vec<&Critical> = critical.iter().filter(|c| c.mode == mode).collect();
+        let shown: Vec<String> = met.iter().take(CRITICALS).map(told).collect();
+        let more = met.len() - shown.len();
+        let more = if more == 0 { String::new() } else { format!(" and {more} more") };
+        let above: Vec<String> = above.iter().filter(|c| c.mode == mode).map(|c| told(&c)).collect();
+        let above = if above.is_empty() { String::new() } else { format!(", just above the range {}", above.join(", ")) };
+        (!met.is_empty()).then(|| format!("mode {mode}: {}{more}{above}", shown.join(", ")))
+    };
+    let met: Vec<String> = (1..=MODES).filter_map(of_mode).take(2).collect();
+    if !met.is_empty() {
+        _ = writeln!(text, "  critical speeds{of_chain} (order @ rpm): {}", met.join("; "));
     }
     let range = |of: &dyn Fn(&Audit) -> f64| {
         let all = excitation.audit.iter().map(of);

@@ -121,9 +121,9 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
         let rated = study.limits[b.limit].rule.as_ref().map(|r| r.rated_rpm).filter(|r| (b.from_rpm..=b.to_rpm).contains(r));
         let rated = rated.map_or_else(String::new, |r| format!(", the rated {r} rpm among them"));
         let allowed = rated + &b.objection.map_or_else(String::new, |o| format!(": not allowed, {}", o.words()));
-        let bars = if b.excepted { "within what the study excepts," } else { "which bars" };
+        let (breaks, bars) = if b.excepted { ("is above it", "within what the study excepts,") } else { ("breaks it", "which bars") };
         format!(
-            "  {}: `{}` breaks it at {:.0} rpm{during} ({:.0} %), {bars} {:.0} to {:.0} rpm{allowed}",
+            "  {}: `{}` {breaks} at {:.0} rpm{during} ({:.0} %), {bars} {:.0} to {:.0} rpm{allowed}",
             study.limits[b.limit].words,
             d.name,
             b.critical_rpm,

@@ -8,13 +8,20 @@ use crate::input::Study;
 use crate::units::DEG_PER_RAD;
 use std::fmt::Write;
 
+/// A mode whose frequency changes by more than so many times that of the lowest is told of, too.
+const MUCH_MORE: f64 = 1.5;
+
 /// Whether the chain holds the mean inertia of the reciprocating masses, and what that does; nothing where the torque comes from a table.
 #[doc(hidden)]
 pub fn reciprocating(study: &Study) -> Option<String> {
     let f = frequencies(study)?;
-    let (each, share) = (significant(f.each, 4), 100.0 * (1.0 - f.with / f.without));
+    let shares: Vec<f64> = f.with.iter().zip(&f.without).map(|(with, without)| 100.0 * (1.0 - with / without)).collect();
+    let (each, share) = (significant(f.each, 4), shares[0]);
     // inertia lowers every frequency: anything else is rounding, of a frequency near zero
     let is_known = (-0.05..=100.0).contains(&share);
+    // of an engine that hangs on soft springs, a dual-mass flywheel, the lowest mode hardly moves the cranks
+    let others = shares.iter().enumerate().skip(1).filter(|(_, other)| **other > MUCH_MORE * share);
+    let others: String = others.map(|(i, other)| format!(", f{} by {other:.1} %", i + 1)).collect();
     let said = match study.reciprocating {
         r if r.stated => "stated in the engine file",
         r if r.mean => "the default of inertias that follow from dimensions",
@@ -26,9 +33,11 @@ pub fn reciprocating(study: &Study) -> Option<String> {
             "reciprocating_inertia = \"{value}\" ({said}): {each} kg m² a cylinder are {done}; f1 is too near to zero to tell what that does"
         )
     } else if study.reciprocating.mean {
-        format!("reciprocating_inertia = \"mean\" ({said}): {each} kg m² a cylinder are added, which lowers f1 by {share:.1} %")
+        format!("reciprocating_inertia = \"mean\" ({said}): {each} kg m² a cylinder are added, which lowers f1 by {share:.1} %{others}")
     } else {
-        format!("reciprocating_inertia = \"none\" ({said}): {each} kg m² a cylinder are left out; \"mean\" would lower f1 by {share:.1} %")
+        format!(
+            "reciprocating_inertia = \"none\" ({said}): {each} kg m² a cylinder are left out; \"mean\" would lower f1 by {share:.1} %{others}"
+        )
     })
 }
 

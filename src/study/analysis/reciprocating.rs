@@ -4,7 +4,7 @@
 //! of a cylinder's dead centre: where such an order resonates while order n is large, a secondary resonance \[Pasricha & Carnegie 1976\]. The estimate
 //! takes the motion from the linear model, and the resonance as one mode with its own damping.
 
-use crate::drivetrain::System;
+use crate::drivetrain::{Modes, System};
 use crate::engine::{Order, varying_inertia};
 use crate::input::Study;
 use crate::numerics::C64;
@@ -15,16 +15,19 @@ use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 /// Elastic modes that are looked at.
 const MODES: usize = 2;
 
-/// First natural frequency with the mean inertia of the reciprocating masses and without it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Modes that are told of.
+const TOLD: usize = 3;
+
+/// Natural frequencies with the mean inertia of the reciprocating masses and without it.
+#[derive(Debug, Clone, PartialEq)]
 #[doc(hidden)]
 pub struct Frequencies {
     /// Half of m r² of a cylinder, kg m².
     pub each: f64,
-    /// Hz.
-    pub with: f64,
-    /// Hz.
-    pub without: f64,
+    /// Of each of the lowest elastic modes, Hz.
+    pub with: Vec<f64>,
+    /// The same.
+    pub without: Vec<f64>,
 }
 
 /// Nothing where the torque comes from a table or the chain has no elastic mode.
@@ -35,8 +38,11 @@ pub fn frequencies(study: &Study) -> Option<Frequencies> {
     let sign = if study.reciprocating.mean { -1.0 } else { 1.0 };
     let per_throw = sign * each * study.engine.layout.rods_per_throw as f64;
     chain.stations.iter_mut().for_each(|s| s.inertia += per_throw * s.throws.len() as f64);
-    let own = *study.modes.frequencies_hz().first()?;
-    let other = *crate::drivetrain::Modes::new(&chain).frequencies_hz().first()?;
+    let lowest = |modes: &Modes| modes.frequencies_hz().into_iter().take(TOLD).collect::<Vec<f64>>();
+    let (own, other) = (lowest(&study.modes), lowest(&Modes::new(&chain)));
+    if own.is_empty() || other.is_empty() {
+        return None;
+    }
     let (with, without) = if study.reciprocating.mean { (own, other) } else { (other, own) };
     Some(Frequencies { each, with, without })
 }

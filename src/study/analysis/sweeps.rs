@@ -96,22 +96,28 @@ impl QuantitySweep {
     }
 }
 
-impl QuantitySweep {
-    /// To the largest of all cylinders at every speed, where one misfires: `finder` is of the one whose twist is worst.
-    fn raise(
-        &mut self,
-        (finders, grid): (&[PeakFinder], &Grid),
-        design: &[Mounted],
-        (finder, quantity): (&PeakFinder, Quantity),
-        work: &mut Work,
-    ) -> Result<(), ResponseError> {
-        for other in engines_in(self.condition, finders).filter(|f| !std::ptr::eq(*f, finder)) {
-            let phasors = Direct::new(other.system, grid).sweep_each(&absorbers(self.condition, other, design)?, &[quantity], work)?;
-            let totals = other.synthesis(&phasors[0]);
-            self.total.iter_mut().zip(totals).for_each(|(own, total)| *own = own.max(total * self.of.per_si()));
+/// The phasors of quantities in a condition, `finder` being of the cylinder whose twist is worst where one misfires: at every speed those of the cylinder whose quantity is largest there.
+fn of_the_worst_cylinder(
+    (finders, grid): (&[PeakFinder], &Grid),
+    design: &[Mounted],
+    (condition, finder, wanted): (Condition, &PeakFinder, &[Quantity]),
+    work: &mut Work,
+) -> Result<Vec<Vec<C64>>, ResponseError> {
+    let orders = finder.system.orders();
+    let of = |finder: &PeakFinder, work: &mut Work| {
+        Direct::new(finder.system, grid).sweep_each(&absorbers(condition, finder, design)?, wanted, work)
+    };
+    let mut worst = of(finder, work)?;
+    let mut largest: Vec<Vec<f64>> = worst.iter().map(|phasors| finder.synthesis(phasors)).collect();
+    for other in engines_in(condition, finders).filter(|f| !std::ptr::eq(*f, finder)) {
+        for ((worst, largest), own) in worst.iter_mut().zip(&mut largest).zip(of(other, work)?) {
+            for (i, total) in other.synthesis(&own).into_iter().enumerate().filter(|(i, total)| *total > largest[*i]).collect::<Vec<_>>() {
+                largest[i] = total;
+                worst[i * orders..(i + 1) * orders].copy_from_slice(&own[i * orders..(i + 1) * orders]);
+            }
         }
-        Ok(())
     }
+    Ok(worst)
 }
 
 impl OrderSweep {
@@ -243,17 +249,13 @@ pub(crate) fn sweeps(
             wanted.extend((0..chain.len() - 1).map(|s| (Swept::Torque, Quantity::ShaftTorque(s))));
         }
         let list: Vec<Quantity> = wanted.iter().map(|w| w.1).collect();
-        let phasors = Direct::new(finder.system, grid).sweep_each(&absorbers(c.condition, finder, design)?, &list, work)?;
+        let phasors = of_the_worst_cylinder((finders, grid), design, (c.condition, finder, &list), work)?;
         // cylinders that differ bring orders of their own
         let differ = finder.system.excitation.units != Units::Equal;
         for ((of, quantity), phasors) in wanted.into_iter().zip(phasors) {
             let keeps_orders = differ && (every_station || of == Swept::Twist);
             let swept = QuantitySweep::new((of, quantity.place(chain)), (finder, &phasors), keeps_orders);
-            let mut swept = QuantitySweep { condition: c.condition, ..swept };
-            if let Quantity::ShaftTorque(_) = quantity {
-                swept.raise((finders, grid), design, (finder, quantity), work)?;
-            }
-            quantities.push(swept);
+            quantities.push(QuantitySweep { condition: c.condition, ..swept });
         }
     }
     Ok(Sweeps { design: name.to_owned(), quantities })

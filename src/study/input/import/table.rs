@@ -143,7 +143,11 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
             }
         }
         if *role == Role::Name && cell.is_empty() {
-            return Err(sheet.at(row, *column, "found no name, expected that of the station".into()));
+            let message = match cells.iter().find(|c| is_sum(&folded(c))) {
+                Some(sum) => format!("found `{sum}`, expected a station, not a row of sums"),
+                None => "found no name, expected that of the station".into(),
+            };
+            return Err(sheet.at(row, *column, message));
         }
         if *role == Role::Name && (cell.chars().any(char::is_control) || cell.chars().count() > LONGEST_NAME) {
             let words = "found a name with control characters or more than 100 letters, expected one that can be printed";
@@ -154,7 +158,7 @@ fn station(sheet: &Sheet, columns: &[Column], row: u64, cells: &[String]) -> Res
         }
         if *role == Role::Inertia && station.inertia <= 0.0 {
             let message = match cell.as_str() {
-                "" => "found no inertia, expected one above zero: a row is a station, and the shaft behind it has no row of its own".into(),
+                "" => "found no inertia, expected one above zero: a row is a station, the shaft behind it has no row of its own, and a comment begins with `#`".into(),
                 cell => format!("found `{cell}`, expected an inertia above zero"),
             };
             return Err(sheet.at(row, *column, message));

@@ -103,7 +103,8 @@ pub(super) fn loss_factors(words: &str, unit: Option<&str>) -> Option<(f64, bool
     // a relative damping without a unit is ψ: that of a coupling's maker in N m s/rad has one
     let is_relative = || {
         let is_rel = ["relativ", "verhaltnismass", "verhaeltnismaess"].iter().any(|w| words.contains(w)) || has_word(words, &["rel"]);
-        is_rel && DAMPING.iter().any(|w| words.contains(w)) && unit.is_some()
+        // a dynamic magnifier is 2π/ψ
+        is_rel && DAMPING.iter().any(|w| words.contains(w)) && unit.is_some() && !words.contains("magnif")
     };
     let is_psi = says_psi || words.split(|c: char| !c.is_alphanumeric()).any(|word| ["ψ", "psi"].contains(&word)) || is_relative();
     let is_named = ["loss factor", "loss_factor", "verlustfaktor", "facteur de perte", "fator de perda"].iter().any(|w| words.contains(w));
@@ -212,8 +213,8 @@ fn has_word(text: &str, list: &[&str]) -> bool {
 
 /// Speed, rpm, and load, per cent, of which a (folded) head is: a number before `rpm`, `1/min` and the like, and one before `%`; full load where none is named.
 pub(crate) fn speed_and_load(words: &str) -> Option<(f64, f64)> {
-    const PER_MINUTE: [&str; 8] = ["rpm", "r/min", "u/min", "upm", "1/min", "min-1", "tr/min", "/min"];
-    let spaced = words.replace('%', " % ").replace('_', " ");
+    const PER_MINUTE: [&str; 9] = ["rpm", "r/min", "u/min", "upm", "1/min", "min-1", "min⁻¹", "tr/min", "/min"];
+    let spaced = words.replace('%', " % ").replace(['_', '='], " ");
     let tokens: Vec<&str> = spaced.split_whitespace().flat_map(apart).filter(|t| !t.is_empty()).collect();
     let before = |is: &dyn Fn(&str) -> bool| {
         let places: Vec<usize> = (1..tokens.len()).filter(|i| is(tokens[*i])).collect();

@@ -1,7 +1,7 @@
 //! Absorbers that can be bought.
 
 use super::named::{CATALOGUE, type_of};
-use super::plain_names::not_plain;
+use super::plain_names::as_plain_words;
 use super::shown::shown;
 use super::table::Table;
 use crate::absorber::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
@@ -86,6 +86,31 @@ impl MadeWith {
     }
 }
 
+/// The cell of a parameter.
+fn within_range(table: &Table, (line, cells): (u64, &[String]), (declaration, p): (&Declaration, &Parameter)) -> Result<f64, InputError> {
+    let column = table.column(p.key).map_err(|e| without(table, declaration, p).unwrap_or(e))?;
+    let value = table.filled(line, column, &cells[column])?;
+    let expected = match p.range {
+        Range::Positive => (value <= 0.0).then(|| "a number above zero".to_owned()),
+        Range::NotNegative => (value < 0.0).then(|| "zero or more".to_owned()),
+        Range::Above(least) => (value <= least).then(|| format!("more than {least}")),
+        Range::Within(low, high) => (!(low..=high).contains(&value)).then(|| format!("a value from {low} to {high}")),
+    };
+    match expected {
+        Some(expected) => Err(table.at(line, column, format!("found {value}, expected {expected}"))),
+        None => Ok(value),
+    }
+}
+
+/// What is missing where neither a stiffness nor what makes one has a column; `None` of other parameters.
+fn without(table: &Table, declaration: &Declaration, p: &Parameter) -> Option<InputError> {
+    let has_frequency = p.key == STIFFNESS.key && SAME_SPRING.contains(&declaration.name);
+    has_frequency.then(|| {
+        let expected = format!("`{}`, or `{OWN_FREQUENCY}`, that of the ring on its hub held fast, among them", p.key);
+        table.at_head(table.header.len(), format!("found columns {}, expected {expected}", table.all_columns()))
+    })
+}
+
 /// A cell of a row that is to be above zero.
 fn positive(table: &Table, (line, cells): (u64, &[String]), key: &str) -> Result<f64, InputError> {
     let column = table.column(key)?;
@@ -133,12 +158,14 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         remark(path, &format!("columns are left out: {}", others.join(", ")));
     }
     let mut rows: Vec<CatalogueRow> = Vec::new();
+    let mut written = Vec::new();
     for (line, cells) in &table.rows {
-        let (own, word) = (&cells[name], &cells[kind]);
-        if let Some(found) = not_plain(own) {
-            return Err(table.at(*line, name, found));
+        let word = &cells[kind];
+        let own = as_plain_words(&cells[name]).map_err(|found| table.at(*line, name, found))?;
+        if own != cells[name] {
+            written.push(format!("`{}` as `{own}`", shown(&cells[name])));
         }
-        if rows.iter().any(|r| r.name == *own) {
+        if rows.iter().any(|r| r.name == own) {
             return Err(table.at(*line, name, format!("found `{own}` a second time, expected different names")));
         }
         let Some(declaration) = types::find(type_of(word)) else {
@@ -151,18 +178,7 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
                 values.push(value);
                 continue;
             }
-            let column = table.column(p.key)?;
-            let value = table.filled(*line, column, &cells[column])?;
-            let expected = match p.range {
-                Range::Positive => (value <= 0.0).then(|| "a number above zero".to_owned()),
-                Range::NotNegative => (value < 0.0).then(|| "zero or more".to_owned()),
-                Range::Above(least) => (value <= least).then(|| format!("more than {least}")),
-                Range::Within(low, high) => (!(low..=high).contains(&value)).then(|| format!("a value from {low} to {high}")),
-            };
-            if let Some(expected) = expected {
-                return Err(table.at(*line, column, format!("found {value}, expected {expected}")));
-            }
-            values.push(value);
+            values.push(within_range(&table, (*line, cells), (declaration, p))?);
         }
         let is_value = |c: usize| ![name, kind].contains(&c) && table.header[c] != HUB_INERTIA && known(&table.header[c]);
         for (column, cell) in cells.iter().enumerate().filter(|(c, cell)| !cell.is_empty() && is_value(*c)) {
@@ -177,7 +193,10 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
             }
         }
         let hub_inertia = hub_inertia(&table, (*line, cells))?;
-        rows.push(CatalogueRow { name: own.clone(), declaration, values, hub_inertia });
+        rows.push(CatalogueRow { name: own, declaration, values, hub_inertia });
+    }
+    if !written.is_empty() {
+        remark(path, &format!("names are written: {}", written.join(", ")));
     }
     if rows.is_empty() {
         return Err(table.whole("found no absorber, expected at least one row".into()));

@@ -1,11 +1,13 @@
 //! Measured stiffness of an absorber.
 
 use super::named::MEASURED;
+use super::shown::shown;
 use super::table::Table;
 use crate::absorber::measured::MeasuredTable;
 use crate::absorber::parameter::STIFFNESS;
 use crate::input::error::InputError;
 use crate::input::files::remark;
+use crate::input::import::unit::{STRESS, known, parts};
 use crate::numerics::elementary::Elementary;
 use crate::units::{HZ_PER_RAD_PER_S, RAD_PER_DEG};
 use std::path::Path;
@@ -56,6 +58,18 @@ impl Loss {
     }
 }
 
+/// A column of a modulus where a stiffness is missing, as makers of rubber measure it; `None` where there is none.
+fn modulus(table: &Table) -> Option<InputError> {
+    let is_modulus = |head: &String| {
+        let (words, unit) = parts(head);
+        words.contains("modul") || unit.is_some_and(|u| known(STRESS, &u).is_some())
+    };
+    let column = table.header.iter().position(is_modulus)?;
+    let found = format!("found column `{}`, expected the stiffness of an element, `{}`", shown(&table.header[column]), STIFFNESS.key);
+    let help = "a shear modulus is multiplied by the shape of what is sheared: by 4 pi L/(1/r_i² - 1/r_o²) of a sleeve of length L between two radii in m";
+    Some(table.at_head_with_help(column, found, help.into()))
+}
+
 /// `frequency_hz, stiffness_n_m_per_rad` (its real part) or `stiffness_magnitude_n_m_per_rad`, and one of `loss_factor`, `loss_angle_deg` (whose tangent that is) and `damping_n_m_s_per_rad`, with `temperature_c` where it was measured at several: every temperature at every frequency.
 ///
 /// # Errors
@@ -66,7 +80,7 @@ pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
     let table = Table::read_named(path, &columns, &MEASURED)?.without_empty_columns(&columns);
     let frequency = table.column("frequency_hz")?;
     let magnitude = table.optional(MAGNITUDE).filter(|_| table.optional(STIFFNESS.key).is_none());
-    let stiffness = magnitude.map_or_else(|| table.column(STIFFNESS.key), Ok)?;
+    let stiffness = magnitude.map_or_else(|| table.column(STIFFNESS.key).map_err(|e| modulus(&table).unwrap_or(e)), Ok)?;
     let temperature = table.optional("temperature_c");
     let losses: Vec<Loss> = Loss::ALL.into_iter().filter(|l| table.optional(l.column()).is_some()).collect();
     let [loss] = losses.as_slice() else {
@@ -74,13 +88,14 @@ pub fn measured_law(path: &Path) -> Result<MeasuredTable, InputError> {
         return Err(table.whole(format!("found {} of {names}, expected one of them", losses.len())));
     };
     let loss_column = table.column(loss.column())?;
-    if *loss == Loss::Angle && magnitude.is_none() {
-        let words = "the stiffness beside a loss angle is read as its real part: a magnitude has |c*| in its head, or is";
+    if magnitude.is_none() && (*loss == Loss::Angle || table.is_in_other_words(stiffness)) {
+        let beside = if *loss == Loss::Angle { " beside a loss angle" } else { "" };
+        let words = format!("the stiffness{beside} is read as its real part: a magnitude has |c*| in its head, or is");
         remark(path, &format!("{words} `{MAGNITUDE}`"));
     }
     let known = [Some(frequency), Some(stiffness), Some(loss_column), temperature];
     if let Some(c) = (0..table.header.len()).find(|c| !known.contains(&Some(*c))) {
-        return Err(table.at_head(c, format!("found column `{}`, which means nothing here", super::shown::shown(&table.header[c]))));
+        return Err(table.at_head(c, format!("found column `{}`, which means nothing here", shown(&table.header[c]))));
     }
     let mut points: Vec<(f64, f64, f64, f64)> = Vec::new();
     // lines with the size of the complex stiffness

@@ -18,13 +18,16 @@ pub(super) struct Named {
 enum Words {
     /// One of these stands in them.
     Hold(&'static [&'static str]),
+    /// One of these, and one of those.
+    Both(&'static [&'static str], &'static [&'static str]),
     /// A component of a stress: a word for stress, or none, and these two axes in either sequence, as letters or numbers.
     Stress(char, char),
 }
-use Words::{Hold, Stress};
+use Words::{Both, Hold, Stress};
 
 const STIFF: &[&str] = &["stiff", "steif", "federrate", "raideur", "rigid"];
 const DAMP: &[&str] = &["damp", "dampf", "daempf", "amort"];
+const OF_INERTIA: &[&str] = &["inertia", "tragheit", "traegheit", "inertie", "inercia"];
 const LOSS: &[&str] = &["loss factor", "verlustfaktor", "facteur de perte", "fator de perda", "tan δ", "tanδ", "tan delta"];
 /// Of one, or in per cent.
 const SHARE: Units = &[("", 1.0), ("percent", 0.01)];
@@ -71,25 +74,13 @@ pub(super) const CATALOGUE: [Named; 8] = [
     },
     Named { key: "type", words: Hold(&["bauart", "typ", "tipo"]), units: &[] },
     Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
-    Named {
-        key: HUB_INERTIA,
-        words: Hold(&[
-            "nabentrag",
-            "nabentraeg",
-            "tragheit der nabe",
-            "hub inertia",
-            "inertia of the hub",
-            "inertie du moyeu",
-            "inercia do cubo",
-        ]),
-        units: INERTIA,
-    },
+    Named { key: HUB_INERTIA, words: Both(OF_INERTIA, &["nabe", "hub", "moyeu", "cubo", "primar", "primaer"]), units: INERTIA },
     Named {
         key: "own_frequency_hz",
         words: Hold(&["eigenfreq", "own freq", "natural freq", "resonan", "frequence propre", "frequencia propria"]),
         units: &[("Hz", 1.0)],
     },
-    Named { key: "ring_inertia_kg_m2", words: Hold(&["inertia", "tragheit", "traegheit", "inertie", "inercia"]), units: INERTIA },
+    Named { key: "ring_inertia_kg_m2", words: Hold(OF_INERTIA), units: INERTIA },
     Named { key: "damping_n_m_s_per_rad", words: Hold(DAMP), units: DAMPING },
     Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];
@@ -122,8 +113,12 @@ pub(super) const HISTORY: [Named; 8] = [POINT, ANGLE, XX, YY, ZZ, XY, YZ, ZX];
 pub(super) const UNIT_LOADS: [Named; 8] =
     [POINT, Named { key: "load", words: Hold(&["last", "load", "charge", "carga"]), units: &[] }, XX, YY, ZZ, XY, YZ, ZX];
 
-/// Words that make something else of a column: the inertia of the hub or of the whole damper, a static stiffness or its loss, an angular frequency.
-const OTHERS: [&str; 25] = [
+/// Words that make something else of a column: the inertia of the hub or of the whole damper, a static stiffness or its loss, an angular frequency, the frequency of a damper on its engine.
+const OTHERS: [&str; 29] = [
+    "gekoppelt",
+    "eingebaut",
+    "coupled",
+    "installed",
     "primar",
     "primaer",
     "stat.",
@@ -179,8 +174,10 @@ pub(super) fn tell<'h>(path: &Path, heads: impl Iterator<Item = (&'h str, &'h st
 impl Words {
     /// Whether the (folded) words of a head are these.
     fn are(&self, words: &str) -> bool {
+        let has = |list: &[&str]| list.iter().any(|w| words.contains(w));
         match self {
-            Hold(list) => list.iter().any(|w| words.contains(w)),
+            Hold(list) => has(list),
+            Both(one, other) => has(one) && has(other),
             Stress(a, b) => component(words).is_some_and(|found| found == (*a, *b) || found == (*b, *a)),
         }
     }

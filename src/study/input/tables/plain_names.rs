@@ -25,3 +25,14 @@ fn plain_name(found: &str) -> Option<String> {
     let has_word = plain.chars().any(|c| c.is_ascii_alphanumeric()) && !plain.starts_with(['.', '-']) && !plain.starts_with("optimum_");
     (has_word && plain.len() <= 100).then_some(plain)
 }
+
+/// A name of plain words as one of files and rows: letters of any language, digits and blanks, with what stands between them in the names of makers.
+///
+/// # Errors
+/// What is wrong with other names.
+pub(super) fn as_plain_words(name: &str) -> Result<String, String> {
+    let Some(found) = not_plain(name) else { return Ok(name.to_owned()) };
+    let is_of_words = |c: char| c.is_alphanumeric() || " _-.,()".contains(c);
+    let is_words = name.starts_with(char::is_alphanumeric) && name.chars().all(is_of_words);
+    plain_name(name).filter(|_| is_words).ok_or(found)
+}

@@ -46,6 +46,8 @@ pub struct Table {
     convention: Convention,
     /// Of the units of columns that are named in other words; empty where none is.
     factors: Vec<f64>,
+    /// Heads as they stand in the file; empty where none is named in other words.
+    written: Vec<String>,
 }
 
 impl Table {
@@ -100,7 +102,14 @@ impl Table {
                 (*head, *factor) = own;
             }
         }
+        // an article number beside a designation: both say what a row is called
+        let mut names = (0..table.header.len()).filter(|i| table.header[*i] == "name" && written[*i] != "name");
+        let first = names.next();
+        for again in names.filter(|i| first.is_some_and(|first| written[first] != written[*i])).collect::<Vec<_>>() {
+            table.header[again].clone_from(&written[again]);
+        }
         named::tell(path, written.iter().zip(&table.header).map(|(head, key)| (head.as_str(), key.as_str())));
+        table.written.clone_from(&written);
         if table.header.is_empty() {
             return Err(table.whole(format!("found an empty table, expected a header with a column `{}`", columns[0])));
         }
@@ -130,6 +139,7 @@ impl Table {
             head: 1,
             convention: Convention::default(),
             factors: Vec::new(),
+            written: Vec::new(),
         };
         let bytes = read_bytes(path).map_err(|e| table.whole(e))?;
         only_text(path, &bytes)?;
@@ -208,6 +218,9 @@ impl Table {
         if !self.factors.is_empty() {
             self.factors = kept.iter().map(|c| self.factors[*c]).collect();
         }
+        if !self.written.is_empty() {
+            self.written = kept.iter().map(|c| self.written[*c].clone()).collect();
+        }
         self.header = kept.into_iter().map(|c| self.header[c].clone()).collect();
         self
     }
@@ -232,6 +245,11 @@ impl Table {
             let message = format!("found columns {}, expected `{name}` among them", self.all_columns());
             Mistake { message, place: Place::Cell { path: self.path.clone(), row: self.head, column: name.to_owned() }, help: None }.into()
         })
+    }
+
+    /// Whether a column is named in other words than its key.
+    pub(super) fn is_in_other_words(&self, column: usize) -> bool {
+        self.written.get(column).is_some_and(|head| *head != self.header[column])
     }
 
     /// Index of a column that may be there.

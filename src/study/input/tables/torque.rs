@@ -62,6 +62,10 @@ pub(crate) fn pressure_traces(path: &Path, cycle_deg: f64) -> Result<Measured, I
             }
             Some(point) => traces.push((point, i)),
             None => {
+                if let Some(fault) = words::not_absolute(name) {
+                    let found = format!("found column `{name}`, expected {}", fault.expected);
+                    return Err(table.at_head_with_help(i, found, fault.help.into()));
+                }
                 let expected = "expected a name like `1600_rpm_bar` or, at part load, `1600_rpm_50_percent_bar` (0 to 120)";
                 return Err(table.at_head(i, format!("found column `{name}`, {expected}")));
             }

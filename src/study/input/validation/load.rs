@@ -94,7 +94,7 @@ fn point(check: &mut Check, raw: &RawDuty, engine: &Engine, speeds: &[f64]) -> D
     if !reached {
         check.wrong(
             &raw.load_fraction,
-            "found a load that this torque does not have, expected measured traces on both sides of it, or a cycle",
+            "found a load that this torque does not have, expected measured traces on both sides of it, in columns like `1600_rpm_50_percent_bar`, or a cycle",
         );
     }
     DutyPoint {

@@ -196,13 +196,14 @@ fn comparison(
     (published, calibrate)
 }
 
-/// The twist that is reported: that of the objective, else the one from the hub through the chain.
-fn reported_twist(objective: &MeasureSpec, chain: &Chain, hub: usize) -> Quantity {
-    match objective.measure.quantities.as_slice() {
-        [twist @ Quantity::Twist { to: Some(_), .. }] => *twist,
-        [twist @ Quantity::Twist { to: None, .. }] if chain.len() == 1 || objective.is_twist => *twist,
-        _ => measures::default_twist(chain, hub),
-    }
+/// The twist that is reported: that of the first objective or limit of a twist, else the one from the hub through the chain.
+fn reported_twist<'m>(mut asked: impl Iterator<Item = &'m MeasureSpec>, chain: &Chain, hub: usize) -> Quantity {
+    let twist = |m: &MeasureSpec| match m.measure.quantities.as_slice() {
+        [twist @ Quantity::Twist { to: Some(_), .. }] => Some(*twist),
+        [twist @ Quantity::Twist { to: None, .. }] if chain.len() == 1 || m.is_twist => Some(*twist),
+        _ => None,
+    };
+    asked.find_map(twist).unwrap_or_else(|| measures::default_twist(chain, hub))
 }
 
 /// Whether the crank's margin is that of the brake curve.
@@ -290,7 +291,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),
         reciprocating: base.reciprocating,
         engine: base.engine,
-        twist: reported_twist(&objective, &base.chain, hub),
+        twist: reported_twist(known.iter().chain(limits.iter().map(|l| &l.of)), &base.chain, hub),
         chain: base.chain,
         modes,
         speeds_rpm: base.speeds_rpm,

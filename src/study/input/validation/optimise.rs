@@ -68,7 +68,7 @@ pub fn conditions(check: &mut Check, list: &At<Vec<At<RawCondition>>>, engine: &
         let condition = raw.get_ref().0;
         let name = condition.name();
         if condition.burning() != Burning::Alike && matches!(engine.source, Source::Harmonics(_)) {
-            check.wrong(raw, format!("found `{name}` with torque harmonics of whole throws, expected it with a cylinder pressure only"));
+            check.wrong(raw, format!("found `{name}` with torque harmonics, which are of cylinders that fire alike, expected it with a cylinder pressure only"));
         }
         if conditions.contains(&condition) {
             check.wrong(raw, format!("found condition `{name}` a second time, expected each once"));

@@ -1,6 +1,8 @@
 //! Units as heads of tables write them.
 
 use crate::units::{M_PER_IN, N_PER_LBF, PA_PER_BAR, PA_PER_MPA, PA_PER_PSI};
+use std::collections::BTreeMap;
+use std::sync::RwLock;
 
 /// Units as they are written, and how many of what is wanted each is.
 pub(crate) type Units = &'static [(&'static str, f64)];
@@ -115,11 +117,30 @@ pub(crate) fn plain(unit: &str) -> String {
     SAME.iter().fold(text, |text, (from, to)| text.replace(from, to)).replace('|', "")
 }
 
+/// Names of units are no longer.
+const LONGEST: usize = 32;
+
 /// The factor of a unit; None where it is none of these.
 pub(crate) fn known(units: Units, unit: &str) -> Option<f64> {
-    let is_wrong_prefix = prefix_of_another(unit).is_some();
+    if unit.len() > LONGEST || prefix_of_another(unit).is_some() {
+        return None;
+    }
     let own = plain(unit);
-    units.iter().find(|(name, _)| plain(name) == own && !is_wrong_prefix).map(|u| u.1)
+    units.iter().find(|(name, _)| is_plain(name, &own)).map(|u| u.1)
+}
+
+/// Whether a unit of ours is this one, as [`plain`] writes both: each of ours is written so once.
+fn is_plain(name: &'static str, own: &str) -> bool {
+    static WRITTEN: RwLock<BTreeMap<&'static str, String>> = RwLock::new(BTreeMap::new());
+    if let Some(known) = WRITTEN.read().ok().and_then(|all| all.get(name).map(|plain| plain == own)) {
+        return known;
+    }
+    let plain = plain(name);
+    let is_own = plain == own;
+    if let Ok(mut all) = WRITTEN.write() {
+        all.insert(name, plain);
+    }
+    is_own
 }
 
 /// A unit whose first letter means another power of ten than what was meant, with the other: a milli and a mega differ in nothing else.

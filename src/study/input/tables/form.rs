@@ -67,7 +67,8 @@ impl Form {
             for (i, (line, record)) in rows.iter().enumerate().skip(skipped) {
                 let heads: Vec<String> = record.iter().map(str::to_owned).collect();
                 let with_units = rows.get(i + 1).and_then(|(_, below)| with_units(&heads, below));
-                let known_of = |heads: &[String]| score(&heads.iter().map(String::as_str).collect::<Vec<_>>());
+                // no number is a head
+                let known_of = |heads: &[String]| score(&heads.iter().map(|h| if is_digits(h) { "" } else { h }).collect::<Vec<_>>());
                 let (mut known, mut own) = (known_of(&heads), (heads, i + 1));
                 if let Some(heads) = with_units.filter(|heads| known_of(heads) >= known) {
                     (known, own) = (known_of(&heads), (heads, i + 2));
@@ -138,6 +139,9 @@ impl Form {
 fn with_units(heads: &[String], below: &Record) -> Option<Vec<String>> {
     let units: Vec<&str> = below.iter().collect();
     let mut said = units.iter().filter(|cell| !cell.is_empty()).peekable();
+    if units.iter().any(|cell| is_digits(cell)) {
+        return None;
+    }
     if said.peek().is_none() || units.len() > heads.len() || !units.iter().any(|cell| is_unit(cell) || is_other_unit(cell)) {
         return None;
     }
@@ -151,6 +155,12 @@ fn with_units(heads: &[String], below: &Record) -> Option<Vec<String>> {
     };
     let rest = &heads[units.len().min(heads.len())..];
     heads.iter().zip(&units).map(joined).chain(rest.iter().cloned().map(Some)).collect()
+}
+
+/// Whether a cell is of digits and the signs in numbers.
+fn is_digits(cell: &str) -> bool {
+    let cell = cell.trim();
+    cell.bytes().any(|b| b.is_ascii_digit()) && cell.bytes().all(|b| b.is_ascii_digit() || b".,+-".contains(&b))
 }
 
 /// A unit without the brackets round it.

@@ -96,7 +96,8 @@ impl QuantitySweep {
     }
 }
 
-/// The phasors of quantities in a condition, `finder` being of the cylinder whose twist is worst where one misfires: at every speed those of the cylinder whose quantity is largest there.
+/// The phasors of quantities in a condition, `finder` being of the cylinder whose twist is worst where one misfires: at every speed those of the cylinder whose quantity is largest there. The method of the searches, exact
+/// but for rounding, tells which it is.
 fn of_the_worst_cylinder(
     (finders, grid): (&[PeakFinder], &Grid),
     design: &[Mounted],
@@ -104,16 +105,23 @@ fn of_the_worst_cylinder(
     work: &mut Work,
 ) -> Result<Vec<Vec<C64>>, ResponseError> {
     let orders = finder.system.orders();
-    let of = |finder: &PeakFinder, work: &mut Work| {
-        Direct::new(finder.system, grid).sweep_each(&absorbers(condition, finder, design)?, wanted, work)
-    };
-    let mut worst = of(finder, work)?;
+    let mut worst = Direct::new(finder.system, grid).sweep_each(&absorbers(condition, finder, design)?, wanted, work)?;
     let mut largest: Vec<Vec<f64>> = worst.iter().map(|phasors| finder.synthesis(phasors)).collect();
     for other in engines_in(condition, finders).filter(|f| !std::ptr::eq(*f, finder)) {
-        for ((worst, largest), own) in worst.iter_mut().zip(&mut largest).zip(of(other, work)?) {
-            for (i, total) in other.synthesis(&own).into_iter().enumerate().filter(|(i, total)| *total > largest[*i]).collect::<Vec<_>>() {
+        let (own, direct) = (absorbers(condition, other, design)?, Direct::new(other.system, grid));
+        for ((worst, largest), quantity) in worst.iter_mut().zip(&mut largest).zip(wanted) {
+            let mut phasors = Vec::new();
+            let is_same_grid = other.grid.speed_rpm == grid.speed_rpm;
+            if !is_same_grid || other.method.sweep(&own, *quantity, &mut phasors, work).is_err() {
+                direct.sweep(&own, *quantity, &mut phasors, work)?;
+            }
+            let above = other.synthesis(&phasors).into_iter().enumerate().filter(|(i, total)| *total > largest[*i]);
+            let above: Vec<(usize, f64)> = above.collect();
+            let speeds: Vec<f64> = above.iter().map(|(i, _)| grid.speed_rpm[*i]).collect();
+            let exact = direct.at_each(&own, &[*quantity], &speeds, work)?.swap_remove(0);
+            for ((i, total), phasors) in above.into_iter().zip(exact.chunks(orders)) {
                 largest[i] = total;
-                worst[i * orders..(i + 1) * orders].copy_from_slice(&own[i * orders..(i + 1) * orders]);
+                worst[i * orders..(i + 1) * orders].copy_from_slice(phasors);
             }
         }
     }

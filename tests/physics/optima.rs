@@ -181,7 +181,7 @@ fn no_peak_hides_between_grid_speeds() {
 #[test]
 fn limits_bind() {
     let mut s = only("villalva_i6_thesis", &TUNED, Size::Each(vec![0.076]));
-    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(16).collect();
     s.order_limit = 6.0;
     let free = run(&s);
     let torque = Measure::new((0..7).map(Quantity::ShaftTorque).collect(), Over::Synthesis);

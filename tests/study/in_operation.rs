@@ -168,7 +168,7 @@ fn temperature_as_a_measure() {
 #[test]
 fn a_search_within_a_temperature() {
     let mut s = crate::support::study("villalva_i6_materials");
-    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(8).collect();
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(16).collect();
     s.order_limit = 6.0;
     (s.designs, s.front) = (Vec::new(), None);
     s.conditions.clear();
@@ -237,7 +237,7 @@ fn measured_values_have_no_balance_of_heat() {
 #[test]
 fn drifts_are_those_of_operation() {
     let mut s = read("in_operation");
-    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(6).collect();
+    s.speeds_rpm = s.speeds_rpm.iter().copied().step_by(13).collect();
     let limit = s.limits.remove(0);
     s.objective = limit.of.clone();
     s.optimise.as_mut().expect("optimises").in_operation = true;

@@ -96,7 +96,7 @@ fn bounds_lose_no_point() {
 fn bounds_spare_most_points() {
     let mut study = short("villalva_i6_thesis");
     study.refine_peaks = false;
-    study.designs.truncate(2);
+    study.designs.truncate(1);
     let mut random = Xoshiro256PlusPlus::seed_from_u64(53);
     let count = 600;
     let fillets = vec![fillet("pin", Some(0), points(&mut random, count))];

@@ -264,18 +264,34 @@ impl Margin {
 
     /// At least as much as the shaft can be used where the torque has no more than this half peak-to-peak value, and its middle no larger size.
     pub fn at_most(&self, criterion: usize, shaft: usize, speed_rpm: f64, half_peak_to_peak: f64, middle: f64) -> f64 {
+        let mut most = 0.0;
+        self.any_bound((criterion, shaft), speed_rpm, (half_peak_to_peak, middle), |bound| {
+            most = f64::max(most, bound);
+            false
+        });
+        most
+    }
+
+    /// Whether the bound of any location, of which [`Self::at_most`] is the largest, is as asked; those behind the first that is are not found.
+    pub(crate) fn any_bound(
+        &self,
+        (criterion, shaft): (usize, usize),
+        speed_rpm: f64,
+        (half_peak_to_peak, middle): (f64, f64),
+        mut is: impl FnMut(f64) -> bool,
+    ) -> bool {
         let at = self.place(speed_rpm);
         if let Some((word, histories)) = self.multiaxial(criterion) {
             let largest = self.mean_at(at, shaft).abs() + middle.abs() + half_peak_to_peak;
             let bound = |i: usize| histories.at_most(word, &histories.bounds.by_ranges(i, at, half_peak_to_peak, largest));
             let points = &self.of_shaft[shaft][Family::UnitLoads as usize];
-            return self.leading_paths[at.low][shaft].iter().chain(points).map(|i| bound(*i)).fold(0.0, f64::max) * (1.0 + ROUNDING);
+            return self.leading_paths[at.low][shaft].iter().chain(points).any(|i| is(bound(*i) * (1.0 + ROUNDING)));
         }
         // the size of the mean counts: with the sign of the mean torque it is the largest
         let torque = (half_peak_to_peak, middle.abs() + self.mean_at(at, shaft).abs());
         let families = self.criteria[criterion].families().iter();
-        let leading = families.flat_map(|f| &self.leading[at.low][shaft][*f as usize]);
-        leading.map(|i| self.share_at(criterion, *i, at, torque)).fold(0.0, |m, u| if u > m { u } else { m })
+        let mut leading = families.flat_map(|f| &self.leading[at.low][shaft][*f as usize]);
+        leading.any(|i| is(self.share_at(criterion, *i, at, torque)))
     }
 
     /// Share of the strength that a location uses under a torque of this half peak-to-peak value and mean; not by a multiaxial criterion.

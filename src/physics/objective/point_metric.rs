@@ -120,7 +120,17 @@ impl<'a> PointMetric<'a> {
 
     /// Whether [`Self::at_most`] is at or above `wanted`: a rougher bound often tells that it is not.
     pub(crate) fn may_reach(&self, speed_rpm: f64, (half_peak_to_peak, middle): (f64, f64), wanted: f64) -> bool {
-        self.rough_bound(speed_rpm, half_peak_to_peak.max(middle)) >= wanted && self.at_most(speed_rpm, half_peak_to_peak, middle) >= wanted
+        if self.rough_bound(speed_rpm, half_peak_to_peak.max(middle)) < wanted {
+            return false;
+        }
+        let weight = self.weight(speed_rpm);
+        match self.kind {
+            Kind::HalfRange => half_peak_to_peak * weight >= wanted,
+            Kind::Used { margin, criterion, shaft, .. } => {
+                let size = (half_peak_to_peak, middle);
+                wanted <= 0.0 || margin.any_bound((criterion, shaft), speed_rpm, size, |bound| bound * weight >= wanted)
+            }
+        }
     }
 
     /// No value is above this where the magnitudes of the orders add up to `sum`.

@@ -81,13 +81,14 @@ pub(super) struct Resolved {
 
 impl PeakFinder<'_> {
     /// Speeds and phasors with more of them where a sharp resonance may hide a peak that `can_matter`: by an index of a speed and how far the phasors of the sum are off straight lines up to the next,
-    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `smooth`: see [`SMOOTH`]; `widest`: half the range at an index, or more. Nothing where no more are needed.
+    /// together. Half the range of a sum is convex in its phasors: between two speeds it is no higher than at the higher one by more than that. `smooth`: see [`SMOOTH`]; `is_quick`: whether `can_matter` costs less than a look at the phasors; `widest`: half the range at an index, or more. Nothing where no more are needed.
     pub(super) fn resolved(
         &self,
         design: &[Mounted],
         quantity: Quantity,
         (speeds, sweep): (&Speeds, &[C64]),
-        (smooth, widest, can_matter): (f64, impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
+        (smooth, is_quick): (f64, bool),
+        (widest, can_matter): (impl Fn(usize) -> f64, impl Fn(usize, f64) -> bool),
         work: &mut Work,
     ) -> Result<Option<Resolved>, ResponseError> {
         if speeds.sharp.is_empty() {
@@ -96,8 +97,11 @@ impl PeakFinder<'_> {
         let orders = self.system.orders();
         let mut of_all = Bends::new(&speeds.rpm, sweep, orders);
         let needed = |i: usize| {
+            if speeds.sharp_near(i, smooth).next().is_none() {
+                return 1;
+            }
             // most intervals need no look at their phasors
-            if !can_matter(i, RISE * widest(i).max(widest(i + 1))) || speeds.sharp_near(i, smooth).next().is_none() {
+            if is_quick && !can_matter(i, RISE * widest(i).max(widest(i + 1))) {
                 return 1;
             }
             let bends: Vec<f64> = of_all.of(i).collect();

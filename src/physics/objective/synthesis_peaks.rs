@@ -153,14 +153,12 @@ impl PeakFinder<'_> {
         let able = |j: usize| {
             let Most { half_peak_to_peak, middle } = known.most[j];
             if known.values[j] > f64::NEG_INFINITY {
-                known.values[j] * (1.0 + USED_PER_RANGE * bend / half_peak_to_peak.max(f64::MIN_POSITIVE))
+                known.values[j] * (1.0 + USED_PER_RANGE * bend / half_peak_to_peak.max(f64::MIN_POSITIVE)) >= wanted
             } else {
-                // a rougher bound often tells
-                let rough = metric.rough_bound(speeds.rpm[j], half_peak_to_peak.max(middle) + bend);
-                if rough < wanted { rough } else { metric.at_most(speeds.rpm[j], half_peak_to_peak + bend, middle + bend) }
+                metric.may_reach(speeds.rpm[j], (half_peak_to_peak + bend, middle + bend), wanted)
             }
         };
-        able(i) >= wanted || able(i + 1) >= wanted
+        able(i) || able(i + 1)
     }
 
     pub(super) fn synthesised(
@@ -175,9 +173,12 @@ impl PeakFinder<'_> {
         let wanted = found.keep * found.best.max(known.top);
         let can_matter = |i: usize, bend: f64| Self::may_reach(metric, speeds, &known, (i, bend), wanted);
         let widest = |i: usize| known.most[i].half_peak_to_peak;
-        let smooth = if matches!(over, Over::Margin(_)) { SMOOTH_OF_MARGINS } else { SMOOTH };
-        let finer =
-            if known.top > 0.0 { self.resolved(design, quantity, (speeds, sweep), (smooth, widest, can_matter), work)? } else { None };
+        let (smooth, is_quick) = if matches!(over, Over::Margin(_)) { (SMOOTH_OF_MARGINS, false) } else { (SMOOTH, true) };
+        let finer = if known.top > 0.0 {
+            self.resolved(design, quantity, (speeds, sweep), (smooth, is_quick), (widest, can_matter), work)?
+        } else {
+            None
+        };
         if let Some(finer) = &finer {
             let before = Before(Some((&known, finer.known.as_slice())));
             known = self.candidates(metric, (&finer.speeds, &finer.sweep), before, (found.keep, found.best), work);

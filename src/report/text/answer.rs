@@ -117,7 +117,8 @@ fn found(study: &Study, results: &Results) -> String {
         }
     }
     if let Some(robust) = results.best_optimum(true) {
-        put(format!("Within the tolerances: {}", named(&robust.design)));
+        let held = if robust.limits_hold() { "" } else { ", which breaks limits" };
+        put(format!("Within the tolerances: {}{held}", named(&robust.design)));
         let worse = results.verdicts(robust).into_iter().filter(|v| matches!(v, Verdict::WorseThanNone { .. }));
         worse.for_each(|v| put(format!("  verdict: {}", clause(&v, study.objective_of(robust.objective), &robust.design.absorbers))));
     }

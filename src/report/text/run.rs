@@ -92,26 +92,27 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
         };
         put(format!("  the search ended at {}, {why}", value_of(objective, best)));
     }
+    let mut active: Vec<String> = Vec::new();
     for ((row, nature), load_case) in outcome.rows.rows.iter().zip(&o.natures).zip(&o.load_cases) {
         let p = &row.peak;
-        let during = during(&o.optimum.design, load_case);
-        match row.role {
+        // what no speed has no condition has
+        let during = if p.place == Place::Nowhere { String::new() } else { during(&o.optimum.design, load_case) };
+        let line = match row.role {
             Role::Objective(i) if outcome.rows.is_largest(row, 1e-5) => {
                 let parts = study.combined.as_ref().filter(|_| o.objective > study.more_objectives.len());
                 let own = parts.map_or(objective, |c| &c.parts[i].of);
                 let of = if parts.is_some() { format!(" of {}", own.label) } else { String::new() };
-                put(format!(
-                    "  active peak{of}{}{during}, {}{}",
-                    at_speed(p),
-                    value_of(own, p.value),
-                    peak_words(results, nature.as_ref())
-                ));
+                format!("  active peak{of}{}{during}, {}{}", at_speed(p), value_of(own, p.value), peak_words(results, nature.as_ref()))
             }
             // what is broken by more is said below, once
-            Role::Limit(i) if row.value.abs() < 1e-5 => put(format!("  active limit{}{during}: {}", at_speed(p), study.limits[i].words)),
-            _ => {}
+            Role::Limit(i) if row.value.abs() < 1e-5 => format!("  active limit{}{during}: {}", at_speed(p), study.limits[i].words),
+            _ => continue,
+        };
+        if !active.contains(&line) {
+            active.push(line);
         }
     }
+    active.into_iter().for_each(&mut put);
     parameters(o).into_iter().for_each(&mut put);
     certificate(objective, o, value_of).into_iter().for_each(&mut put);
     limits(study, results, o).into_iter().for_each(&mut put);
@@ -217,7 +218,8 @@ fn answer(study: &Study, results: &Results) -> String {
         _ => {}
     }
     if let Some(robust) = results.best_optimum(true) {
-        let _ = writeln!(text, "Best within the tolerances: {} with {}.", robust.design.name, judged(&robust.design));
+        let held = if robust.limits_hold() { "" } else { ", which breaks limits" };
+        let _ = writeln!(text, "Best within the tolerances: {} with {}{held}.", robust.design.name, judged(&robust.design));
     }
     text
 }

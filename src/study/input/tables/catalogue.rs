@@ -102,12 +102,19 @@ fn within_range(table: &Table, (line, cells): (u64, &[String]), (declaration, p)
     }
 }
 
+/// What is missing where no column says what the absorbers are.
+fn without_types(table: &Table) -> InputError {
+    let known: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
+    let help = format!("each row says what it is, under `type`, Bauart or Typ: {}; Gummi and viskos are read, too", known.join(", "));
+    table.without("type", "`type`", Some(help))
+}
+
 /// What is missing where neither a stiffness nor what makes one has a column; `None` of other parameters.
 fn without(table: &Table, declaration: &Declaration, p: &Parameter) -> Option<InputError> {
     let has_frequency = p.key == STIFFNESS.key && SAME_SPRING.contains(&declaration.name);
     has_frequency.then(|| {
-        let expected = format!("`{}`, or `{OWN_FREQUENCY}`, that of the ring on its hub held fast, among them", p.key);
-        table.at_head(table.header.len(), format!("found columns {}, expected {expected}", table.all_columns()))
+        let expected = format!("`{}`, or `{OWN_FREQUENCY}`, that of the ring on its hub held fast,", p.key);
+        table.without(p.key, &expected, None)
     })
 }
 
@@ -138,7 +145,8 @@ pub fn catalogue(path: &Path, with: MadeWith) -> Result<Vec<CatalogueRow>, Input
         .chain(OF_MATERIALS.map(|m| m.0))
         .chain(TYPES.iter().flat_map(|t| t.parameters).map(|p| p.key));
     let table = Table::read_named(path, &own.collect::<Vec<_>>(), &CATALOGUE)?;
-    let (name, kind) = (table.column("name")?, table.column("type")?);
+    let name = table.column("name")?;
+    let kind = table.column("type").map_err(|_| without_types(&table))?;
     if let (Some(column), None) = (table.header.iter().position(|h| OF_MATERIALS.iter().any(|m| m.0 == h)), with.factor) {
         let found = format!("found column `{}`, expected `geometry` in its [[catalogue]], the shape that is sheared", table.header[column]);
         return Err(table.at_head(column, found));

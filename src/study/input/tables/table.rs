@@ -241,10 +241,13 @@ impl Table {
 
     /// Index of a column that must be there.
     pub fn column(&self, name: &str) -> Result<usize, InputError> {
-        self.header.iter().position(|h| h == name).ok_or_else(|| {
-            let message = format!("found columns {}, expected `{name}` among them", self.all_columns());
-            Mistake { message, place: Place::Cell { path: self.path.clone(), row: self.head, column: name.to_owned() }, help: None }.into()
-        })
+        self.header.iter().position(|h| h == name).ok_or_else(|| self.without(name, &format!("`{name}`"), None))
+    }
+
+    /// The mistake that a column is missing: what was expected among its columns, with help.
+    pub(super) fn without(&self, name: &str, expected: &str, help: Option<String>) -> InputError {
+        let message = format!("found columns {}, expected {expected} among them", self.all_columns());
+        Mistake { message, place: Place::Cell { path: self.path.clone(), row: self.head, column: name.to_owned() }, help }.into()
     }
 
     /// Whether a column is named in other words than its key.

@@ -124,6 +124,12 @@ impl Condition {
         matches!(self, Self::Firing | Self::InOperation)
     }
 
+    /// Whether what is limited here, or `in_service` only, counts.
+    #[doc(hidden)]
+    pub fn counts(self, in_service: bool) -> bool {
+        !in_service || self.is_service()
+    }
+
     /// Whether it makes no difference to a design: there are no absorbers, or none whose material it changes.
     #[doc(hidden)]
     pub fn changes_nothing(self, design: &[Mounted]) -> bool {

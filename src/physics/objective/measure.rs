@@ -241,6 +241,6 @@ impl Limit {
 
     /// Those that count in a condition.
     pub(crate) fn parts_in(&self, condition: Condition) -> impl Iterator<Item = (&Measure, f64)> {
-        self.parts().filter(move |p| !p.2 || condition.is_service()).map(|p| (p.0, p.1))
+        self.parts().filter(move |p| condition.counts(p.2)).map(|p| (p.0, p.1))
     }
 }

@@ -281,8 +281,7 @@ impl Problem<'_> {
         let mut designs = Vec::new();
         for (load_case, s) in self.steering() {
             let (design, shared) = (s.absorbers(&own)?, self.shared());
-            let counts = |in_service: bool| !in_service || s.condition.is_service();
-            let here = asked.iter().zip(&mut by_measure).filter(|(a, _)| s.asks(a.1) && counts(a.3));
+            let here = asked.iter().zip(&mut by_measure).filter(|(a, _)| s.asks(a.1) && s.condition.counts(a.3));
             for ((role, measure, unit, _, keep), found) in here {
                 let least = if role.is_limit() { FAR_BELOW * unit } else { 0.0 };
                 let peaks = s.finder.peaks_knowing(&design, measure, Asked { keep: *keep, least }, &shared, work)?;

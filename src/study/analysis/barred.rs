@@ -6,7 +6,7 @@ use crate::absorber::Mounted;
 use crate::fatigue::shaft_rules::barred;
 use crate::input::{LimitOfRule, LimitSpec};
 use crate::objective::in_operation::absorbers;
-use crate::objective::{Condition, Measure, Peak, PeakFinder, Place, Within, holds};
+use crate::objective::{AtExceptedSpeeds, Condition, Measure, Peak, PeakFinder, Place, Within, holds};
 use crate::response::grid::is_same_speed;
 use crate::response::{ResponseError, Work};
 
@@ -169,21 +169,19 @@ pub(crate) fn ranges(
     Ok(list)
 }
 
-/// The stress in a range that is to be barred over what a rule allows there: that for continuous running where it does not let the range be barred, else that for passing through. Zero where that is not judged.
-pub(crate) fn over_allowed(rule: &LimitOfRule, range: &BarredRange) -> f64 {
-    if is_too_high(rule, range) { range.ratio } else { rule.transient.map_or(0.0, |most| range.ratio / most) }
-}
-
-/// Whether a range reaches above that up to which a rule lets ranges be barred in normal firing.
-fn is_too_high(rule: &LimitOfRule, range: &BarredRange) -> bool {
-    range.condition.is_service() && rule.is_too_high(range.to_rpm)
+/// The stress in a range that a study excepts over what the rule allows there, as searches hold it; zero where that is not judged.
+pub(crate) fn over_allowed(limit: &LimitSpec, range: &BarredRange) -> f64 {
+    let is_here = |e: &&AtExceptedSpeeds| e.measure.within.ranges.contains(&(range.from_rpm, range.to_rpm));
+    let all = limit.to_limit().excepted;
+    let here = all.iter().filter(is_here).filter(|e| range.condition.counts(e.in_service));
+    here.map(|e| range.ratio * limit.limit / e.limit).fold(0.0, f64::max)
 }
 
 /// Why a rule does not let a range be barred, where it does not.
 fn objection(rule: &LimitOfRule, range: &BarredRange) -> Option<Objection> {
     match () {
         () if rule.transient.is_some_and(|most| !holds(range.ratio / most)) => Some(Objection::Transient),
-        () if is_too_high(rule, range) => Some(Objection::TooHigh),
+        () if range.condition.is_service() && rule.is_too_high(range.to_rpm) => Some(Objection::TooHigh),
         () => None,
     }
 }

@@ -222,7 +222,7 @@ pub fn evaluate(
     let excepted = barred::excepted(finders, design, wanted).map_err(failed)?;
     for b in &excepted {
         let own = conditions.iter_mut().find(|c| c.condition == b.condition).map_or(&mut own_limits, |c| &mut c.limits);
-        let used = wanted.limits[b.limit].rule.as_ref().map_or(0.0, |rule| barred::over_allowed(rule, b));
+        let used = barred::over_allowed(&wanted.limits[b.limit], b);
         own[b.limit] = own[b.limit].max(used);
         result.limits[b.limit] = result.limits[b.limit].max(used);
     }

@@ -1,6 +1,6 @@
 //! Absorbers that can be bought.
 
-use super::named::{CATALOGUE, type_of};
+use super::named::{CATALOGUE, HUB_INERTIA, OWN_FREQUENCY, type_of};
 use super::plain_names::as_plain_words;
 use super::shown::shown;
 use super::table::Table;
@@ -24,10 +24,7 @@ pub(crate) struct CatalogueRow {
     pub hub_inertia: f64,
 }
 
-/// Of the hub, in a column of its own.
-const HUB_INERTIA: &str = "hub_inertia_kg_m2";
-/// Of the ring on its held hub: in the place of the stiffness of types whose spring is the same at every frequency.
-const OWN_FREQUENCY: &str = "own_frequency_hz";
+/// Types whose spring is the same at every frequency.
 const SAME_SPRING: [&str; 3] = ["tuned", "undamped", "rubber"];
 
 /// What a study says of all rows of a catalogue.

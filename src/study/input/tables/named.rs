@@ -51,8 +51,10 @@ pub(super) const MEASURED: [Named; 7] = [
     Named { key: "stiffness_n_m_per_rad", words: Hold(STIFF), units: STIFFNESS },
 ];
 
-/// Of the hub of an absorber in a catalogue.
-const HUB_INERTIA: &str = "hub_inertia_kg_m2";
+/// Of the hub of an absorber in a catalogue, in a column of its own.
+pub(super) const HUB_INERTIA: &str = "hub_inertia_kg_m2";
+/// Of the ring on its held hub: in the place of the stiffness of types whose spring is the same at every frequency.
+pub(super) const OWN_FREQUENCY: &str = "own_frequency_hz";
 
 /// Of catalogues.
 pub(super) const CATALOGUE: [Named; 8] = [
@@ -76,7 +78,7 @@ pub(super) const CATALOGUE: [Named; 8] = [
     Named { key: "loss_factor", words: Hold(LOSS), units: SHARE },
     Named { key: HUB_INERTIA, words: Both(OF_INERTIA, &["nabe", "hub", "moyeu", "cubo", "primar", "primaer"]), units: INERTIA },
     Named {
-        key: "own_frequency_hz",
+        key: OWN_FREQUENCY,
         words: Hold(&["eigenfreq", "own freq", "natural freq", "resonan", "frequence propre", "frequencia propria"]),
         units: &[("Hz", 1.0)],
     },

@@ -2,10 +2,11 @@
 
 use super::exit::{DONE, FAILED, fail, files, paths, say};
 use super::place::chosen;
+use crate::crankshaft::flexible::imported::ImportedCrank;
 use crate::crankshaft::flexible::{Carried, assemble, reduced};
 use crate::input::matrices::{MatrixFiles, UnitSystem, structure};
 use crate::input::{self, InputError, Study};
-use crate::report::matrices::{MatrixFormat, matrices as told, write_matrices};
+use crate::report::matrices::{MatrixFormat, matrices as told, roles, write_matrices};
 use crate::report::{Folder, Job, Names, about_inputs, write_folder};
 use crate::rotor::structure::{CrankAxis, Structure};
 use crate::rotor::structure_checks::OfChain;
@@ -117,7 +118,7 @@ const MODES: usize = 20;
 const MOST_MODES: usize = 500;
 
 /// The crank of a study, free, with hub and flywheel.
-fn of_study(study: &Study, modes: usize) -> Result<Structure, String> {
+fn of_study(study: &Study, modes: usize) -> Result<ImportedCrank, String> {
     let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else {
         return Err("found an engine without [crank.flexible], expected the dimensions of its crank there".into());
     };
@@ -153,13 +154,19 @@ fn of_chain(study: &Study) -> OfChain {
     OfChain { inertia: chain.total_inertia(), stiffness: 1.0 / compliance }
 }
 
-/// The structure, in axes with z along the crank, and the chain that it is held against.
-fn read(arguments: &Arguments) -> Result<(Structure, Option<OfChain>), InputError> {
+/// A structure in axes with z along the crank, what it is held against, and what is told of its nodes.
+struct Read {
+    structure: Structure,
+    chain: Option<OfChain>,
+    roles: String,
+}
+
+fn read(arguments: &Arguments) -> Result<Read, InputError> {
     let study = |path: &PathBuf| input::read(path);
     if is_study(arguments) {
         let own = study(&arguments.file)?;
         let reduced = of_study(&own, arguments.modes.unwrap_or(MODES)).map_err(|words| InputError::of_file(&arguments.file, words))?;
-        return Ok((reduced, None));
+        return Ok(Read { roles: roles(&reduced), structure: reduced.structure, chain: None });
     }
     let chain = arguments.study.as_ref().map(study).transpose()?.map(|s| of_chain(&s));
     let files = MatrixFiles {
@@ -179,11 +186,10 @@ fn read(arguments: &Arguments) -> Result<(Structure, Option<OfChain>), InputErro
         Axis::Y => CrankAxis::Y,
         Axis::Z => CrankAxis::Z,
     };
-    if axis == CrankAxis::Z {
-        return Ok((found, chain));
-    }
     let words = "found a node that moves along some axes only, expected all three where --axis turns them";
-    Ok((found.along(axis).ok_or_else(|| InputError::of_file(&arguments.file, words))?, chain))
+    let structure =
+        if axis == CrankAxis::Z { found } else { found.along(axis).ok_or_else(|| InputError::of_file(&arguments.file, words))? };
+    Ok(Read { structure, chain, roles: String::new() })
 }
 
 /// Reads a structure, prints what it is found to be, and writes it.
@@ -196,12 +202,12 @@ pub fn matrices(arguments: &Arguments) -> u8 {
         return fail(&format!("error: found {option} with {of}, expected it without"));
     }
     let (found, inputs) = input::noted(|| read(arguments));
-    let (found, chain) = match found {
+    let Read { structure: found, chain, roles } = match found {
         Ok(found) => found,
         Err(error) => return fail(&error),
     };
     let checks = found.checks();
-    let printed = || told(&found, &checks, chain);
+    let printed = || told(&found, &checks, chain) + &roles;
     let ends = if checks.objections(chain).is_empty() { DONE } else { FAILED };
     let Some(to) = arguments.to else {
         say(&printed());

@@ -1,8 +1,9 @@
 //! Matrices of structures for other programs, and what is found of them.
 
+use crate::crankshaft::flexible::imported::ImportedCrank;
 use crate::files::{Folder, WriteError};
 use crate::rotor::structure::{Structure, Unknown};
-use crate::rotor::structure_checks::{Checks, Objection, OfChain};
+use crate::rotor::structure_checks::{Checks, OfChain};
 use crate::text::table::significant;
 use nalgebra::DMatrix;
 use std::fmt::Write;
@@ -151,49 +152,17 @@ pub fn write_matrices(s: &Structure, format: MatrixFormat, folder: &Folder) -> R
     folder.write("nodes.csv", format!("node,x,y,z\n{places}").as_bytes())
 }
 
-/// What is unlikely, in words.
-fn words(objection: &Objection) -> String {
-    let rounded = |x: f64| significant(x, 3);
-    let off = |ratio: f64| significant(100.0 * (ratio - 1.0), 3);
-    match *objection {
-        Objection::NegativeStiffness(n) => format!("its stiffness has {n} negative eigenvalues: it is no structure at rest"),
-        Objection::NegativeMass => "its mass matrix is not positive definite".into(),
-        Objection::HeldSomewhere(r) => {
-            format!(
-                "motion as a rigid body meets a stiffness of {} of the largest, above {:e}: is it free, are places and units right?",
-                rounded(r),
-                Objection::RESIDUAL
-            )
-        }
-        Objection::RigidModes(n) => format!("{n} rigid modes, expected six of a free body"),
-        Objection::UnequalMass(m) => {
-            let [x, y, z] = m.map(|m| significant(m, 7));
-            format!("its mass is {x}, {y} and {z} kg along x, y and z, expected the same")
-        }
-        Objection::BesideTheAxis(off) => {
-            let most = 1e3 * Objection::OFF_AXIS;
-            format!(
-                "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (--axis)?",
-                rounded(1e3 * off)
-            )
-        }
-        Objection::Slow(hz) => {
-            format!("its lowest elastic frequency is {} Hz, below {}: are the units right?", rounded(hz), Objection::SLOW)
-        }
-        Objection::Extent(m) => {
-            let (least, most) = (Objection::EXTENT.start(), Objection::EXTENT.end());
-            format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", rounded(m))
-        }
-        Objection::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
-            format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", rounded(ratio))
-        }
-        Objection::Inertia(ratio) => {
-            format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Objection::INERTIA))
-        }
-        Objection::TorsionalStiffness(ratio) => {
-            format!("its torsional stiffness is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Objection::STIFFNESS))
-        }
-    }
+/// What its nodes are, as an engine file names them.
+#[doc(hidden)]
+pub fn roles(crank: &ImportedCrank) -> String {
+    let list = |all: &[Vec<u64>]| format!("{all:?}");
+    format!(
+        "  in an engine file [crank.flexible.matrices] has hub = {}, flywheel = {},\n  pins = {},\n  bearings = {}\n",
+        crank.hub,
+        crank.flywheel,
+        list(&crank.pins),
+        list(&crank.bearings)
+    )
 }
 
 /// What a structure is found to be.
@@ -217,7 +186,7 @@ pub fn matrices(s: &Structure, c: &Checks, chain: Option<OfChain>) -> String {
         text.push_str("  without the places of its nodes (--nodes) nothing is told of rigid motion, mass, centre, inertia and torsion\n");
     }
     for objection in c.objections(chain) {
-        _ = writeln!(text, "warning: {}", words(&objection));
+        _ = writeln!(text, "warning: {}", objection);
     }
     text
 }

@@ -12,6 +12,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+#[path = "flexible_crank/imported.rs"]
+mod imported;
 #[path = "flexible_crank/independent.rs"]
 mod independent;
 #[path = "flexible_crank/webs.rs"]
@@ -36,7 +38,7 @@ fn alone() -> Study {
 fn throw_by_castigliano() {
     let study = six();
     let (crank, mut spec) = (study.crank.clone().expect("a crank"), study.flexible.as_ref().expect("flexible").spec.clone());
-    spec.web_factors = WebFactors { bending: 1.0, twist: 1.0, edge: 1.0 };
+    spec.beams_mut().expect("beams").web_factors = WebFactors { bending: 1.0, twist: 1.0, edge: 1.0 };
     let g = crank.young_modulus / 2.6;
     let polar = |d: f64| PI * d.powi(4) / 32.0;
     let half = 0.5 * crank.web_thickness;

@@ -4,8 +4,8 @@ use crate::engine::{Engine, Excitation, Order};
 use crate::numerics::elementary::turn;
 use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
-use crate::rotor::shaft::{Dissipation, Shaft, Turning};
-use crate::rotor::transfer::{Answer, Load, Point, Transfer};
+use crate::rotor::shaft::{Answer, Dissipation, Shaft, Turning};
+use crate::rotor::transfer::{Load, Point, Transfer};
 use crate::units::{RAD_PER_DEG, RAD_PER_S_PER_RPM};
 use nalgebra::{DVector, SVector, Vector3};
 use std::sync::Arc;
@@ -17,8 +17,8 @@ pub struct OnStations {
     pub shaft: Shaft,
     /// Node of each station.
     pub stations: Vec<usize>,
-    /// Of each shaft length: the node before its middle, and its stiffness from there to the next node, N m/rad.
-    pub lengths: Vec<(usize, f64, Dissipation)>,
+    /// Of each shaft length: a twist of it, its stiffness against that, N m/rad, and how that dissipates.
+    pub lengths: Vec<(Answer, f64, Dissipation)>,
     /// Nodes of the rods of each throw.
     pub rods: Vec<Vec<usize>>,
     /// Outwards and in the direction of rotation, of each throw.
@@ -79,8 +79,8 @@ impl FlexibleCrank {
             }
             all
         };
-        let angles = crank.stations.iter().map(|node| vec![(*node, 5, 1.0)]);
-        let twists = crank.lengths.iter().map(|(node, _, _)| vec![(*node, 5, 1.0), (*node + 1, 5, -1.0)]);
+        let angles = crank.stations.iter().map(|node| crank.shaft.rotation(*node));
+        let twists = crank.lengths.iter().map(|(twist, _, _)| twist.clone());
         let answers: Vec<Answer> = angles.chain(twists).collect();
         let (low, high) = asked.speeds_rpm;
         let range = (low * RAD_PER_S_PER_RPM, high * RAD_PER_S_PER_RPM);
@@ -255,5 +255,6 @@ fn alone(crank: &OnStations, throw: usize, direction: usize) -> Load {
 
 /// A unit torque on a station.
 fn unit_torque(crank: &OnStations, station: usize) -> Load {
-    vec![(crank.stations[station], SVector::<C64, 6>::from_fn(|i, _| C64::from(f64::from(u8::from(i == 5)))))]
+    let rotation = crank.shaft.rotation(crank.stations[station]).into_iter();
+    rotation.map(|(node, k, factor)| (node, SVector::<C64, 6>::from_fn(|i, _| C64::from(if i == k { factor } else { 0.0 })))).collect()
 }

@@ -53,6 +53,12 @@ impl Geometry {
         self.piston_mass + (1.0 - self.rod_rotating_fraction()) * self.rod_mass
     }
 
+    /// What of a rod and its piston turns with the pin, kg: the rotating part of the rod, and half the oscillating mass, the constant part of its inertia.
+    #[doc(hidden)]
+    pub fn mass_on_pin(&self) -> f64 {
+        self.rod_rotating_fraction() * self.rod_mass + 0.5 * self.oscillating_mass()
+    }
+
     /// Fraction of the rod that rotates with the crankpin: two masses in its eyes with the same centre.
     pub fn rod_rotating_fraction(&self) -> f64 {
         match self.rod {

@@ -31,6 +31,7 @@ pub mod rounding;
 mod samples;
 mod sampling;
 mod series;
+pub mod significant;
 pub(crate) mod simd_elementary;
 pub(crate) mod sparse;
 pub mod synthesis;

@@ -52,8 +52,13 @@ pub fn free_modes(shaft: &Shaft, count: usize) -> Option<Vec<FreeMode>> {
 fn of(shaft: &Shaft, free: &[usize], own: &DVector<f64>, omega: f64) -> FreeMode {
     let mut shape = vec![Six::zeros(); shaft.len()];
     free.iter().zip(own.iter()).for_each(|(i, x)| shape[i / 6][i % 6] = *x);
+    for node in 0..shaft.places.len() {
+        // of a node that moves along the axes only, too; without mass of its own
+        shape[node][5] = shaft.rotation(node).iter().map(|(node, k, factor)| shape[*node][*k] * factor).sum();
+    }
     let turned: Vec<Six> = shape.iter().zip(shaft.rigid_rotation()).map(|(x, rotation)| rotation * x[5]).collect();
-    let along: Vec<Six> = shape.iter().map(|x| Six::new(0.0, 0.0, x[2], 0.0, 0.0, 0.0)).collect();
+    let mut along: Vec<Six> = shape.iter().map(|x| Six::new(0.0, 0.0, x[2], 0.0, 0.0, 0.0)).collect();
+    along.iter_mut().skip(shaft.places.len()).for_each(|x| *x = Six::zeros());
     let share = |part: &[Six]| shaft.kinetic(part, part) / shaft.kinetic(&shape, &shape);
     FreeMode { omega, torsion: share(&turned), axial: share(&along), shape }
 }

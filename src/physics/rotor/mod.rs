@@ -14,12 +14,15 @@
 pub mod beam;
 pub mod body;
 pub mod exponential_joint;
+mod factored;
 pub mod free_modes;
 pub mod harmonic_balance;
+mod motion;
 pub mod reduction;
 pub mod shaft;
 pub mod structure;
 pub mod structure_checks;
+pub(crate) mod superelement;
 pub(crate) mod transfer;
 mod waves;
 

@@ -2,23 +2,15 @@
 
 use super::beam::{Beam, blocks};
 use super::body::Body;
+use super::factored::Factored;
+pub use super::motion::{Answer, Six, Turning};
+use super::superelement::Superelement;
 use super::{Real, across, cross};
 use crate::numerics::C64;
-use crate::numerics::block_tridiagonal::{Block, Columns, Factored, factor};
+use crate::numerics::block_tridiagonal::{Block, Columns, factor};
 use crate::numerics::tridiagonal::Singular;
-use nalgebra::{DMatrix, DVector, SVector, Vector3};
-
-/// Motion of a node, or what acts on it.
-pub type Six = SVector<f64, 6>;
-
-/// Where a shaft turns and oscillates, rad/s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning {
-    /// Of the oscillation.
-    pub omega: f64,
-    /// Of the shaft.
-    pub speed: f64,
-}
+use nalgebra::{DMatrix, DVector, Vector3};
+use std::collections::BTreeMap;
 
 /// How a beam dissipates: its stiffness is K (1 + i eta + i omega tau).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -66,8 +58,12 @@ impl Row {
 /// A shaft in turning axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shaft {
-    /// Of the nodes, m.
+    /// Of the nodes, m; what is behind them are coordinates of modes, six to one.
     pub places: Vec<Vector3<f64>>,
+    /// Of nodes whose rotation about the axis is no unknown of theirs.
+    rotations: BTreeMap<usize, Answer>,
+    /// What joins nodes that do not follow each other.
+    superelement: Option<Box<Superelement>>,
     stiffness: Row,
     /// Loss factors times stiffness.
     loss: Row,
@@ -99,8 +95,29 @@ impl Shaft {
             circulatory: vec![Real::zeros(); n],
             held: vec![[false; 6]; n],
             beside: vec![Six::zeros(); n],
+            rotations: BTreeMap::new(),
+            superelement: None,
             places,
         }
+    }
+
+    /// Nodes at these places, then coordinates of modes, six to one, all joined by a superelement over them.
+    pub(crate) fn joined(places: Vec<Vector3<f64>>, element: Superelement) -> Self {
+        let nodes = element.mass.nrows() / 6;
+        let behind = nodes - places.len();
+        let mut shaft = Self::new(places.iter().copied().chain(std::iter::repeat_n(Vector3::zeros(), behind)).collect());
+        (shaft.places, shaft.superelement) = (places, Some(Box::new(element)));
+        shaft
+    }
+
+    /// Takes a motion for the rotation of a node about the axis.
+    pub(crate) fn rotate_by(&mut self, node: usize, motion: Answer) {
+        self.rotations.insert(node, motion);
+    }
+
+    /// Rotation of a node about the axis.
+    pub(crate) fn rotation(&self, node: usize) -> Answer {
+        self.rotations.get(&node).cloned().unwrap_or_else(|| vec![(node, 5, 1.0)])
     }
 
     /// Joins a node to the next by a beam.
@@ -142,9 +159,11 @@ impl Shaft {
 
     /// Centrifugal forces and moments of all masses as they are drawn, per square of the speed.
     pub fn unbalance(&self) -> Vec<Six> {
-        let places: Vec<Six> = self.places.iter().map(|p| Six::new(p.x, p.y, 0.0, 0.0, 0.0, 0.0)).collect();
+        let mut places: Vec<Six> = self.places.iter().map(|p| Six::new(p.x, p.y, 0.0, 0.0, 0.0, 0.0)).collect();
+        places.resize(self.len(), Six::zeros());
+        let of_element = self.unbalance_of_superelement();
         let unbalance_at = |i: usize| {
-            let mut sum = self.mass.own[i] * places[i] + self.beside[i];
+            let mut sum = self.mass.own[i] * places[i] + self.beside[i] + of_element.get(i).copied().unwrap_or_default();
             if i + 1 < places.len() {
                 sum += self.mass.next[i] * places[i + 1];
             }
@@ -154,6 +173,15 @@ impl Shaft {
             sum
         };
         (0..self.len()).map(unbalance_at).collect()
+    }
+
+    /// That of the superelement, statically equal: what its mass does against rigid rotation about the axis, a quarter of a turn before.
+    fn unbalance_of_superelement(&self) -> Vec<Six> {
+        let Some(element) = &self.superelement else { return Vec::new() };
+        let rotation = self.rigid_rotation();
+        let along = &element.mass * DVector::from_fn(6 * rotation.len(), |i, _| rotation[i / 6][i % 6]);
+        let turned = |i: usize| Six::new(along[6 * i + 1], -along[6 * i], 0.0, along[6 * i + 4], -along[6 * i + 3], 0.0);
+        (0..self.places.len()).map(turned).collect()
     }
 
     /// Inertia against rotation about the axis alone, kg m².
@@ -184,17 +212,26 @@ impl Shaft {
         self.held[node] = held;
     }
 
-    /// Leaves out what rotation does: G, C_s and K_s + Kc - Z.
-    pub(crate) fn without_rotation(&mut self) {
-        (self.gyroscopic, self.turning) = (Row::new(self.places.len()), Row::new(self.places.len()));
-        self.circulatory.fill(Real::zeros());
+    /// Holds the rotation of a node about the axis, too.
+    #[doc(hidden)]
+    pub fn hold_rotation(&mut self, node: usize) {
+        self.held[node][5] = true;
     }
 
-    /// How many nodes.
+    /// Leaves out what rotation does: G, C_s and K_s + Kc - Z.
+    pub(crate) fn without_rotation(&mut self) {
+        (self.gyroscopic, self.turning) = (Row::new(self.len()), Row::new(self.len()));
+        self.circulatory.fill(Real::zeros());
+        if let Some(element) = &mut self.superelement {
+            element.without_rotation();
+        }
+    }
+
+    /// How many nodes, those that hold coordinates of modes included.
     // never none
     #[allow(clippy::len_without_is_empty)]
     pub fn len(&self) -> usize {
-        self.places.len()
+        self.held.len()
     }
 
     /// The dynamic stiffness, factored.
@@ -202,6 +239,9 @@ impl Shaft {
     /// # Errors
     /// [`Singular`] at an undamped resonance, and where nothing holds the shaft.
     pub(crate) fn factored(&self, at: Turning) -> Result<Factored, Singular> {
+        if self.superelement.is_some() {
+            return Factored::whole(self.free(), |place| self.between(place, at));
+        }
         let n = self.len();
         let diagonal_block = |i: usize| {
             let mut block = self.block(&|row: &Row| &row.own[i], at).0 + (self.circulatory[i] * at.speed).map(C64::from);
@@ -229,7 +269,31 @@ impl Shaft {
             upper.push(right);
             lower.push(below);
         }
-        factor((0..n).map(diagonal_block).collect(), &upper, lower)
+        factor((0..n).map(diagonal_block).collect(), &upper, lower).map(Factored::Blocks)
+    }
+
+    /// The dynamic stiffness between two unknowns.
+    fn between(&self, (i, j): (usize, usize), at: Turning) -> C64 {
+        let (a, b, place) = (i / 6, j / 6, (i % 6, j % 6));
+        let (first, transposed) = (a.min(b), (place.1, place.0));
+        let own = match a.abs_diff(b) {
+            0 => self.entry(&|row: &Row| row.own[a][place], at) + self.circulatory[a][place] * at.speed,
+            1 if a < b => self.entry(&|row: &Row| row.next[first][place], at),
+            1 => {
+                // of the transpose of what stands above, its skew part with the other sign
+                let above = |row: &Row| row.next[first][transposed];
+                self.entry(&above, at) - C64::new(0.0, 2.0 * at.omega * at.speed * above(&self.gyroscopic))
+            }
+            _ => C64::ZERO,
+        };
+        self.superelement.as_ref().map_or(own, |element| own + element.between((i, j), at))
+    }
+
+    /// An entry of the dynamic stiffness of beams, bodies and bearings, from those of their matrices.
+    fn entry(&self, of: &dyn Fn(&Row) -> f64, at: Turning) -> C64 {
+        let (w, speed) = (at.omega, at.speed);
+        let real = of(&self.stiffness) - of(&self.mass) * (w * w) + of(&self.turning) * (speed * speed);
+        C64::new(real, of(&self.loss) + (of(&self.damping) + speed * of(&self.gyroscopic)) * w)
     }
 
     /// Motion of all nodes under forces and moments on them.
@@ -251,24 +315,29 @@ impl Shaft {
         (real.zip_map(&(lossy + skew), C64::new), real.zip_map(&(lossy - skew), C64::new))
     }
 
+    /// A matrix of beams, bodies and bearings over all unknowns, with that of the superelement.
+    fn whole(&self, own: DMatrix<f64>, of: impl Fn(&Superelement) -> &DMatrix<f64>) -> DMatrix<f64> {
+        self.superelement.as_ref().map_or(own.clone(), |element| own + of(element))
+    }
+
     /// M over all unknowns.
     pub fn mass_matrix(&self) -> DMatrix<f64> {
-        self.mass.dense(1.0)
+        self.whole(self.mass.dense(1.0), |element| &element.mass)
     }
 
     /// K over all unknowns, bearings included.
     pub fn stiffness_matrix(&self) -> DMatrix<f64> {
-        self.stiffness.dense(1.0)
+        self.whole(self.stiffness.dense(1.0), |element| &element.stiffness)
     }
 
     /// G over all unknowns.
     pub fn gyroscopic_matrix(&self) -> DMatrix<f64> {
-        self.gyroscopic.dense(-1.0)
+        self.whole(self.gyroscopic.dense(-1.0), |element| &element.gyroscopic)
     }
 
     /// K_s + Kc - Z over all unknowns.
     pub fn turning_matrix(&self) -> DMatrix<f64> {
-        self.turning.dense(1.0)
+        self.whole(self.turning.dense(1.0), |element| &element.turning)
     }
 
     /// C_s over all unknowns.
@@ -278,12 +347,12 @@ impl Shaft {
 
     /// C over all unknowns.
     pub fn damping_matrix(&self) -> DMatrix<f64> {
-        self.damping.dense(1.0)
+        self.whole(self.damping.dense(1.0), |element| &element.damping)
     }
 
     /// Loss factors times stiffness, over all unknowns.
     pub fn loss_matrix(&self) -> DMatrix<f64> {
-        self.loss.dense(1.0)
+        self.whole(self.loss.dense(1.0), |element| &element.loss)
     }
 
     /// Unknowns that move.
@@ -293,13 +362,18 @@ impl Shaft {
 
     /// Motion of the nodes when the shaft turns as a rigid body by a unit about the axis.
     pub fn rigid_rotation(&self) -> Vec<Six> {
-        self.places.iter().map(|p| Six::new(-p.y, p.x, 0.0, 0.0, 0.0, 1.0)).collect()
+        let mut all: Vec<Six> = self.places.iter().map(|p| Six::new(-p.y, p.x, 0.0, 0.0, 0.0, 1.0)).collect();
+        all.resize(self.len(), Six::zeros());
+        all
     }
 
     /// x' M y of some nodes' motions.
     pub fn kinetic(&self, x: &[Six], y: &[Six]) -> f64 {
         let own = (0..self.len()).map(|i| x[i].dot(&(self.mass.own[i] * y[i]))).sum::<f64>();
         let across = |i: usize| x[i].dot(&(self.mass.next[i] * y[i + 1])) + y[i].dot(&(self.mass.next[i] * x[i + 1]));
-        own + (0..self.len() - 1).map(across).sum::<f64>()
+        let row = own + (0..self.len() - 1).map(across).sum::<f64>();
+        let Some(element) = &self.superelement else { return row };
+        let all = |x: &[Six]| DVector::from_fn(6 * x.len(), |i, _| x[i / 6][i % 6]);
+        row + (all(x).transpose() * &element.mass * all(y))[(0, 0)]
     }
 }

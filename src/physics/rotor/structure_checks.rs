@@ -3,6 +3,7 @@
 use super::structure::Structure;
 use crate::numerics::eigen::of_full_mass;
 use crate::numerics::elementary::Elementary;
+use crate::numerics::significant::significant;
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 
 /// What a structure is found to be.
@@ -73,23 +74,66 @@ const ALIKE: f64 = 1e-6;
 
 impl Objection {
     /// Largest residual of rigid motions of a free body.
-    #[doc(hidden)]
-    pub const RESIDUAL: f64 = 1e-5;
+    const RESIDUAL: f64 = 1e-5;
     /// Largest distance of the centre of mass from the axis, m.
-    #[doc(hidden)]
-    pub const OFF_AXIS: f64 = 5e-3;
+    const OFF_AXIS: f64 = 5e-3;
     /// Least elastic frequency, Hz.
-    #[doc(hidden)]
-    pub const SLOW: f64 = 10.0;
+    const SLOW: f64 = 10.0;
     /// Distances between nodes, m: cranks of models and of the largest engines.
-    #[doc(hidden)]
-    pub const EXTENT: std::ops::RangeInclusive<f64> = 0.03..=40.0;
+    const EXTENT: std::ops::RangeInclusive<f64> = 0.03..=40.0;
     /// By what share the inertia may differ from that of a chain.
     #[doc(hidden)]
     pub const INERTIA: f64 = 0.03;
     /// The same of stiffness.
     #[doc(hidden)]
     pub const STIFFNESS: f64 = 0.15;
+}
+
+impl std::fmt::Display for Objection {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let rounded = |x: f64| significant(x, 3);
+        let off = |ratio: f64| significant(100.0 * (ratio - 1.0), 3);
+        let words: String = match *self {
+            Self::NegativeStiffness(n) => format!("its stiffness has {n} negative eigenvalues: it is no structure at rest"),
+            Self::NegativeMass => "its mass matrix is not positive definite".into(),
+            Self::HeldSomewhere(r) => {
+                format!(
+                    "motion as a rigid body meets a stiffness of {} of the largest, above {:e}: is it free, are places and units right?",
+                    rounded(r),
+                    Self::RESIDUAL
+                )
+            }
+            Self::RigidModes(n) => format!("{n} rigid modes, expected six of a free body"),
+            Self::UnequalMass(m) => {
+                let [x, y, z] = m.map(|m| significant(m, 7));
+                format!("its mass is {x}, {y} and {z} kg along x, y and z, expected the same")
+            }
+            Self::BesideTheAxis(off) => {
+                let most = 1e3 * Self::OFF_AXIS;
+                format!(
+                    "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (--axis)?",
+                    rounded(1e3 * off)
+                )
+            }
+            Self::Slow(hz) => {
+                format!("its lowest elastic frequency is {} Hz, below {}: are the units right?", rounded(hz), Self::SLOW)
+            }
+            Self::Extent(m) => {
+                let (least, most) = (Self::EXTENT.start(), Self::EXTENT.end());
+                format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", rounded(m))
+            }
+            Self::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
+                format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", rounded(ratio))
+            }
+            Self::Inertia(ratio) => {
+                format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Self::INERTIA))
+            }
+            Self::TorsionalStiffness(ratio) => {
+                format!("its torsional stiffness is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Self::STIFFNESS))
+            }
+        };
+        f.write_str(&words)
+    }
 }
 
 impl Structure {
@@ -135,13 +179,20 @@ impl Structure {
         (self.places.len() > 1).then(|| (0..3).map(along).fold(0.0, f64::max))
     }
 
-    /// By a unit torque on the last node against the first; what moves as a rigid body is held softly, which changes nothing of a twist.
+    /// By a unit torque on the last node against the first.
     fn torsional_stiffness(&self, rigid: &DMatrix<f64>) -> Option<f64> {
         let along = |i: usize| self.places.get(&self.unknowns[i].node).map(|p| p.z);
         let about_z = (0..self.unknowns.len()).filter(|i| self.unknowns[*i].component == 6);
         let mut ends: Vec<(f64, usize)> = about_z.filter_map(|i| Some((along(i)?, i))).collect();
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (first, last) = (ends.first()?.1, ends.last()?.1);
+        let motion = self.twisted(rigid, (first, last))?;
+        let twist = motion[last] - motion[first];
+        (first != last && twist.is_finite() && twist > 0.0).then(|| 1.0 / twist)
+    }
+
+    /// Static motion of all unknowns under a unit torque on an unknown (by its index) and the opposite one on another, with `rigid` motions. What moves as a rigid body is held softly, which changes nothing of a twist.
+    pub(crate) fn twisted(&self, rigid: &DMatrix<f64>, (from, to): (usize, usize)) -> Option<DVector<f64>> {
         // of the six motions those that the unknowns can tell apart
         let eigen = SymmetricEigen::new(rigid.transpose() * rigid);
         let most = eigen.eigenvalues.amax();
@@ -150,10 +201,8 @@ impl Structure {
             let motion = rigid * eigen.eigenvectors.column(k) / square.sqrt();
             held += &motion * motion.transpose() * self.stiffness.amax();
         }
-        let torque = DVector::from_fn(held.nrows(), |i, _| f64::from(u8::from(i == last)) - f64::from(u8::from(i == first)));
-        let motion = held.lu().solve(&torque)?;
-        let twist = motion[last] - motion[first];
-        (first != last && twist.is_finite() && twist > 0.0).then(|| 1.0 / twist)
+        let torque = DVector::from_fn(held.nrows(), |i, _| f64::from(u8::from(i == to)) - f64::from(u8::from(i == from)));
+        held.lu().solve(&torque)
     }
 }
 

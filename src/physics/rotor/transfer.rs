@@ -2,7 +2,7 @@
 //!
 //! The dynamic stiffness of an order is a polynomial of the speed, so every answer is a rational function of it, with poles that all answers of the order share.
 
-use super::shaft::{Shaft, Turning};
+use super::shaft::{Answer, Shaft, Turning};
 use crate::numerics::C64;
 use crate::numerics::block_tridiagonal::Columns;
 use crate::numerics::rational::{Block, Rational};
@@ -12,8 +12,6 @@ use rayon::prelude::*;
 
 /// What acts on a shaft: forces and moments on nodes.
 pub type Load = Vec<(usize, SVector<C64, 6>)>;
-/// What is asked: factors of unknowns of nodes.
-pub type Answer = Vec<(usize, usize, f64)>;
 
 /// Largest error at the samples, over the largest answer of its kind at any speed. Rounding of stiff and soft parts beside each other leaves some 1e-9.
 const CLOSE: f64 = 1e-8;

@@ -32,12 +32,13 @@ pub(super) fn data(study: &Study) -> Value {
     let places: Vec<Vec<Value>> = assembled.shaft.places.iter().map(|p| p.iter().map(|x| digits(x / M_PER_MM)).collect()).collect();
     let mode = |(i, m): (usize, &FreeMode)| {
         let size = |(k, x): (usize, &f64)| if k % 6 < 3 { x.abs() } else { x.abs() * radius };
-        let largest = m.shape.iter().flat_map(|x| x.iter().enumerate().map(size)).fold(0.0, f64::max);
+        // behind the places stand coordinates of modes of a crank by matrices
+        let largest = m.shape.iter().take(places.len()).flat_map(|x| x.iter().enumerate().map(size)).fold(0.0, f64::max);
         let of_node = |x: &[f64]| -> Vec<Value> {
             let all = x.iter().enumerate().map(|(k, x)| if k < 3 { x / largest } else { x * M_PER_MM / largest });
             all.map(digits).collect()
         };
-        let motion: Vec<Vec<Value>> = m.shape.iter().map(|x| of_node(x.as_slice())).collect();
+        let motion: Vec<Vec<Value>> = m.shape.iter().take(places.len()).map(|x| of_node(x.as_slice())).collect();
         json!({ "name": format!("{}: {:.1} Hz, {}", i + 1, m.omega * HZ_PER_RAD_PER_S, m.kind()), "motion": motion })
     };
     let elastic = flexible.modes().unwrap_or_default().iter().filter(|m| m.omega > 0.0).take(MODES);

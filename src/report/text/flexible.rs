@@ -2,7 +2,7 @@
 
 use super::table::{significant, table};
 use crate::analysis::{ByModel, DesignResult, Modelled, Results, crank_at_speed};
-use crate::crankshaft::flexible::{Bearing, LinearBearings};
+use crate::crankshaft::flexible::{Assembled, Bearing, CrankBody, FlexibleSpec, LinearBearings};
 use crate::input::{FlexibleModel, Study};
 use crate::rotor::free_modes::FreeMode;
 use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, PA_PER_MPA, RAD_PER_S_PER_RPM};
@@ -115,10 +115,29 @@ fn by_webs(results: &Results, d: &DesignResult) -> Option<String> {
     ))
 }
 
-/// Stiffness of a throw by what its bearings hold; nothing without a flexible crank.
+/// What it is made of, in words.
+fn body(spec: &FlexibleSpec, assembled: &Assembled) -> String {
+    match &spec.body {
+        CrankBody::Beams(beams) => {
+            let (f, estimated) = (beams.web_factors, if beams.estimated { " (estimate: 10 %, at most 31 %)" } else { "" });
+            let [bending, twist, edge] = [f.bending, f.twist, f.edge].map(|x| significant(x, 4));
+            format!("factors on the webs: bending {bending}, twist {twist}, edge {edge}{estimated}; {} nodes", assembled.shaft.len())
+        }
+        CrankBody::Matrices(own) => {
+            let (all, modes) = (own.structure.unknowns.len(), own.structure.unknowns.iter().filter(|u| u.component == 0).count());
+            format!("matrices of {all} unknowns, {modes} of them of modes, {} nodes", own.structure.nodes())
+        }
+    }
+}
+
+/// Stiffness of a throw by what its bearings hold, or of the whole crank by matrices; nothing without a flexible crank.
 fn stiffness(study: &Study) -> Option<String> {
-    let k = crank_at_speed::stiffness(study)?;
     let in_mega = |x: f64| significant(x / 1e6, 4);
+    if let CrankBody::Matrices(own) = &study.flexible.as_ref()?.spec.body {
+        let k = own.structure.checks().torsional_stiffness?;
+        return Some(format!("by matrices; {} MN m/rad from hub to flywheel with free ends", in_mega(k)));
+    }
+    let k = crank_at_speed::stiffness(study)?;
     Some(format!(
         "k_held/k_free {}: a throw has {} MN m/rad with free ends, {} guided, {} held in its bearings",
         significant(k.held / k.free, 3),
@@ -140,18 +159,8 @@ pub(crate) fn in_brief(study: &Study) -> String {
 pub(crate) fn in_full(study: &Study) -> String {
     let (Some(flexible), Some(stiffness)) = (&study.flexible, stiffness(study)) else { return String::new() };
     let (spec, assembled) = (&flexible.spec, &flexible.assembled);
-    let f = spec.web_factors;
-    let estimated = if spec.estimated { " (estimate: 10 %, at most 31 %)" } else { "" };
-    let mut text = format!("Flexible crank: {stiffness}\n");
-    _ = writeln!(
-        text,
-        "  factors on the webs: bending {}, twist {}, edge {}{estimated}; {} nodes, {} kg with all that is on it",
-        significant(f.bending, 4),
-        significant(f.twist, 4),
-        significant(f.edge, 4),
-        assembled.shaft.len(),
-        significant(assembled.mass, 4)
-    );
+    let mut text =
+        format!("Flexible crank: {stiffness}\n  {}; {} kg with all that is on it\n", body(spec, assembled), significant(assembled.mass, 4));
     let throws: Vec<Vec<String>> = assembled
         .balance
         .iter()
@@ -163,7 +172,9 @@ pub(crate) fn in_full(study: &Study) -> String {
         })
         .collect();
     let header = ["throw", "steel as drawn/kg m²", "on the pin/kg m²", "station/kg m²", "counterweights", "density factor"];
-    text += &format!("  inertia about the axis is that of the stations:\n{}", table(&header, &throws));
+    if !throws.is_empty() {
+        text += &format!("  inertia about the axis is that of the stations:\n{}", table(&header, &throws));
+    }
     if let LinearBearings::Each(all) = &spec.bearing {
         let list =
             |of: &dyn Fn(&Bearing) -> f64, points: &[Bearing]| points.iter().map(|b| significant(of(b), 3)).collect::<Vec<_>>().join(", ");

@@ -1,7 +1,7 @@
 //! Tables that line up, and numbers with so many digits.
 
 use super::width::columns;
-use crate::numerics::elementary::Elementary;
+pub(crate) use crate::numerics::significant::significant;
 
 /// A table whose columns line up: the first to the left, the others to the right.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
@@ -52,15 +52,6 @@ fn blocks(widths: &[usize], keys: usize, most: usize) -> Vec<Vec<usize>> {
         length += 2 + width;
     }
     blocks
-}
-
-/// A number with about `digits` significant digits, without exponent where it is short.
-pub(crate) fn significant(x: f64, digits: i32) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let decimals = (digits - 1 - x.abs().decimal_logarithm().floor() as i32).max(0) as usize;
-    if x.abs() < 1e-4 || x.abs() >= 1e8 { format!("{x:.*e}", digits as usize - 1) } else { format!("{x:.decimals$}") }
 }
 
 /// The text, or a dash where a value does not apply.

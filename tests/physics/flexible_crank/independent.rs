@@ -52,7 +52,7 @@ fn round(crank: &Crank, d: f64, density: f64, stiffer: f64) -> Section {
 
 pub fn web_of(crank: &Crank, spec: &FlexibleSpec, density: f64) -> Section {
     let (w, b, e) = (crank.web_thickness, crank.web_breadth, crank.young_modulus);
-    let (g, f) = (e / 2.6, spec.web_factors);
+    let (g, f) = (e / 2.6, spec.beams().expect("beams").web_factors);
     let (l, s) = (w.max(b), w.min(b));
     let torsion = l * s.powi(3) * (1.0 / 3.0 - 0.21 * s / l * (1.0 - (s / l).powi(4) / 12.0));
     Section {
@@ -302,7 +302,7 @@ impl Plan {
         let on_axis = |z: f64| Vector3::new(0.0, 0.0, z);
         let (lj, w, r) = (crank.journal_lengths[0], crank.web_thickness, crank.crank_radius);
         assert!(b.counterweight == 0.0, "without counterweights");
-        let density = spec.density * b.density;
+        let density = spec.beams().expect("beams").density * b.density;
         let outwards = Vector3::new(angle.cos(), angle.sin(), 0.0);
         self.directions.push([outwards, Vector3::new(-angle.sin(), angle.cos(), 0.0)]);
         let (journal, pin) = (round(crank, crank.journal_diameter, density, 1.0), round(crank, crank.pin_diameter, density, 1.0));
@@ -351,7 +351,8 @@ impl Plan {
 
     fn new(study: &Study, crank: &Crank, spec: &FlexibleSpec, rod: f64) -> Self {
         let balance = &study.flexible.as_ref().expect("flexible").assembled.balance;
-        let (front, rear) = (spec.front.as_ref().expect("a hub"), spec.rear.as_ref().expect("a flywheel"));
+        let beams = spec.beams().expect("beams");
+        let (front, rear) = (beams.front.as_ref().expect("a hub"), beams.rear.as_ref().expect("a flywheel"));
         let on_axis = |z: f64| Vector3::new(0.0, 0.0, z);
         let lj = crank.journal_lengths[0];
         let start = -0.5 * lj - front.shaft.iter().map(|s| s.length).sum::<f64>();
@@ -366,14 +367,14 @@ impl Plan {
         };
         let end = |plan: &mut Self, step: &hartog::drivetrain::throw_stiffness::Step| {
             let (z, pieces) = (plan.places[plan.places.len() - 1].z, (step.length / 0.05).ceil());
-            let section = round(crank, step.diameter, spec.density, 1.0);
+            let section = round(crank, step.diameter, spec.beams().expect("beams").density, 1.0);
             (1..=pieces as usize).for_each(|k| {
                 plan.to(on_axis(z + step.length * k as f64 / pieces), section, 0.0);
             });
             section.mass * step.length * 2.0 * section.squares[0]
         };
         let own: f64 = front.shaft.iter().rev().map(|s| end(&mut plan, s)).sum();
-        let journal = round(crank, crank.journal_diameter, spec.density, 1.0);
+        let journal = round(crank, crank.journal_diameter, spec.beams().expect("beams").density, 1.0);
         let half_journal = journal.mass * 0.5 * lj * 2.0 * journal.squares[0];
         let stations = &study.chain.stations;
         let disc = |mass: f64, diametral: f64, polar: f64| (mass, [polar / 2.0, polar / 2.0, diametral - polar / 2.0]);

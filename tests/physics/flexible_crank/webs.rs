@@ -15,7 +15,7 @@ type C = Complex<f64>;
 fn by_strains(study: &Study, motion: &DVector<C>, first: usize, throw: usize) -> [C; 4] {
     let (crank, flexible) = (study.crank.as_ref().expect("a crank"), study.flexible.as_ref().expect("flexible"));
     let (spec, assembled) = (&flexible.spec, &flexible.assembled);
-    let section = web_of(crank, spec, spec.density * assembled.balance[throw].density);
+    let section = web_of(crank, spec, spec.beams().expect("beams").density * assembled.balance[throw].density);
     let [outwards, tangential] = assembled.directions[throw];
     let mut sum = [C::new(0.0, 0.0); 4];
     for (node, at_end) in [(first, true), (first + 1, false)] {
@@ -132,7 +132,7 @@ fn slender_crank_is_the_continuous_beam() {
     (spec.nodes, spec.bearing) = (BearingNodes::One, LinearBearings::Alike(Bearing { stiffness: 1e13, damping: 0.0 }));
     // centrifugal forces of the flywheel would bend so slender a crank
     spec.rotating = false;
-    spec.web_factors = WebFactors { bending: 1e6, twist: 1e6, edge: 1e6 };
+    spec.beams_mut().expect("beams").web_factors = WebFactors { bending: 1e6, twist: 1e6, edge: 1e6 };
     let assembled = assemble(&crank, &study.engine, &study.chain, &spec, Carried::All).expect("a crank");
     let loads = WebLoads::new(&assembled, &study.engine, (flexible, &results.system.excitation)).expect("a cylinder");
     let still = loads.still(&loads.quasi_static(1600.0).expect("held"));

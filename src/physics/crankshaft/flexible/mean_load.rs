@@ -24,7 +24,7 @@ pub fn mean_load(assembled: &Assembled, cycle: &Cycle, speed_rpm: f64) -> DVecto
         }
     }
     // the forces of the rods hold all of their own masses
-    let on_pin = geometry.rod_rotating_fraction() * geometry.rod_mass + 0.5 * geometry.oscillating_mass();
+    let on_pin = geometry.mass_on_pin();
     let (rods, radius) = (engine.layout.rods_per_throw, geometry.slider_crank.crank_radius);
     for (t, angle) in pin_angles(engine).into_iter().enumerate() {
         for (rod, node) in assembled.rods[t].iter().enumerate() {

@@ -7,8 +7,12 @@
 //! Inertias about the axis are those of the torsional chain: what the steel of a throw lacks is its counterweights, sectors of 120° whose moment
 //! balances it as `unbalance` says; where the steel has more than the station, it counts less dense.
 
+mod assembled;
 mod assembly;
+pub mod imported;
 mod mean_load;
+mod of_beams;
+mod of_matrices;
 pub mod on_joints;
 mod reduced;
 mod row;
@@ -19,11 +23,11 @@ mod web_factors;
 mod web_loads;
 mod web_section;
 
-pub use assembly::{Assembled, Balance};
-pub use assembly::{Carried, assemble};
+pub use assembled::{Assembled, Balance, Carried};
+pub use assembly::assemble;
 pub use mean_load::mean_load;
 pub use reduced::reduced;
-pub use spec::{Bearing, BearingNodes, End, FlexibleSpec, JointSpec, LinearBearings};
+pub use spec::{BeamCrank, Bearing, BearingNodes, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;
 pub use web_loads::{QuasiStatic, WebLoads, in_plane};

@@ -13,7 +13,7 @@ use crate::numerics::tridiagonal::Singular;
 use crate::numerics::{C64, ZERO};
 use crate::rotor::exponential_joint::ExponentialJoint;
 use crate::rotor::harmonic_balance::{Balanced, Condensed, NotBalanced, balanced, balanced_in_stages, nearest_to};
-use crate::rotor::shaft::{Shaft, Turning};
+use crate::rotor::shaft::{Answer, Shaft, Turning};
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -172,18 +172,22 @@ impl OnJoints<'_> {
             (0..2).for_each(|k| x[*node][(k, 1 + 2 * p + k)] = C64::from(1.0));
         }
         for (a, (station, _)) in sums.iter().enumerate() {
-            x[stations[*station]][(5, forces + a)] = C64::from(1.0);
+            for (node, k, factor) in shaft.rotation(stations[*station]) {
+                x[node][(k, forces + a)] += C64::from(factor);
+            }
         }
         if at.omega == 0.0 {
             let mut held = shaft.clone();
-            held.hold(stations[stations.len() - 1], [false, false, false, false, false, true]);
+            held.hold_rotation(stations[stations.len() - 1]);
             held.factored(at)?.solve(&mut x)?;
         } else {
             shaft.factored(at)?.solve(&mut x)?;
         }
-        let displacements = points.iter().flat_map(|node| [(*node, 0), (*node, 1)]);
-        let asked: Vec<(usize, usize)> = displacements.chain(stations.iter().map(|node| (*node, 5))).collect();
-        let mut y = DMatrix::from_fn(asked.len(), forces + sums.len(), |i, j| x[asked[i].0][(asked[i].1, j)]);
+        let displacements = points.iter().flat_map(|node| [vec![(*node, 0, 1.0)], vec![(*node, 1, 1.0)]]);
+        let asked: Vec<Answer> = displacements.chain(stations.iter().map(|node| shaft.rotation(*node))).collect();
+        let mut y = DMatrix::from_fn(asked.len(), forces + sums.len(), |i, j| {
+            asked[i].iter().map(|(node, k, factor)| x[*node][(*k, j)] * *factor).sum()
+        });
         if !sums.is_empty() {
             // torques of the absorbers: (1 + H Z) theta = theta_0 with H of their stations
             let row = |a: usize| 2 * points.len() + sums[a].0;

@@ -17,6 +17,16 @@ pub(super) enum Join {
     Torsion(f64, Dissipation),
 }
 
+impl Join {
+    /// Stiffness in rotation about the axis, N m/rad, and how it dissipates.
+    pub(super) fn torsion(&self) -> (f64, Dissipation) {
+        match self {
+            Self::Beam(beam, dissipation) => (beam.section.torsion / beam.length, *dissipation),
+            Self::Torsion(stiffness, dissipation) => (*stiffness, *dissipation),
+        }
+    }
+}
+
 /// Nodes with what joins them and what sits on them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Row {

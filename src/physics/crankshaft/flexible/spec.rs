@@ -1,9 +1,11 @@
 //! What a flexible crank is made of beside dimensions and chain.
 
+use super::imported::ImportedCrank;
 use super::web_factors::WebFactors;
 use crate::crankshaft::Crank;
 use crate::drivetrain::throw_stiffness::Step;
 use crate::rotor::exponential_joint::ExponentialJoint;
+use std::sync::Arc;
 
 /// Nodes of a main bearing along its journal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,15 +108,35 @@ pub struct End {
     pub diametral_inertia: f64,
 }
 
-/// What the flexible crank needs beside dimensions and chain.
+/// A crank of beams and bodies, by its dimensions.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FlexibleSpec {
+pub struct BeamCrank {
     /// Of every web.
     pub web_factors: WebFactors,
     /// Whether these were estimated.
     pub estimated: bool,
     /// kg/m³.
     pub density: f64,
+    /// Before the first main bearing; nothing where the chain begins with a throw.
+    pub front: Option<End>,
+    /// Behind the last one.
+    pub rear: Option<End>,
+}
+
+/// What the crank itself is computed by.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CrankBody {
+    /// Beams and bodies.
+    Beams(BeamCrank),
+    /// Matrices of another program.
+    Matrices(Arc<ImportedCrank>),
+}
+
+/// What the flexible crank needs beside dimensions and chain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlexibleSpec {
+    /// Between its bearings, with hub and flywheel.
+    pub body: CrankBody,
     /// Of the crank's steel and joints: its stiffness is k (1 + i eta).
     pub loss_factor: f64,
     /// Whether gyroscopic and centrifugal terms count.
@@ -129,8 +151,22 @@ pub struct FlexibleSpec {
     pub thrust_at: usize,
     /// Along the axis.
     pub thrust: Bearing,
-    /// Before the first main bearing; nothing where the chain begins with a throw.
-    pub front: Option<End>,
-    /// Behind the last one.
-    pub rear: Option<End>,
+}
+
+impl FlexibleSpec {
+    /// The crank as beams; `None` by matrices of another program.
+    pub fn beams(&self) -> Option<&BeamCrank> {
+        match &self.body {
+            CrankBody::Beams(own) => Some(own),
+            CrankBody::Matrices(_) => None,
+        }
+    }
+
+    /// The same to be changed.
+    pub fn beams_mut(&mut self) -> Option<&mut BeamCrank> {
+        match &mut self.body {
+            CrankBody::Beams(own) => Some(own),
+            CrankBody::Matrices(_) => None,
+        }
+    }
 }

@@ -19,11 +19,12 @@ pub struct ThrowStiffness {
     pub held: f64,
 }
 
-/// Of a throw by itself; nothing where it is singular.
+/// Of a throw by itself; `None` where it is singular, and for a crank by matrices.
 pub fn throw_stiffness(crank: &Crank, spec: &FlexibleSpec, throw: usize) -> Option<ThrowStiffness> {
-    let material = Material { young_modulus: crank.young_modulus, density: spec.density };
+    let beams = spec.beams()?;
+    let material = Material { young_modulus: crank.young_modulus, density: beams.density };
     let mut row = Row::from(Vector3::zeros());
-    let nodes = throw::add(&mut row, crank, (material, &spec.web_factors), Turned { throw, angle: 0.0 }, spec.nodes, 0.0);
+    let nodes = throw::add(&mut row, crank, (material, &beams.web_factors), Turned { throw, angle: 0.0 }, spec.nodes, 0.0);
     let mut shaft = row.shaft();
     shaft.hold(0, [true; 6]);
     let last = row.last();

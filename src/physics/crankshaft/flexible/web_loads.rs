@@ -59,9 +59,10 @@ pub fn in_plane(all: &DMatrix<f64>, web: usize) -> InPlane {
 }
 
 impl<'a> WebLoads<'a> {
-    /// Of a crank put together and its tables, under an excitation with all cylinders alike; `engine`: with the pressure that bends it, quasi-static. `None` where the torque comes from a table.
+    /// Of a crank put together and its tables, under an excitation with all cylinders alike; `engine`: with the pressure that bends it, quasi-static. `None` where the torque comes from a table, and where its matrices say
+    /// nothing of webs.
     pub fn new(assembled: &'a Assembled, engine: &'a Engine, (crank, excitation): (&'a FlexibleCrank, &'a Excitation)) -> Option<Self> {
-        let cycle = Cycle::new(engine)?;
+        let cycle = Cycle::new(engine).filter(|_| !assembled.sections.is_empty())?;
         let theta = cycle.theta(OTHER_STRIDE);
         let orders: Vec<f64> = excitation.orders.iter().map(|o| o.value()).collect();
         let mut waves = DMatrix::zeros(theta.len(), 2 * orders.len());
@@ -85,7 +86,7 @@ impl<'a> WebLoads<'a> {
     pub fn quasi_static(&self, speed_rpm: f64) -> Result<QuasiStatic, Singular> {
         let mut shaft = self.assembled.shaft.clone();
         let flywheel = self.assembled.stations[self.assembled.stations.len() - 1];
-        shaft.hold(flywheel, [false, false, false, false, false, true]);
+        shaft.hold_rotation(flywheel);
         let columns = 1 + 2 * self.pins.len();
         let mut x = vec![Columns::zeros(columns); shaft.len()];
         let mean = mean_load(self.assembled, &self.cycle, speed_rpm);

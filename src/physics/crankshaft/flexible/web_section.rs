@@ -5,8 +5,7 @@
 use super::row::Join;
 use crate::numerics::C64;
 use crate::rotor::beam::Beam;
-use crate::rotor::shaft::{Dissipation, Six};
-use crate::rotor::transfer::Answer;
+use crate::rotor::shaft::{Answer, Dissipation, Six};
 use nalgebra::{SVector, Vector3};
 
 /// A load of a web in its middle.

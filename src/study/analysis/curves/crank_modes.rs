@@ -15,7 +15,7 @@ pub(super) fn crank_modes(study: &Study) -> Option<Figure> {
     let (flexible, crank) = (study.on_flexible()?, study.crank.as_ref()?);
     let places = &flexible.assembled.shaft.places;
     let panel = |(i, m): (usize, &FreeMode)| {
-        let motion = |k: usize, factor: f64| m.shape.iter().map(move |x| x[k] * factor);
+        let motion = |k: usize, factor: f64| m.shape.iter().take(places.len()).map(move |x| x[k] * factor);
         let rows = [
             ("along the middle of the banks", 0, 1.0),
             ("across it", 1, 1.0),

@@ -33,7 +33,7 @@ fn mean(study: &Study, flexible: &FlexibleModel, speed_rpm: f64) -> Option<Resul
     let force = mean_load(assembled, &Cycle::new(&study.engine)?, speed_rpm);
     let mut shaft = assembled.shaft.clone();
     let last = assembled.stations[assembled.stations.len() - 1];
-    shaft.hold(last, [false, false, false, false, false, true]);
+    shaft.hold_rotation(last);
     let at = Turning { omega: 0.0, speed: speed_rpm * RAD_PER_S_PER_RPM };
     Some(shaft.response(at, &force).map(|x| x.map(|x| x.re)))
 }

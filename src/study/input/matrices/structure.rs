@@ -86,7 +86,7 @@ fn read(path: &Path, kind: Kind, named: Named) -> Result<(DMatrix<f64>, Vec<Unkn
         (None, Named::ByFile(known)) => known.to_vec(),
         (None, Named::Not | Named::ByStiffness(_)) => {
             let message = format!(
-                "found a {} without names of its unknowns, expected them in a file of their own (--dof): a line each, `node.component`",
+                "found a {} without names of its unknowns, expected them in a file of their own (--dof, in an engine file `dof`): a line each, `node.component`",
                 kind.name()
             );
             return Err(InputError::of_file(path, message));

@@ -8,16 +8,18 @@ use serde::Deserialize;
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawFlexible {
-    /// How much stiffer webs are than beams from axis to axis: estimated from the dimensions, or given.
+    /// How much stiffer webs are than beams from axis to axis: estimated from the dimensions, or given. Required without `matrices`.
     #[schemars(extend("examples" = ["estimate"]))]
-    pub web_factors: RawWebFactors,
+    pub web_factors: Option<RawWebFactors>,
+    /// In place of beams: the crank by the matrices of a finite-element program, free, with hub and flywheel, without rods, reduced to points of its bearings, its pins and both ends.
+    pub matrices: Option<At<RawMatrices>>,
     /// Density of the crank; without it that of `masses`.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [7850]))]
     pub density_kg_m3: Option<At<f64>>,
     /// Loss factor of the crank: its stiffness is k (1 + i eta).
     #[schemars(extend("minimum" = 0, "maximum" = 0.5, "examples" = [0.01]))]
     pub loss_factor: At<f64>,
-    /// Whether gyroscopic and centrifugal terms count.
+    /// Whether gyroscopic and centrifugal terms count. With `matrices` it asks for `gyroscopic` and `turning`.
     #[schemars(extend("default" = true, "examples" = [false]))]
     pub rotating: Option<bool>,
     /// Every main bearing.
@@ -53,6 +55,67 @@ pub(crate) struct RawGivenFactors {
     pub edge: At<f64>,
 }
 
+/// Files relative to the engine file, in any format that `hartog matrices` reads.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMatrices {
+    /// Stiffness of the free crank.
+    #[schemars(extend("examples" = ["crank_stiffness.mtx"]))]
+    pub stiffness: At<String>,
+    /// Mass, over the same unknowns.
+    #[schemars(extend("examples" = ["crank_mass.mtx"]))]
+    pub mass: At<String>,
+    /// Gyroscopic matrix of turning axes, per rad/s.
+    #[schemars(extend("examples" = ["crank_gyroscopic.mtx"]))]
+    pub gyroscopic: Option<At<String>>,
+    /// Centrifugal matrix of turning axes with the stiffness of tension, per rad²/s².
+    #[schemars(extend("examples" = ["crank_turning.mtx"]))]
+    pub turning: Option<At<String>>,
+    /// A line an unknown, `node.component`; where the matrices do not name them themselves.
+    #[schemars(extend("examples" = ["unknowns.dof"]))]
+    pub dof: Option<At<String>>,
+    /// Places of the nodes: columns node, x, y, z.
+    #[schemars(extend("examples" = ["nodes.csv"]))]
+    pub nodes: At<String>,
+    /// Units of all of them: m, kg and N, or mm, t and N.
+    #[schemars(extend("examples" = ["mm_t"]))]
+    pub units: RawMatrixUnits,
+    /// Along which axis the crank lies, from the hub to the flywheel.
+    #[serde(default)]
+    #[schemars(extend("default" = "z", "examples" = ["x"]))]
+    pub axis: RawCrankAxis,
+    /// Node in the middle of the hub.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    pub hub: At<i64>,
+    /// Node in the middle of the flywheel.
+    #[schemars(extend("minimum" = 1, "examples" = [90]))]
+    pub flywheel: At<i64>,
+    /// Of each throw in turn, the node of its pin, or those of its rods.
+    #[schemars(extend("minItems" = 1, "examples" = [[[8], [20]]]))]
+    pub pins: At<Vec<Vec<i64>>>,
+    /// Of each main bearing that is there, its nodes along the journal, the middle one in the middle.
+    #[schemars(extend("minItems" = 2, "examples" = [[[2, 3, 4], [14, 15, 16], [26, 27, 28]]]))]
+    pub bearings: At<Vec<Vec<i64>>>,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawMatrixUnits {
+    /// m, kg, N, s.
+    Si,
+    /// mm, t, N, s.
+    MmT,
+}
+
+#[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum RawCrankAxis {
+    X,
+    Y,
+    #[default]
+    Z,
+}
+
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawBearing {
@@ -64,7 +127,7 @@ pub(crate) struct RawBearing {
     pub damping_n_s_per_m: Option<At<f64>>,
     /// In place of both: bearings that stiffen with the displacement of the journal. Searches and tables use the linear bearings nearest to them over cycles without absorber, and what they find is computed on the law itself by harmonic balance.
     pub exponential: Option<At<RawExponential>>,
-    /// Points along the journal that share it: its middle, or three over two thirds of its length.
+    /// Points along the journal that share it: its middle, or three over two thirds of its length; with `matrices` those have them.
     #[schemars(extend("enum" = [1, 3], "default" = 3, "examples" = [1]))]
     pub nodes: Option<At<i64>>,
 }

@@ -2,10 +2,12 @@
 
 use super::absorbers::DesignSpec;
 use super::checked_study::CrankModel;
-use super::derived_chain;
 use super::flexible_model::FlexibleModel;
+use super::{derived_chain, imported};
 use crate::crankshaft::Crank;
-use crate::crankshaft::flexible::{Bearing, BearingNodes, Carried, End, FlexibleSpec, JointSpec, LinearBearings, WebFactors, assemble};
+use crate::crankshaft::flexible::{
+    BeamCrank, Bearing, BearingNodes, Carried, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings, WebFactors, assemble,
+};
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
@@ -13,6 +15,8 @@ use crate::input::schema::engine::RawEngine;
 use crate::input::schema::flexible::{RawBearing, RawEnd, RawFlexible, RawWebFactors};
 use crate::input::schema::study::RawStudy;
 use crate::units::PA_PER_MPA;
+use std::path::Path;
+use std::sync::Arc;
 
 /// Bearings, N/m.
 const SOFTEST: f64 = 1e5;
@@ -51,12 +55,12 @@ fn asked(check: &mut Check, study: &RawStudy, known: bool, designs: &[&DesignSpe
 /// The flexible crank of an engine file, and what of the crank a study with these designs asks for.
 pub(super) fn of_study(
     (check, in_engine): (&mut Check, &mut Check),
-    (study, engine): (&RawStudy, &RawEngine),
+    (study, engine, folder): (&RawStudy, &RawEngine, &Path),
     parts: (Option<&Crank>, &Engine, &Chain),
     speeds_rpm: &[f64],
     designs: &[&DesignSpec],
 ) -> (Option<FlexibleModel>, CrankModel) {
-    let flexible = resolve(in_engine, engine, parts);
+    let flexible = resolve(in_engine, (engine, folder), parts);
     let known = flexible.is_some() || !in_engine.mistakes.is_empty();
     let model = asked(check, study, known, designs);
     // a study on the chain does not ask for what cycles tell of its bearings
@@ -77,11 +81,15 @@ pub(super) fn of_study(
 }
 
 /// The crank put together, or nothing where a mistake leaves none.
-fn resolve(check: &mut Check, raw: &RawEngine, (crank, engine, chain): (Option<&Crank>, &Engine, &Chain)) -> Option<FlexibleModel> {
+fn resolve(
+    check: &mut Check,
+    (raw, folder): (&RawEngine, &Path),
+    (crank, engine, chain): (Option<&Crank>, &Engine, &Chain),
+) -> Option<FlexibleModel> {
     let (table, crank) = (raw.crank.as_ref()?, crank?);
     let own = table.get_ref().flexible.as_ref()?;
     let before = check.mistakes.len();
-    let spec = spec(check, own, crank, chain)?;
+    let spec = spec(check, (own, folder), crank, chain)?;
     if check.mistakes.len() > before {
         return None;
     }
@@ -94,15 +102,54 @@ fn resolve(check: &mut Check, raw: &RawEngine, (crank, engine, chain): (Option<&
     }
 }
 
-fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -> Option<FlexibleSpec> {
+fn spec(check: &mut Check, (at, folder): (&At<RawFlexible>, &Path), crank: &Crank, chain: &Chain) -> Option<FlexibleSpec> {
     let raw = at.get_ref();
-    let (web_factors, estimated) = web_factors(check, at, crank)?;
-    let nodes = nodes(check, &raw.bearing);
-    if nodes == BearingNodes::Three && crank.journal_lengths.iter().any(|l| *l < SHORTEST * crank.journal_diameter) {
+    let (body, nodes) = match &raw.matrices {
+        None => (CrankBody::Beams(beams(check, at, crank, chain)?), nodes(check, &raw.bearing)),
+        Some(_) => {
+            let own = imported::resolve(check, at, folder)?;
+            let nodes = points(check, at, &own.bearings);
+            (CrankBody::Matrices(Arc::new(own)), nodes)
+        }
+    };
+    let short = |l: &f64| *l < SHORTEST * crank.journal_diameter;
+    if matches!(body, CrankBody::Beams(_)) && nodes == BearingNodes::Three && crank.journal_lengths.iter().any(short) {
         check.wrong(at, "found three points along a journal shorter than 0.2 of its diameter, expected `nodes = 1`");
     }
-    let (bearing, joints) = bearings(check, at, crank)?;
+    let (bearing, joints) = bearings(check, (at, nodes), crank)?;
     let (thrust_at, thrust) = thrust(check, raw, crank)?;
+    let loss_factor = check.within(&raw.loss_factor, 0.0..=0.5, "a loss factor from 0 to 0.5");
+    if loss_factor == 0.0 && bearing.damping == 0.0 {
+        check.wrong(
+            &raw.loss_factor,
+            "found neither a loss factor nor damping of the bearings, expected one of them: nothing else damps bending",
+        );
+    }
+    Some(FlexibleSpec {
+        body,
+        loss_factor,
+        rotating: raw.rotating.unwrap_or(true),
+        bearing: LinearBearings::Alike(bearing),
+        joints,
+        nodes,
+        thrust_at,
+        thrust,
+    })
+}
+
+/// Points along each bearing of a crank by matrices: the law of an exponential bearing wants all alike.
+fn points(check: &mut Check, at: &At<RawFlexible>, bearings: &[Vec<u64>]) -> BearingNodes {
+    let nodes = if bearings.first().is_some_and(|points| points.len() == 1) { BearingNodes::One } else { BearingNodes::Three };
+    if at.get_ref().bearing.exponential.is_some() && bearings.iter().any(|points| points.len() != nodes.count()) {
+        check.wrong(at, "found bearings of several numbers of points with `bearing.exponential`, expected one or three points each");
+    }
+    nodes
+}
+
+/// The crank by its dimensions.
+fn beams(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -> Option<BeamCrank> {
+    let raw = at.get_ref();
+    let (web_factors, estimated) = web_factors(check, at, crank)?;
     let density = match (&raw.density_kg_m3, &crank.masses) {
         (Some(d), _) => check.positive(d),
         (None, Some(masses)) => masses.density,
@@ -111,33 +158,19 @@ fn spec(check: &mut Check, at: &At<RawFlexible>, crank: &Crank, chain: &Chain) -
             return None;
         }
     };
-    let loss_factor = check.within(&raw.loss_factor, 0.0..=0.5, "a loss factor from 0 to 0.5");
-    if loss_factor == 0.0 && bearing.damping == 0.0 {
-        check.wrong(
-            &raw.loss_factor,
-            "found neither a loss factor nor damping of the bearings, expected one of them: nothing else damps bending",
-        );
-    }
     let first = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
     let behind = chain.stations.get(first + crank.throws()).map(|s| s.inertia);
-    Some(FlexibleSpec {
+    Some(BeamCrank {
         web_factors,
         estimated,
         density,
-        loss_factor,
-        rotating: raw.rotating.unwrap_or(true),
-        bearing: LinearBearings::Alike(bearing),
-        joints,
-        nodes,
-        thrust_at,
-        thrust,
         front: end(check, at, (raw.front.as_ref(), "front"), first.checked_sub(1).map(|s| chain.stations[s].inertia)),
         rear: end(check, at, (raw.rear.as_ref(), "rear"), behind),
     })
 }
 
 /// Main bearings over all their points, and the law behind them where they have one: then they are linear as in the middle of its reach, until cycles tell better ones.
-fn bearings(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(Bearing, Option<JointSpec>)> {
+fn bearings(check: &mut Check, (at, nodes): (&At<RawFlexible>, BearingNodes), crank: &Crank) -> Option<(Bearing, Option<JointSpec>)> {
     let raw = &at.get_ref().bearing;
     if let Some(law) = &raw.exponential {
         for (given, key) in [(&raw.stiffness_n_per_m, "stiffness_n_per_m"), (&raw.damping_n_s_per_m, "damping_n_s_per_m")] {
@@ -155,7 +188,6 @@ fn bearings(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(B
             loose: [&own.loose_stiffness, &own.loose_damping].map(|x| check.within(x, 1e-6..=1.0, "a ratio from 1e-6 to 1")),
             time: check.within(&own.damping_time_s, 1e-9..=0.1, "a time from 1e-9 to 0.1 s"),
         };
-        let nodes = if raw.nodes.as_ref().is_some_and(|n| *n.get_ref() == 1) { BearingNodes::One } else { BearingNodes::Three };
         let first = spec.joints(crank, nodes, (1.0, 1.0)).into_iter().next()?;
         let middle = |[loose, firm]: [f64; 2]| (loose * firm).sqrt() * nodes.count() as f64;
         return Some((Bearing { stiffness: middle(first.stiffness), damping: middle(first.damping) }, Some(spec)));
@@ -180,7 +212,11 @@ fn bearings(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(B
 
 /// The factors of the webs, and whether they are an estimate.
 fn web_factors(check: &mut Check, at: &At<RawFlexible>, crank: &Crank) -> Option<(WebFactors, bool)> {
-    match &at.get_ref().web_factors {
+    let Some(raw) = &at.get_ref().web_factors else {
+        check.wrong(at, "found neither `web_factors` nor `matrices`, expected one of them: how stiff the crank is");
+        return None;
+    };
+    match raw {
         RawWebFactors::Given(f) => {
             let mut factor = |value: &At<f64>| check.within(value, 1e-3..=1000.0, "a factor from 0.001 to 1000");
             Some((WebFactors { bending: factor(&f.bending), twist: factor(&f.twist), edge: factor(&f.edge) }, false))

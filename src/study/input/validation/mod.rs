@@ -13,6 +13,7 @@ mod family;
 mod fatigue;
 mod flexible;
 mod flexible_model;
+mod imported;
 mod inputs;
 mod load;
 pub(super) mod material;
@@ -80,6 +81,13 @@ pub(super) struct Files<'a> {
     pub engine: &'a RawEngine,
 }
 
+impl Files<'_> {
+    /// What paths in the engine file are relative to.
+    fn folder(&self) -> &Path {
+        folder_of(self.engine_path)
+    }
+}
+
 /// What of an engine and of a study's ranges everything else is checked against.
 struct Base {
     engine: Engine,
@@ -110,8 +118,7 @@ impl Base {
 }
 
 fn base(files: &Files, check: &mut Check, in_engine: &mut Check) -> Option<Base> {
-    let folder = files.engine_path.parent().unwrap_or_else(|| Path::new(""));
-    let engine = engine::resolve(in_engine, files.engine, folder);
+    let engine = engine::resolve(in_engine, files.engine, files.folder());
     let crank = match (&files.engine.crank, &engine) {
         (Some(raw), Some(engine)) => crank::resolve(in_engine, raw, engine),
         _ => None,
@@ -280,12 +287,12 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let front = optimise::front(check, study, optimise.as_ref(), (&base.chain, &modes), &by_word);
     let conditions = conditions(check, study, &base.engine, optimise.as_ref());
     let parts = (base.crank.as_ref(), &base.engine, &base.chain);
-    let (flexible, crank_model) = flexible::of_study((check, in_engine), (study, files.engine), parts, &base.speeds_rpm, &given);
+    let (flexible, model) = flexible::of_study((check, in_engine), (study, files.engine, files.folder()), parts, &base.speeds_rpm, &given);
     let (published, calibrate) = comparison(files, check, &base, (&modes, &designs, fatigue.as_ref()));
     let checked = Study {
         name: files.path.file_stem().map_or_else(|| "study".into(), |s| s.to_string_lossy().into_owned()),
         flexible,
-        crank_model,
+        crank_model: model,
         scatter: optimise::scatter(check, study, &base.engine, &conditions),
         crank_engine: loads_crank_by_brake_curve(study).then(|| base.engine.of_brake_curve()),
         duty: load::duty(check, study, &base.engine, &base.speeds_rpm),

@@ -1,0 +1,131 @@
+//! Matrices of a crank from another program: what their nodes are, and whether they fit the crank of a study.
+
+use crate::crankshaft::Crank;
+use crate::drivetrain::Chain;
+use crate::numerics::elementary::Elementary;
+use crate::rotor::structure::{Structure, Unknown};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// By what share the radius of a pin may differ from that of the crank, and by how much its angle, rad.
+const RADIUS: f64 = 0.01;
+const ANGLE: f64 = 0.02;
+/// By what share inertia about the axis may differ from that of the stations.
+const INERTIA: f64 = 0.3;
+
+/// Matrices of a crank, and what its nodes are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedCrank {
+    /// SI, z along the crank from the hub to the flywheel.
+    pub structure: Structure,
+    /// Middle of the hub.
+    pub hub: u64,
+    /// Middle of the flywheel.
+    pub flywheel: u64,
+    /// Of each throw: its pin, or a node for each rod.
+    pub pins: Vec<Vec<u64>>,
+    /// Points of each main bearing that is there.
+    pub bearings: Vec<Vec<u64>>,
+}
+
+impl ImportedCrank {
+    pub(super) fn place(&self, node: u64) -> Vector3<f64> {
+        self.structure.places[&node]
+    }
+
+    /// What of the nodes cannot be, in words: one that has no place or does not move as it has to.
+    pub(super) fn mistaken(&self, (crank, chain): (&Crank, &Chain), throws: &Range<usize>, thrust_at: usize) -> Option<String> {
+        let present = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b)).count();
+        let counts = [(self.pins.len(), crank.throws(), "throws with pins"), (self.bearings.len(), present, "main bearings")];
+        if let Some((found, wanted, what)) = counts.into_iter().find(|c| c.0 != c.1) {
+            return Some(format!("{found} {what}, where the crank has {wanted}"));
+        }
+        if throws.start == 0 || throws.end == chain.len() {
+            return Some("the chain begins or ends with a throw: matrices want stations for hub and flywheel".into());
+        }
+        if let Some((t, pins)) = self.pins.iter().enumerate().find(|(_, pins)| pins.len() != 1 && pins.len() != crank.rods) {
+            return Some(format!("throw {} has {} nodes for its {} rods: one, or one a rod", t + 1, pins.len(), crank.rods));
+        }
+        if let Some(empty) = self.bearings.iter().position(Vec::is_empty) {
+            return Some(format!("main bearing {} of those that are there has no node", empty + 1));
+        }
+        let ends = [(self.hub, "the hub"), (self.flywheel, "the flywheel")];
+        let pins = self.pins.iter().flatten().map(|n| (*n, 1..=3, "a pin"));
+        let points = self.bearings.iter().flatten().map(|n| (*n, 1..=2, "a point of a bearing"));
+        let mut wanted = ends.into_iter().map(|(n, what)| (n, 1..=6, what)).chain(pins).chain(points);
+        let moves = |node: u64, component: u8| self.structure.unknowns.contains(&Unknown { node, component });
+        let lacks = wanted.find_map(|(n, mut components, what)| components.find(|c| !moves(n, *c)).map(|c| (n, c, what)));
+        if let Some((node, component, what)) = lacks {
+            return Some(format!("node {node}, {what}, has no component {component} in the matrices"));
+        }
+        if let Some(u) = self.structure.unknowns.iter().find(|u| u.component > 0 && !self.structure.places.contains_key(&u.node)) {
+            return Some(format!("node {} has no place", u.node));
+        }
+        let pairs = [(1, 2), (2, 1), (4, 5), (5, 4)];
+        let half = |u: &&Unknown| pairs.iter().any(|p| u.component == p.0 && !moves(u.node, p.1));
+        if let Some(u) = self.structure.unknowns.iter().find(half) {
+            return Some(format!("node {} moves along or about one axis across the crank and not the other", u.node));
+        }
+        let thrust = self.thrust_node(crank, thrust_at);
+        if !moves(thrust, 3) {
+            return Some(format!("node {thrust}, the middle of the thrust bearing, has no component 3 in the matrices"));
+        }
+        let order: Vec<u64> = std::iter::once(self.hub).chain(self.pins.iter().map(|p| p[0])).chain([self.flywheel]).collect();
+        order.windows(2).find(|two| self.place(two[0]).z >= self.place(two[1]).z).map(|two| {
+            format!("node {} lies behind node {} along z, which runs from the hub over the throws to the flywheel", two[0], two[1])
+        })
+    }
+
+    /// Middle point of the thrust bearing.
+    pub(super) fn thrust_node(&self, crank: &Crank, thrust_at: usize) -> u64 {
+        let before = (0..thrust_at).filter(|b| !crank.missing_bearings.contains(b)).count();
+        let points = &self.bearings[before];
+        points[points.len() / 2]
+    }
+
+    /// How far the pins are turned from the angles of a layout, rad; in words where radius or angle of one is another.
+    pub(super) fn turned(&self, crank: &Crank, angles: &[f64]) -> Result<f64, String> {
+        let mut first = None;
+        for (t, angle) in angles.iter().enumerate() {
+            for node in &self.pins[t] {
+                let p = self.place(*node);
+                let radius = p.x.hypotenuse(p.y);
+                if (radius / crank.crank_radius - 1.0).abs() > RADIUS {
+                    let mm = |x: f64| x * 1e3;
+                    return Err(format!(
+                        "the pin of throw {} is {:.4} mm from the axis, the radius of the crank {:.4} mm",
+                        t + 1,
+                        mm(radius),
+                        mm(crank.crank_radius)
+                    ));
+                }
+                let own = p.y.arctangent(p.x) - angle;
+                let off = own - *first.get_or_insert(own);
+                let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
+                if off.abs() > ANGLE {
+                    let deg = off.to_degrees();
+                    return Err(format!(
+                        "the pin of throw {} stands {deg:.2}° from where the layout has it, seen from throw 1, positive in the direction of rotation",
+                        t + 1
+                    ));
+                }
+            }
+        }
+        Ok(first.unwrap_or(0.0))
+    }
+
+    /// In words, how the inertia about the axis, kg m², goes with that of the stations, where it is far off.
+    pub(super) fn inertia_differs(&self, (crank, chain): (&Crank, &Chain), throws: &Range<usize>, per_rod: f64) -> Option<String> {
+        let rigid = self.structure.rigid_motions()?;
+        let own = (rigid.transpose() * self.structure.mass.as_ref()? * rigid)[(5, 5)];
+        let rods = per_rod * (crank.rods * crank.throws()) as f64 * crank.crank_radius.powi(2);
+        let stations: f64 = chain.stations[throws.start - 1..=throws.end].iter().map(|s| s.inertia).sum();
+        let ratio = (own + rods) / stations;
+        ((ratio - 1.0).abs() > INERTIA).then(|| {
+            format!(
+                "the matrices have {own:.4} kg m² about the axis and the rods {rods:.4}, the stations from hub to flywheel {stations:.4} in all: matrices of other units, or without hub and flywheel?"
+            )
+        })
+    }
+}

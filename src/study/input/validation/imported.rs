@@ -1,0 +1,149 @@
+//! The crank by matrices of another program: its keys checked, its files read.
+
+use super::flexible_model::FlexibleModel;
+use crate::crankshaft::Crank;
+use crate::crankshaft::flexible::CrankBody;
+use crate::crankshaft::flexible::imported::ImportedCrank;
+use crate::drivetrain::Chain;
+use crate::engine::{Engine, Source};
+use crate::input::error::{At, Check, looked_for};
+use crate::input::matrices::{MatrixFiles, UnitSystem, structure};
+use crate::input::schema::flexible::{RawCrankAxis, RawFlexible, RawMatrices, RawMatrixUnits};
+use crate::rotor::structure::{CrankAxis, Structure};
+use crate::rotor::structure_checks::{Objection, OfChain};
+use std::path::{Path, PathBuf};
+
+/// What dimensions say of a crank of beams is said by the matrices.
+fn beside(check: &mut Check, at: &At<RawFlexible>) {
+    let raw = at.get_ref();
+    let message = |key: &str| format!("found `{key}` beside `matrices`, expected one of them: the matrices hold webs, hub and flywheel");
+    if raw.web_factors.is_some() {
+        check.wrong(at, message("web_factors"));
+    }
+    if let Some(density) = &raw.density_kg_m3 {
+        check.wrong(density, message("density_kg_m3"));
+    }
+    for (end, key) in [(&raw.front, "front"), (&raw.rear, "rear")] {
+        if let Some(end) = end {
+            check.wrong(&end.mass_kg, message(key));
+        }
+    }
+    if let Some(nodes) = &raw.bearing.nodes {
+        check.wrong(nodes, "found `nodes` beside `matrices`, expected one of them: `bearings` names the points along each journal");
+    }
+}
+
+/// Path of a file that is named; a mistake where there is none.
+fn path(check: &mut Check, name: &At<String>, folder: &Path) -> Option<PathBuf> {
+    let path = folder.join(name.get_ref());
+    if !path.is_file() {
+        check.wrong_with_help(
+            name,
+            if path.exists() { "found no file there, expected a matrix" } else { "file not found" },
+            looked_for(&path),
+        );
+        return None;
+    }
+    Some(path)
+}
+
+/// Numbers of nodes, from 1.
+fn nodes(check: &mut Check, all: &At<Vec<Vec<i64>>>) -> Vec<Vec<u64>> {
+    if let Some(wrong) = all.get_ref().iter().flatten().find(|n| **n < 1) {
+        check.wrong(all, format!("found node {wrong}, expected numbers from 1"));
+    }
+    all.get_ref().iter().map(|list| list.iter().map(|n| n.unsigned_abs()).collect()).collect()
+}
+
+/// One node.
+fn node(check: &mut Check, n: &At<i64>) -> u64 {
+    if *n.get_ref() < 1 {
+        check.wrong(n, format!("found node {}, expected a number from 1", n.get_ref()));
+    }
+    n.get_ref().unsigned_abs()
+}
+
+/// The structure in its files, z along the crank.
+fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) -> Option<Structure> {
+    let raw = at.get_ref();
+    let mut found = |name: &At<String>| path(check, name, folder);
+    let (stiffness, mass, places) = (found(&raw.stiffness), found(&raw.mass), found(&raw.nodes));
+    let mut given = |name: &Option<At<String>>| match name {
+        Some(name) => found(name).map(Some),
+        None => Some(None),
+    };
+    let (unknowns, gyroscopic, turning) = (given(&raw.dof)?, given(&raw.gyroscopic)?, given(&raw.turning)?);
+    if rotating && (gyroscopic.is_none() || turning.is_none()) {
+        check.wrong_with_help(
+            at,
+            "found matrices without `gyroscopic` and `turning`, expected both where the crank turns",
+            "`rotating = false` leaves out what rotation does: of the twist of one six 10 to 13 %, where an order meets a bending mode, which rotation splits",
+        );
+        return None;
+    }
+    let files = MatrixFiles {
+        stiffness: stiffness?,
+        mass: Some(mass?),
+        rotating: [gyroscopic, turning],
+        unknowns,
+        nodes: Some(places?),
+        units: match raw.units {
+            RawMatrixUnits::Si => UnitSystem::Si,
+            RawMatrixUnits::MmT => UnitSystem::MmTonne,
+        },
+    };
+    let own = structure(&files).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()?;
+    let axis = match raw.axis {
+        RawCrankAxis::X => CrankAxis::X,
+        RawCrankAxis::Y => CrankAxis::Y,
+        RawCrankAxis::Z => return Some(own),
+    };
+    let turned = own.along(axis);
+    if turned.is_none() {
+        check.wrong(at, "found a node that moves along some axes only, expected all three where `axis` turns them");
+    }
+    turned
+}
+
+/// Whether a crank can be computed with it in spite of that.
+fn is_grave(objection: &Objection) -> bool {
+    !matches!(objection, Objection::BesideTheAxis(_) | Objection::Slow(_) | Objection::Inertia(_) | Objection::TorsionalStiffness(_))
+}
+
+/// The crank by its matrices.
+pub(super) fn resolve(check: &mut Check, at: &At<RawFlexible>, folder: &Path) -> Option<ImportedCrank> {
+    let raw = at.get_ref();
+    let matrices = raw.matrices.as_ref()?;
+    beside(check, at);
+    let own = matrices.get_ref();
+    let structure = read(check, matrices, folder, raw.rotating.unwrap_or(true))?;
+    for objection in structure.checks().objections(None).iter().filter(|o| is_grave(o)) {
+        check.wrong_with_help(
+            matrices,
+            format!("found matrices that are not those of a free crank, expected such: {objection}"),
+            "`hartog matrices FILE --mass FILE --dof FILE --nodes FILE` says what is found of them",
+        );
+    }
+    Some(ImportedCrank {
+        structure,
+        hub: node(check, &own.hub),
+        flywheel: node(check, &own.flywheel),
+        pins: nodes(check, &own.pins),
+        bearings: nodes(check, &own.bearings),
+    })
+}
+
+impl FlexibleModel {
+    /// What is unlikely of a crank by matrices beside its chain, in words.
+    pub(super) fn objections(&self, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Vec<String> {
+        let (CrankBody::Matrices(own), Source::Cylinder { geometry, .. }) = (&self.spec.body, &engine.source) else { return Vec::new() };
+        let first = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
+        let between = &chain.stations[first.saturating_sub(1)..first + crank.throws()];
+        let rods = geometry.mass_on_pin() * (crank.rods * crank.throws()) as f64 * crank.crank_radius.powi(2);
+        let inertia: f64 =
+            between.iter().map(|s| s.inertia).sum::<f64>() + chain.stations.get(first + crank.throws()).map_or(0.0, |s| s.inertia);
+        let compliance: f64 = between.iter().map(|s| 1.0 / s.stiffness_to_next).sum();
+        let of_chain = OfChain { inertia: inertia - rods, stiffness: 1.0 / compliance };
+        own.structure.checks().objections(Some(of_chain)).iter().map(|o| format!("of the crank by matrices: {o}")).collect()
+    }
+}

@@ -1,0 +1,152 @@
+//! The crank by matrices of another program, against the beams from which they were made.
+
+use super::{alone, designs, six};
+use hartog::crankshaft::flexible::imported::ImportedCrank;
+use hartog::crankshaft::flexible::{Carried, CrankBody, FlexibleSpec, assemble, reduced};
+use hartog::input::Study;
+use hartog::response::{Direct, Grid, Quantity, Response, Work};
+use hartog::rotor::shaft::Turning;
+use nalgebra::{Complex, DMatrix, DVector, Rotation3, Vector3};
+use std::sync::Arc;
+
+/// More than there are.
+const ALL: usize = 10_000;
+
+/// A study whose flexible crank is changed.
+fn with(study: &Study, change: impl FnOnce(&mut FlexibleSpec)) -> Study {
+    let (flexible, crank) = (study.flexible.as_ref().expect("flexible"), study.crank.as_ref().expect("a crank"));
+    let changed = flexible.with(change, (crank, &study.engine, &study.chain)).expect("a crank");
+    Study { flexible: Some(changed), ..study.clone() }
+}
+
+/// Its crank, free, with hub and flywheel, by matrices with so many modes.
+fn exported(study: &Study, modes: usize) -> ImportedCrank {
+    let (flexible, crank) = (study.flexible.as_ref().expect("flexible"), study.crank.as_ref().expect("a crank"));
+    let free = assemble(crank, &study.engine, &study.chain, &flexible.spec, Carried::Ends).expect("a crank");
+    reduced(&free, modes).expect("positive")
+}
+
+fn by_matrices(study: &Study, own: ImportedCrank) -> Study {
+    with(study, |spec| spec.body = CrankBody::Matrices(Arc::new(own)))
+}
+
+/// Twist from end to end, twist of a throw and torque of a shaft by order at some speeds, none and with a tuned ring.
+fn answers(study: &Study) -> Vec<[Complex<f64>; 3]> {
+    let results = study.run().expect("results");
+    let grid = Grid::new(&study.speeds_rpm, &[]);
+    let direct = Direct::new(&results.system, &grid);
+    let quantities =
+        [Quantity::Twist { from: 0, to: Some(study.chain.len() - 1) }, Quantity::Twist { from: 2, to: Some(5) }, Quantity::ShaftTorque(4)];
+    let mut all = Vec::new();
+    for design in &designs(study)[..2] {
+        for speed in [903.0, 1621.0, 2207.0, 3100.0] {
+            for order in [0.5, 3.0, 4.5, 6.0] {
+                let index = results.system.excitation.orders.iter().position(|o| o.value() == order).expect("an order");
+                let phasor = |q| direct.phasor(design, q, (index, speed), &mut Work::default()).expect("damped");
+                all.push(quantities.map(phasor));
+            }
+        }
+    }
+    all
+}
+
+/// Largest difference of each answer over its largest value.
+fn apart(a: &[[Complex<f64>; 3]], b: &[[Complex<f64>; 3]]) -> [f64; 3] {
+    std::array::from_fn(|k| {
+        let largest = b.iter().map(|y| y[k].norm()).fold(0.0, f64::max);
+        a.iter().zip(b).map(|(a, b)| (a[k] - b[k]).norm()).fold(0.0, f64::max) / largest
+    })
+}
+
+/// What responses are computed at alone.
+fn short() -> Study {
+    let mut study = alone();
+    study.designs.retain(|d| d.name == "tuned_optimal");
+    study.speeds_rpm = vec![900.0, 2000.0, 3150.0];
+    study.order_limit = 6.0;
+    study
+}
+
+/// Twist from hub to flywheel and torque behind the third throw under a unit force on each pin in the direction of rotation, each a sixth of a turn later.
+fn under_forces(study: &Study, at: Turning) -> [Complex<f64>; 2] {
+    let assembled = &study.flexible.as_ref().expect("flexible").assembled;
+    let mut force = DVector::from_element(6 * assembled.shaft.len(), Complex::new(0.0, 0.0));
+    for (t, (rods, [_, tangential])) in assembled.rods.iter().zip(&assembled.directions).enumerate() {
+        let phase = Complex::from_polar(1.0, t as f64 * std::f64::consts::FRAC_PI_3);
+        (0..3).for_each(|k| force[6 * rods[0] + k] += phase * tangential[k]);
+    }
+    let x = assembled.shaft.response(at, &force).expect("damped");
+    let (twist, stiffness, dissipation) = &assembled.shafts[3];
+    let torque: Complex<f64> = twist.iter().map(|(node, k, factor)| x[6 * node + k] * *factor).sum();
+    let ends = [assembled.stations[0], assembled.stations[7]].map(|node| x[6 * node + 5]);
+    [ends[0] - ends[1], torque * Complex::new(1.0, dissipation.loss_factor) * *stiffness]
+}
+
+/// With all modes a reduction is the whole crank. At rest (`rotating = false`) twists are those of the beams to rounding, torques to 1e-3: between the outer points of a bearing lies inertia that the middle of its journal does not see. Turning, the pull of the rods, which stiffens each
+/// throw as a string from axis to pin and not its webs, is what differs: 2e-3.
+#[test]
+fn matrices_are_the_crank() {
+    for (rotating, tolerance) in [(false, [1e-9, 1e-3]), (true, [2e-3, 2e-3])] {
+        let beams = with(&short(), |spec| spec.rotating = rotating);
+        let matrices = by_matrices(&beams, exported(&beams, ALL));
+        for (omega, speed) in [(600.0, 100.0), (1300.0, 290.0)] {
+            let at = Turning { omega, speed };
+            let (own, wanted) = (under_forces(&matrices, at), under_forces(&beams, at));
+            let error = [0, 1].map(|k| (own[k] - wanted[k]).norm() / wanted[k].norm());
+            assert!(error[0] < tolerance[0] && error[1] < tolerance[1], "{rotating} {at:?}: {error:?}");
+        }
+    }
+}
+
+/// By orders, without and with a ring, in the tables of a study: with twenty modes twists from end to end and torques are within 3e-3 of the beams', without modes within 1 % (sharp resonances move most). Between throws the tangential motion of the pins against the axis stands for
+/// their rotation: 6 %.
+#[test]
+fn responses_by_matrices() {
+    let study = short();
+    let wanted = answers(&study);
+    for (modes, tolerance) in [(0, 1e-2), (20, 3e-3)] {
+        let [twist, of_throws, torque] = apart(&answers(&by_matrices(&study, exported(&study, modes))), &wanted);
+        assert!(twist < tolerance && torque < tolerance && of_throws < 0.06, "{modes}: {twist:e} {of_throws:e} {torque:e}");
+    }
+}
+
+/// In which direction of the crank's own axes the first throw points is no matter: the pins tell it.
+#[test]
+fn turned_axes_are_the_same_crank() {
+    let study = short();
+    let own = exported(&study, 0);
+    let n = own.structure.unknowns.len();
+    let rotation = Rotation3::from_axis_angle(&Vector3::z_axis(), 0.7);
+    let mut turn = DMatrix::identity(n, n);
+    let place = |node: u64, component: u8| own.structure.unknowns.iter().position(|u| (u.node, u.component) == (node, component));
+    for (i, u) in own.structure.unknowns.iter().enumerate().filter(|u| u.1.component > 0) {
+        let first = if u.component > 3 { 4 } else { 1 };
+        for k in 0..3u8 {
+            if let Some(j) = place(u.node, first + k) {
+                turn[(i, j)] = rotation[(usize::from(u.component - first), usize::from(k))];
+            }
+        }
+    }
+    let mut turned = own.clone();
+    let rotated = |x: &DMatrix<f64>| &turn * x * turn.transpose();
+    let structure = &mut turned.structure;
+    for matrix in
+        [&mut structure.mass, &mut structure.gyroscopic, &mut structure.turning].into_iter().flatten().chain([&mut structure.stiffness])
+    {
+        *matrix = rotated(matrix);
+    }
+    turned.structure.places.values_mut().for_each(|p| *p = rotation * *p);
+    let apart = apart(&answers(&by_matrices(&study, turned)), &answers(&by_matrices(&study, own)));
+    assert!(apart.iter().all(|a| *a < 1e-8), "{apart:?}");
+}
+
+/// Turning as a rigid body about the axis costs nothing, rods and all: r'(K_s + Kc - Z) r = 0 beside r'Z r, which is the inertia about the axis.
+#[test]
+fn rigid_rotation_costs_nothing() {
+    let study = by_matrices(&short(), exported(&six(), 10));
+    let shaft = &study.flexible.as_ref().expect("flexible").assembled.shaft;
+    let r = shaft.rigid_rotation();
+    let v = DVector::from_fn(6 * r.len(), |i, _| r[i / 6][i % 6]);
+    let rest = (v.transpose() * shaft.turning_matrix() * &v)[(0, 0)];
+    assert!(rest.abs() < 1e-9 * shaft.kinetic(&r, &r), "{rest}");
+}

@@ -3,8 +3,8 @@
 use hartog::absorber::{Absorber, Host, Maxwell, Mounted};
 use hartog::analysis::Silent;
 use hartog::analysis::curves::curves;
-use hartog::crankshaft::flexible::{BearingNodes, Carried, WebFactors, assemble, throw_stiffness};
-use hartog::input::{CrankModel, Study};
+use hartog::crankshaft::flexible::{BearingNodes, Carried, CarriedRing, FlexibleSpec, WebFactors, assemble, throw_stiffness};
+use hartog::input::{CrankModel, FlexibleModel, Study};
 use hartog::response::{Direct, Grid, Quantity, Response, Work};
 use hartog::rotor::free_modes::free_modes;
 use hartog::rotor::shaft::Turning;
@@ -256,6 +256,22 @@ fn six_against_a_model_of_its_own() {
 fn six_against_a_model_of_its_own_over_speed() {
     let speeds: Vec<f64> = (0..12).map(|i| 605.3 + 235.0 * f64::from(i)).collect();
     against_its_own(&speeds, &[0.5, 3.0, 4.5, 6.0]);
+}
+
+/// A ring of 5 kg that the pulley carries moves the peak twist of the six by some tenths of a per cent, and its inertia about the axis does not join that of the pulley: rotation as a whole has the inertia that it had.
+#[test]
+fn a_ring_that_the_hub_carries() {
+    let study = Study { speeds_rpm: vec![2400.0, 2500.0, 2600.0, 2700.0], ..alone() };
+    let (flexible, crank) = (study.flexible.as_ref().expect("flexible"), study.crank.as_ref().expect("a crank"));
+    let ring = CarriedRing { mass: 5.0, diametral_inertia: 0.04, polar_inertia: 0.076 };
+    let change = |spec: &mut FlexibleSpec| spec.beams_mut().and_then(|b| b.front.as_mut()).expect("a hub").ring = Some(ring);
+    let carrying = flexible.with(change, (crank, &study.engine, &study.chain)).expect("a crank");
+    let inertia = |f: &FlexibleModel| f.assembled.shaft.kinetic(&f.assembled.shaft.rigid_rotation(), &f.assembled.shaft.rigid_rotation());
+    assert!((inertia(&carrying) / inertia(flexible) - 1.0).abs() < 1e-12);
+    assert!((carrying.assembled.mass - flexible.assembled.mass - 5.0).abs() < 1e-9);
+    let twist = |study: &Study| study.run().expect("results").designs[0].twist.as_ref().expect("a twist").value;
+    let change = twist(&Study { flexible: Some(carrying), ..study.clone() }) / twist(&study) - 1.0;
+    assert!((1e-3..3e-2).contains(&change.abs()), "{change}");
 }
 
 /// Whatever the flexible crank of an engine, a study that does not ask for it computes with the chain.

@@ -157,6 +157,12 @@ impl Shaft {
         own += moment;
     }
 
+    /// Puts a body on a node, on the axis, that rotates about it by itself: with its mass, its gyroscopic and its centrifugal moments, without its inertia about the axis.
+    pub fn carry(&mut self, node: usize, body: &Body) {
+        self.put(node, body);
+        self.mass.own[node][(5, 5)] -= body.tensor[(2, 2)];
+    }
+
     /// Centrifugal forces and moments of all masses as they are drawn, per square of the speed.
     pub fn unbalance(&self) -> Vec<Six> {
         let mut places: Vec<Six> = self.places.iter().map(|p| Six::new(p.x, p.y, 0.0, 0.0, 0.0, 0.0)).collect();

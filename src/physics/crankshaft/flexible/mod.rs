@@ -27,7 +27,7 @@ pub use assembled::{Assembled, Balance, Carried};
 pub use assembly::assemble;
 pub use mean_load::mean_load;
 pub use reduced::reduced;
-pub use spec::{BeamCrank, Bearing, BearingNodes, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings};
+pub use spec::{BeamCrank, Bearing, BearingNodes, CarriedRing, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings};
 pub use stiffness::{ThrowStiffness, throw_stiffness};
 pub use web_factors::WebFactors;
 pub use web_loads::{QuasiStatic, WebLoads, in_plane};

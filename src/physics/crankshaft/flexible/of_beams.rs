@@ -197,19 +197,19 @@ fn sections(row: &Row, [front, rear]: [usize; 2], directions: &[Vector3<f64>; 2]
     [front, rear - 2].map(|first| WebSection::new(first, &row.joins[first..first + 2], directions))
 }
 
-/// Hub and flywheel, bearings, ties to the ground, and what only turns.
-fn finished(
+/// Puts hub and flywheel on their nodes; returns the rings that they carry.
+fn put_ends(
     (crank, chain): (&Crank, &Chain),
-    (spec, beams, carried): (&FlexibleSpec, &BeamCrank, Carried),
-    (mut built, polars): (Built, Vec<(usize, f64)>),
-    throws: Range<usize>,
-    (directions, balance): (Vec<[Vector3<f64>; 2]>, Vec<Balance>),
-) -> Result<Assembled, String> {
+    (beams, carried): (&BeamCrank, Carried),
+    built: &mut Built,
+    throws: &Range<usize>,
+) -> Result<Vec<(usize, Body)>, String> {
     let last = built.middles[crank.throws()];
     let sides = [
         (beams.front.as_ref(), throws.start.checked_sub(1), built.bends.start..built.middles[0]),
         (beams.rear.as_ref(), Some(throws.end).filter(|s| *s < chain.len()), last..built.bends.end),
     ];
+    let mut rings = Vec::new();
     for (end, station, nodes) in sides {
         let Some((end, station)) = end.zip(station) else { continue };
         let (own, inertia) = (polar(&built.row, nodes), chain.stations[station].inertia);
@@ -221,8 +221,22 @@ fn finished(
         }
         let tensor = Matrix3::from_diagonal(&Vector3::new(end.diametral_inertia, end.diametral_inertia, inertia - own));
         built.row.put(built.stations[station], Body { mass: end.mass, arm: Vector3::zeros(), tensor });
+        rings.extend(end.ring.map(|ring| (built.stations[station], ring.body())));
     }
+    Ok(rings)
+}
+
+/// Hub and flywheel, bearings, ties to the ground, and what only turns.
+fn finished(
+    (crank, chain): (&Crank, &Chain),
+    (spec, beams, carried): (&FlexibleSpec, &BeamCrank, Carried),
+    (mut built, polars): (Built, Vec<(usize, f64)>),
+    throws: Range<usize>,
+    (directions, balance): (Vec<[Vector3<f64>; 2]>, Vec<Balance>),
+) -> Result<Assembled, String> {
+    let rings = put_ends((crank, chain), (beams, carried), &mut built, &throws)?;
     let mut shaft = built.row.shaft();
+    rings.iter().for_each(|(node, body)| shaft.carry(*node, body));
     polars.into_iter().for_each(|(node, inertia)| shaft.put_polar(node, inertia));
     for (station, node) in built.stations.iter().enumerate() {
         let s = &chain.stations[station];

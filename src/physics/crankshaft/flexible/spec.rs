@@ -4,7 +4,9 @@ use super::imported::ImportedCrank;
 use super::web_factors::WebFactors;
 use crate::crankshaft::Crank;
 use crate::drivetrain::throw_stiffness::Step;
+use crate::rotor::body::Body;
 use crate::rotor::exponential_joint::ExponentialJoint;
+use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
 /// Nodes of a main bearing along its journal.
@@ -106,6 +108,27 @@ pub struct End {
     pub mass: f64,
     /// About a diameter, kg m².
     pub diametral_inertia: f64,
+    /// What it carries beside that.
+    pub ring: Option<CarriedRing>,
+}
+
+/// The ring of an absorber that its rubber or housing holds across the axis and against tilting, not against rotation about it: whatever absorber a design has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CarriedRing {
+    /// kg.
+    pub mass: f64,
+    /// About a diameter, kg m².
+    pub diametral_inertia: f64,
+    /// About the axis, kg m²: it turns with the crank, which stiffens tilting.
+    pub polar_inertia: f64,
+}
+
+impl CarriedRing {
+    /// A body on the axis.
+    pub(super) fn body(&self) -> Body {
+        let tensor = Matrix3::from_diagonal(&Vector3::new(self.diametral_inertia, self.diametral_inertia, self.polar_inertia));
+        Body { mass: self.mass, arm: Vector3::zeros(), tensor }
+    }
 }
 
 /// A crank of beams and bodies, by its dimensions.

@@ -179,4 +179,20 @@ pub(crate) struct RawEnd {
     /// Its inertia about a diameter; without it half that of its station, as of a thin disc.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.03]))]
     pub diametral_inertia_kg_m2: Option<At<f64>>,
+    /// The ring of an absorber, which the hub or flywheel carries across the axis and in tilting, not in rotation about it; the same for every design. Without it rings have no mass but in rotation.
+    pub ring: Option<RawCarriedRing>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawCarriedRing {
+    /// Mass of the ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [5]))]
+    pub mass_kg: At<f64>,
+    /// Its inertia about the axis, which stiffens tilting while the crank turns.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.076]))]
+    pub polar_inertia_kg_m2: At<f64>,
+    /// Its inertia about a diameter; without it half of that about the axis, as of a thin ring.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [0.04]))]
+    pub diametral_inertia_kg_m2: Option<At<f64>>,
 }

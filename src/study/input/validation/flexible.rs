@@ -6,13 +6,13 @@ use super::flexible_model::FlexibleModel;
 use super::{derived_chain, imported};
 use crate::crankshaft::Crank;
 use crate::crankshaft::flexible::{
-    BeamCrank, Bearing, BearingNodes, Carried, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings, WebFactors, assemble,
+    BeamCrank, Bearing, BearingNodes, Carried, CarriedRing, CrankBody, End, FlexibleSpec, JointSpec, LinearBearings, WebFactors, assemble,
 };
 use crate::drivetrain::Chain;
 use crate::engine::Engine;
 use crate::input::error::{At, Check};
 use crate::input::schema::engine::RawEngine;
-use crate::input::schema::flexible::{RawBearing, RawEnd, RawFlexible, RawWebFactors};
+use crate::input::schema::flexible::{RawBearing, RawCarriedRing, RawEnd, RawFlexible, RawWebFactors};
 use crate::input::schema::study::RawStudy;
 use crate::units::PA_PER_MPA;
 use std::path::Path;
@@ -284,7 +284,21 @@ fn end(check: &mut Check, at: &At<RawFlexible>, (raw, key): (Option<&RawEnd>, &s
                 shaft: derived_chain::steps(check, raw.shaft.get_ref()),
                 mass: check.positive(&raw.mass_kg),
                 diametral_inertia: raw.diametral_inertia_kg_m2.as_ref().map_or(0.5 * inertia, |i| check.positive(i)),
+                ring: raw.ring.as_ref().map(|ring| carried_ring(check, ring)),
             })
         }
     }
+}
+
+/// A ring that an end carries.
+fn carried_ring(check: &mut Check, raw: &RawCarriedRing) -> CarriedRing {
+    let polar_inertia = check.positive(&raw.polar_inertia_kg_m2);
+    let diametral_inertia = raw.diametral_inertia_kg_m2.as_ref().map_or(0.5 * polar_inertia, |i| check.positive(i));
+    if let Some(given) = raw.diametral_inertia_kg_m2.as_ref().filter(|i| *i.get_ref() < 0.5 * polar_inertia) {
+        check.wrong(
+            given,
+            format!("found {diametral_inertia} kg m² about a diameter with {polar_inertia} about the axis, expected at least half of it, as of a thin ring"),
+        );
+    }
+    CarriedRing { mass: check.positive(&raw.mass_kg), diametral_inertia, polar_inertia }
 }

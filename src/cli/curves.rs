@@ -3,7 +3,7 @@
 use super::exit::{DONE, fail, files, paths, say};
 use super::place::chosen;
 use super::progress::Bar;
-use crate::analysis::curves::{Curves, curves as compute};
+use crate::analysis::curves::curves as compute;
 use crate::engine::Source;
 use crate::input;
 use crate::report::{Folder, Job, Names, about_inputs, text, write_curves, write_folder};
@@ -62,13 +62,13 @@ pub fn curves(arguments: &Arguments) -> u8 {
     let bar = Bar::default();
     let found = compute(&study, &speeds, &bar);
     drop(bar);
-    let Curves { figures, holzer } = match found {
+    let found = match found {
         Ok(curves) => curves,
         Err(error) => return fail(&format!("error: {error}")),
     };
-    let printed = || text::curves(&figures, &holzer);
+    let printed = || text::curves(&found.figures, &found.holzer);
     let title = format!("{}: what lies behind its designs", study.engine.name);
-    let written = write_curves(&figures, &holzer, &folder).and_then(|()| write_folder(&title, printed, &folder));
+    let written = write_curves(&found, &folder).and_then(|()| write_folder(&title, printed, &folder));
     if let Err(error) = written.and_then(|()| folder.complete(&about_inputs(&inputs))) {
         return fail(&error);
     }

@@ -40,7 +40,7 @@ use hartog_study::{analysis, input};
 use run_tables::RUN_TABLES;
 
 use crate::analysis::classification::Classification;
-use crate::analysis::curves::{Figure, HolzerRow};
+use crate::analysis::curves::Curves;
 use crate::analysis::fit_law::LawFit;
 use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
@@ -122,12 +122,13 @@ pub fn write_comparison(
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 #[doc(hidden)]
-pub fn write_curves(figures: &[Figure], holzer: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
-    for figure in figures {
+pub fn write_curves(curves: &Curves, folder: &Folder) -> Result<(), WriteError> {
+    for figure in &curves.figures {
         csv::curves::figure(figure, folder)?;
         plot::curves::figure(figure, folder)?;
     }
-    csv::curves::holzer(holzer, folder)
+    curves.unknowns.iter().try_for_each(|histories| csv::curves::unknowns(histories, folder))?;
+    csv::curves::holzer(&curves.holzer, folder)
 }
 
 /// Writes the table and plot of a law beside what it was fitted to.

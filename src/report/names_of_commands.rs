@@ -83,7 +83,12 @@ impl Names {
     #[doc(hidden)]
     pub fn of_curves(study: &Study) -> Self {
         let shafts: Vec<String> = study.designs.iter().map(|d| format!("shaft_torque_{}", d.name)).collect();
+        let unknowns: Vec<String> = study.designs.iter().map(|d| format!("unknowns_{}_#", d.name)).chain(["unknowns_#".into()]).collect();
+        let flexible = study.on_flexible();
+        let by_matrices = flexible.is_some_and(|f| f.spec.beams().is_none());
         Self::of("curves", &[PAGE])
+            .both_if(flexible.is_some(), &["crank_modes", "orbits_#", "bearing_forces_#", "web_moments_#"])
+            .tables_if(by_matrices, &unknowns.iter().map(String::as_str).collect::<Vec<_>>())
             .tables(&["holzer"])
             .both(&["cylinder", "forces_#", "torque_#", "bearings_#", "crank_loads_#", "balance", "campbell", "modes"])
             .both(&["phase_vectors", "spectrum", "histories", "absorber_chart"])

@@ -172,6 +172,15 @@ fn a_bar_is_what_it_is() {
         assert_close(checks.torsional_stiffness.expect("ends"), 2.05e11 / 2.6 * 2.0 * second, 1e-9, 0.0, "torsion");
         assert!(checks.rigid_residual.expect("places") < 1e-12);
     }
+    // what an unknown of turned axes was before: stiffness on the diagonal goes with it
+    let stretched = Structure { stiffness: DMatrix::from_fn(30, 30, |i, j| if i == j { i as f64 } else { 0.0 }), ..bar.clone() };
+    for axis in [CrankAxis::X, CrankAxis::Y, CrankAxis::Z] {
+        let turned = stretched.along(axis).expect("whole nodes");
+        for (i, u) in turned.unknowns.iter().enumerate() {
+            let before = bar.unknowns.iter().position(|o| *o == axis.before(*u)).expect("an unknown");
+            assert_eq!(turned.stiffness[(i, i)], before as f64, "{axis:?} {u:?}");
+        }
+    }
     // the crank along x: x becomes z
     let along_x = bar.along(CrankAxis::Y).expect("whole nodes");
     assert_eq!(along_x.along(CrankAxis::X), Some(bar.clone()), "one way and back");

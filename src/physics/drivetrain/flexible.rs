@@ -205,7 +205,7 @@ impl FlexibleCrank {
         }
         let omega = self.orders[point.order].omega(point.speed_rpm);
         for (twist, (_, stiffness, dissipation)) in answers[stations..].iter_mut().zip(&self.crank.lengths) {
-            *twist *= C64::new(1.0, dissipation.loss_factor + omega * dissipation.time) * *stiffness;
+            *twist *= dissipation.factor(omega) * *stiffness;
         }
         answers
     }

@@ -21,6 +21,13 @@ pub struct Dissipation {
     pub time: f64,
 }
 
+impl Dissipation {
+    /// 1 + i (eta + omega tau).
+    pub(crate) fn factor(&self, omega: f64) -> C64 {
+        C64::new(1.0, self.loss_factor + omega * self.time)
+    }
+}
+
 /// A symmetric or skew matrix over the nodes of a row.
 #[derive(Debug, Clone, PartialEq)]
 struct Row {

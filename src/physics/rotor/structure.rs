@@ -97,6 +97,17 @@ pub enum CrankAxis {
 }
 
 impl CrankAxis {
+    /// What an unknown of turned axes is in those that were.
+    #[doc(hidden)]
+    pub fn before(self, turned: Unknown) -> Unknown {
+        let first = match turned.component {
+            0 => return turned,
+            1..=3 => 1,
+            _ => 4,
+        };
+        Unknown { component: first + self.in_turn()[usize::from(turned.component - first)] as u8, ..turned }
+    }
+
     /// Indices of the old axes that are the new x, y and z.
     fn in_turn(self) -> [usize; 3] {
         match self {

@@ -1,7 +1,7 @@
 //! A table a figure, and Holzer's tables.
 
 use super::table::{Table, number};
-use crate::analysis::curves::{Figure, HolzerRow};
+use crate::analysis::curves::{Figure, Histories, HolzerRow};
 use crate::files::{Folder, WriteError};
 
 /// `<figure>.csv`: a row a point; the columns `x` and `y` are named by the two before them.
@@ -45,4 +45,17 @@ pub fn holzer(rows: &[HolzerRow], folder: &Folder) -> Result<(), WriteError> {
         table.row(first.into_iter().chain(rest));
     }
     table.save(folder, "holzer.csv")
+}
+
+/// `<name>.csv`: a row a crank angle, a column an unknown of the matrices, in their units.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn unknowns(histories: &Histories, folder: &Folder) -> Result<(), WriteError> {
+    let header: Vec<&str> = std::iter::once("crank_deg").chain(histories.unknowns.iter().map(String::as_str)).collect();
+    let mut table = Table::new(&header);
+    for (deg, values) in &histories.rows {
+        table.row(std::iter::once(*deg).chain(values.iter().copied()).map(number));
+    }
+    table.save(folder, &format!("{}.csv", histories.name))
 }

@@ -1,6 +1,8 @@
 //! The crank by matrices of another program, against the beams from which they were made.
 
 use super::{alone, designs, six};
+use hartog::analysis::Silent;
+use hartog::analysis::curves::curves;
 use hartog::crankshaft::flexible::imported::ImportedCrank;
 use hartog::crankshaft::flexible::{Carried, CrankBody, FlexibleSpec, assemble, reduced};
 use hartog::input::Study;
@@ -149,4 +151,31 @@ fn rigid_rotation_costs_nothing() {
     let v = DVector::from_fn(6 * r.len(), |i, _| r[i / 6][i % 6]);
     let rest = (v.transpose() * shaft.turning_matrix() * &v)[(0, 0)];
     assert!(rest.abs() < 1e-9 * shaft.kinetic(&r, &r), "{rest}");
+}
+
+/// What stresses are recovered from: the orders in the histories of the unknowns are those of the response, without and with a ring, to 1e-5 of the largest (forces are sampled every 0.5°); histories are in units and axes of the files, here those of the structure.
+#[test]
+fn histories_of_unknowns_hold_the_response() {
+    let study = by_matrices(&short(), exported(&short(), 0));
+    let speed = 2003.0;
+    let all = curves(&study, &[speed], &Silent).expect("damped").unknowns;
+    assert_eq!(all.iter().map(|h| h.name.as_str()).collect::<Vec<_>>(), ["unknowns_2003", "unknowns_tuned_optimal_2003"]);
+    let results = study.run().expect("results");
+    let grid = Grid::new(&study.speeds_rpm, &[]);
+    let direct = Direct::new(&results.system, &grid);
+    let twist = Quantity::Twist { from: 0, to: Some(study.chain.len() - 1) };
+    for (histories, design) in all.iter().zip(&designs(&study)) {
+        let place = |name: &str| histories.unknowns.iter().position(|u| u == name).expect("an unknown");
+        let (hub, flywheel) = (place("1.6"), place("92.6"));
+        let wanted: Vec<Complex<f64>> =
+            (0..results.system.orders()).map(|n| direct.phasor(design, twist, (n, speed), &mut Work::default()).expect("damped")).collect();
+        let largest = wanted.iter().map(|y| y.norm()).fold(0.0, f64::max);
+        for (order, wanted) in results.system.excitation.orders.iter().zip(&wanted) {
+            let term = |(deg, values): &(f64, Vec<f64>)| {
+                Complex::from_polar(1.0, -order.value() * deg.to_radians()) * (values[hub] - values[flywheel])
+            };
+            let found = histories.rows.iter().map(term).sum::<Complex<f64>>() * (2.0 / histories.rows.len() as f64);
+            assert!((found - wanted).norm() < 1e-5 * largest, "{} {order:?}: {found} {wanted}", histories.name);
+        }
+    }
 }

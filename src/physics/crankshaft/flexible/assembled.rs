@@ -3,6 +3,7 @@
 use super::web_section::WebSection;
 use crate::drivetrain::Chain;
 use crate::rotor::shaft::{Answer, Dissipation, Shaft};
+use crate::rotor::structure::Unknown;
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -44,6 +45,8 @@ pub struct Assembled {
     pub bearings: Vec<Vec<usize>>,
     /// Of each throw; none as of `webs`.
     pub balance: Vec<Balance>,
+    /// Unknowns of matrices as their files have them, by those of the shaft; none of a crank of beams.
+    pub written: Vec<(Unknown, Answer)>,
     /// kg, with all that is on it.
     pub mass: f64,
 }

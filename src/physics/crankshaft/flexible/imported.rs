@@ -27,6 +27,17 @@ pub struct ImportedCrank {
     pub pins: Vec<Vec<u64>>,
     /// Points of each main bearing that is there.
     pub bearings: Vec<Vec<u64>>,
+    /// What each unknown is in the files.
+    pub written: Vec<Written>,
+}
+
+/// An unknown as the files have it: axes along the crank are theirs in turn, lengths may be in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Written {
+    /// Its node and component there.
+    pub unknown: Unknown,
+    /// Its value there over that in SI.
+    pub scale: f64,
 }
 
 impl ImportedCrank {

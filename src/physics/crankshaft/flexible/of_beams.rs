@@ -287,6 +287,7 @@ fn finished(
         bearings: present.iter().map(|b| built.bearings[*b].clone()).collect(),
         mass: shaft.kinetic(&translation, &translation),
         stations: built.stations,
+        written: Vec::new(),
         directions,
         balance,
         shaft,

@@ -81,6 +81,19 @@ impl Nodes<'_> {
         all
     }
 
+    /// Unknowns as the files have them, in the axes of the matrices.
+    fn written(&self) -> Vec<(Unknown, Answer)> {
+        let back = |index: usize, scale: f64| -> Answer {
+            let (node, k) = (index / 6, index % 6);
+            if node >= self.modes {
+                return vec![(node, k, scale)];
+            }
+            let first = 3 * (k / 3);
+            (0..3).map(|i| (node, first + i, scale * self.turn[(i, k - first)])).filter(|f| f.2 != 0.0).collect()
+        };
+        self.own.written.iter().zip(self.indices()).map(|(w, index)| (w.unknown, back(index, w.scale))).collect()
+    }
+
     /// Middle points of the bearings beside a throw with their weights at the place of its pin.
     fn beside(&self, z: f64) -> Vec<(usize, f64, f64)> {
         let at = |node: u64| self.own.structure.places[&node].z;
@@ -192,6 +205,7 @@ pub(super) fn assemble(
         directions,
         bearings: own.bearings.iter().map(|points| points.iter().map(|n| nodes.place[n]).collect()).collect(),
         balance: Vec::new(),
+        written: nodes.written(),
     })
 }
 

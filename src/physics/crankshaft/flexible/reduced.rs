@@ -1,7 +1,7 @@
 //! A crank put together, seen from its bearings, pins and ends: what other programs take of it.
 
 use super::Assembled;
-use super::imported::ImportedCrank;
+use super::imported::{ImportedCrank, Written};
 use crate::rotor::reduction::Reduction;
 use crate::rotor::structure::{Structure, Unknown};
 use nalgebra::DMatrix;
@@ -54,5 +54,6 @@ pub fn reduced(assembled: &Assembled, modes: usize) -> Option<ImportedCrank> {
         turning: Some(halves(reduction.of(&part(shaft.turning_matrix())), 1.0)),
     };
     let (hub, flywheel) = (number(&stations[hub]), number(&stations[flywheel]));
-    Some(ImportedCrank { structure, hub, flywheel, pins, bearings: numbers(&assembled.bearings) })
+    let written = structure.unknowns.iter().map(|u| Written { unknown: *u, scale: 1.0 }).collect();
+    Some(ImportedCrank { structure, written, hub, flywheel, pins, bearings: numbers(&assembled.bearings) })
 }

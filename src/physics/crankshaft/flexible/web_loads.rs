@@ -1,7 +1,8 @@
-//! Loads in the middle of all webs of a flexible crank over the working cycle at a speed.
+//! Loads in the middle of all webs of a flexible crank over the working cycle at a speed, or what else its motion tells.
 //!
 //! The orders of the excitation are those of the vibrating crank with its absorbers. What lies above them, and the mean, is quasi-static: the same crank on its bearings, turning at that speed, its flywheel held against the torque.
 
+use super::web_section::WebSection;
 use super::{Assembled, WebLoad, mean_load};
 use crate::crankshaft::bending::OTHER_STRIDE;
 use crate::crankshaft::loads::InPlane;
@@ -13,7 +14,7 @@ use crate::numerics::block_tridiagonal::Columns;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::matrix_product::add_product;
 use crate::numerics::tridiagonal::Singular;
-use crate::rotor::shaft::Turning;
+use crate::rotor::shaft::{Answer, Dissipation, Turning};
 use crate::rotor::transfer::Transfer;
 use crate::units::RAD_PER_S_PER_RPM;
 use nalgebra::{DMatrix, DVector};
@@ -23,6 +24,8 @@ use std::sync::OnceLock;
 #[derive(Debug)]
 pub struct WebLoads<'a> {
     assembled: &'a Assembled,
+    /// What is asked, by the motion of all nodes, and how that dissipates.
+    asked: Vec<(Answer, Dissipation)>,
     engine: &'a Engine,
     crank: &'a FlexibleCrank,
     excitation: &'a Excitation,
@@ -43,7 +46,7 @@ pub struct WebLoads<'a> {
 #[derive(Debug, Clone)]
 pub struct QuasiStatic {
     speed_rpm: f64,
-    /// Loads (four a web) in the mean over the cycle.
+    /// What is asked (of webs four loads each) in the mean over the cycle.
     mean: DVector<f64>,
     /// The same per force at every pin, outwards and in the direction of rotation.
     per_force: DMatrix<f64>,
@@ -59,10 +62,30 @@ pub fn in_plane(all: &DMatrix<f64>, web: usize) -> InPlane {
 }
 
 impl<'a> WebLoads<'a> {
-    /// Of a crank put together and its tables, under an excitation with all cylinders alike; `engine`: with the pressure that bends it, quasi-static. `None` where the torque comes from a table, and where its matrices say
+    /// Of the webs of a crank put together and its tables, under an excitation with all cylinders alike; `engine`: with the pressure that bends it, quasi-static. `None` where the torque comes from a table, and where its matrices say
     /// nothing of webs.
     pub fn new(assembled: &'a Assembled, engine: &'a Engine, (crank, excitation): (&'a FlexibleCrank, &'a Excitation)) -> Option<Self> {
-        let cycle = Cycle::new(engine).filter(|_| !assembled.sections.is_empty())?;
+        let of_section = |s: &WebSection| s.answers.clone().map(|answer| (answer, s.dissipation)).to_vec();
+        Self::asking(assembled, assembled.sections.iter().flatten().flat_map(of_section).collect(), (engine, crank, excitation))
+    }
+
+    /// Of the unknowns of a crank by matrices, as their files have them, a column each in place of the loads of webs; `None` where the torque comes from a table, and of a crank of beams.
+    #[doc(hidden)]
+    pub fn of_unknowns(
+        assembled: &'a Assembled,
+        engine: &'a Engine,
+        (crank, excitation): (&'a FlexibleCrank, &'a Excitation),
+    ) -> Option<Self> {
+        let asked = assembled.written.iter().map(|(_, answer)| (answer.clone(), Dissipation::default()));
+        Self::asking(assembled, asked.collect(), (engine, crank, excitation))
+    }
+
+    fn asking(
+        assembled: &'a Assembled,
+        asked: Vec<(Answer, Dissipation)>,
+        (engine, crank, excitation): (&'a Engine, &'a FlexibleCrank, &'a Excitation),
+    ) -> Option<Self> {
+        let cycle = Cycle::new(engine).filter(|_| !asked.is_empty())?;
         let theta = cycle.theta(OTHER_STRIDE);
         let orders: Vec<f64> = excitation.orders.iter().map(|o| o.value()).collect();
         let mut waves = DMatrix::zeros(theta.len(), 2 * orders.len());
@@ -76,7 +99,19 @@ impl<'a> WebLoads<'a> {
         let mut pins: Vec<(usize, usize)> =
             assembled.rods.iter().enumerate().flat_map(|(t, nodes)| nodes.iter().map(move |n| (t, *n))).collect();
         pins.dedup();
-        Some(Self { assembled, engine, crank, excitation, cycle, transfer: OnceLock::new(), pins, turns: turns.collect(), theta, waves })
+        Some(Self {
+            assembled,
+            asked,
+            engine,
+            crank,
+            excitation,
+            cycle,
+            transfer: OnceLock::new(),
+            pins,
+            turns: turns.collect(),
+            theta,
+            waves,
+        })
     }
 
     /// The crank without vibration at a speed.
@@ -99,12 +134,8 @@ impl<'a> WebLoads<'a> {
             }
         }
         shaft.factored(Turning { omega: 0.0, speed: speed_rpm * RAD_PER_S_PER_RPM })?.solve(&mut x)?;
-        let sections: Vec<_> = self.assembled.sections.iter().flatten().collect();
-        let load = |row: usize, column: usize| {
-            let (section, answer) = (sections[row / 4], &sections[row / 4].answers[row % 4]);
-            (answer.iter().map(|(node, k, factor)| x[*node][(*k, column)] * *factor).sum::<C64>() * section.factor(0.0)).re
-        };
-        let rows = 4 * sections.len();
+        let load = |row: usize, column: usize| self.value(row, |node, k| x[node][(k, column)], 0.0).re;
+        let rows = self.asked.len();
         let per_force = DMatrix::from_fn(rows, columns - 1, |i, j| load(i, 1 + j));
         let complex = per_force.map(C64::from);
         let orders = (0..self.excitation.orders.len()).map(|n| &complex * self.amplitudes(n, speed_rpm)).collect();
@@ -116,13 +147,12 @@ impl<'a> WebLoads<'a> {
     /// # Errors
     /// [`Singular`] at an undamped resonance.
     pub fn orders(&self, speed_rpm: f64, torques: &[Vec<(usize, C64)>]) -> Result<Vec<Vec<C64>>, Singular> {
-        let sections: Vec<_> = self.assembled.sections.iter().flatten().collect();
-        let answers = || sections.iter().flat_map(|s| s.answers.iter().cloned()).collect();
+        let answers = || self.asked.iter().map(|a| a.0.clone()).collect();
         let transfer = self.transfer.get_or_init(|| self.crank.other_answers(answers()));
         let loads_of_order = |(n, torques): (usize, &Vec<(usize, C64)>)| {
             let mut all = self.crank.answered(transfer, self.excitation, (n, speed_rpm), torques)?;
             let omega = self.excitation.orders[n].omega(speed_rpm);
-            all.iter_mut().enumerate().for_each(|(i, y)| *y *= sections[i / 4].factor(omega));
+            all.iter_mut().zip(&self.asked).for_each(|(y, (_, dissipation))| *y *= dissipation.factor(omega));
             Ok(all)
         };
         torques.iter().enumerate().map(loads_of_order).collect()
@@ -133,10 +163,15 @@ impl<'a> WebLoads<'a> {
     pub fn of_motions(&self, speed_rpm: f64, motions: &[DVector<C64>]) -> Vec<Vec<C64>> {
         let omega = |n: usize| self.excitation.orders[n].omega(speed_rpm);
         let loads_of_order = |(n, motion): (usize, &DVector<C64>)| {
-            let sections = self.assembled.sections.iter().flatten();
-            sections.flat_map(|s| WebLoad::ALL.map(|load| s.load(load, motion, omega(n)))).collect()
+            (0..self.asked.len()).map(|i| self.value(i, |node, k| motion[6 * node + k], omega(n))).collect()
         };
         motions.iter().enumerate().map(loads_of_order).collect()
+    }
+
+    /// What is asked at an index, by the motion of the nodes at a frequency.
+    fn value(&self, index: usize, motion: impl Fn(usize, usize) -> C64, omega: f64) -> C64 {
+        let (answer, dissipation) = &self.asked[index];
+        answer.iter().map(|(node, k, factor)| motion(*node, *k) * *factor).sum::<C64>() * dissipation.factor(omega)
     }
 
     /// Loads of all webs over the cycle without vibration: four columns a web, as [`WebLoad::ALL`], N m and N.

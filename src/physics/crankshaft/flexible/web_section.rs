@@ -42,7 +42,7 @@ impl WebLoad {
 pub struct WebSection {
     /// Of each load, but for what its material dissipates.
     pub(crate) answers: [Answer; 4],
-    dissipation: Dissipation,
+    pub(crate) dissipation: Dissipation,
 }
 
 impl WebSection {
@@ -66,14 +66,10 @@ impl WebSection {
         Self { answers: WebLoad::ALL.map(answer), dissipation }
     }
 
-    /// What loads by stiffness alone are to be multiplied by at a frequency: 1 + i (eta + omega tau).
-    pub fn factor(&self, omega: f64) -> C64 {
-        C64::new(1.0, self.dissipation.loss_factor + omega * self.dissipation.time)
-    }
-
     /// A load by the motion of all nodes at a frequency.
+    #[doc(hidden)]
     pub fn load(&self, load: WebLoad, motion: &nalgebra::DVector<C64>, omega: f64) -> C64 {
         let answer = &self.answers[load as usize];
-        answer.iter().map(|(node, k, factor)| motion[6 * node + k] * *factor).sum::<C64>() * self.factor(omega)
+        answer.iter().map(|(node, k, factor)| motion[6 * node + k] * *factor).sum::<C64>() * self.dissipation.factor(omega)
     }
 }

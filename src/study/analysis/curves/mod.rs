@@ -9,6 +9,7 @@ mod figure;
 mod journals;
 mod modes;
 mod responses;
+mod unknowns;
 mod webs;
 
 pub use figure::curve;
@@ -16,6 +17,7 @@ pub use figure::{Axis, Curve, Figure, Panel};
 pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE};
 pub use modes::HolzerRow;
 pub use modes::holzer;
+pub use unknowns::Histories;
 
 use super::calibrate::calibrate;
 use super::progress::{Progress, RunError};
@@ -29,6 +31,8 @@ pub struct Curves {
     pub figures: Vec<Figure>,
     /// Holzer's table of the first modes.
     pub holzer: Vec<HolzerRow>,
+    /// Motions of a crank by matrices.
+    pub unknowns: Vec<Histories>,
 }
 
 /// Speeds at which forces are shown where none is asked for: that of the largest mean torque and the highest.
@@ -58,6 +62,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.to_vec() };
     progress.stage("curves", speeds.len() + study.designs.len());
     let mut figures: Vec<Figure> = cylinder::pressure(&study).into_iter().collect();
+    let mut unknowns = Vec::new();
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));
         figures.extend(cylinder::torque(&study, *speed));
@@ -66,6 +71,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
         let of_crank = |error| RunError { what: "the flexible crank".into(), error };
         figures.extend(journals::journals(&study, &system, *speed).map_err(of_crank)?);
         figures.extend(webs::webs(&study, &system, *speed).map_err(of_crank)?);
+        unknowns.extend(unknowns::histories(&study, &system, *speed).map_err(of_crank)?);
         progress.step();
     }
     figures.extend(balance::balance(&study, speeds[speeds.len() - 1]));
@@ -88,5 +94,5 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     }
     figures.push(absorber_chart::absorber_chart());
     figures.retain(|f| !f.panels.is_empty());
-    Ok(Curves { figures, holzer: modes::holzer(&study) })
+    Ok(Curves { figures, holzer: modes::holzer(&study), unknowns })
 }

@@ -182,6 +182,18 @@ pub enum UnitSystem {
     MmTonne,
 }
 
+impl UnitSystem {
+    /// Value of an unknown in these units over that in SI: 1000 of translations in mm, 1 of rotations; a mode keeps its unit mass.
+    #[doc(hidden)]
+    pub fn scale(self, unknown: &Unknown) -> f64 {
+        match (self, unknown.component) {
+            (Self::Si, _) | (Self::MmTonne, 4..=6) => 1.0,
+            (Self::MmTonne, 0) => 1.0 / 1e-3_f64.sqrt(),
+            (Self::MmTonne, _) => 1e3,
+        }
+    }
+}
+
 /// Files of a structure.
 #[derive(Debug, Clone)]
 #[doc(hidden)]
@@ -218,13 +230,8 @@ pub fn structure(files: &MatrixFiles) -> Result<Structure, InputError> {
         UnitSystem::MmTonne => (1e-3, 1e-3),
     };
     let places = files.nodes.as_deref().map(|path| places(path, &unknowns, length)).transpose()?.unwrap_or_default();
-    // K_SI = 1e-3 D K D of N, mm, t and s, D 1000 of translations, 1 of rotations; a mode keeps its unit mass
-    let factor = |u: &Unknown| match (files.units, u.component) {
-        (UnitSystem::Si, _) | (UnitSystem::MmTonne, 4..=6) => 1.0,
-        (UnitSystem::MmTonne, 0) => 1.0 / scale.sqrt(),
-        (UnitSystem::MmTonne, _) => 1e3,
-    };
-    let d: Vec<f64> = unknowns.iter().map(factor).collect();
+    // K_SI = 1e-3 D K D of N, mm, t and s
+    let d: Vec<f64> = unknowns.iter().map(|u| files.units.scale(u)).collect();
     let si = |x: DMatrix<f64>| DMatrix::from_fn(d.len(), d.len(), |i, j| scale * d[i] * x[(i, j)] * d[j]);
     let [mass, gyroscopic, turning] = [mass, gyroscopic, turning].map(|x| x.map(si));
     Ok(Structure { stiffness: si(stiffness), mass, gyroscopic, turning, unknowns, places })

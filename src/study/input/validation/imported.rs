@@ -3,13 +3,13 @@
 use super::flexible_model::FlexibleModel;
 use crate::crankshaft::Crank;
 use crate::crankshaft::flexible::CrankBody;
-use crate::crankshaft::flexible::imported::ImportedCrank;
+use crate::crankshaft::flexible::imported::{ImportedCrank, Written};
 use crate::drivetrain::Chain;
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check, looked_for};
 use crate::input::matrices::{MatrixFiles, UnitSystem, structure};
 use crate::input::schema::flexible::{RawCrankAxis, RawFlexible, RawMatrices, RawMatrixUnits};
-use crate::rotor::structure::{CrankAxis, Structure};
+use crate::rotor::structure::{CrankAxis, Structure, Unknown};
 use crate::rotor::structure_checks::{Objection, OfChain};
 use std::path::{Path, PathBuf};
 
@@ -64,7 +64,7 @@ fn node(check: &mut Check, n: &At<i64>) -> u64 {
 }
 
 /// The structure in its files, z along the crank.
-fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) -> Option<Structure> {
+fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) -> Option<(Structure, Vec<Written>)> {
     let raw = at.get_ref();
     let mut found = |name: &At<String>| path(check, name, folder);
     let (stiffness, mass, places) = (found(&raw.stiffness), found(&raw.mass), found(&raw.nodes));
@@ -96,13 +96,16 @@ fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) 
     let axis = match raw.axis {
         RawCrankAxis::X => CrankAxis::X,
         RawCrankAxis::Y => CrankAxis::Y,
-        RawCrankAxis::Z => return Some(own),
+        RawCrankAxis::Z => CrankAxis::Z,
     };
-    let turned = own.along(axis);
+    let turned = if axis == CrankAxis::Z { Some(own) } else { own.along(axis) };
     if turned.is_none() {
         check.wrong(at, "found a node that moves along some axes only, expected all three where `axis` turns them");
     }
-    turned
+    let structure = turned?;
+    let written = |u: &Unknown| Written { unknown: axis.before(*u), scale: files.units.scale(u) };
+    let all = structure.unknowns.iter().map(written).collect();
+    Some((structure, all))
 }
 
 /// Whether a crank can be computed with it in spite of that.
@@ -116,7 +119,7 @@ pub(super) fn resolve(check: &mut Check, at: &At<RawFlexible>, folder: &Path) ->
     let matrices = raw.matrices.as_ref()?;
     beside(check, at);
     let own = matrices.get_ref();
-    let structure = read(check, matrices, folder, raw.rotating.unwrap_or(true))?;
+    let (structure, written) = read(check, matrices, folder, raw.rotating.unwrap_or(true))?;
     for objection in structure.checks().objections(None).iter().filter(|o| is_grave(o)) {
         check.wrong_with_help(
             matrices,
@@ -126,6 +129,7 @@ pub(super) fn resolve(check: &mut Check, at: &At<RawFlexible>, folder: &Path) ->
     }
     Some(ImportedCrank {
         structure,
+        written,
         hub: node(check, &own.hub),
         flywheel: node(check, &own.flywheel),
         pins: nodes(check, &own.pins),

@@ -118,12 +118,23 @@ const MODES: usize = 20;
 const MOST_MODES: usize = 500;
 
 /// The crank of a study, free, with hub and flywheel.
-fn of_study(study: &Study, modes: usize) -> Result<ImportedCrank, String> {
+fn of_study(study: &Study, modes: usize) -> Result<(ImportedCrank, String), String> {
     let (Some(flexible), Some(crank)) = (&study.flexible, &study.crank) else {
         return Err("found an engine without [crank.flexible], expected the dimensions of its crank there".into());
     };
     let assembled = assemble(crank, &study.engine, &study.chain, &flexible.spec, Carried::Ends)?;
-    reduced(&assembled, modes).ok_or_else(|| "its mass matrix is not positive definite".into())
+    let bare: Vec<String> = assembled.balance.iter().enumerate().filter(|b| b.1.left_out > 0.0).map(|(t, _)| (t + 1).to_string()).collect();
+    let without = if bare.is_empty() {
+        String::new()
+    } else {
+        format!(
+            "  note: without counterweights on throws {}, for which their stations leave no inertia: mean forces on the bearings, and all on exponential ones, are of a crank without them\n",
+            bare.join(", ")
+        )
+    };
+    let found = reduced(&assembled, modes).ok_or("its mass matrix is not positive definite")?;
+    let told = roles(&found) + &without;
+    Ok((found, told))
 }
 
 fn is_study(arguments: &Arguments) -> bool {
@@ -165,8 +176,9 @@ fn read(arguments: &Arguments) -> Result<Read, InputError> {
     let study = |path: &PathBuf| input::read(path);
     if is_study(arguments) {
         let own = study(&arguments.file)?;
-        let reduced = of_study(&own, arguments.modes.unwrap_or(MODES)).map_err(|words| InputError::of_file(&arguments.file, words))?;
-        return Ok(Read { roles: roles(&reduced), structure: reduced.structure, chain: None });
+        let (reduced, roles) =
+            of_study(&own, arguments.modes.unwrap_or(MODES)).map_err(|words| InputError::of_file(&arguments.file, words))?;
+        return Ok(Read { roles, structure: reduced.structure, chain: None });
     }
     let chain = arguments.study.as_ref().map(study).transpose()?.map(|s| of_chain(&s));
     let files = MatrixFiles {
@@ -186,9 +198,7 @@ fn read(arguments: &Arguments) -> Result<Read, InputError> {
         Axis::Y => CrankAxis::Y,
         Axis::Z => CrankAxis::Z,
     };
-    let words = "found a node that moves along some axes only, expected all three where --axis turns them";
-    let structure =
-        if axis == CrankAxis::Z { found } else { found.along(axis).ok_or_else(|| InputError::of_file(&arguments.file, words))? };
+    let structure = found.along(axis);
     Ok(Read { structure, chain, roles: String::new() })
 }
 

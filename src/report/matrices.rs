@@ -157,11 +157,11 @@ pub fn write_matrices(s: &Structure, format: MatrixFormat, folder: &Folder) -> R
 pub fn roles(crank: &ImportedCrank) -> String {
     let list = |all: &[Vec<u64>]| format!("{all:?}");
     format!(
-        "  in an engine file [crank.flexible.matrices] has hub = {}, flywheel = {},\n  pins = {},\n  bearings = {}\n",
+        "  in an engine file [crank.flexible.matrices] has hub = {}, flywheel = {},\n  pins = {},\n  journals = {}\n",
         crank.hub,
         crank.flywheel,
         list(&crank.pins),
-        list(&crank.bearings)
+        list(&crank.journals)
     )
 }
 

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Nodes of the exported six.
-const ROLES: &str = "hub = 1\nflywheel = 92\npins = [[12], [26], [40], [54], [68], [82]]\nbearings = [[4, 5, 6], [18, 19, 20], [32, 33, 34], [46, 47, 48], [60, 61, 62], [74, 75, 76], [88, 89, 90]]\n";
+const ROLES: &str = "hub = 1\nflywheel = 92\npins = [[12], [26], [40], [54], [68], [82]]\njournals = [[4, 5, 6], [18, 19, 20], [32, 33, 34], [46, 47, 48], [60, 61, 62], [74, 75, 76], [88, 89, 90]]\n";
 
 /// A folder with the matrices of the six, free, without modes, and a study of it.
 fn written(folder: &Path, format: &str) -> PathBuf {
@@ -72,14 +72,19 @@ fn what_does_not_fit_is_refused() {
         error.to_string()
     };
     let cases = [
-        ("pins = [[12], [26],", "pins = [[26], [12],", "node 26 lies behind node 12 along z"),
+        ("pins = [[12], [26],", "pins = [[26], [12],", "node 26 does not lie before node 18 along z"),
         ("[68], [82]]", "[68]]", "5 throws with pins, where the crank has 6"),
-        ("[88, 89, 90]]", "[88, 89, 91]]", "node 91, a point of a bearing, has no component 1"),
+        ("[88, 89, 90]]", "[88, 89, 91]]", "node 91, a point of a journal, has no component 1"),
         ("hub = 1", "hub = 4", "node 4, the hub, has no component 4"),
-        ("hub = 1\nflywheel = 92", "hub = 92\nflywheel = 1", "node 92 lies behind node 12 along z"),
-        ("pins = [[12]", "pins = [[5]", "the pin of throw 1 is 0.0000 mm from the axis, the radius of the crank 62.0000 mm"),
+        ("hub = 1\nflywheel = 92", "hub = 92\nflywheel = 1", "node 92 does not lie before node 4 along z"),
+        ("pins = [[12], [26]", "pins = [[12], [19]", "node 20 does not lie before node 19"),
+        ("[18, 19, 20]", "[20, 19, 18]", "node 20 does not lie before node 19 along z"),
+        ("[18, 19, 20], [32, 33, 34]", "[32, 33, 34], [18, 19, 20]", "does not lie before node"),
+        ("[46, 47, 48]", "[46, 47]", "main journal 4 has 2 nodes, expected an odd number"),
+        ("[18, 19, 20]", "[26]", "node 26 does not lie before node 26"),
+        (", [88, 89, 90]]", "]", "6 main journals, where the crank has 7"),
         ("[[12], [26]", "[[12, 26, 40], [26]", "throw 1 has 3 nodes for its 1 rods"),
-        ("[4, 5, 6]", "[]", "main bearing 1 of those that are there has no node"),
+        ("[4, 5, 6]", "[]", "main journal 1 has 0 nodes, expected an odd number"),
     ];
     for (from, to, expected) in cases {
         assert!(ROLES.contains(from), "{from}");
@@ -91,7 +96,23 @@ fn what_does_not_fit_is_refused() {
     let found = refused(&files.replace("matrices/mass", "matrices/stiffness"), ROLES);
     assert!(found.contains("its mass matrix is not positive definite"), "{found}");
     let found = refused(&(files.clone() + "axis = \"x\"\n"), ROLES);
-    assert!(found.contains("found a node that moves along some axes only"), "{found}");
+    assert!(found.contains("`turning` has -105.19, "), "centrifugal forces tell the axis: {found}");
+    // what turning axes do to rigid translation tells matrices that are not meant
+    let found = refused(&files.replace("matrices/turning", "matrices/mass"), ROLES);
+    assert!(
+        found.contains("`turning` has 105.19, 105.19 and 105.19 kg against translation along x, y and z, expected minus the mass"),
+        "{found}"
+    );
+    let gyroscopic = folder.path().join("matrices/gyroscopic.mtx");
+    let text = fs::read_to_string(&gyroscopic).expect("a matrix");
+    let negative = |l: &str| match l.split(' ').collect::<Vec<_>>()[..] {
+        [i, j, x] if !l.starts_with('%') && x.contains('e') => format!("{i} {j} {:e}", -x.parse::<f64>().expect("a number")),
+        _ => l.to_owned(),
+    };
+    fs::write(&gyroscopic, text.lines().map(negative).collect::<Vec<_>>().join("\n")).expect("written");
+    let found = refused(&files, ROLES);
+    assert!(found.contains("`gyroscopic` has -210.38 kg between translations along y and x, expected twice the mass, 210.38"), "{found}");
+    fs::write(&gyroscopic, text).expect("written");
     // half a turn of one throw: another firing order
     let nodes = folder.path().join("matrices/nodes.csv");
     let text = fs::read_to_string(&nodes).expect("nodes");

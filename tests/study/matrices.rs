@@ -172,18 +172,9 @@ fn a_bar_is_what_it_is() {
         assert_close(checks.torsional_stiffness.expect("ends"), 2.05e11 / 2.6 * 2.0 * second, 1e-9, 0.0, "torsion");
         assert!(checks.rigid_residual.expect("places") < 1e-12);
     }
-    // what an unknown of turned axes was before: stiffness on the diagonal goes with it
-    let stretched = Structure { stiffness: DMatrix::from_fn(30, 30, |i, j| if i == j { i as f64 } else { 0.0 }), ..bar.clone() };
-    for axis in [CrankAxis::X, CrankAxis::Y, CrankAxis::Z] {
-        let turned = stretched.along(axis).expect("whole nodes");
-        for (i, u) in turned.unknowns.iter().enumerate() {
-            let before = bar.unknowns.iter().position(|o| *o == axis.before(*u)).expect("an unknown");
-            assert_eq!(turned.stiffness[(i, i)], before as f64, "{axis:?} {u:?}");
-        }
-    }
     // the crank along x: x becomes z
-    let along_x = bar.along(CrankAxis::Y).expect("whole nodes");
-    assert_eq!(along_x.along(CrankAxis::X), Some(bar.clone()), "one way and back");
+    let along_x = bar.along(CrankAxis::Y);
+    assert_eq!(along_x.along(CrankAxis::X), bar, "one way and back");
     assert!(along_x.places.values().all(|p| p.y == 0.0 && p.z == 0.0));
     written(folder.path(), &along_x, (1.0, 1.0, &|_| 1.0));
     let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
@@ -192,7 +183,7 @@ fn a_bar_is_what_it_is() {
     let (code, told) = hartog(&[&all[..], &["--axis", "x"]].concat());
     assert!(code == 0 && told.contains("0, 0, 0.500000 m"), "{told}");
     let (code, told) = hartog(&all);
-    assert!(code == 1 && told.contains("is that the axis of the crank (--axis)?"), "{told}");
+    assert!(code == 1 && told.contains("is that the axis of the crank (axis)?"), "{told}");
 }
 
 /// A bar and the crank of the six in every format, there and back: to 1e-12, of DMIG to 1e-9, whose fields of 16 characters hold ten digits. A substructure has no mass.

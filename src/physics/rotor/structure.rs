@@ -57,31 +57,16 @@ impl Structure {
         all.len()
     }
 
-    /// The same in axes with z along a crank that lies along another one; `None` where a node moves along some axes only.
+    /// The same in axes with z along a crank that lies along another one: axes in turn, so that no entry of a matrix changes.
     #[must_use]
-    pub fn along(&self, axis: CrankAxis) -> Option<Self> {
-        let n = self.unknowns.len();
-        // the new x, y, z in turn
+    pub fn along(&self, axis: CrankAxis) -> Self {
         let old = axis.in_turn();
-        let mut turn = DMatrix::identity(n, n);
-        for (i, u) in self.unknowns.iter().enumerate().filter(|u| u.1.component > 0) {
-            let first = if u.component > 3 { 4 } else { 1 };
-            for k in 0..3u8 {
-                let other = Unknown { node: u.node, component: first + k };
-                let j = self.unknowns.iter().position(|o| *o == other)?;
-                turn[(i, j)] = f64::from(u8::from(old[usize::from(u.component - first)] == usize::from(k)));
-            }
-        }
-        let rotated = |x: &DMatrix<f64>| &turn * x * turn.transpose();
         let place = |p: &Vector3<f64>| Vector3::new(p[old[0]], p[old[1]], p[old[2]]);
-        Some(Self {
-            unknowns: self.unknowns.clone(),
+        Self {
+            unknowns: self.unknowns.iter().map(|u| axis.after(*u)).collect(),
             places: self.places.iter().map(|(node, p)| (*node, place(p))).collect(),
-            stiffness: rotated(&self.stiffness),
-            mass: self.mass.as_ref().map(rotated),
-            gyroscopic: self.gyroscopic.as_ref().map(rotated),
-            turning: self.turning.as_ref().map(rotated),
-        })
+            ..self.clone()
+        }
     }
 }
 
@@ -97,15 +82,15 @@ pub enum CrankAxis {
 }
 
 impl CrankAxis {
-    /// What an unknown of turned axes is in those that were.
-    #[doc(hidden)]
-    pub fn before(self, turned: Unknown) -> Unknown {
-        let first = match turned.component {
-            0 => return turned,
+    /// What an unknown is in the new axes.
+    fn after(self, unknown: Unknown) -> Unknown {
+        let first = match unknown.component {
+            0 => return unknown,
             1..=3 => 1,
             _ => 4,
         };
-        Unknown { component: first + self.in_turn()[usize::from(turned.component - first)] as u8, ..turned }
+        let new = self.in_turn().iter().position(|old| *old == usize::from(unknown.component - first)).unwrap_or(0);
+        Unknown { component: first + new as u8, ..unknown }
     }
 
     /// Indices of the old axes that are the new x, y and z.

@@ -111,7 +111,7 @@ impl std::fmt::Display for Objection {
             Self::BesideTheAxis(off) => {
                 let most = 1e3 * Self::OFF_AXIS;
                 format!(
-                    "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (--axis)?",
+                    "its centre of mass lies {} mm beside the z axis, above {most} mm: is that the axis of the crank (axis)?",
                     rounded(1e3 * off)
                 )
             }
@@ -120,10 +120,10 @@ impl std::fmt::Display for Objection {
             }
             Self::Extent(m) => {
                 let (least, most) = (Self::EXTENT.start(), Self::EXTENT.end());
-                format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (--units)?", rounded(m))
+                format!("its nodes lie within {} m, expected {least} to {most} m: are the units right (units)?", rounded(m))
             }
             Self::Inertia(ratio) if !(0.01..=100.0).contains(&ratio) => {
-                format!("its inertia about the axis is {} times that of the chain: are the units right (--units)?", rounded(ratio))
+                format!("its inertia about the axis is {} times that of the chain: are the units right (units)?", rounded(ratio))
             }
             Self::Inertia(ratio) => {
                 format!("its inertia about the axis is {} % off that of the chain, above {} %", off(ratio), rounded(100.0 * Self::INERTIA))

@@ -69,33 +69,41 @@ fn short() -> Study {
     study
 }
 
-/// Twist from hub to flywheel and torque behind the third throw under a unit force on each pin in the direction of rotation, each a sixth of a turn later.
-fn under_forces(study: &Study, at: Turning) -> [Complex<f64>; 2] {
+/// Twist from hub to flywheel and torques behind the first and the third throw under a unit force on each rod in the direction of rotation, each a sixth of a turn later.
+fn under_forces(study: &Study, at: Turning) -> [Complex<f64>; 3] {
     let assembled = &study.flexible.as_ref().expect("flexible").assembled;
     let mut force = DVector::from_element(6 * assembled.shaft.len(), Complex::new(0.0, 0.0));
     for (t, (rods, [_, tangential])) in assembled.rods.iter().zip(&assembled.directions).enumerate() {
         let phase = Complex::from_polar(1.0, t as f64 * std::f64::consts::FRAC_PI_3);
-        (0..3).for_each(|k| force[6 * rods[0] + k] += phase * tangential[k]);
+        rods.iter().for_each(|rod| (0..3).for_each(|k| force[6 * rod + k] += phase * tangential[k]));
     }
     let x = assembled.shaft.response(at, &force).expect("damped");
-    let (twist, stiffness, dissipation) = &assembled.shafts[3];
-    let torque: Complex<f64> = twist.iter().map(|(node, k, factor)| x[6 * node + k] * *factor).sum();
-    let ends = [assembled.stations[0], assembled.stations[7]].map(|node| x[6 * node + 5]);
-    [ends[0] - ends[1], torque * Complex::new(1.0, dissipation.loss_factor) * *stiffness]
+    let torque = |shaft: usize| {
+        let (twist, stiffness, dissipation) = &assembled.shafts[shaft];
+        let twist: Complex<f64> = twist.iter().map(|(node, k, factor)| x[6 * node + k] * *factor).sum();
+        twist * Complex::new(1.0, dissipation.loss_factor) * *stiffness
+    };
+    let ends = [assembled.stations[0], assembled.stations[assembled.throws.end]].map(|node| x[6 * node + 5]);
+    [ends[0] - ends[1], torque(1), torque(3)]
 }
 
-/// With all modes a reduction is the whole crank. At rest (`rotating = false`) twists are those of the beams to rounding, torques to 1e-3: between the outer points of a bearing lies inertia that the middle of its journal does not see. Turning, the pull of the rods, which stiffens each
-/// throw as a string from axis to pin and not its webs, is what differs: 2e-3.
+/// With all modes a reduction is the whole crank, with two main bearings missing, too. At rest (`rotating = false`) twists are those of the beams to rounding, torques to 3e-3: between the outer points of a journal lies inertia that its middle does not see. Of the V10, whose
+/// throws are damped in the middle of the pin and here by the mean of its two rods, to 1e-4. Turning, the pull of the rods, which stiffens each throw as a string from axis to pin and not its webs, is what differs: 3e-3.
 #[test]
 fn matrices_are_the_crank() {
-    for (rotating, tolerance) in [(false, [1e-9, 1e-3]), (true, [2e-3, 2e-3])] {
-        let beams = with(&short(), |spec| spec.rotating = rotating);
-        let matrices = by_matrices(&beams, exported(&beams, ALL));
-        for (omega, speed) in [(600.0, 100.0), (1300.0, 290.0)] {
-            let at = Turning { omega, speed };
+    let ten = Study { order_limit: 6.0, ..Study::read("studies/villalva_v10_flexible.toml").expect("a study") };
+    let mut missing = short();
+    missing.crank.as_mut().expect("a crank").missing_bearings = vec![1, 4];
+    for (name, study, exact) in [("six", short(), 1e-9), ("without two bearings", missing, 1e-9), ("V10", ten, 1e-4)] {
+        for (rotating, tolerance) in [(false, [exact, 3e-3, 3e-3]), (true, [3e-3; 3])] {
+            let beams = with(&study, |spec| spec.rotating = rotating);
+            let matrices = by_matrices(&beams, exported(&beams, ALL));
+            let at = Turning { omega: 1300.0, speed: 290.0 };
             let (own, wanted) = (under_forces(&matrices, at), under_forces(&beams, at));
-            let error = [0, 1].map(|k| (own[k] - wanted[k]).norm() / wanted[k].norm());
-            assert!(error[0] < tolerance[0] && error[1] < tolerance[1], "{rotating} {at:?}: {error:?}");
+            for k in 0..3 {
+                let error = (own[k] - wanted[k]).norm() / wanted[k].norm();
+                assert!(error < tolerance[k], "{name}, {rotating}: {k} {error:e}");
+            }
         }
     }
 }
@@ -138,8 +146,11 @@ fn turned_axes_are_the_same_crank() {
         *matrix = rotated(matrix);
     }
     turned.structure.places.values_mut().for_each(|p| *p = rotation * *p);
-    let apart = apart(&answers(&by_matrices(&study, turned)), &answers(&by_matrices(&study, own)));
-    assert!(apart.iter().all(|a| *a < 1e-8), "{apart:?}");
+    let at = Turning { omega: 1300.0, speed: 290.0 };
+    let (found, wanted) = (under_forces(&by_matrices(&study, turned), at), under_forces(&by_matrices(&study, own), at));
+    for k in 0..3 {
+        assert!((found[k] - wanted[k]).norm() < 1e-9 * wanted[k].norm(), "{k}: {} {}", found[k], wanted[k]);
+    }
 }
 
 /// Turning as a rigid body about the axis costs nothing, rods and all: r'(K_s + Kc - Z) r = 0 beside r'Z r, which is the inertia about the axis.
@@ -153,7 +164,7 @@ fn rigid_rotation_costs_nothing() {
     assert!(rest.abs() < 1e-9 * shaft.kinetic(&r, &r), "{rest}");
 }
 
-/// What stresses are recovered from: the orders in the histories of the unknowns are those of the response, without and with a ring, to 1e-5 of the largest (forces are sampled every 0.5°); histories are in units and axes of the files, here those of the structure.
+/// What stresses are recovered from: the orders in the histories of the unknowns are those of the response, without and with a ring, to 3e-5 of the largest (forces are sampled every 0.5°); histories are in units and axes of the files, here those of the structure.
 #[test]
 fn histories_of_unknowns_hold_the_response() {
     let study = by_matrices(&short(), exported(&short(), 0));
@@ -175,7 +186,7 @@ fn histories_of_unknowns_hold_the_response() {
                 Complex::from_polar(1.0, -order.value() * deg.to_radians()) * (values[hub] - values[flywheel])
             };
             let found = histories.rows.iter().map(term).sum::<Complex<f64>>() * (2.0 / histories.rows.len() as f64);
-            assert!((found - wanted).norm() < 1e-5 * largest, "{} {order:?}: {found} {wanted}", histories.name);
+            assert!((found - wanted).norm() < 3e-5 * largest, "{} {order:?}: {found} {wanted}", histories.name);
         }
     }
 }

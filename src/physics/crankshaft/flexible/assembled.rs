@@ -1,7 +1,7 @@
 //! A crank put together, whatever it is made of.
 
 use super::web_section::WebSection;
-use crate::drivetrain::Chain;
+use crate::drivetrain::{Chain, Station};
 use crate::rotor::shaft::{Answer, Dissipation, Shaft};
 use crate::rotor::structure::Unknown;
 use nalgebra::Vector3;
@@ -41,8 +41,12 @@ pub struct Assembled {
     pub sections: Vec<[WebSection; 2]>,
     /// Outwards and in the direction of rotation, of each throw.
     pub directions: Vec<[Vector3<f64>; 2]>,
-    /// Nodes of the main bearings that are there.
+    /// Points of all main journals.
+    pub journals: Vec<Vec<usize>>,
+    /// Those of the main bearings that are there.
     pub bearings: Vec<Vec<usize>>,
+    /// Stations of the throws.
+    pub throws: Range<usize>,
     /// Of each throw; none as of `webs`.
     pub balance: Vec<Balance>,
     /// Unknowns of matrices as their files have them, by those of the shaft; none of a crank of beams.
@@ -74,4 +78,10 @@ pub(super) fn ends(chain: &Chain, throws: usize) -> Result<Range<usize>, String>
         Some(t) => Err(format!("throw {} has no station of its own behind that of the one before it", t + 1)),
         None => Ok(first..first + throws),
     }
+}
+
+/// How a shaft of the chain dissipates by itself.
+pub(super) fn dissipation(s: &Station) -> Dissipation {
+    let time = if s.stiffness_to_next > 0.0 { s.damping_to_next / s.stiffness_to_next } else { 0.0 };
+    Dissipation { loss_factor: s.loss_factor_to_next, time }
 }

@@ -3,14 +3,19 @@
 use crate::crankshaft::Crank;
 use crate::drivetrain::Chain;
 use crate::numerics::elementary::Elementary;
+use crate::numerics::significant::significant;
 use crate::rotor::structure::{Structure, Unknown};
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// By what share the radius of a pin may differ from that of the crank, and by how much its angle, rad.
 const RADIUS: f64 = 0.01;
 const ANGLE: f64 = 0.02;
+/// How far beside the axis what lies on it may be, of the radius of the crank.
+const BESIDE: f64 = 0.02;
+/// By what share of the mass the forces of turning axes on rigid translation may differ.
+const TRANSLATION: f64 = 1e-3;
 /// By what share inertia about the axis may differ from that of the stations.
 const INERTIA: f64 = 0.3;
 
@@ -25,8 +30,8 @@ pub struct ImportedCrank {
     pub flywheel: u64,
     /// Of each throw: its pin, or a node for each rod.
     pub pins: Vec<Vec<u64>>,
-    /// Points of each main bearing that is there.
-    pub bearings: Vec<Vec<u64>>,
+    /// Points of each main journal; where there is no bearing they carry nothing.
+    pub journals: Vec<Vec<u64>>,
     /// What each unknown is in the files.
     pub written: Vec<Written>,
 }
@@ -47,8 +52,7 @@ impl ImportedCrank {
 
     /// What of the nodes cannot be, in words: one that has no place or does not move as it has to.
     pub(super) fn mistaken(&self, (crank, chain): (&Crank, &Chain), throws: &Range<usize>, thrust_at: usize) -> Option<String> {
-        let present = (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b)).count();
-        let counts = [(self.pins.len(), crank.throws(), "throws with pins"), (self.bearings.len(), present, "main bearings")];
+        let counts = [(self.pins.len(), crank.throws(), "throws with pins"), (self.journals.len(), crank.throws() + 1, "main journals")];
         if let Some((found, wanted, what)) = counts.into_iter().find(|c| c.0 != c.1) {
             return Some(format!("{found} {what}, where the crank has {wanted}"));
         }
@@ -58,12 +62,16 @@ impl ImportedCrank {
         if let Some((t, pins)) = self.pins.iter().enumerate().find(|(_, pins)| pins.len() != 1 && pins.len() != crank.rods) {
             return Some(format!("throw {} has {} nodes for its {} rods: one, or one a rod", t + 1, pins.len(), crank.rods));
         }
-        if let Some(empty) = self.bearings.iter().position(Vec::is_empty) {
-            return Some(format!("main bearing {} of those that are there has no node", empty + 1));
+        if let Some((j, points)) = self.journals.iter().enumerate().find(|j| j.1.len().is_multiple_of(2)) {
+            return Some(format!(
+                "main journal {} has {} nodes, expected an odd number: the one in the middle is that of the journal",
+                j + 1,
+                points.len()
+            ));
         }
         let ends = [(self.hub, "the hub"), (self.flywheel, "the flywheel")];
         let pins = self.pins.iter().flatten().map(|n| (*n, 1..=3, "a pin"));
-        let points = self.bearings.iter().flatten().map(|n| (*n, 1..=2, "a point of a bearing"));
+        let points = self.journals.iter().flatten().map(|n| (*n, 1..=2, "a point of a journal"));
         let mut wanted = ends.into_iter().map(|(n, what)| (n, 1..=6, what)).chain(pins).chain(points);
         let moves = |node: u64, component: u8| self.structure.unknowns.contains(&Unknown { node, component });
         let lacks = wanted.find_map(|(n, mut components, what)| components.find(|c| !moves(n, *c)).map(|c| (n, c, what)));
@@ -78,20 +86,74 @@ impl ImportedCrank {
         if let Some(u) = self.structure.unknowns.iter().find(half) {
             return Some(format!("node {} moves along or about one axis across the crank and not the other", u.node));
         }
-        let thrust = self.thrust_node(crank, thrust_at);
+        let thrust = self.thrust_node(thrust_at);
         if !moves(thrust, 3) {
             return Some(format!("node {thrust}, the middle of the thrust bearing, has no component 3 in the matrices"));
         }
-        let order: Vec<u64> = std::iter::once(self.hub).chain(self.pins.iter().map(|p| p[0])).chain([self.flywheel]).collect();
+        self.out_of_order().or_else(|| self.beside_axis(crank.crank_radius))
+    }
+
+    /// In words, two nodes that do not follow each other along the crank.
+    fn out_of_order(&self) -> Option<String> {
+        let mut order = vec![self.hub];
+        for (j, points) in self.journals.iter().enumerate() {
+            order.extend(points.iter().chain(self.pins.get(j).into_iter().flatten()));
+        }
+        order.push(self.flywheel);
         order.windows(2).find(|two| self.place(two[0]).z >= self.place(two[1]).z).map(|two| {
-            format!("node {} lies behind node {} along z, which runs from the hub over the throws to the flywheel", two[0], two[1])
+            format!(
+                "node {} does not lie before node {} along z: from the hub journals and pins follow each other to the flywheel, points and rods of each in turn",
+                two[0], two[1]
+            )
+        })
+    }
+
+    /// In words, a node beside the axis that should be on it.
+    fn beside_axis(&self, radius: f64) -> Option<String> {
+        let mut on_axis = self.journals.iter().flatten().chain([&self.hub, &self.flywheel]);
+        let off = |node: u64| self.place(node).x.hypotenuse(self.place(node).y);
+        let found = on_axis.find(|node| off(**node) > BESIDE * radius)?;
+        Some(format!("node {found} lies {:.4} mm beside the axis, where journals, hub and flywheel lie on it", off(*found) * 1e3))
+    }
+
+    /// Whether the twist of a main journal tells the torque there: its outer points rotate about the axis.
+    #[doc(hidden)]
+    pub fn tells_torque(&self, journal: usize) -> bool {
+        let points = &self.journals[journal];
+        let rotates = |node: u64| self.structure.unknowns.contains(&Unknown { node, component: 6 });
+        points.len() > 1 && rotates(points[0]) && rotates(points[points.len() - 1])
+    }
+
+    /// In words, what turning axes do to rigid translation, where it is not as mass has it: centrifugal forces -m across the axis and none along it, Coriolis forces 2 m.
+    #[doc(hidden)]
+    pub fn turns_wrongly(&self) -> Option<String> {
+        let s = &self.structure;
+        let (rigid, mass) = (s.rigid_motions()?, s.mass.as_ref()?);
+        let on = |x: &DMatrix<f64>, i: usize, j: usize| (rigid.column(i).transpose() * x * rigid.column(j))[(0, 0)];
+        let m = on(mass, 0, 0);
+        let wrong = |found: f64, wanted: f64| found.is_nan() || (found - wanted).abs() > TRANSLATION * m;
+        let t = s.turning.as_ref()?;
+        let along = [on(t, 0, 0), on(t, 1, 1), on(t, 2, 2)];
+        if along.iter().zip([-m, -m, 0.0]).any(|(found, wanted)| wrong(*found, wanted)) {
+            let [x, y, z] = along.map(|x| significant(x, 5));
+            return Some(format!(
+                "`turning` has {x}, {y} and {z} kg against translation along x, y and z, expected minus the mass, {}, twice and zero",
+                significant(m, 5)
+            ));
+        }
+        let coriolis = on(s.gyroscopic.as_ref()?, 1, 0);
+        wrong(coriolis, 2.0 * m).then(|| {
+            format!(
+                "`gyroscopic` has {} kg between translations along y and x, expected twice the mass, {}",
+                significant(coriolis, 5),
+                significant(2.0 * m, 5)
+            )
         })
     }
 
     /// Middle point of the thrust bearing.
-    pub(super) fn thrust_node(&self, crank: &Crank, thrust_at: usize) -> u64 {
-        let before = (0..thrust_at).filter(|b| !crank.missing_bearings.contains(b)).count();
-        let points = &self.bearings[before];
+    pub(super) fn thrust_node(&self, thrust_at: usize) -> u64 {
+        let points = &self.journals[thrust_at];
         points[points.len() / 2]
     }
 

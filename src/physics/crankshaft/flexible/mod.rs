@@ -10,6 +10,7 @@
 mod assembled;
 mod assembly;
 pub mod imported;
+mod matrix_nodes;
 mod mean_load;
 mod of_beams;
 mod of_matrices;

@@ -1,6 +1,6 @@
 //! The whole crank put together from beams and bodies.
 
-use super::assembled::{Assembled, Balance, Carried};
+use super::assembled::{Assembled, Balance, Carried, dissipation};
 use super::row::{Join, Material, Row};
 use super::spec::{BeamCrank, BearingNodes, End, FlexibleSpec};
 use super::throw::{self, Nodes, Turned, plate};
@@ -80,8 +80,7 @@ fn build(
     let length = |end: &Option<End>| end.as_ref().map_or(0.0, |e| e.shaft.iter().map(|s| s.length).sum());
     let spring = |station: usize| {
         let s = &chain.stations[station];
-        let time = if s.stiffness_to_next > 0.0 { s.damping_to_next / s.stiffness_to_next } else { 0.0 };
-        (s.stiffness_to_next, Dissipation { loss_factor: s.loss_factor_to_next, time })
+        (s.stiffness_to_next, dissipation(s))
     };
     let mut row = Row::from(Vector3::new(0.0, 0.0, -0.5 * first - length(&beams.front)));
     let mut stations = vec![0];
@@ -246,7 +245,9 @@ fn finished(
             shaft.put_polar(*node, s.inertia);
             shaft.hold(*node, [true, true, true, true, true, false]);
         }
-        shaft.tie(*node, &about_axis, (s.stiffness_to_ground, 0.0));
+        if carried == Carried::All {
+            shaft.tie(*node, &about_axis, (s.stiffness_to_ground, 0.0));
+        }
         let (motion, damping) = match directions.get(station.wrapping_sub(throws.start)) {
             // what damps a throw acts on its pin
             Some([_, t]) => (Six::new(t.x, t.y, 0.0, 0.0, 0.0, 0.0), s.damping_to_ground / crank.crank_radius.powi(2)),
@@ -285,6 +286,8 @@ fn finished(
         rods: built.throws.iter().map(|t| t.rods.clone()).collect(),
         webs: built.throws.iter().map(|t| t.webs).collect(),
         bearings: present.iter().map(|b| built.bearings[*b].clone()).collect(),
+        journals: built.bearings,
+        throws,
         mass: shaft.kinetic(&translation, &translation),
         stations: built.stations,
         written: Vec::new(),

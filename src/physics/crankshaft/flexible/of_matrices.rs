@@ -3,16 +3,16 @@
 //! The matrices are of the free crank with hub and flywheel, reduced to points of its bearings, its pins, and both ends, in axes along the crank. What is added here are bearings, the rods on the pins, and what lies before the hub and behind the
 //! flywheel. The pull of the rods stiffens each throw across it, as a string from the axis to the pin would: with it rigid rotation about the axis costs nothing.
 //!
-//! A throw whose pin has no rotation of its own is taken to rotate by the tangential motion of the pin against the axis, between the middles of the bearings beside it, over its radius. The torque of a shaft is a twist by the static stiffness of
+//! A throw whose pin has no rotation of its own is taken to rotate by the tangential motion of the pin against the axis, between the middles of the journals beside it, over its radius. The torque of a shaft is a twist by the static stiffness of
 //! the matrices against it: of the journal between the first and the last point of the bearing there, where these rotate about the axis; otherwise between the stations, which errs by what forces on the pins bend (some per cent).
 
-use super::assembled::{Assembled, Carried};
+use super::assembled::{Assembled, Carried, dissipation};
 use super::imported::ImportedCrank;
+use super::matrix_nodes::Nodes;
 use super::spec::FlexibleSpec;
 use super::throw::Turned;
 use crate::crankshaft::Crank;
-use crate::drivetrain::{Chain, Station};
-use crate::numerics::elementary::Elementary;
+use crate::drivetrain::Chain;
 use crate::rotor::body::Body;
 use crate::rotor::shaft::{Answer, Dissipation, Shaft, Six};
 use crate::rotor::structure::Unknown;
@@ -21,101 +21,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Where the nodes of the matrices stand among those of a shaft.
-struct Nodes<'a> {
-    own: &'a ImportedCrank,
-    place: BTreeMap<u64, usize>,
-    /// First node that holds coordinates of modes.
-    modes: usize,
-    /// All nodes.
-    count: usize,
-    /// Turns the axes of the matrices to those of the engine.
-    turn: Matrix3<f64>,
-}
-
-impl Nodes<'_> {
-    /// Index of an unknown of the matrices among those of the shaft; `modal`: how many coordinates of modes come before it.
-    fn index(&self, unknown: &Unknown, modal: usize) -> usize {
-        match unknown.component {
-            0 => 6 * self.modes + modal,
-            component => 6 * self.place[&unknown.node] + usize::from(component) - 1,
-        }
-    }
-
-    /// Indices of all unknowns of the matrices.
-    fn indices(&self) -> Vec<usize> {
-        let mut modal = 0..;
-        let of = |u: &Unknown| self.index(u, if u.component == 0 { modal.next().unwrap_or(0) } else { 0 });
-        self.own.structure.unknowns.iter().map(of).collect()
-    }
-
-    /// Whether a node moves by a component, from 1.
-    fn moves(&self, node: u64, component: u8) -> bool {
-        self.own.structure.unknowns.contains(&Unknown { node, component })
-    }
-
-    /// A matrix of the structure over the unknowns of the shaft, in the axes of the engine.
-    fn scattered(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
-        let (n, indices) = (6 * self.count, self.indices());
-        let mut all = DMatrix::zeros(n, n);
-        for (i, row) in indices.iter().enumerate() {
-            for (j, column) in indices.iter().enumerate() {
-                all[(*row, *column)] = matrix[(i, j)];
-            }
-        }
-        let mut turn = DMatrix::identity(n, n);
-        for first in (0..6 * self.modes).step_by(3) {
-            turn.fixed_view_mut::<3, 3>(first, first).copy_from(&self.turn);
-        }
-        &turn * all * turn.transpose()
-    }
-
-    /// A motion of the unknowns of the matrices over those of the shaft.
-    fn motion(&self, own: &DVector<f64>) -> DVector<f64> {
-        let mut all = DVector::zeros(6 * self.count);
-        self.indices().iter().zip(own.iter()).for_each(|(index, x)| all[*index] = *x);
-        for first in (0..6 * self.modes).step_by(3) {
-            let turned = self.turn * all.fixed_rows::<3>(first);
-            all.fixed_rows_mut::<3>(first).copy_from(&turned);
-        }
-        all
-    }
-
-    /// Unknowns as the files have them, in the axes of the matrices.
-    fn written(&self) -> Vec<(Unknown, Answer)> {
-        let back = |index: usize, scale: f64| -> Answer {
-            let (node, k) = (index / 6, index % 6);
-            if node >= self.modes {
-                return vec![(node, k, scale)];
-            }
-            let first = 3 * (k / 3);
-            (0..3).map(|i| (node, first + i, scale * self.turn[(i, k - first)])).filter(|f| f.2 != 0.0).collect()
-        };
-        self.own.written.iter().zip(self.indices()).map(|(w, index)| (w.unknown, back(index, w.scale))).collect()
-    }
-
-    /// Middle points of the bearings beside a throw with their weights at the place of its pin.
-    fn beside(&self, z: f64) -> Vec<(usize, f64, f64)> {
-        let at = |node: u64| self.own.structure.places[&node].z;
-        let middles: Vec<u64> = self.own.bearings.iter().map(|points| points[points.len() / 2]).collect();
-        let before = middles.iter().copied().filter(|m| at(*m) <= z).max_by(|a, b| at(*a).total_cmp(&at(*b)));
-        let behind = middles.iter().copied().filter(|m| at(*m) > z).min_by(|a, b| at(*a).total_cmp(&at(*b)));
-        match (before, behind) {
-            (Some(a), Some(b)) => {
-                let share = (z - at(a)) / (at(b) - at(a));
-                vec![(self.place[&a], 1.0 - share, at(a)), (self.place[&b], share, at(b))]
-            }
-            (one, other) => one.or(other).map(|m| (self.place[&m], 1.0, at(m))).into_iter().collect(),
-        }
-    }
-
-    /// Motion of a pin along a direction against the axis beside it.
-    fn against_axis(&self, pin: u64, direction: &Vector3<f64>) -> Answer {
-        let along = |node: usize, factor: f64| (0..3).map(move |k| (node, k, factor * direction[k])).filter(|f| f.2 != 0.0);
-        let beside = self.beside(self.own.structure.places[&pin].z);
-        along(self.place[&pin], 1.0).chain(beside.into_iter().flat_map(|(node, weight, _)| along(node, -weight))).collect()
-    }
-}
+/// Torsional stiffness of matrices over that of a chain which may be of the same crank.
+const STIFFNESS: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
 /// A unit motion of an unknown of a node.
 fn unit(node: usize, k: usize) -> Answer {
@@ -146,24 +53,10 @@ pub(super) fn assemble(
         return Err(why);
     }
     let turned = own.turned(crank, angles)?;
-    let (sine, cosine) = turned.sine_cosine();
-    let turn = Matrix3::new(cosine, sine, 0.0, -sine, cosine, 0.0, 0.0, 0.0, 1.0);
     // in turn: what lies before the hub, the nodes of the matrices, what lies behind the flywheel, and modes
     let (before, behind) = (throws.start - 1, chain.len() - throws.end - 1);
-    let mut numbers: Vec<u64> = own.structure.unknowns.iter().filter(|u| u.component > 0).map(|u| u.node).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    let along = |n: &u64| (*n == own.flywheel, *n != own.hub);
-    numbers.sort_by(|a, b| along(a).cmp(&along(b)).then(own.place(*a).z.total_cmp(&own.place(*b).z)));
-    let modal = own.structure.unknowns.iter().filter(|u| u.component == 0).count();
-    let modes = before + numbers.len() + behind;
-    let nodes = Nodes {
-        own,
-        place: numbers.iter().enumerate().map(|(i, n)| (*n, before + i)).collect(),
-        modes,
-        count: modes + modal.div_ceil(6),
-        turn,
-    };
+    let nodes = Nodes::new(own, (before, behind), turned);
+    let last = nodes.modes - behind;
     let directions: Vec<[Vector3<f64>; 2]> =
         angles.iter().enumerate().map(|(t, angle)| Turned { throw: t, angle: *angle }.directions()).collect();
     let rotations = rotations(&nodes, crank, &directions);
@@ -171,27 +64,33 @@ pub(super) fn assemble(
         .chain([nodes.place[&own.hub]])
         .chain(own.pins.iter().map(|pins| nodes.place[&pins[0]]))
         .chain([nodes.place[&own.flywheel]])
-        .chain(before + numbers.len()..modes)
+        .chain(last..nodes.modes)
         .collect();
     let rotation = |i: usize| rotations.get(&stations[i]).cloned().unwrap_or_else(|| unit(stations[i], 5));
     let mut element = element(&nodes, spec);
-    let lengths = lengths((&nodes, spec, &mut element), (crank, chain, &throws), &rotation)?;
-    for (i, station) in chain.stations.iter().enumerate() {
-        element.tie(&rotation(i), [station.stiffness_to_ground, 0.0, 0.0]);
-    }
+    let lengths = lengths((&nodes, spec, &mut element), (chain, &throws), &rotation)?;
     if carried == Carried::All {
+        for (i, station) in chain.stations.iter().enumerate() {
+            element.tie(&rotation(i), [station.stiffness_to_ground, 0.0, 0.0]);
+        }
         pull(&nodes, &mut element, &directions, (per_rod, crank.rods));
     }
-    let places = places(&nodes, &numbers, (before, behind));
+    for (t, (pins, [_, tangential])) in own.pins.iter().zip(&directions).enumerate() {
+        // what damps a throw acts on its pin
+        let damping = chain.stations[throws.start + t].damping_to_ground / crank.crank_radius.powi(2);
+        element.tie(&mean_of_rods(&nodes, pins, tangential), [0.0, 0.0, damping]);
+    }
+    let places = places(&nodes, (before, behind));
     let mut shaft = Shaft::joined(places, element);
-    hold(&mut shaft, &nodes, (before, before + numbers.len()));
+    hold(&mut shaft, &nodes, (before, last));
     rotations.into_iter().for_each(|(node, motion)| shaft.rotate_by(node, motion));
     for i in (0..before).chain(throws.end..chain.len() - 1) {
         let (_, stiffness, dissipation) = &lengths[i];
         shaft.join_in_torsion(stations[i], *stiffness, *dissipation);
     }
     let rods: Vec<Vec<usize>> = own.pins.iter().map(|pins| rod_nodes(pins, crank.rods).map(|n| nodes.place[&n]).collect()).collect();
-    carry((&mut shaft, &nodes), (crank, chain, spec), (&stations, &throws), &directions, (&rods, per_rod, carried));
+    carry((&mut shaft, &nodes), (crank, chain, spec), (&stations, &throws), (&rods, per_rod, carried));
+    let journals: Vec<Vec<usize>> = own.journals.iter().map(|points| points.iter().map(|n| nodes.place[n]).collect()).collect();
     let translation: Vec<Six> =
         (0..shaft.len()).map(|i| Six::new(f64::from(u8::from(i < shaft.places.len())), 0.0, 0.0, 0.0, 0.0, 0.0)).collect();
     Ok(Assembled {
@@ -203,7 +102,9 @@ pub(super) fn assemble(
         webs: Vec::new(),
         sections: Vec::new(),
         directions,
-        bearings: own.bearings.iter().map(|points| points.iter().map(|n| nodes.place[n]).collect()).collect(),
+        bearings: present(crank).map(|b| journals[b].clone()).collect(),
+        journals,
+        throws,
         balance: Vec::new(),
         written: nodes.written(),
     })
@@ -214,25 +115,34 @@ fn rod_nodes(pins: &[u64], rods: usize) -> impl Iterator<Item = u64> {
     (0..rods).map(|rod| pins[rod.min(pins.len() - 1)])
 }
 
-/// Rotations of pins that have none of their own.
+/// Rotations of throws whose pins have none of their own, by their first nodes.
 fn rotations(nodes: &Nodes, crank: &Crank, directions: &[[Vector3<f64>; 2]]) -> BTreeMap<usize, Answer> {
     let mut all = BTreeMap::new();
     for (pins, [_, tangential]) in nodes.own.pins.iter().zip(directions) {
-        for pin in pins.iter().filter(|pin| !nodes.moves(**pin, 6)) {
-            let along = tangential / crank.crank_radius;
-            all.insert(nodes.place[pin], nodes.against_axis(*pin, &along));
+        if pins.len() > 1 || !nodes.moves(pins[0], 6) {
+            let along = tangential / (crank.crank_radius * pins.len() as f64);
+            all.insert(nodes.place[&pins[0]], pins.iter().flat_map(|pin| nodes.against_axis(*pin, &along)).collect());
         }
     }
     all
 }
 
-/// Twist of the journal in a bearing that is there, where its first and last points rotate about the axis.
-fn twist_of_journal(nodes: &Nodes, crank: &Crank, bearing: usize) -> Option<Answer> {
-    let before = (0..bearing).filter(|b| !crank.missing_bearings.contains(b)).count();
-    let points = nodes.own.bearings.get(before).filter(|_| !crank.missing_bearings.contains(&bearing))?;
+/// Mean motion of the rods of a throw along a direction.
+fn mean_of_rods(nodes: &Nodes, pins: &[u64], direction: &Vector3<f64>) -> Answer {
+    let share = 1.0 / pins.len() as f64;
+    pins.iter().flat_map(|pin| (0..3).map(|k| (nodes.place[pin], k, share * direction[k]))).collect()
+}
+
+/// Main journals with a bearing.
+fn present(crank: &Crank) -> impl Iterator<Item = usize> {
+    (0..=crank.throws()).filter(|b| !crank.missing_bearings.contains(b))
+}
+
+/// Twist of a main journal, where its first and last points rotate about the axis.
+fn twist_of_journal(nodes: &Nodes, journal: usize) -> Option<Answer> {
+    let points = &nodes.own.journals[journal];
     let (first, last) = (points[0], points[points.len() - 1]);
-    let both = first != last && [first, last].into_iter().all(|n| nodes.moves(n, 6));
-    both.then(|| less(&unit(nodes.place[&first], 5), &unit(nodes.place[&last], 5)))
+    nodes.own.tells_torque(journal).then(|| less(&unit(nodes.place[&first], 5), &unit(nodes.place[&last], 5)))
 }
 
 /// The crank under a torque from the hub to the flywheel, at rest.
@@ -260,19 +170,20 @@ impl Twisted {
     }
 }
 
-/// How a shaft of the chain dissipates by itself.
-fn dissipation(s: &Station) -> Dissipation {
-    let time = if s.stiffness_to_next > 0.0 { s.damping_to_next / s.stiffness_to_next } else { 0.0 };
-    Dissipation { loss_factor: s.loss_factor_to_next, time }
-}
-
 /// Of each shaft of the chain a twist, its stiffness and how that dissipates; what the shafts of the crank lose by the chain is put on the element.
 fn lengths(
     (nodes, spec, element): (&Nodes, &FlexibleSpec, &mut Superelement),
-    (crank, chain, throws): (&Crank, &Chain, &Range<usize>),
+    (chain, throws): (&Chain, &Range<usize>),
     rotation: &dyn Fn(usize) -> Answer,
 ) -> Result<Vec<(Answer, f64, Dissipation)>, String> {
     let twisted = Twisted::new(nodes)?;
+    let whole = twisted.stiffness(&less(&rotation(throws.start - 1), &rotation(throws.end)), "the hub")?;
+    let of_chain: f64 = chain.stations[throws.start - 1..throws.end].iter().map(|s| 1.0 / s.stiffness_to_next).sum::<f64>().recip();
+    if !STIFFNESS.contains(&(whole / of_chain)) {
+        return Err(format!(
+            "from hub to flywheel the matrices have {whole:.4e} N m/rad in torsion with free ends, the chain {of_chain:.4e}: matrices of other units?"
+        ));
+    }
     let mut all = Vec::new();
     for (i, s) in chain.stations[..chain.len() - 1].iter().enumerate() {
         let (between, own) = (less(&rotation(i), &rotation(i + 1)), dissipation(s));
@@ -282,7 +193,7 @@ fn lengths(
         }
         let stiffness = twisted.stiffness(&between, &s.name)?;
         element.tie(&between, [0.0, stiffness * own.loss_factor, stiffness * own.time]);
-        let (twist, stiffness) = match twist_of_journal(nodes, crank, i + 1 - throws.start) {
+        let (twist, stiffness) = match twist_of_journal(nodes, i + 1 - throws.start) {
             Some(journal) => (journal.clone(), twisted.stiffness(&journal, &s.name)?),
             None => (between, stiffness),
         };
@@ -322,10 +233,10 @@ fn pull(nodes: &Nodes, element: &mut Superelement, directions: &[[Vector3<f64>; 
 }
 
 /// Places of all nodes but those of modes, in the axes of the engine.
-fn places(nodes: &Nodes, numbers: &[u64], (before, behind): (usize, usize)) -> Vec<Vector3<f64>> {
+fn places(nodes: &Nodes, (before, behind): (usize, usize)) -> Vec<Vector3<f64>> {
     let place = |n: &u64| nodes.turn * nodes.own.structure.places[n];
     let mut all = vec![place(&nodes.own.hub); before];
-    all.extend(numbers.iter().map(place));
+    all.extend(nodes.numbers.iter().map(place));
     all.extend(std::iter::repeat_n(place(&nodes.own.flywheel), behind));
     all
 }
@@ -344,7 +255,6 @@ fn carry(
     (shaft, nodes): (&mut Shaft, &Nodes),
     (crank, chain, spec): (&Crank, &Chain, &FlexibleSpec),
     (stations, throws): (&[usize], &Range<usize>),
-    directions: &[[Vector3<f64>; 2]],
     (rods, per_rod, carried): (&[Vec<usize>], f64, Carried),
 ) {
     for (station, node) in stations.iter().enumerate() {
@@ -352,24 +262,22 @@ fn carry(
         if station + 1 < throws.start || station > throws.end {
             shaft.put_polar(*node, s.inertia);
         }
-        let (motion, damping) = match directions.get(station.wrapping_sub(throws.start)) {
-            Some([_, t]) => (Six::new(t.x, t.y, 0.0, 0.0, 0.0, 0.0), s.damping_to_ground / crank.crank_radius.powi(2)),
-            None => (Six::new(0.0, 0.0, 0.0, 0.0, 0.0, 1.0), s.damping_to_ground),
-        };
-        shaft.tie(*node, &motion, (0.0, damping));
+        if !throws.contains(&station) {
+            shaft.tie(*node, &Six::new(0.0, 0.0, 0.0, 0.0, 0.0, 1.0), (0.0, s.damping_to_ground));
+        }
     }
     if carried == Carried::All {
         for node in rods.iter().flatten() {
             shaft.put(*node, &Body { mass: per_rod, arm: Vector3::zeros(), tensor: Matrix3::zeros() });
         }
-        for (place, points) in nodes.own.bearings.iter().enumerate() {
+        for (place, points) in present(crank).map(|b| &nodes.own.journals[b]).enumerate() {
             for (point, node) in points.iter().enumerate() {
                 let own = spec.bearing.point(place, point, points.len());
                 shaft.bear(nodes.place[node], (own.stiffness, own.damping));
             }
         }
         let along = Six::new(0.0, 0.0, 1.0, 0.0, 0.0, 0.0);
-        shaft.tie(nodes.place[&nodes.own.thrust_node(crank, spec.thrust_at)], &along, (spec.thrust.stiffness, spec.thrust.damping));
+        shaft.tie(nodes.place[&nodes.own.thrust_node(spec.thrust_at)], &along, (spec.thrust.stiffness, spec.thrust.damping));
     }
     if !spec.rotating {
         shaft.without_rotation();

@@ -6,23 +6,21 @@ use crate::rotor::reduction::Reduction;
 use crate::rotor::structure::{Structure, Unknown};
 use nalgebra::DMatrix;
 
-/// Its matrices over translations of the points of bearings and of the pins, rotations about the axis of the outer points of bearings, all motions of hub and flywheel, and `modes` with these held; nodes are numbered from 1. What the chain has before the hub and behind the flywheel is left out.
+/// Its matrices over translations of the points of main journals and of the pins, rotations about the axis of the outer points of journals, all motions of hub and flywheel, and `modes` with these held; nodes are numbered from 1. What the chain has before the hub and behind the flywheel is left out.
 /// `None` where its mass matrix is not positive definite.
 #[doc(hidden)]
 pub fn reduced(assembled: &Assembled, modes: usize) -> Option<ImportedCrank> {
     let (shaft, stations) = (&assembled.shaft, &assembled.stations);
-    let pins = assembled.rods.concat();
-    let first = stations.iter().position(|node| pins.contains(node))?;
-    let hub = first.saturating_sub(1);
-    let flywheel = (first + assembled.rods.len()).min(stations.len() - 1);
+    let hub = assembled.throws.start.saturating_sub(1);
+    let flywheel = assembled.throws.end.min(stations.len() - 1);
     let outside = |node: &usize| stations[..hub].contains(node) || stations[flywheel + 1..].contains(node);
     let free: Vec<usize> = shaft.free().into_iter().filter(|i| !outside(&(i / 6))).collect();
     let free_unknowns =
         |node: usize, components: std::ops::Range<usize>| components.map(move |k| 6 * node + k).filter(|i| free.contains(i));
-    let points = assembled.bearings.iter().chain(&assembled.rods).flatten();
+    let points = assembled.journals.iter().chain(&assembled.rods).flatten();
     let mut interface: Vec<usize> = points.flat_map(|node| free_unknowns(*node, 0..3)).collect();
     // the twist between them tells the torque there
-    let outer = assembled.bearings.iter().flat_map(|points| [points[0], points[points.len() - 1]]);
+    let outer = assembled.journals.iter().flat_map(|points| [points[0], points[points.len() - 1]]);
     interface.extend(outer.flat_map(|node| free_unknowns(node, 5..6)));
     interface.extend([stations[hub], stations[flywheel]].into_iter().flat_map(|node| free_unknowns(node, 0..6)));
     interface.sort_unstable();
@@ -55,5 +53,5 @@ pub fn reduced(assembled: &Assembled, modes: usize) -> Option<ImportedCrank> {
     };
     let (hub, flywheel) = (number(&stations[hub]), number(&stations[flywheel]));
     let written = structure.unknowns.iter().map(|u| Written { unknown: *u, scale: 1.0 }).collect();
-    Some(ImportedCrank { structure, written, hub, flywheel, pins, bearings: numbers(&assembled.bearings) })
+    Some(ImportedCrank { structure, written, hub, flywheel, pins, journals: numbers(&assembled.journals) })
 }

@@ -93,9 +93,9 @@ pub(crate) struct RawMatrices {
     /// Of each throw in turn, the node of its pin, or those of its rods.
     #[schemars(extend("minItems" = 1, "examples" = [[[8], [20]]]))]
     pub pins: At<Vec<Vec<i64>>>,
-    /// Of each main bearing that is there, its nodes along the journal, the middle one in the middle.
+    /// Of each main journal in turn an odd number of nodes along it, the middle one in its middle; where `missing_bearings` leaves a bearing out they carry nothing.
     #[schemars(extend("minItems" = 2, "examples" = [[[2, 3, 4], [14, 15, 16], [26, 27, 28]]]))]
-    pub bearings: At<Vec<Vec<i64>>>,
+    pub journals: At<Vec<Vec<i64>>>,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]

@@ -108,7 +108,7 @@ fn spec(check: &mut Check, (at, folder): (&At<RawFlexible>, &Path), crank: &Cran
         None => (CrankBody::Beams(beams(check, at, crank, chain)?), nodes(check, &raw.bearing)),
         Some(_) => {
             let own = imported::resolve(check, at, folder)?;
-            let nodes = points(check, at, &own.bearings);
+            let nodes = points(check, at, &own.journals);
             (CrankBody::Matrices(Arc::new(own)), nodes)
         }
     };
@@ -137,11 +137,11 @@ fn spec(check: &mut Check, (at, folder): (&At<RawFlexible>, &Path), crank: &Cran
     })
 }
 
-/// Points along each bearing of a crank by matrices: the law of an exponential bearing wants all alike.
-fn points(check: &mut Check, at: &At<RawFlexible>, bearings: &[Vec<u64>]) -> BearingNodes {
-    let nodes = if bearings.first().is_some_and(|points| points.len() == 1) { BearingNodes::One } else { BearingNodes::Three };
-    if at.get_ref().bearing.exponential.is_some() && bearings.iter().any(|points| points.len() != nodes.count()) {
-        check.wrong(at, "found bearings of several numbers of points with `bearing.exponential`, expected one or three points each");
+/// Points along each journal of a crank by matrices: the law of an exponential bearing wants all alike.
+fn points(check: &mut Check, at: &At<RawFlexible>, journals: &[Vec<u64>]) -> BearingNodes {
+    let nodes = if journals.first().is_some_and(|points| points.len() == 1) { BearingNodes::One } else { BearingNodes::Three };
+    if at.get_ref().bearing.exponential.is_some() && journals.iter().any(|points| points.len() != nodes.count()) {
+        check.wrong(at, "found journals of other numbers of points with `bearing.exponential`, expected one or three points on each");
     }
     nodes
 }

@@ -29,7 +29,7 @@ fn beside(check: &mut Check, at: &At<RawFlexible>) {
         }
     }
     if let Some(nodes) = &raw.bearing.nodes {
-        check.wrong(nodes, "found `nodes` beside `matrices`, expected one of them: `bearings` names the points along each journal");
+        check.wrong(nodes, "found `nodes` beside `matrices`, expected one of them: `journals` names the points along each");
     }
 }
 
@@ -98,14 +98,9 @@ fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) 
         RawCrankAxis::Y => CrankAxis::Y,
         RawCrankAxis::Z => CrankAxis::Z,
     };
-    let turned = if axis == CrankAxis::Z { Some(own) } else { own.along(axis) };
-    if turned.is_none() {
-        check.wrong(at, "found a node that moves along some axes only, expected all three where `axis` turns them");
-    }
-    let structure = turned?;
-    let written = |u: &Unknown| Written { unknown: axis.before(*u), scale: files.units.scale(u) };
-    let all = structure.unknowns.iter().map(written).collect();
-    Some((structure, all))
+    let written = |u: &Unknown| Written { unknown: *u, scale: files.units.scale(u) };
+    let all = own.unknowns.iter().map(written).collect();
+    Some((own.along(axis), all))
 }
 
 /// Whether a crank can be computed with it in spite of that.
@@ -127,19 +122,23 @@ pub(super) fn resolve(check: &mut Check, at: &At<RawFlexible>, folder: &Path) ->
             "`hartog matrices FILE --mass FILE --dof FILE --nodes FILE` says what is found of them",
         );
     }
-    Some(ImportedCrank {
+    let found = ImportedCrank {
         structure,
         written,
         hub: node(check, &own.hub),
         flywheel: node(check, &own.flywheel),
         pins: nodes(check, &own.pins),
-        bearings: nodes(check, &own.bearings),
-    })
+        journals: nodes(check, &own.journals),
+    };
+    if let Some(why) = found.turns_wrongly().filter(|_| raw.rotating.unwrap_or(true)) {
+        check.wrong(matrices, format!("found matrices that turn otherwise than their mass, expected K_s + Kc - Z and G: {why}"));
+    }
+    Some(found)
 }
 
 impl FlexibleModel {
     /// What is unlikely of a crank by matrices beside its chain, in words.
-    pub(super) fn objections(&self, (crank, engine, chain): (&Crank, &Engine, &Chain)) -> Vec<String> {
+    pub(super) fn objections(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), judged: bool) -> Vec<String> {
         let (CrankBody::Matrices(own), Source::Cylinder { geometry, .. }) = (&self.spec.body, &engine.source) else { return Vec::new() };
         let first = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
         let between = &chain.stations[first.saturating_sub(1)..first + crank.throws()];
@@ -148,6 +147,18 @@ impl FlexibleModel {
             between.iter().map(|s| s.inertia).sum::<f64>() + chain.stations.get(first + crank.throws()).map_or(0.0, |s| s.inertia);
         let compliance: f64 = between.iter().map(|s| 1.0 / s.stiffness_to_next).sum();
         let of_chain = OfChain { inertia: inertia - rods, stiffness: 1.0 / compliance };
-        own.structure.checks().objections(Some(of_chain)).iter().map(|o| format!("of the crank by matrices: {o}")).collect()
+        let mut all: Vec<String> =
+            own.structure.checks().objections(Some(of_chain)).iter().map(|o| format!("of the crank by matrices: {o}")).collect();
+        let silent: Vec<String> = (0..own.journals.len()).filter(|j| !own.tells_torque(*j)).map(|j| (j + 1).to_string()).collect();
+        if !silent.is_empty() {
+            all.push(format!(
+                "outer points of the main journals {} do not rotate about the axis in the matrices: torques there come from twists between stations, 10 % off or more",
+                silent.join(", ")
+            ));
+        }
+        if judged {
+            all.push("matrices say nothing of webs: margins are by the beam on rigid bearings, without web_loads.csv; stresses are recovered from `hartog curves`".into());
+        }
+        all
     }
 }

@@ -25,7 +25,10 @@ impl Study {
             all.collect::<Vec<_>>().join(", ")
         };
         let (bare, thin) = (throws(&|b| b.left_out > 0.0), throws(&|b| b.density < 1.0));
-        let mut all = self.crank.as_ref().map_or_else(Vec::new, |crank| flexible.objections((crank, &self.engine, &self.chain)));
+        let mut all = self
+            .crank
+            .as_ref()
+            .map_or_else(Vec::new, |crank| flexible.objections((crank, &self.engine, &self.chain), self.fatigue.is_some()));
         if !bare.is_empty() {
             all.push(format!(
                 "the flexible crank has no counterweights on throws {bare}: their stations leave no inertia for them, so that their vibration goes without; in mean forces their moment counts"

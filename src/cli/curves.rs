@@ -14,7 +14,8 @@ use std::path::PathBuf;
 #[command(
     after_help = "Examples:\n  hartog curves studies/villalva_v10.toml\n  hartog curves studies/mendes_mwm6.toml --speed 1400 --speed 2200\n\n\
 Writes a table and a plot each of: cylinder pressure, forces, torque of every throw, loads of the main bearings, shear, moment and torque along the\n\
-crank, balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, motions over the cycle, absorber charts; and holzer.csv."
+crank, balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, motions over the cycle, absorber charts; and holzer.csv. Of a\n\
+flexible crank its modes, orbits, bearing forces and moments of webs, too; of one by matrices the motions of its unknowns, for stresses."
 )]
 pub struct Arguments {
     /// Study file (TOML).

@@ -13,6 +13,10 @@ use crate::rotor::structure::{CrankAxis, Structure, Unknown};
 use crate::rotor::structure_checks::{Objection, OfChain};
 use std::path::{Path, PathBuf};
 
+/// Unknowns of a crank that is reduced as it should be, and how many are not told of.
+const USUAL: usize = 100;
+const MOST: usize = 200;
+
 /// What dimensions say of a crank of beams is said by the matrices.
 fn beside(check: &mut Check, at: &At<RawFlexible>) {
     let raw = at.get_ref();
@@ -154,6 +158,13 @@ impl FlexibleModel {
             all.push(format!(
                 "outer points of the main journals {} do not rotate about the axis in the matrices: torques there come from twists between stations, 10 % off or more",
                 silent.join(", ")
+            ));
+        }
+        let unknowns = own.structure.unknowns.len();
+        if unknowns > MOST {
+            all.push(format!(
+                "the crank by matrices has {unknowns} unknowns, each speed takes some {:.0} times as long as with {USUAL}: reduce it to its journals, pins and ends with few modes",
+                (unknowns as f64 / USUAL as f64).powi(3)
             ));
         }
         if judged {

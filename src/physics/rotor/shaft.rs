@@ -127,6 +127,12 @@ impl Shaft {
         self.rotations.get(&node).cloned().unwrap_or_else(|| vec![(node, 5, 1.0)])
     }
 
+    /// Whether it is known how a node moves by a component: it is free to, or its rotation follows from other motions.
+    #[doc(hidden)]
+    pub fn moves(&self, node: usize, k: usize) -> bool {
+        !self.held[node][k] || (k == 5 && self.rotations.contains_key(&node))
+    }
+
     /// Joins a node to the next by a beam.
     pub fn join(&mut self, first: usize, beam: &Beam, dissipation: Dissipation) {
         let on = beam.matrices();

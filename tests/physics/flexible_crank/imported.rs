@@ -170,7 +170,11 @@ fn rigid_rotation_costs_nothing() {
 fn histories_of_unknowns_hold_the_response() {
     let study = by_matrices(&short(), exported(&short(), 0));
     let speed = 2003.0;
-    let all = curves(&study, &[speed], &Silent).expect("damped").unknowns;
+    let found = curves(&study, &[speed], &Silent).expect("damped");
+    // shapes of modes show what nodes tell: all 29 move across, the middles of seven journals do not rotate
+    let shapes = found.figures.iter().find(|f| f.name == "crank_modes").expect("a figure");
+    assert_eq!(shapes.panels[0].curves.iter().map(|c| c.points.len()).collect::<Vec<_>>(), [29, 29, 29, 22]);
+    let all = found.unknowns;
     assert_eq!(all.iter().map(|h| h.name.as_str()).collect::<Vec<_>>(), ["unknowns_2003", "unknowns_tuned_optimal_2003"]);
     let results = study.run().expect("results");
     let grid = Grid::new(&study.speeds_rpm, &[]);

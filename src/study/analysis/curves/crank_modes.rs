@@ -13,7 +13,8 @@ const MODES: usize = 6;
 /// The lowest elastic modes at rest on the bearings: motion of every node across and along the axis, and about it at the radius of the throws. Nothing on a torsional chain.
 pub(super) fn crank_modes(study: &Study) -> Option<Figure> {
     let (flexible, crank) = (study.on_flexible()?, study.crank.as_ref()?);
-    let places = &flexible.assembled.shaft.places;
+    let shaft = &flexible.assembled.shaft;
+    let places = &shaft.places;
     let panel = |(i, m): (usize, &FreeMode)| {
         let motion = |k: usize, factor: f64| m.shape.iter().take(places.len()).map(move |x| x[k] * factor);
         let rows = [
@@ -26,7 +27,12 @@ pub(super) fn crank_modes(study: &Study) -> Option<Figure> {
         let curve = |(label, k, factor): (&str, usize, f64)| Curve {
             label: label.into(),
             order: None,
-            points: places.iter().zip(motion(k, factor)).map(|(p, x)| (p.z / M_PER_MM, x / largest)).collect(),
+            // nodes of matrices tell some of their motions only
+            points: (0..places.len())
+                .zip(motion(k, factor))
+                .filter(|(node, _)| shaft.moves(*node, k))
+                .map(|(node, x)| (places[node].z / M_PER_MM, x / largest))
+                .collect(),
         };
         Panel {
             title: format!("mode {}: {:.1} Hz, {}", i + 1, m.omega * HZ_PER_RAD_PER_S, m.kind()),

@@ -258,7 +258,7 @@ fn six_against_a_model_of_its_own_over_speed() {
     against_its_own(&speeds, &[0.5, 3.0, 4.5, 6.0]);
 }
 
-/// A ring of 5 kg that the pulley carries moves the peak twist of the six by some tenths of a per cent, and its inertia about the axis does not join that of the pulley: rotation as a whole has the inertia that it had.
+/// A ring of 5 kg that the pulley carries lowers the peak twist of the six without absorber by 1.1 % (the guide says so), and its inertia about the axis does not join that of the pulley: rotation as a whole has the inertia that it had.
 #[test]
 fn a_ring_that_the_hub_carries() {
     let study = Study { speeds_rpm: vec![2400.0, 2500.0, 2600.0, 2700.0], ..alone() };
@@ -271,7 +271,7 @@ fn a_ring_that_the_hub_carries() {
     assert!((carrying.assembled.mass - flexible.assembled.mass - 5.0).abs() < 1e-9);
     let twist = |study: &Study| study.run().expect("results").designs[0].twist.as_ref().expect("a twist").value;
     let change = twist(&Study { flexible: Some(carrying), ..study.clone() }) / twist(&study) - 1.0;
-    assert!((1e-3..3e-2).contains(&change.abs()), "{change}");
+    assert!((change + 0.0112).abs() < 1e-3, "{change}");
 }
 
 /// Whatever the flexible crank of an engine, a study that does not ask for it computes with the chain.

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 /// Nodes of the exported six.
 const ROLES: &str = "hub = 1\nflywheel = 92\npins = [[12], [26], [40], [54], [68], [82]]\njournals = [[4, 5, 6], [18, 19, 20], [32, 33, 34], [46, 47, 48], [60, 61, 62], [74, 75, 76], [88, 89, 90]]\n";
 
-/// A folder with the matrices of the six, free, without modes, and a study of it.
-fn written(folder: &Path, format: &str) -> PathBuf {
+/// A folder with the matrices of the six, free, with so many modes, and a study of it.
+fn written(folder: &Path, modes: &str, format: &str) -> PathBuf {
     let out = folder.join("matrices").to_string_lossy().into_owned();
-    let (code, told) = hartog(&["studies/villalva_i6_flexible.toml", "--modes", "0", "--to", format, "--out", &out]);
+    let (code, told) = hartog(&["studies/villalva_i6_flexible.toml", "--modes", modes, "--to", format, "--out", &out]);
     assert!(code == 0 && told.contains("hub = 1, flywheel = 92, pins = [[12], [26]"), "{told}");
     let path = folder.join("study.toml");
     let text = "engine = \"engine.toml\"\nspeed_rpm = { from = 1000, to = 3000, step = 500 }\norder_limit = 6\ncrank = \"flexible\"\n[[design]]\nname = \"none\"\n";
@@ -50,7 +50,7 @@ fn a_crank_is_read_where_it_was_written() {
     let mut first = None;
     for (format, endings) in [("matrix_market", ["mtx"; 4]), ("calculix", ["sti", "mas", "mtx", "mtx"]), ("dmig", ["pch"; 4])] {
         let folder = tempfile::tempdir().expect("a folder");
-        let path = written(folder.path(), format);
+        let path = written(folder.path(), "0", format);
         engine(folder.path(), &names(endings), ROLES);
         let study = Study::read(&path).unwrap_or_else(|e| panic!("{format}: {e}"));
         let found = twist(&study);
@@ -60,11 +60,26 @@ fn a_crank_is_read_where_it_was_written() {
     }
 }
 
+/// What is to be known of matrices is told: that they are large, and that journals of one point say nothing of torque.
+#[test]
+fn what_matrices_do_not_say_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = written(folder.path(), "120", "matrix_market");
+    let told = |roles: &str| {
+        engine(folder.path(), &names(["mtx"; 4]), roles);
+        Study::read(&path).unwrap_or_else(|e| panic!("{e}")).remarks.join("\n")
+    };
+    let found = told(ROLES);
+    assert!(found.contains("has 227 unknowns") && !found.contains("do not rotate"), "{found}");
+    let found = told(&ROLES.replace("[18, 19, 20]", "[19]"));
+    assert!(found.contains("outer points of the main journals 2 do not rotate about the axis"), "{found}");
+}
+
 /// What cannot be is refused with the node, the throw or the number that it is about.
 #[test]
 fn what_does_not_fit_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = written(folder.path(), "matrix_market");
+    let path = written(folder.path(), "0", "matrix_market");
     let files = names(["mtx"; 4]);
     let refused = |files: &str, roles: &str| -> String {
         engine(folder.path(), files, roles);

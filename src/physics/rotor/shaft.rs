@@ -194,7 +194,7 @@ impl Shaft {
         (0..self.len()).map(unbalance_at).collect()
     }
 
-    /// That of the superelement, statically equal: what its mass does against rigid rotation about the axis, a quarter of a turn before.
+    /// That of the superelement: what its mass does against rigid rotation about the axis, a quarter of a turn before. Its sums of forces are exact, of moments but for axial parts; to coordinates of modes it gives nothing.
     fn unbalance_of_superelement(&self) -> Vec<Six> {
         let Some(element) = &self.superelement else { return Vec::new() };
         let rotation = self.rigid_rotation();

@@ -69,15 +69,20 @@ fn short() -> Study {
     study
 }
 
-/// Twist from hub to flywheel and torques behind the first and the third throw under a unit force on each rod in the direction of rotation, each a sixth of a turn later.
-fn under_forces(study: &Study, at: Turning) -> [Complex<f64>; 3] {
+/// Motion of all unknowns of the shaft under a unit force on each rod in the direction of rotation, each a sixth of a turn later.
+fn motion(study: &Study, at: Turning) -> DVector<Complex<f64>> {
     let assembled = &study.flexible.as_ref().expect("flexible").assembled;
     let mut force = DVector::from_element(6 * assembled.shaft.len(), Complex::new(0.0, 0.0));
     for (t, (rods, [_, tangential])) in assembled.rods.iter().zip(&assembled.directions).enumerate() {
         let phase = Complex::from_polar(1.0, t as f64 * std::f64::consts::FRAC_PI_3);
         rods.iter().for_each(|rod| (0..3).for_each(|k| force[6 * rod + k] += phase * tangential[k]));
     }
-    let x = assembled.shaft.response(at, &force).expect("damped");
+    assembled.shaft.response(at, &force).expect("damped")
+}
+
+/// Twist from hub to flywheel and torques behind the first and the third throw under these forces.
+fn under_forces(study: &Study, at: Turning) -> [Complex<f64>; 3] {
+    let (assembled, x) = (&study.flexible.as_ref().expect("flexible").assembled, motion(study, at));
     let torque = |shaft: usize| {
         let (twist, stiffness, dissipation) = &assembled.shafts[shaft];
         let twist: Complex<f64> = twist.iter().map(|(node, k, factor)| x[6 * node + k] * *factor).sum();
@@ -121,7 +126,7 @@ fn responses_by_matrices() {
     }
 }
 
-/// In which direction of the crank's own axes the first throw points is no matter: the pins tell it.
+/// In which direction of the crank's own axes the first throw points is no matter: the pins tell it. What stresses are recovered from is in the axes and units of the files: turned as they are, and a thousand times as large in mm.
 #[test]
 fn turned_axes_are_the_same_crank() {
     let study = short();
@@ -147,8 +152,16 @@ fn turned_axes_are_the_same_crank() {
         *matrix = rotated(matrix);
     }
     turned.structure.places.values_mut().for_each(|p| *p = rotation * *p);
+    turned.written.iter_mut().for_each(|w| w.scale = 1e3);
     let at = Turning { omega: 1300.0, speed: 290.0 };
-    let (found, wanted) = (under_forces(&by_matrices(&study, turned), at), under_forces(&by_matrices(&study, own), at));
+    let (turned, own) = (by_matrices(&study, turned), by_matrices(&study, own));
+    let written = |study: &Study| {
+        let (all, x) = (&study.flexible.as_ref().expect("flexible").assembled.written, motion(study, at));
+        DVector::from_fn(n, |i, _| all[i].1.iter().map(|(node, k, factor)| x[6 * node + k] * *factor).sum::<Complex<f64>>())
+    };
+    let (found, wanted) = (written(&turned), turn.map(Complex::from) * written(&own) * Complex::from(1e3));
+    assert!((&found - &wanted).norm() < 1e-9 * wanted.norm());
+    let (found, wanted) = (under_forces(&turned, at), under_forces(&own, at));
     for k in 0..3 {
         assert!((found[k] - wanted[k]).norm() < 1e-9 * wanted[k].norm(), "{k}: {} {}", found[k], wanted[k]);
     }
@@ -163,6 +176,25 @@ fn rigid_rotation_costs_nothing() {
     let v = DVector::from_fn(6 * r.len(), |i, _| r[i / 6][i % 6]);
     let rest = (v.transpose() * shaft.turning_matrix() * &v)[(0, 0)];
     assert!(rest.abs() < 1e-9 * shaft.kinetic(&r, &r), "{rest}");
+}
+
+/// Centrifugal forces of the masses as they are drawn have the sum of those of the beams, and the moment about the middle of the first bearing to 1e-4: axial parts of what is condensed onto pins are left out.
+#[test]
+fn unbalance_is_that_of_the_beams() {
+    let beams = short();
+    let sums = |study: &Study| {
+        let shaft = &study.flexible.as_ref().expect("flexible").assembled.shaft;
+        let all = shaft.unbalance().into_iter().zip(&shaft.places);
+        all.fold((Vector3::zeros(), Vector3::zeros()), |(force, moment), (own, place)| {
+            let f = Vector3::new(own[0], own[1], own[2]);
+            (force + f, moment + place.cross(&f) + Vector3::new(own[3], own[4], 0.0))
+        })
+    };
+    let ((force, moment), (wanted_force, wanted_moment)) = (sums(&by_matrices(&beams, exported(&beams, 3))), sums(&beams));
+    let across = |m: Vector3<f64>| Vector3::new(m.x, m.y, 0.0);
+    assert!((force - wanted_force).norm() < 1e-9, "{force} {wanted_force}");
+    assert!((across(moment) - across(wanted_moment)).norm() < 1e-4 * wanted_moment.norm(), "{moment} {wanted_moment}");
+    assert!(wanted_moment.norm() > 0.05, "there is something to compare, kg m²: {wanted_moment}");
 }
 
 /// What stresses are recovered from: the orders in the histories of the unknowns are those of the response, without and with a ring, to 3e-5 of the largest (forces are sampled every 0.5°); histories are in units and axes of the files, here those of the structure.

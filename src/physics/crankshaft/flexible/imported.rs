@@ -5,6 +5,7 @@ use crate::drivetrain::Chain;
 use crate::numerics::elementary::Elementary;
 use crate::numerics::significant::significant;
 use crate::rotor::structure::{Structure, Unknown};
+use crate::rotor::structure_checks::OfChain;
 use nalgebra::{DMatrix, Vector3};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -188,16 +189,23 @@ impl ImportedCrank {
         Ok(first.unwrap_or(0.0))
     }
 
-    /// In words, how the inertia about the axis, kg m², goes with that of the stations, where it is far off.
-    pub(super) fn inertia_differs(&self, (crank, chain): (&Crank, &Chain), throws: &Range<usize>, per_rod: f64) -> Option<String> {
+    /// What the stations from hub to flywheel have to set beside the matrices: their inertia less that of the rods, of `per_rod` kg each on its pin, and their stiffness.
+    #[doc(hidden)]
+    pub fn of_chain(&self, (crank, chain): (&Crank, &Chain), throws: &Range<usize>, per_rod: f64) -> OfChain {
+        let stations = &chain.stations[throws.start - 1..=throws.end];
+        let rods = per_rod * (crank.rods * crank.throws()) as f64 * crank.crank_radius.powi(2);
+        let compliance: f64 = stations[..stations.len() - 1].iter().map(|s| 1.0 / s.stiffness_to_next).sum();
+        OfChain { inertia: stations.iter().map(|s| s.inertia).sum::<f64>() - rods, stiffness: 1.0 / compliance }
+    }
+
+    /// In words, how the inertia about the axis goes with that of the stations, where it is far off.
+    pub(super) fn inertia_differs(&self, chain: OfChain) -> Option<String> {
         let rigid = self.structure.rigid_motions()?;
         let own = (rigid.transpose() * self.structure.mass.as_ref()? * rigid)[(5, 5)];
-        let rods = per_rod * (crank.rods * crank.throws()) as f64 * crank.crank_radius.powi(2);
-        let stations: f64 = chain.stations[throws.start - 1..=throws.end].iter().map(|s| s.inertia).sum();
-        let ratio = (own + rods) / stations;
-        ((ratio - 1.0).abs() > INERTIA).then(|| {
+        ((own / chain.inertia - 1.0).abs() > INERTIA).then(|| {
             format!(
-                "the matrices have {own:.4} kg m² about the axis and the rods {rods:.4}, the stations from hub to flywheel {stations:.4} in all: matrices of other units, or without hub and flywheel?"
+                "the matrices have {own:.4} kg m² about the axis, the stations from hub to flywheel without rods {:.4}: matrices of other units, or without hub and flywheel?",
+                chain.inertia
             )
         })
     }

@@ -103,7 +103,7 @@ impl<'a> Nodes<'a> {
     }
 
     /// Middle points of the journals beside a throw with their weights at the place of its pin.
-    pub fn beside(&self, z: f64) -> Vec<(usize, f64, f64)> {
+    pub fn beside(&self, z: f64) -> Vec<(usize, f64)> {
         let at = |node: u64| self.own.structure.places[&node].z;
         let middles: Vec<u64> = self.own.journals.iter().map(|points| points[points.len() / 2]).collect();
         let before = middles.iter().copied().filter(|m| at(*m) <= z).max_by(|a, b| at(*a).total_cmp(&at(*b)));
@@ -111,9 +111,9 @@ impl<'a> Nodes<'a> {
         match (before, behind) {
             (Some(a), Some(b)) => {
                 let share = (z - at(a)) / (at(b) - at(a));
-                vec![(self.place[&a], 1.0 - share, at(a)), (self.place[&b], share, at(b))]
+                vec![(self.place[&a], 1.0 - share), (self.place[&b], share)]
             }
-            (one, other) => one.or(other).map(|m| (self.place[&m], 1.0, at(m))).into_iter().collect(),
+            (one, other) => one.or(other).map(|m| (self.place[&m], 1.0)).into_iter().collect(),
         }
     }
 
@@ -121,6 +121,6 @@ impl<'a> Nodes<'a> {
     pub(super) fn against_axis(&self, pin: u64, direction: &Vector3<f64>) -> Answer {
         let along = |node: usize, factor: f64| (0..3).map(move |k| (node, k, factor * direction[k])).filter(|f| f.2 != 0.0);
         let beside = self.beside(self.own.structure.places[&pin].z);
-        along(self.place[&pin], 1.0).chain(beside.into_iter().flat_map(|(node, weight, _)| along(node, -weight))).collect()
+        along(self.place[&pin], 1.0).chain(beside.into_iter().flat_map(|(node, weight)| along(node, -weight))).collect()
     }
 }

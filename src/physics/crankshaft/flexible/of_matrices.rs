@@ -4,7 +4,7 @@
 //! flywheel. The pull of the rods stiffens each throw across it, as a string from the axis to the pin would: with it rigid rotation about the axis costs nothing.
 //!
 //! A throw whose pin has no rotation of its own is taken to rotate by the tangential motion of the pin against the axis, between the middles of the journals beside it, over its radius. The torque of a shaft is a twist by the static stiffness of
-//! the matrices against it: of the journal between the first and the last point of the bearing there, where these rotate about the axis; otherwise between the stations, which errs by what forces on the pins bend (some per cent).
+//! the matrices against it: of the journal there between its first and its last point, where these rotate about the axis; otherwise between the stations, which errs by what forces on the pins bend: some per cent, tens where bearings are missing.
 
 use super::assembled::{Assembled, Carried, dissipation};
 use super::imported::ImportedCrank;
@@ -47,9 +47,11 @@ pub(super) fn assemble(
     if carried == Carried::Nothing {
         return Err("the matrices hold hub and flywheel".into());
     }
-    if let Some(why) =
-        own.mistaken((crank, chain), &throws, spec.thrust_at).or_else(|| own.inertia_differs((crank, chain), &throws, per_rod))
-    {
+    if let Some(why) = own.mistaken((crank, chain), &throws, spec.thrust_at) {
+        return Err(why);
+    }
+    let of_chain = own.of_chain((crank, chain), &throws, per_rod);
+    if let Some(why) = own.inertia_differs(of_chain) {
         return Err(why);
     }
     let turned = own.turned(crank, angles)?;
@@ -68,7 +70,7 @@ pub(super) fn assemble(
         .collect();
     let rotation = |i: usize| rotations.get(&stations[i]).cloned().unwrap_or_else(|| unit(stations[i], 5));
     let mut element = element(&nodes, spec);
-    let lengths = lengths((&nodes, spec, &mut element), (chain, &throws), &rotation)?;
+    let lengths = lengths((&nodes, spec, &mut element), (chain, &throws, of_chain.stiffness), &rotation)?;
     if carried == Carried::All {
         for (i, station) in chain.stations.iter().enumerate() {
             element.tie(&rotation(i), [station.stiffness_to_ground, 0.0, 0.0]);
@@ -173,12 +175,11 @@ impl Twisted {
 /// Of each shaft of the chain a twist, its stiffness and how that dissipates; what the shafts of the crank lose by the chain is put on the element.
 fn lengths(
     (nodes, spec, element): (&Nodes, &FlexibleSpec, &mut Superelement),
-    (chain, throws): (&Chain, &Range<usize>),
+    (chain, throws, of_chain): (&Chain, &Range<usize>, f64),
     rotation: &dyn Fn(usize) -> Answer,
 ) -> Result<Vec<(Answer, f64, Dissipation)>, String> {
     let twisted = Twisted::new(nodes)?;
     let whole = twisted.stiffness(&less(&rotation(throws.start - 1), &rotation(throws.end)), "the hub")?;
-    let of_chain: f64 = chain.stations[throws.start - 1..throws.end].iter().map(|s| 1.0 / s.stiffness_to_next).sum::<f64>().recip();
     if !STIFFNESS.contains(&(whole / of_chain)) {
         return Err(format!(
             "from hub to flywheel the matrices have {whole:.4e} N m/rad in torsion with free ends, the chain {of_chain:.4e}: matrices of other units?"

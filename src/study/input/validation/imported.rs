@@ -1,17 +1,18 @@
 //! The crank by matrices of another program: its keys checked, its files read.
 
 use super::flexible_model::FlexibleModel;
+use super::named;
 use crate::crankshaft::Crank;
 use crate::crankshaft::flexible::CrankBody;
 use crate::crankshaft::flexible::imported::{ImportedCrank, Written};
 use crate::drivetrain::Chain;
 use crate::engine::{Engine, Source};
-use crate::input::error::{At, Check, looked_for};
+use crate::input::error::{At, Check};
 use crate::input::matrices::{MatrixFiles, UnitSystem, structure};
 use crate::input::schema::flexible::{RawCrankAxis, RawFlexible, RawMatrices, RawMatrixUnits};
 use crate::rotor::structure::{CrankAxis, Structure, Unknown};
-use crate::rotor::structure_checks::{Objection, OfChain};
-use std::path::{Path, PathBuf};
+use crate::rotor::structure_checks::Objection;
+use std::path::Path;
 
 /// Unknowns of a crank that is reduced as it should be, and how many are not told of.
 const USUAL: usize = 100;
@@ -37,20 +38,6 @@ fn beside(check: &mut Check, at: &At<RawFlexible>) {
     }
 }
 
-/// Path of a file that is named; a mistake where there is none.
-fn path(check: &mut Check, name: &At<String>, folder: &Path) -> Option<PathBuf> {
-    let path = folder.join(name.get_ref());
-    if !path.is_file() {
-        check.wrong_with_help(
-            name,
-            if path.exists() { "found no file there, expected a matrix" } else { "file not found" },
-            looked_for(&path),
-        );
-        return None;
-    }
-    Some(path)
-}
-
 /// Numbers of nodes, from 1.
 fn nodes(check: &mut Check, all: &At<Vec<Vec<i64>>>) -> Vec<Vec<u64>> {
     if let Some(wrong) = all.get_ref().iter().flatten().find(|n| **n < 1) {
@@ -70,7 +57,7 @@ fn node(check: &mut Check, n: &At<i64>) -> u64 {
 /// The structure in its files, z along the crank.
 fn read(check: &mut Check, at: &At<RawMatrices>, folder: &Path, rotating: bool) -> Option<(Structure, Vec<Written>)> {
     let raw = at.get_ref();
-    let mut found = |name: &At<String>| path(check, name, folder);
+    let mut found = |name: &At<String>| named::file(check, name, folder, "a matrix");
     let (stiffness, mass, places) = (found(&raw.stiffness), found(&raw.mass), found(&raw.nodes));
     let mut given = |name: &Option<At<String>>| match name {
         Some(name) => found(name).map(Some),
@@ -144,19 +131,13 @@ impl FlexibleModel {
     /// What is unlikely of a crank by matrices beside its chain, in words.
     pub(super) fn objections(&self, (crank, engine, chain): (&Crank, &Engine, &Chain), judged: bool) -> Vec<String> {
         let (CrankBody::Matrices(own), Source::Cylinder { geometry, .. }) = (&self.spec.body, &engine.source) else { return Vec::new() };
-        let first = chain.stations.iter().position(|s| !s.throws.is_empty()).unwrap_or(0);
-        let between = &chain.stations[first.saturating_sub(1)..first + crank.throws()];
-        let rods = geometry.mass_on_pin() * (crank.rods * crank.throws()) as f64 * crank.crank_radius.powi(2);
-        let inertia: f64 =
-            between.iter().map(|s| s.inertia).sum::<f64>() + chain.stations.get(first + crank.throws()).map_or(0.0, |s| s.inertia);
-        let compliance: f64 = between.iter().map(|s| 1.0 / s.stiffness_to_next).sum();
-        let of_chain = OfChain { inertia: inertia - rods, stiffness: 1.0 / compliance };
+        let of_chain = own.of_chain((crank, chain), &self.assembled.throws, geometry.mass_on_pin());
         let mut all: Vec<String> =
             own.structure.checks().objections(Some(of_chain)).iter().map(|o| format!("of the crank by matrices: {o}")).collect();
         let silent: Vec<String> = (0..own.journals.len()).filter(|j| !own.tells_torque(*j)).map(|j| (j + 1).to_string()).collect();
         if !silent.is_empty() {
             all.push(format!(
-                "outer points of the main journals {} do not rotate about the axis in the matrices: torques there come from twists between stations, 10 % off or more",
+                "outer points of the main journals {} do not rotate about the axis in the matrices: torques there come from twists between stations: some per cent off, tens where bearings are missing",
                 silent.join(", ")
             ));
         }

@@ -2,21 +2,31 @@
 
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check, InputError, looked_for};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Folder of a file.
 pub(super) fn folder_of(path: &Path) -> &Path {
     path.parent().unwrap_or_else(|| Path::new(""))
 }
 
+/// Path of a file named in another one; a mistake at its name where it is missing. `what`: what it holds.
+pub fn file(check: &mut Check, name: &At<String>, folder: &Path, what: &str) -> Option<PathBuf> {
+    let path = folder.join(name.get_ref());
+    if path.is_file() {
+        return Some(path);
+    }
+    let help = looked_for(&path);
+    check.wrong_with_help(
+        name,
+        if path.exists() { format!("found no file there, expected {what}") } else { "file not found".into() },
+        help,
+    );
+    None
+}
+
 /// A table named in a file: a missing one is a mistake at its name, a mistake in it has its own place.
 pub fn table<T>(check: &mut Check, name: &At<String>, folder: &Path, read: impl Fn(&Path) -> Result<T, InputError>) -> Option<T> {
-    let path = folder.join(name.get_ref());
-    if !path.is_file() {
-        let help = looked_for(&path);
-        check.wrong_with_help(name, if path.exists() { "found no file there, expected a table" } else { "file not found" }, help);
-        return None;
-    }
+    let path = file(check, name, folder, "a table")?;
     read(&path).map_err(|mut e| check.mistakes.append(&mut e.mistakes)).ok()
 }
 

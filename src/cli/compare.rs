@@ -11,7 +11,7 @@ use crate::objective::Over;
 use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_folder, write_rounds};
 use crate::sizing::size;
 use crate::validation::Comparison;
-use crate::validation::rounds::rounds;
+use crate::validation::rounds::{RoundRow, rounds};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -108,21 +108,26 @@ pub fn compare(arguments: &Arguments) -> u8 {
         if let Err(error) = written.and_then(|()| folder.complete(&about)) {
             return fail(&error);
         }
-        let brief = || text::comparison::brief(&page.study, &page.comparison, alone);
-        let told = if arguments.verbose { format!("\n{}", printed(&page)) } else { brief() };
-        say(&section(&page.study.engine.name, &told, &folder, alone));
+        if alone || arguments.verbose {
+            let brief = || text::comparison::brief(&page.study, &page.comparison);
+            let told = if arguments.verbose { format!("\n{}", printed(&page)) } else { brief() };
+            say(&section(&page.study.engine.name, &told, &folder, alone));
+        }
         pages.push(page);
     }
+    let mut sized: Vec<(&str, Vec<RoundRow>)> = Vec::new();
     for ((study, of), folder) in jobs.sizings.iter().zip(&of_sizings) {
-        if let Err(code) = sizing((study, of), folder, (arguments.verbose || alone, alone)) {
-            return code;
+        match sizing((study, of), folder, (arguments.verbose || alone, alone)) {
+            Ok(rows) => sized.push((&study.title, rows)),
+            Err(code) => return code,
         }
     }
-    if pages.len() > 1 {
-        let all: Vec<&Comparison> = pages.iter().map(|p| &p.comparison).collect();
-        say(&text::comparison::pooled(&all));
+    if !alone {
+        let all: Vec<(&Study, &Comparison)> = pages.iter().map(|p| (&p.study, &p.comparison)).collect();
+        let sized: Vec<(&str, &[RoundRow])> = sized.iter().map(|(title, rows)| (*title, rows.as_slice())).collect();
+        say(&text::publications::publications(&all, &sized));
     }
-    let first = if alone { String::new() } else { format!(": open {PAGE} in the folder of a study first") };
+    let first = if alone { String::new() } else { format!(": open {PAGE} in the folders of {}", root.display()) };
     say(&format!("Done in {:.1} s{first}.\n", start.elapsed().as_secs_f64()));
     if pages.iter().all(|p| p.comparison.verdict.holds()) { DONE } else { FAILED }
 }
@@ -136,15 +141,16 @@ fn section(title: &str, told: &str, folder: &Folder, alone: bool) -> String {
 }
 
 /// Prints and writes the rounds of sizing beside the printed ones.
-fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, (whole, alone): (bool, bool)) -> Result<(), u8> {
+fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, (told, alone): (bool, bool)) -> Result<Vec<RoundRow>, u8> {
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
     let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
     let title = format!("{}: published and computed", study.title);
     let written = write_rounds(&rows, folder).and_then(|()| write_folder(&title, || text::rounds(&rows), folder));
     written.and_then(|()| folder.complete(&about_inputs(&of.inputs))).map_err(|e| fail(&e))?;
-    let told = if whole { format!("\n{}", text::rounds(&rows)) } else { text::rounds_in_brief(&rows) };
-    say(&section(&study.title, &told, folder, alone));
-    Ok(())
+    if told {
+        say(&section(&study.title, &format!("\n{}", text::rounds(&rows)), folder, alone));
+    }
+    Ok(rows)
 }
 
 /// The studies and sizing files named, or all in the folder of shipped ones that have tables.
@@ -240,5 +246,6 @@ fn printed(page: &Page) -> String {
     let Page { study, calibration, comparison, .. } = page;
     let calibration = calibration.as_ref().map_or_else(String::new, |c| format!("{}\n", text::calibration::calibration(study, c)));
     let entries = text::comparison::entries(comparison);
-    format!("{entries}\n{calibration}In short:\n{}", text::comparison::paragraph(study, comparison))
+    let rankings = text::publications::rankings(comparison);
+    format!("{entries}\n{rankings}\n{calibration}In short:\n{}", text::comparison::paragraph(study, comparison))
 }

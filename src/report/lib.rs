@@ -109,6 +109,9 @@ pub fn write_comparison(
 ) -> Result<(), WriteError> {
     let engine = study.published.as_ref().map_or("", |p| &p.engine);
     csv::comparison(engine, comparison, folder)?;
+    if !comparison.choices.rankings.is_empty() {
+        csv::choices(&comparison.choices, folder)?;
+    }
     write_calibration(study, calibration, folder)?;
     if comparison.amplitudes.iter().any(|a| a.published.is_some() && a.computed.is_some()) {
         plot::comparison::amplitudes(study, comparison, folder)?;

@@ -57,7 +57,7 @@ impl Names {
     /// Those of `hartog compare` of a study.
     #[doc(hidden)]
     pub fn of_comparison() -> Self {
-        Self::of("compare", &[PAGE]).both(&["comparison", "calibration"]).plots(&["orders"])
+        Self::of("compare", &[PAGE]).both(&["comparison", "calibration"]).tables(&["choices"]).plots(&["orders"])
     }
 
     /// Those of `hartog compare` of a sizing file.

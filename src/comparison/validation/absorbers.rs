@@ -3,7 +3,7 @@
 //! Nothing is assumed of the source but the list of formulas it may have used: the one that gives its numbers is found by trying them all.
 
 use super::fixed_points::{self, Point};
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Absorber, Declaration, Law, Mounted, closed_forms};
 use crate::drivetrain::natural;
@@ -85,6 +85,7 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
             unit: unit.into(),
             published: values.0,
             computed: values.1,
+            uncertainty: Uncertainty::default(),
             role,
             note,
         };
@@ -165,7 +166,7 @@ fn viscous_procedure(row: &PublishedAbsorber, ring: f64, unit: f64, inertias: &[
         unit: DAMPING,
         published,
         computed,
-        role: Role::Predicted,
+        role: Role::Recomputed,
         note,
     })
 }
@@ -207,13 +208,13 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
         // a tuning of one does not depend on the inertia
         let of = if t.1 == "unity" { String::new() } else { format!(", mu of the {inertia}") };
         let nearest = if off(computed, k) < FOUND { "" } else { "; none of the formulas tried is nearer" };
-        put("stiffness by procedure", (Kind::Stiffness, STIFFNESS), (k, computed), Role::Predicted, format!("{}{of}{nearest}", t.2));
+        put("stiffness by procedure", (Kind::Stiffness, STIFFNESS), (k, computed), Role::Recomputed, format!("{}{of}{nearest}", t.2));
     }
     if let Some((c, (computed, mu, inertia, t))) = by_damping {
         for step in STEPS {
             if let Some(d) = fixed_points::damping(mu, t.0, Point::I, step) {
                 let note = format!("level with common point I a step away, tuning {}, mu of the {inertia}", t.1);
-                put(&format!("damping by step {step}"), (Kind::Damping, DAMPING), (c, unit * d), Role::Predicted, note);
+                put(&format!("damping by step {step}"), (Kind::Damping, DAMPING), (c, unit * d), Role::Recomputed, note);
             }
         }
         let exact = match t.1 {
@@ -226,7 +227,7 @@ fn procedures(study: &Study, row: &PublishedAbsorber) -> Vec<Procedure> {
                 "damping, exact",
                 (Kind::Other, DAMPING),
                 (c, unit * exact),
-                Role::Predicted,
+                Role::Recomputed,
                 "Brock: horizontal at the common points, no step".into(),
             );
         }

@@ -1,14 +1,15 @@
 //! Critical speeds and amplitudes of single orders at the hub.
 
 use super::absorbers::Frequencies;
-use super::{Entry, Kind, Role};
+use super::uncertainty::half_digit;
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::analysis::amplitude::{Near, WINDOW, near};
 use crate::analysis::{Calibration, RunError};
 use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::{Published, Study};
 use crate::response::{Direct, Grid, ResponseError, Work};
-use crate::units::{DEG_PER_RAD, HZ_PER_RPM};
+use crate::units::{DEG_PER_RAD, HZ_PER_RPM, RAD_PER_DEG};
 
 /// A published amplitude beside ours.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,8 +28,8 @@ pub struct AmplitudeRow {
     pub largest: Option<(Order, Near)>,
     /// Its role.
     pub role: Role,
-    /// Whether it is large enough for a percentage.
-    pub counts: bool,
+    /// Half of its last printed digit, rad.
+    pub half_digit: f64,
 }
 
 impl AmplitudeRow {
@@ -36,6 +37,12 @@ impl AmplitudeRow {
     pub fn deviation_percent(&self) -> Option<f64> {
         let (published, computed) = (self.published.filter(|p| *p > 0.0)?, self.computed?);
         Some(100.0 * (computed.amplitude / published - 1.0).abs())
+    }
+
+    /// What of it the printed digits leave: none where ours rounds to the printed number.
+    pub fn beyond_digits_percent(&self) -> Option<f64> {
+        let published = self.published?;
+        self.deviation_percent().map(|d| (d - 100.0 * self.half_digit / published).max(0.0))
     }
 }
 
@@ -48,6 +55,10 @@ pub fn rows(
     let grid = Grid::new(&study.speeds_rpm, &[]);
     let direct = Direct::new(system, &grid);
     let excluded = study.calibrate.as_ref().map_or(&[][..], |c| &c.excluded);
+    let of_table = |table: &str| {
+        let alike = published.amplitudes.iter().filter(move |p| p.table == *table);
+        alike.filter_map(|p| p.amplitude).map(|a| a * DEG_PER_RAD).collect::<Vec<f64>>()
+    };
     let mut rows = Vec::new();
     for (i, p) in published.amplitudes.iter().enumerate() {
         let design = &study.designs[p.design];
@@ -78,8 +89,7 @@ pub fn rows(
             computed: peak_of_order(p.order).map_err(failed)?,
             largest,
             role,
-            // a printed 0.10 is large enough for a limit of 0.1 whatever the rounding of the units
-            counts: p.amplitude.is_some_and(|a| a >= published.least_amplitude * (1.0 - 1e-9)),
+            half_digit: half_digit(of_table(&p.table)).unwrap_or(0.0) * RAD_PER_DEG,
         });
     }
     Ok(rows)
@@ -115,6 +125,7 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
             unit: unit.into(),
             published: values.0,
             computed: values.1,
+            uncertainty: Uncertainty::default(),
             role,
             note,
         };
@@ -129,9 +140,6 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
             Some(n) => format!("largest within {:.0} %: at {:.0} rpm", 100.0 * WINDOW, n.speed_rpm),
             None => "outside the speeds or orders of the study".into(),
         };
-        if !row.counts {
-            note.push_str("; too small for a percentage");
-        }
         if let Some((order, n)) = row.largest {
             note = format!(
                 "the largest order there is {order}, with {:.2} deg at {:.0} rpm; excluded",
@@ -143,4 +151,34 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
         entries.push(entry(format!("order {} hub amplitude", row.order), Kind::Amplitude, "deg", values, row.role, note));
     }
     entries
+}
+
+/// The amplitude of one order at the hub that the source accepts, degrees; `None` where it states none.
+pub fn accepted_deg(published: &Published) -> Option<f64> {
+    published.quantities.iter().find(|q| q.name == "recommended_hub_amplitude_limit").and_then(|q| q.value.as_ref().ok().copied())
+}
+
+/// The largest printed resonance of every design and ours of the same orders, beside what the source accepts.
+pub fn acceptance(study: &Study, published: &Published, rows: &[AmplitudeRow]) -> Vec<Entry> {
+    let Some(limit) = accepted_deg(published) else { return Vec::new() };
+    let word = |x: f64| if x <= limit { "holds" } else { "breaks" };
+    let entry = |(i, design): (usize, &crate::input::DesignSpec)| {
+        let of_design = || rows.iter().filter(|r| r.design == i && r.role != Role::Unexplained && r.published.is_some());
+        let printed = of_design().filter_map(|r| r.published).reduce(f64::max)? * DEG_PER_RAD;
+        let own = of_design().filter_map(|r| r.computed).map(|n| n.amplitude).reduce(f64::max)? * DEG_PER_RAD;
+        let fitted = of_design().any(|r| r.role == Role::Calibrated);
+        Some(Entry {
+            table: "text".into(),
+            design: design.name.clone(),
+            quantity: "largest resonance at the hub".into(),
+            kind: Kind::Accepted,
+            unit: "deg".into(),
+            published: Some(printed),
+            computed: Some(own),
+            uncertainty: Uncertainty::default(),
+            role: if fitted { Role::Calibrated } else { Role::Predicted },
+            note: format!("of the orders and speeds printed; the printed one {} the accepted {limit} deg, ours {} it", word(printed), word(own)),
+        })
+    };
+    study.designs.iter().enumerate().filter_map(entry).collect()
 }

@@ -1,15 +1,17 @@
 //! Safety factors and stresses of the crank: recomputed from the printed stresses. Which limit stands behind the factors, and which rows contradict
 //! their own stresses, is found, not listed.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::fatigue::mean_stress::goodman_limit;
-use crate::fatigue::{Criterion, Strength};
+use crate::fatigue::{Criterion, Cycle, Strength};
 use crate::input::published::PublishedFatigue;
 use crate::input::{Published, Study};
 use crate::units::PA_PER_MPA;
 
 /// Printed with two digits: a factor further off than this contradicts its stresses.
 const DIGITS: f64 = 0.006;
+/// The same where a stress follows from a sum printed without decimals.
+const REPAIRED: f64 = 0.01;
 /// Stresses that add up to another sum than printed elsewhere by more than this share are misprinted.
 const OTHER_SUM: f64 = 0.01;
 
@@ -49,8 +51,8 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             (Some(f), Some(off)) if off > OTHER_SUM => {
                 (Role::Erratum, format!("amplitude and mean at the crankpin in table {} add up to another stress", f.table))
             }
-            (Some(f), _) => (Role::Predicted, format!("amplitude and mean at the crankpin in table {}, added up", f.table)),
-            (None, _) => (Role::Given, "finite elements in a flexible multibody model: for comparison".into()),
+            (Some(f), _) => (Role::Recomputed, format!("amplitude and mean at the crankpin in table {}, added up", f.table)),
+            (None, _) => (Role::OtherModel, "finite elements in a flexible multibody model: for comparison".into()),
         };
         Entry {
             table: s.table.clone(),
@@ -60,6 +62,7 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             unit: "MPa".into(),
             published: Some(s.von_mises / PA_PER_MPA),
             computed: sum,
+            uncertainty: Uncertainty::default(),
             role,
             note,
         }
@@ -69,7 +72,11 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
 
 /// Whether a factor is the printed one, to its digits.
 fn fits(n: f64, f: &PublishedFatigue) -> bool {
-    (n - f.safety_factor).abs() <= DIGITS
+    fits_within(n, f, DIGITS)
+}
+
+fn fits_within(n: f64, f: &PublishedFatigue, digits: f64) -> bool {
+    (n - f.safety_factor).abs() <= digits
 }
 
 fn words(model: &str) -> String {
@@ -89,14 +96,15 @@ fn limit(stated: f64, strength: Strength) -> Entry {
         unit: "MPa".into(),
         published: Some(stated),
         computed: Some(found),
-        role: if contradicts { Role::Erratum } else { Role::Predicted },
+        uncertainty: Uncertainty::default(),
+        role: if contradicts { Role::Erratum } else { Role::Recomputed },
         note: format!("the factors follow from {share:.3} of the tensile strength"),
     }
 }
 
 fn factor(study: &Study, published: &Published, f: &PublishedFatigue, strength: Strength) -> Entry {
     let own = Criterion::Goodman.safety_factor(f.cycle, strength);
-    let swapped = crate::fatigue::Cycle { amplitude: f.cycle.mean, mean: f.cycle.amplitude };
+    let swapped = Cycle { amplitude: f.cycle.mean, mean: f.cycle.amplitude };
     let fits = |n: f64| fits(n, f);
     let sum = f.cycle.amplitude + f.cycle.mean;
     let elsewhere = published.stresses.iter().find(|s| {
@@ -108,14 +116,21 @@ fn factor(study: &Study, published: &Published, f: &PublishedFatigue, strength: 
     let gerber = Criterion::Gerber.safety_factor(f.cycle, strength);
     let (role, note) = if fits(own) {
         (
-            Role::Calibrated,
+            Role::Recomputed,
             format!("Goodman's line from the printed stresses, with the limit behind all of them; Gerber's parabola gives {gerber:.2}"),
         )
     } else if fits(Criterion::Goodman.safety_factor(swapped, strength)) {
         (Role::Erratum, "amplitude and mean are swapped: the other way round they give the printed factor".into())
     } else if let Some(s) = elsewhere.filter(|_| f.fillet == "crankpin") {
         let (sum, printed) = (sum / PA_PER_MPA, s.von_mises / PA_PER_MPA);
-        (Role::Erratum, format!("stresses misprinted: they add up to {sum:.0} MPa, table {} prints {printed:.0}", s.table))
+        let mean = s.von_mises - f.cycle.amplitude;
+        let repaired = Cycle { amplitude: f.cycle.amplitude, mean };
+        let rest = if fits_within(Criterion::Goodman.safety_factor(repaired, strength), f, REPAIRED) {
+            format!("; with the mean of {:.0} MPa that this leaves the printed factor follows", mean / PA_PER_MPA)
+        } else {
+            String::new()
+        };
+        (Role::Erratum, format!("stresses misprinted: they add up to {sum:.0} MPa, table {} prints {printed:.0}{rest}", s.table))
     } else if let Some(twin) =
         published.fatigue.iter().find(|t| (&t.table, &t.condition) == (&f.table, &f.condition) && t.fillet != f.fillet)
     {
@@ -140,6 +155,7 @@ fn factor(study: &Study, published: &Published, f: &PublishedFatigue, strength: 
         unit: "-".into(),
         published: Some(f.safety_factor),
         computed: Some(own),
+        uncertainty: Uncertainty::default(),
         role,
         note,
     }

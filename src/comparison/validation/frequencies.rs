@@ -1,6 +1,6 @@
 //! Natural frequencies of the chain: our own, and those that other models gave for the same engine.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::input::published::PublishedFrequency;
 use crate::input::{Published, Study};
 
@@ -36,7 +36,7 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
                 (Role::Erratum, format!("table {table} prints {hz} Hz for this mode, and the chain gives {own:.2} Hz"))
             }
             _ if same => (Role::Predicted, "the chain as given".into()),
-            _ => (Role::Predicted, "another model of the engine".into()),
+            _ => (Role::OtherModel, "another model of the engine".into()),
         };
         Entry {
             table: f.table.clone(),
@@ -46,6 +46,7 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             unit: "Hz".into(),
             published: Some(f.frequency_hz),
             computed: computed(f),
+            uncertainty: Uncertainty::default(),
             role,
             note,
         }

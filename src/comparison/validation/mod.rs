@@ -4,6 +4,8 @@
 mod absorbers;
 mod amplitudes;
 mod chain;
+mod choices;
+mod claims;
 pub mod comparison;
 pub mod entry;
 mod fatigue;
@@ -15,12 +17,14 @@ mod notches;
 mod predicted;
 pub mod rounds;
 mod text_values;
+mod uncertainty;
 pub mod torsion_cases;
 pub mod verdict;
 mod von_mises;
 
 pub use amplitudes::AmplitudeRow;
+pub use choices::{Agreement, Choices, Chosen, Placed, Ranking};
 pub use comparison::{Comparison, compare};
-pub use entry::{Entry, Kind, Role};
+pub use entry::{Entry, Kind, Role, Uncertainty};
 pub use notches::{Inverse, inverse};
 pub use verdict::{Check, Ranked, Spread, Verdict};

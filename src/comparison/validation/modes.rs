@@ -1,6 +1,6 @@
 //! Natural frequencies of the crank by itself, free at both ends: the flexible crank beside printed finite elements and measurements.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::input::{Published, Study};
 use crate::rotor::free_modes::FreeMode;
 use crate::units::HZ_PER_RAD_PER_S;
@@ -22,10 +22,11 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             table: p.table.clone(),
             design: String::new(),
             quantity: format!("{} {} crank, free mode {}", p.source, if p.attached { "whole" } else { "bare" }, p.mode).trim().to_owned(),
-            kind: Kind::OtherModel,
+            kind: Kind::CrankMode,
             unit: "Hz".into(),
             published: Some(p.frequency_hz),
             computed: own.map(|m| m.omega * HZ_PER_RAD_PER_S),
+            uncertainty: Uncertainty::default(),
             role: Role::Predicted,
             note,
         }

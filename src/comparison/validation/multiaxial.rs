@@ -4,12 +4,15 @@
 //! or the smallest. No amplitude of sqrt(J2) is below the shear amplitude of a plane: his is, because he takes the largest of ten circles in two dimensions each, which may be down to
 //! sqrt(2/5) of the ball.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::fatigue::multiaxial::{Criterion, Limits};
 use crate::input::published::{PublishedHistory, PublishedMultiaxial, PublishedPoint, SIX_CRITERIA};
 use crate::input::{Published, Study};
 use crate::units::PA_PER_MPA;
 
+/// Places in the rows of factors.
+const SINES: usize = 3;
+const KAKUNO_KAWADA: usize = 5;
 /// Printed with one digit: half of it, and a little for the stresses' own digits.
 const DIGITS: f64 = 0.06;
 /// Least share of the ball that the largest circle of two dimensions may have.
@@ -26,7 +29,26 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
         }
     }
     list.extend(published.histories.iter().filter_map(shadow));
+    list.extend(alike(published));
     list
+}
+
+/// How many printed factors by Kakuno-Kawada are those by Sines, of all printed.
+fn alike(published: &Published) -> Option<Entry> {
+    let all = published.multiaxial.len();
+    let same = published.multiaxial.iter().filter(|m| m.factors[SINES] == m.factors[KAKUNO_KAWADA]).count();
+    (all > 0).then(|| Entry {
+        table: "all".into(),
+        design: String::new(),
+        quantity: "points where the factor by Kakuno-Kawada is that by Sines".into(),
+        kind: Kind::Other,
+        unit: "-".into(),
+        published: Some(all as f64),
+        computed: Some(same as f64),
+        uncertainty: Uncertainty::default(),
+        role: Role::Recomputed,
+        note: format!("published: all points; at the other {} the two are a digit apart", all - same),
+    })
 }
 
 /// What is computed, its kind and role, and what a reader should know.
@@ -42,6 +64,7 @@ fn entry(at: &PublishedPoint, quantity: String, unit: &str, printed: f64, (compu
         unit: unit.into(),
         published: Some(printed),
         computed,
+        uncertainty: Uncertainty::default(),
         role,
         note,
     }
@@ -64,7 +87,7 @@ fn from_stresses(which: usize, printed: f64, h: &PublishedHistory, l: &Limits) -
     }
     let own = l.torsion / stress;
     if (own - printed).abs() <= DIGITS {
-        return Some((Some(own), Kind::Multiaxial, Role::Predicted, "from the printed stresses".into()));
+        return Some((Some(own), Kind::Multiaxial, Role::Recomputed, "from the printed stresses".into()));
     }
     let needed = printed * stress / PA_PER_MPA;
     let from = if which < 2 { "at the printed plane" } else { "from the printed stresses" };
@@ -97,9 +120,9 @@ fn dang_van(printed: f64, h: &PublishedHistory, l: &Limits) -> Option<Told> {
 
 /// What can be said of a factor where no stress is printed.
 fn without_stresses(which: usize, row: &PublishedMultiaxial) -> Told {
-    if which == 5 {
+    if which == KAKUNO_KAWADA {
         let note = "the printed factor by Sines: the hydrostatic amplitude has a weight near zero here".into();
-        return (Some(row.factors[3]), Kind::MultiaxialAlone, Role::Predicted, note);
+        return (Some(row.factors[SINES]), Kind::MultiaxialAlone, Role::Recomputed, note);
     }
     (None, Kind::MultiaxialAlone, Role::Given, "the stresses behind it are not printed".into())
 }

@@ -1,7 +1,7 @@
 //! Published factors of stress concentration: the four dimensions of web and fillets that they follow from, by an inverse fit. Four factors for four
 //! dimensions prove nothing by themselves; that both fillets come out alike, as they would be made, is the only evidence.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::crankshaft::Concentration;
 use crate::crankshaft::stress_concentration::{Formulas, Geometry};
 use crate::input::published::PublishedFactor;
@@ -82,7 +82,8 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
         unit: unit.into(),
         published,
         computed: Some(computed),
-        role: Role::Calibrated,
+        uncertainty: Uncertainty::default(),
+        role: Role::FittedExactly,
         note,
     };
     let mut list: Vec<Entry> = Vec::new();

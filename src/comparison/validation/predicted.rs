@@ -4,7 +4,7 @@
 
 use super::notches::published_factors;
 use super::torsion_cases::{Case, halves};
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::analysis::{RunError, margins};
 use crate::crankshaft::loads::{CrankLoads, CrankModel};
 use crate::crankshaft::{Crank, Margin, MarginCriterion, Place, Torque, section};
@@ -135,6 +135,7 @@ fn beside(f: &PublishedFatigue, design: &str, own: Cycle, strength: Strength) ->
         unit: unit.into(),
         published: Some(published),
         computed: Some(computed),
+        uncertainty: Uncertainty::default(),
         role: Role::Predicted,
         note: note.into(),
     };
@@ -154,9 +155,15 @@ fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<V
     };
     let criterion = model.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
     let Some(criterion) = criterion else { return Ok(Vec::new()) };
+    let printed = |condition: &str, design: usize, place: Place| {
+        let same = |f: &&PublishedFatigue| {
+            (f.design, f.condition.as_str(), f.fillet.as_str()) == (design, condition, place.name()) && Case::of(&f.torsion_case) == Some(Case::C)
+        };
+        published.fatigue.iter().find(same).map(|f| f.safety_factor)
+    };
     let mut list = Vec::new();
     for (condition, speed) in conditions.iter().zip(&speeds) {
-        for design in &study.designs {
+        for (design_index, design) in study.designs.iter().enumerate() {
             let torques = torques(study, system, design, *speed)?;
             for place in [Place::Crankpin, Place::Journal] {
                 let Some((name, used)) = worst(&model, criterion, place, *speed, &torques) else { continue };
@@ -168,17 +175,18 @@ fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<V
                     unit: unit.into(),
                     published,
                     computed: Some(computed),
+                    uncertainty: Uncertainty::default(),
                     role: Role::Predicted,
                     note,
                 };
                 let words = condition.replace('_', " ");
                 list.push(entry(
                     format!("safety factor over the full cycle, {words}, {}", place.name()),
-                    Kind::OwnMargin,
+                    Kind::FullCycleMargin,
                     "-",
-                    None,
+                    printed(condition, design_index, place),
                     1.0 / used.value,
-                    format!("at {name}, bending on the section of the web, the chain's torque; lengths of the crank are assumed"),
+                    format!("at {name}, bending on the section of the web, the chain's torque, beside the printed case C; lengths of the crank are assumed"),
                 ));
                 let fem = published.stresses.iter().find(|s| s.model.contains("fem") && s.condition == *condition);
                 if let (Some(fem), Place::Crankpin, true) = (fem, place, design.absorbers.is_empty()) {

@@ -1,7 +1,7 @@
 //! Numbers of the text: inputs of the engine, and peaks of pin force, throw torque and vibratory torque at named speeds.
 
 use super::predicted::speed_of as speed_of_condition;
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::analysis::RunError;
 use crate::drivetrain::System;
 use crate::engine::cycle::{ThrowLoads, throw_loads};
@@ -24,6 +24,7 @@ fn entry(q: &PublishedQuantity, design: &str, computed: Option<f64>, role: Role,
         unit: q.unit.clone(),
         published: q.value.as_ref().ok().copied(),
         computed,
+        uncertainty: Uncertainty::default(),
         role,
         note,
     }
@@ -116,6 +117,9 @@ pub fn peaks(study: &Study, published: &Published, system: &System) -> Result<Ve
         };
         let words = q.value.as_ref().err().map_or_else(String::new, |w| format!("printed: {w}; "));
         let mut made = entry(q, design.map_or("", |d| &d.name), computed, Role::Predicted, format!("{words}{note}"));
+        if name.what == "vibratory_torque" {
+            made.kind = Kind::VibratoryTorque;
+        }
         if design.is_some()
             && let Some(short) = made.quantity.strip_suffix(name.design)
         {

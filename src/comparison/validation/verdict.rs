@@ -6,7 +6,7 @@ use crate::absorber::viscous::VISCOUS;
 use crate::analysis::Results;
 use crate::input::{Published, Study};
 
-/// Deviations of predicted amplitudes, per cent.
+/// Sizes of deviations, per cent.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spread {
     /// Each, ascending.
@@ -14,12 +14,16 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of rows; only predicted ones that are large enough count.
-    pub fn of<'a>(rows: impl IntoIterator<Item = &'a AmplitudeRow>) -> Self {
-        let counted = rows.into_iter().filter(|r| r.role == Role::Predicted && r.counts);
-        let mut deviations: Vec<f64> = counted.filter_map(AmplitudeRow::deviation_percent).collect();
+    /// Of values in any order.
+    pub fn new(deviations: impl IntoIterator<Item = f64>) -> Self {
+        let mut deviations: Vec<f64> = deviations.into_iter().collect();
         deviations.sort_by(f64::total_cmp);
         Self { deviations }
+    }
+
+    /// Of predicted rows.
+    pub fn of<'a>(rows: impl IntoIterator<Item = &'a AmplitudeRow>) -> Self {
+        Self::new(predicted(rows).filter_map(AmplitudeRow::deviation_percent))
     }
 
     /// Middle value, or the mean of the two; nothing without rows.
@@ -32,6 +36,11 @@ impl Spread {
     pub fn worst(&self) -> Option<f64> {
         self.deviations.last().copied()
     }
+}
+
+/// Rows that are predicted.
+fn predicted<'a>(rows: impl IntoIterator<Item = &'a AmplitudeRow>) -> impl Iterator<Item = &'a AmplitudeRow> {
+    rows.into_iter().filter(|r| r.role == Role::Predicted)
 }
 
 /// A published design or an optimum with its objective.
@@ -102,8 +111,7 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         list
     };
     let worst = |k: Kind| {
-        // one limit is fitted to all safety factors together
-        let counts = |role: Role| role == Role::Predicted || k == Kind::SafetyFactor && role == Role::Calibrated;
+        let counts = |role: Role| matches!(role, Role::Predicted | Role::Recomputed);
         let predicted = entries.iter().filter(|e| e.kind == k && counts(e.role));
         // a number without counterpart, or a printed zero that ours is not, is off by any share
         let size = |e: &Entry| match e.deviation_percent() {
@@ -113,14 +121,16 @@ pub fn verdict(study: &Study, published: &Published, results: &Results, entries:
         };
         predicted.map(size).reduce(f64::max)
     };
+    // a tolerance is on what the printed digits do not explain
+    let beyond = Spread::new(predicted(rows).filter_map(AmplitudeRow::beyond_digits_percent));
     let t = &published.tolerances;
     let stated = [
         ("natural frequencies", t.frequency, worst(Kind::Frequency)),
         ("critical speeds", t.critical_speed, worst(Kind::CriticalSpeed)),
         ("stiffness by the source's procedure", t.stiffness, worst(Kind::Stiffness)),
         ("damping by the source's procedure", t.damping, worst(Kind::Damping)),
-        ("median of the predicted amplitudes", t.amplitude_median, all.median()),
-        ("worst predicted amplitude", t.amplitude_worst, all.worst()),
+        ("median of the predicted amplitudes beyond their digits", t.amplitude_median, beyond.median()),
+        ("worst predicted amplitude beyond its digits", t.amplitude_worst, beyond.worst()),
         ("safety factors from their stresses", t.safety_factor, worst(Kind::SafetyFactor)),
         ("multiaxial safety factors from their stresses", t.multiaxial_factor, worst(Kind::Multiaxial)),
     ];

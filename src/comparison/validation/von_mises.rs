@@ -1,6 +1,6 @@
 //! Largest equivalent stresses of the flexible crank over the cycle beside printed ones of solid finite elements.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind, Role, Uncertainty};
 use crate::analysis::{RunError, VonMisesAt, von_mises_on_bearings};
 use crate::input::published::PublishedVonMises;
 use crate::input::{Published, Study};
@@ -46,13 +46,7 @@ pub fn entries(study: &Study, published: &Published) -> Result<Vec<Entry>, RunEr
             };
             Some(format!("{:+.0} % printed, {:+.1} % ours: {same}", 100.0 * printed, 100.0 * ours))
         });
-        let [stiffness, damping] = p.bearings;
-        let bearings = match (stiffness == 1.0, damping == 1.0) {
-            (true, true) => String::new(),
-            (false, true) => format!(", bearings {stiffness} times as stiff"),
-            (true, false) => format!(", bearings {damping} times as damped"),
-            (false, false) => format!(", bearings {stiffness} times as stiff and {damping} times as damped"),
-        };
+        let bearings = on_bearings(p.bearings);
         Entry {
             table: p.table.clone(),
             design: study.designs[p.design].name.clone(),
@@ -61,9 +55,45 @@ pub fn entries(study: &Study, published: &Published) -> Result<Vec<Entry>, RunEr
             unit: "MPa".into(),
             published: Some(p.stress / PA_PER_MPA),
             computed: own.as_ref().map(|own| own.stress / PA_PER_MPA),
+            uncertainty: Uncertainty::default(),
             role: Role::Predicted,
             note: [Some(place), changed].into_iter().flatten().filter(|n| !n.is_empty()).collect::<Vec<_>>().join("; "),
         }
     };
-    Ok(found.iter().map(entry).collect())
+    Ok(found.iter().map(entry).chain(changes(study, published)).collect())
+}
+
+/// Printed changes of the stress beside those that follow from the printed stresses.
+fn changes<'a>(study: &'a Study, published: &'a Published) -> impl Iterator<Item = Entry> + 'a {
+    published.von_mises.iter().filter_map(|p| {
+        let given = published.von_mises.iter().find(|o| (o.design, o.speed_rpm, o.bearings) == (p.design, p.speed_rpm, OWN))?;
+        let (printed, found) = (p.change_percent?, 100.0 * (p.stress / given.stress - 1.0));
+        let (role, note) = if printed * found < 0.0 {
+            (Role::Erratum, "from the printed stresses: the sign is wrong".to_owned())
+        } else {
+            (Role::Recomputed, "from the printed stresses".to_owned())
+        };
+        Some(Entry {
+            table: p.table.clone(),
+            design: study.designs[p.design].name.clone(),
+            quantity: format!("change of the largest von Mises stress at {} rpm{}", p.speed_rpm, on_bearings(p.bearings)),
+            kind: Kind::Other,
+            unit: "%".into(),
+            published: Some(printed),
+            computed: Some(found),
+            uncertainty: Uncertainty::default(),
+            role,
+            note,
+        })
+    })
+}
+
+/// Bearings in words; empty for those of the engine.
+fn on_bearings([stiffness, damping]: [f64; 2]) -> String {
+    match (stiffness == 1.0, damping == 1.0) {
+        (true, true) => String::new(),
+        (false, true) => format!(", bearings {stiffness} times as stiff"),
+        (true, false) => format!(", bearings {damping} times as damped"),
+        (false, false) => format!(", bearings {stiffness} times as stiff and {damping} times as damped"),
+    }
 }

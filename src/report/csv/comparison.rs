@@ -1,9 +1,9 @@
-//! `comparison.csv` and `calibration.csv`.
+//! `comparison.csv`, `choices.csv` and `calibration.csv`.
 
 use super::table::{Table, number, optional};
 use crate::analysis::Calibration;
 use crate::files::{Folder, WriteError};
-use crate::validation::Comparison;
+use crate::validation::{Choices, Comparison};
 
 /// `calibration.csv`: a row a fitted or held input.
 ///
@@ -35,7 +35,21 @@ pub fn calibration(calibration: &Calibration, folder: &Folder) -> Result<(), Wri
 /// # Errors
 /// [`WriteError`] where it cannot be written.
 pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Result<(), WriteError> {
-    let header = ["table", "engine", "design", "quantity", "unit", "published", "computed", "deviation_percent", "role", "note"];
+    let header = [
+        "table",
+        "engine",
+        "design",
+        "quantity",
+        "unit",
+        "published",
+        "computed",
+        "deviation_percent",
+        "role",
+        "note",
+        "half_digit",
+        "standard_error",
+        "within_uncertainty",
+    ];
     let mut table = Table::new(&header);
     for e in &comparison.entries {
         table.row([
@@ -49,7 +63,36 @@ pub fn comparison(engine: &str, comparison: &Comparison, folder: &Folder) -> Res
             optional(e.deviation_percent()),
             e.role.name().to_owned(),
             e.note.clone(),
+            optional(e.uncertainty.half_digit),
+            optional(e.uncertainty.standard_error),
+            e.is_within().map_or_else(String::new, |within| within.to_string()),
         ]);
     }
     table.save(folder, "comparison.csv")
+}
+
+/// `choices.csv`: a row a design and measure, as printed and as computed.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub fn choices(choices: &Choices, folder: &Folder) -> Result<(), WriteError> {
+    let header = ["quantity", "unit", "design", "published", "computed", "published_place", "computed_place", "recommended_in"];
+    let mut table = Table::new(&header);
+    for ranking in &choices.rankings {
+        for placed in &ranking.designs {
+            let recommended: Vec<&str> =
+                choices.chosen.iter().filter(|c| c.design == placed.design).map(|c| c.choice.table.as_str()).collect();
+            table.row([
+                ranking.quantity.clone(),
+                ranking.unit.clone(),
+                placed.design.clone(),
+                number(placed.published),
+                number(placed.computed),
+                ranking.place(placed, |p| p.published).to_string(),
+                ranking.place(placed, |p| p.computed).to_string(),
+                recommended.join(", "),
+            ]);
+        }
+    }
+    table.save(folder, "choices.csv")
 }

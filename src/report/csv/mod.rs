@@ -37,7 +37,7 @@ pub use absorbers::absorbers;
 pub use barred::barred;
 pub use catalogue::catalogue;
 pub(crate) use classification::classification;
-pub use comparison::{calibration, comparison};
+pub use comparison::{calibration, choices, comparison};
 pub(crate) use crank_models::crank_models;
 pub use designs::designs;
 pub use duty::duty;

@@ -34,7 +34,7 @@ fn row(e: &Entry) -> Vec<String> {
 
 /// Stresses by our own loads on assumed lengths, and factors without stresses: in `comparison.csv`, and summed up below.
 fn is_own(e: &Entry) -> bool {
-    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin | Kind::MultiaxialAlone)
+    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin | Kind::FullCycleMargin | Kind::MultiaxialAlone)
 }
 
 /// Every number that is not an input, and inputs that differ from the printed ones. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
@@ -50,7 +50,7 @@ fn spread(words: &str, s: &Spread) -> String {
     }
 }
 
-fn value(study: &Study, v: f64) -> String {
+pub(super) fn value(study: &Study, v: f64) -> String {
     match study.objective.unit {
         UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
         UnitOf::Torque => format!("{} N m", significant(v, 4)),
@@ -70,7 +70,7 @@ fn named(e: &Entry) -> String {
 const ONE_DIGIT: f64 = 0.1 + 1e-9;
 
 /// Rings whose inertias differ by less than this share are the same.
-const SAME_RING: f64 = 1e-9;
+pub(super) const SAME_RING: f64 = 1e-9;
 
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
 #[doc(hidden)]
@@ -79,32 +79,27 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
     parts.concat().iter().map(|line| format!("  {line}\n")).collect()
 }
 
-/// The same in few lines: how many numbers there are in each role, what is best and what is possible where that is `asked`, how good the predictions are, and what of the tolerances fails.
+/// The same in few lines: how many numbers there are in each role, what is best and what is possible, how good the predictions are, and what of the tolerances fails.
 #[doc(hidden)]
-pub fn brief(study: &Study, c: &Comparison, asked: bool) -> String {
-    let count = |role: Role| c.entries.iter().filter(|e| e.role == role && !differs(e)).count();
-    let counts = [
-        (count(Role::Predicted), "predicted"),
-        (count(Role::Calibrated), "fitted to"),
-        (count(Role::Erratum), "errata"),
-        (count(Role::Unexplained), "unexplained"),
-        (c.entries.iter().filter(|e| differs(e)).count(), "by other models or inputs"),
-        (count(Role::Given), "given"),
-    ];
+pub fn brief(study: &Study, c: &Comparison) -> String {
+    let of_role = |role: Role| (c.entries.iter().filter(|e| e.role == role && !differs(e)).count(), role.name());
+    let inputs = (c.entries.iter().filter(|e| differs(e)).count(), "by other inputs");
+    let counts: Vec<(usize, &str)> = Role::ALL.map(of_role).into_iter().chain([inputs]).collect();
     let numbers = format!("{} published numbers: {}.", c.entries.len(), super::counted(&counts));
     let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
     let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
     let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());
-    let more = if asked { [best(study, c), own_stresses(c), doubts(study, c)].concat() } else { Vec::new() };
+    let more = [best(study, c), super::publications::agreements(&(study, c)), own_stresses(c), doubts(study, c)].concat();
     let more = more.into_iter().filter(|line| !line.starts_with("Input differs"));
     let held = Some(held).filter(|_| !c.verdict.checks.is_empty());
     let lines = std::iter::once(numbers).chain(reproduced(study, c)).chain(more).chain(failing).chain(held);
     lines.map(|line| format!("  {line}\n")).collect()
 }
 
-/// Deviations of predicted numbers of a kind, per cent.
-fn predicted(c: &Comparison, kind: Kind) -> impl Iterator<Item = f64> + '_ {
-    c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted).filter_map(Entry::deviation_percent)
+/// Deviations of numbers of a kind that nothing was fitted to, per cent.
+fn deviations(c: &Comparison, kind: Kind) -> impl Iterator<Item = f64> + '_ {
+    let free = |role: Role| matches!(role, Role::Predicted | Role::Recomputed | Role::OtherModel);
+    c.entries.iter().filter(move |e| e.kind == kind && free(e.role)).filter_map(Entry::deviation_percent)
 }
 
 /// The best published design, and what is possible beside it.
@@ -158,7 +153,7 @@ fn reproduced(study: &Study, c: &Comparison) -> Vec<String> {
             spread("viscous", &v.viscous)
         ));
     }
-    let worst = |kind: Kind| predicted(c, kind).map(f64::abs).reduce(f64::max).map(|w| format!("{w:.2} %"));
+    let worst = |kind: Kind| deviations(c, kind).map(f64::abs).reduce(f64::max).map(|w| format!("{w:.2} %"));
     let trusted = [
         ("natural frequencies", Kind::Frequency),
         ("critical speeds", Kind::CriticalSpeed),
@@ -179,7 +174,7 @@ fn multiaxial_alone(c: &Comparison) -> Vec<String> {
     let pairs: Vec<(f64, f64)> = c
         .entries
         .iter()
-        .filter(|e| e.kind == Kind::MultiaxialAlone && e.role == Role::Predicted)
+        .filter(|e| e.kind == Kind::MultiaxialAlone && e.role == Role::Recomputed)
         .filter_map(|e| e.published.zip(e.computed))
         .collect();
     if !pairs.is_empty() {
@@ -214,14 +209,14 @@ fn misprints(c: &Comparison) -> Vec<String> {
 fn doubts(study: &Study, c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
     let mut put = |line: String| lines.push(line);
-    let other: Option<f64> = predicted(c, Kind::OtherModel).map(f64::abs).reduce(f64::max);
+    let other: Option<f64> = deviations(c, Kind::OtherModel).map(f64::abs).reduce(f64::max);
     if let Some(other) = other {
         put(format!("Other models of this engine have natural frequencies up to {other:.1} % away; they are not counted above."));
     }
     for e in c.entries.iter().filter(|e| differs(e)) {
         put(format!("Input differs: {}: {}.", named(e), e.note));
     }
-    let counted = c.amplitudes.iter().filter(|r| r.role == Role::Predicted && r.counts);
+    let counted = c.amplitudes.iter().filter(|r| r.role == Role::Predicted);
     let worst = counted.filter_map(|r| r.deviation_percent().map(|d| (d, r))).max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((d, r)) = worst.filter(|w| w.0 > 15.0) {
         put(format!("Trust least: order {} of {}, off by {d:.0} %.", r.order, study.designs[r.design].name));
@@ -271,19 +266,4 @@ fn own_stresses(c: &Comparison) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The predicted amplitudes of several engines together.
-pub fn pooled(all: &[&Comparison]) -> String {
-    let pool = |of: fn(&Comparison) -> &Spread| {
-        let mut deviations: Vec<f64> = all.iter().flat_map(|c| of(c).deviations.iter().copied()).collect();
-        deviations.sort_by(f64::total_cmp);
-        Spread { deviations }
-    };
-    format!(
-        "Predicted amplitudes of all engines together. {}; {}; {}.\n",
-        spread("All", &pool(|c| &c.verdict.all)),
-        spread("tuned", &pool(|c| &c.verdict.tuned)),
-        spread("viscous", &pool(|c| &c.verdict.viscous))
-    )
 }

@@ -149,16 +149,6 @@ fn front(results: &SizingResults) -> String {
 const SHARPEST: f64 = 0.01;
 const ROUNDEST: f64 = 0.3;
 
-/// How far the last of our rounds is from the printed ones, in a line.
-#[doc(hidden)]
-pub fn rounds_in_brief(rows: &[RoundRow]) -> String {
-    let last = rows.iter().map(|r| r.round).max().unwrap_or(0);
-    let mut off: Vec<f64> = rows.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()).collect();
-    off.sort_by(f64::total_cmp);
-    let (Some(middle), Some(worst)) = (off.get(off.len() / 2), off.last()) else { return String::new() };
-    format!("  {} numbers of round {last}: median {middle:.1} %, worst {worst:.1} % off.\n", off.len())
-}
-
 /// Last dimensions, smallest margin and masses in few lines, the front as a table.
 #[doc(hidden)]
 pub fn brief(study: &SizingStudy, results: &SizingResults) -> String {

@@ -16,6 +16,19 @@ pub struct PublishedFrequency {
     pub frequency_hz: f64,
 }
 
+/// A station of the printed chain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedStation {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Index along the chain.
+    pub station: usize,
+    /// kg m².
+    pub inertia: f64,
+    /// Stiffness to the next one, N m/rad; `None` of the last.
+    pub stiffness: Option<f64>,
+}
+
 /// A natural frequency of the crank by itself, free at both ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedMode {
@@ -46,6 +59,8 @@ pub struct PublishedVonMises {
     pub bearings: [f64; 2],
     /// Pa.
     pub stress: f64,
+    /// Its change from that on the bearings of the engine as printed, per cent.
+    pub change_percent: Option<f64>,
     /// Where it is said to be; empty where nothing is.
     pub place: String,
 }
@@ -189,6 +204,17 @@ pub struct PublishedHistory {
     pub hydrostatic_mean: f64,
 }
 
+/// An absorber that a source recommends for an engine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedChoice {
+    /// Where it is recommended.
+    pub table: String,
+    /// Index of the design of the study.
+    pub design: usize,
+    /// Why, in words.
+    pub words: String,
+}
+
 /// Largest deviations that a comparison is asked to hold, per cent; `None`: nothing asked.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Tolerances {
@@ -215,6 +241,8 @@ pub struct Tolerances {
 pub struct Published {
     /// Its word in the tables.
     pub engine: String,
+    /// The chain.
+    pub chain: Vec<PublishedStation>,
     /// Natural frequencies of the chain.
     pub frequencies: Vec<PublishedFrequency>,
     /// Natural frequencies of the crank by itself.
@@ -237,8 +265,10 @@ pub struct Published {
     pub multiaxial: Vec<PublishedMultiaxial>,
     /// Stresses behind them.
     pub histories: Vec<PublishedHistory>,
-    /// Predicted amplitudes below this are too small for a percentage, rad.
-    pub least_amplitude: f64,
+    /// Which absorbers the source recommends.
+    pub choices: Vec<PublishedChoice>,
+    /// The publication that the tables are of; empty where it is not said.
+    pub source: String,
     /// What is to hold.
     pub tolerances: Tolerances,
 }

@@ -260,6 +260,12 @@ pub(crate) struct RawPublished {
     /// The engine's name in the tables.
     #[schemars(extend("examples" = ["V10"]))]
     pub engine: At<String>,
+    /// The publication that the tables are of: studies of one are summed up together.
+    #[schemars(extend("examples" = ["Villalva 2014"]))]
+    pub source: Option<At<String>>,
+    /// Inertias and stiffnesses of the chain.
+    #[schemars(extend("examples" = ["published/chain.csv"]))]
+    pub chain: Option<At<String>>,
     /// Natural frequencies of the chain.
     #[schemars(extend("examples" = ["published/natural_frequencies.csv"]))]
     pub frequencies: Option<At<String>>,
@@ -293,9 +299,9 @@ pub(crate) struct RawPublished {
     /// Invariants of stress histories.
     #[schemars(extend("examples" = ["published/histories.csv"]))]
     pub histories: Option<At<String>>,
-    /// Smaller printed amplitudes are not compared.
-    #[schemars(extend("minimum" = 0, "default" = 0.1, "examples" = [0.1]))]
-    pub least_amplitude_deg: Option<At<f64>>,
+    /// Designs that the publication recommends, with where it does so and why.
+    #[schemars(extend("examples" = ["published/choices.csv"]))]
+    pub choices: Option<At<String>>,
     /// Deviations that are within tolerance.
     #[serde(default)]
     #[schemars(extend("examples" = [{"frequency": 1}]))]

@@ -45,7 +45,7 @@ pub fn modes(path: &Path, engine: &str) -> Result<Vec<PublishedMode>, InputError
     Ok(list)
 }
 
-/// `design, speed_rpm, von_mises_mpa`, and optionally `bearing_stiffness` and `bearing_damping`, both over those of the engine, and `place`. `designs`: of the study.
+/// `design, speed_rpm, von_mises_mpa`, and optionally `bearing_stiffness` and `bearing_damping`, both over those of the engine, `change_percent` from the stress on these, and `place`. `designs`: of the study.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
@@ -53,7 +53,7 @@ pub fn von_mises(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
     let table = Table::read(path, &["design", "speed_rpm", "von_mises_mpa"])?;
     let rows = Rows::new(&table, engine)?;
     let (design, speed, stress) = (table.column("design")?, table.column("speed_rpm")?, table.column("von_mises_mpa")?);
-    rows.only(&["table", "engine", "design", "speed_rpm", "bearing_stiffness", "bearing_damping", "von_mises_mpa", "place"])?;
+    rows.only(&["table", "engine", "design", "speed_rpm", "bearing_stiffness", "bearing_damping", "von_mises_mpa", "change_percent", "place"])?;
     let mut list: Vec<PublishedVonMises> = Vec::new();
     for (line, cells) in &rows.of_engine {
         let factor =
@@ -68,6 +68,10 @@ pub fn von_mises(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
             speed_rpm: rows.positive(*line, speed, &cells[speed])?,
             bearings: [factor("bearing_stiffness")?, factor("bearing_damping")?],
             stress: rows.positive(*line, stress, &cells[stress])? * PA_PER_MPA,
+            change_percent: match table.optional("change_percent").filter(|c| !cells[*c].is_empty()) {
+                Some(c) => Some(table.filled(*line, c, &cells[c])?),
+                None => None,
+            },
             place: table.optional("place").map_or_else(|| Ok(String::new()), |c| table.words(*line, c, &cells[c]))?,
         };
         if list.iter().any(|r| (r.design, r.speed_rpm, r.bearings) == (row.design, row.speed_rpm, row.bearings)) {

@@ -6,17 +6,15 @@ use crate::input::error::{At, Check, InputError};
 use crate::input::published::{Published, Tolerances};
 use crate::input::schema::study::{RawPublished, RawTolerances};
 use crate::input::tables::{self, Reach};
-use crate::units::RAD_PER_DEG;
 use std::path::Path;
-
-/// Amplitudes below this are printed with too few digits for a percentage, degrees.
-const LEAST_AMPLITUDE_DEG: f64 = 0.1;
 
 /// The tables. `limits`: those of multiaxial criteria, where the study has any.
 pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reach: &Reach, limits: Option<&Limits>) -> Published {
     let engine = raw.engine.get_ref().clone();
     check.name(&raw.engine);
+    raw.source.iter().for_each(|source| check.name(source));
     let mut published = Published {
+        chain: Vec::new(),
         frequencies: Vec::new(),
         modes: Vec::new(),
         von_mises: Vec::new(),
@@ -28,17 +26,20 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         factors: Vec::new(),
         multiaxial: Vec::new(),
         histories: Vec::new(),
-        least_amplitude: raw.least_amplitude_deg.as_ref().map_or(LEAST_AMPLITUDE_DEG, |a| check.not_negative(a)) * RAD_PER_DEG,
+        choices: Vec::new(),
+        source: raw.source.as_ref().map_or_else(String::new, |s| s.get_ref().clone()),
         tolerances: tolerances(check, &raw.tolerance_percent),
         engine,
     };
     let e = &published.engine;
+    published.chain = rows(check, &raw.chain, folder, |p| tables::chain(p, e));
     published.frequencies = rows(check, &raw.frequencies, folder, |p| tables::frequencies(p, e));
     published.modes = rows(check, &raw.modes, folder, |p| tables::modes(p, e));
     published.von_mises = rows(check, &raw.von_mises, folder, |p| tables::von_mises(p, e, reach.designs));
     published.absorbers = rows(check, &raw.absorbers, folder, |p| tables::absorbers(p, e, reach.designs));
     published.amplitudes = rows(check, &raw.amplitudes, folder, |p| tables::amplitudes(p, e, reach));
     published.quantities = rows(check, &raw.engines, folder, |p| tables::engines(p, e));
+    published.choices = rows(check, &raw.choices, folder, |p| tables::choices(p, e, reach.designs));
     if let Some(file) = &raw.fatigue {
         published.fatigue = table(check, file, folder, |p| tables::fatigue(p, e, reach.designs)).unwrap_or_default();
         if !published.quantities.iter().any(|q| q.name == "tensile_strength" && q.value.as_ref().is_ok_and(|v| *v > 0.0)) {
@@ -72,12 +73,14 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         }
     }
     let tables = [
+        &raw.chain,
         &raw.frequencies,
         &raw.modes,
         &raw.von_mises,
         &raw.absorbers,
         &raw.amplitudes,
         &raw.engines,
+        &raw.choices,
         &raw.fatigue,
         &raw.stresses,
         &raw.factors,
@@ -85,7 +88,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         &raw.histories,
     ];
     if tables.iter().all(|f| f.is_none()) {
-        let names = "`frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
+        let names = "`chain`, `frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `choices`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published

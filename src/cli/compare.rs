@@ -8,10 +8,12 @@ use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
 use crate::input::{self, CrankModel, InputFile, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_folder, write_rounds};
+use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_examples, write_folder, write_rounds};
+use crate::report::text::publications::SizedPage;
 use crate::sizing::size;
 use crate::validation::Comparison;
-use crate::validation::rounds::{RoundRow, rounds};
+use crate::validation::rounds::rounds;
+use crate::validation::worked_examples::worked_examples;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -115,16 +117,15 @@ pub fn compare(arguments: &Arguments) -> u8 {
         }
         pages.push(page);
     }
-    let mut sized: Vec<(&str, Vec<RoundRow>)> = Vec::new();
+    let mut sized: Vec<SizedPage> = Vec::new();
     for ((study, of), folder) in jobs.sizings.iter().zip(&of_sizings) {
         match sizing((study, of), folder, (arguments.verbose || alone, alone)) {
-            Ok(rows) => sized.push((&study.title, rows)),
+            Ok(page) => sized.push(page),
             Err(code) => return code,
         }
     }
     if !alone {
         let all: Vec<(&Study, &Comparison)> = pages.iter().map(|p| (&p.study, &p.comparison)).collect();
-        let sized: Vec<(&str, &[RoundRow])> = sized.iter().map(|(title, rows)| (*title, rows.as_slice())).collect();
         say(&text::publications::publications(&all, &sized));
     }
     let first = if alone { String::new() } else { format!(": open {PAGE} in the folders of {}", root.display()) };
@@ -140,17 +141,20 @@ fn section(title: &str, told: &str, folder: &Folder, alone: bool) -> String {
     format!("{title}, {} files in {}\n{told}\n", folder.written(), folder.path().display())
 }
 
-/// Prints and writes the rounds of sizing beside the printed ones.
-fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, (told, alone): (bool, bool)) -> Result<Vec<RoundRow>, u8> {
+/// Writes the rounds of sizing and worked examples beside the printed ones, and prints them where that is asked for.
+fn sizing((study, of): (&SizingStudy, &Origin), folder: &Folder, (told, alone): (bool, bool)) -> Result<SizedPage, u8> {
     let sized = size(&study.specification).map_err(|e| fail(&format!("error: {}: {e}", study.name)))?;
-    let rows = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
+    let rounds = rounds(&study.specification, &sized.rounds, study.published.as_deref().unwrap_or_default());
+    let page = SizedPage { title: study.title.clone(), rounds, examples: worked_examples(&study.examples) };
+    let printed = || format!("{}\n{}", text::rounds(&page.rounds), text::examples(&page.examples));
     let title = format!("{}: published and computed", study.title);
-    let written = write_rounds(&rows, folder).and_then(|()| write_folder(&title, || text::rounds(&rows), folder));
+    let written = write_rounds(&page.rounds, folder).and_then(|()| write_examples(&page.examples, folder));
+    let written = written.and_then(|()| write_folder(&title, printed, folder));
     written.and_then(|()| folder.complete(&about_inputs(&of.inputs))).map_err(|e| fail(&e))?;
     if told {
-        say(&section(&study.title, &format!("\n{}", text::rounds(&rows)), folder, alone));
+        say(&section(&study.title, &format!("\n{}", printed()), folder, alone));
     }
-    Ok(rows)
+    Ok(page)
 }
 
 /// The studies and sizing files named, or all in the folder of shipped ones that have tables.

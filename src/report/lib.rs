@@ -48,6 +48,7 @@ use crate::benchmark::Chart;
 use crate::input::{InputFile, SizingStudy, Study};
 use crate::validation::Comparison;
 use crate::validation::rounds::RoundRow;
+use crate::validation::worked_examples::ExampleRow;
 
 /// Steps that [`write_run`] tells of.
 #[doc(hidden)]
@@ -152,6 +153,15 @@ pub fn write_fit(fit: &LawFit, folder: &Folder) -> Result<(), WriteError> {
 #[doc(hidden)]
 pub fn write_rounds(published: &[RoundRow], folder: &Folder) -> Result<(), WriteError> {
     if published.is_empty() { Ok(()) } else { csv::sizing::comparison(published, folder) }
+}
+
+/// Writes results of worked examples beside ours; nothing without any.
+///
+/// # Errors
+/// [`WriteError`] where the file cannot be written.
+#[doc(hidden)]
+pub fn write_examples(rows: &[ExampleRow], folder: &Folder) -> Result<(), WriteError> {
+    if rows.is_empty() { Ok(()) } else { csv::sizing::examples(rows, folder) }
 }
 
 /// Writes tables and plots of sizing, and the engine file and study that follow.

@@ -63,7 +63,7 @@ impl Names {
     /// Those of `hartog compare` of a sizing file.
     #[doc(hidden)]
     pub fn of_rounds() -> Self {
-        Self::of("compare", &[PAGE]).tables(&["sizing_comparison"])
+        Self::of("compare", &[PAGE]).tables(&["sizing_comparison", "sizing_examples"])
     }
 
     /// Those of `hartog chart`.

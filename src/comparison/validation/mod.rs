@@ -21,6 +21,7 @@ mod uncertainty;
 pub mod torsion_cases;
 pub mod verdict;
 mod von_mises;
+pub mod worked_examples;
 
 pub use amplitudes::AmplitudeRow;
 pub use choices::{Agreement, Choices, Chosen, Placed, Ranking};

@@ -1,12 +1,13 @@
 //! Tables of sizing.
 
-use super::table::{Table, number};
+use super::table::{Table, number, optional};
 use crate::analysis::sizing::{FrontPoint, SizingResults};
 use crate::files::{Folder, WriteError};
 use crate::sizing::Round;
 use crate::sizing::rod::TAPER;
 use crate::units::{DEG_PER_RAD, M_PER_MM};
 use crate::validation::rounds::{EXPLAINED, RoundRow, reason};
+use crate::validation::worked_examples::ExampleRow;
 
 /// Quantities of a round with their units.
 fn quantities(round: &Round) -> Vec<(String, &'static str, f64)> {
@@ -62,6 +63,21 @@ pub(crate) fn comparison(rows: &[RoundRow], folder: &Folder) -> Result<(), Write
         table.row(words.into_iter().chain([r.round.to_string()]).chain(numbers).chain([note.to_owned()]));
     }
     table.save(folder, "sizing_comparison.csv")
+}
+
+/// `sizing_examples.csv`: a row a result of a worked example.
+///
+/// # Errors
+/// [`WriteError`] where it cannot be written.
+pub(crate) fn examples(rows: &[ExampleRow], folder: &Folder) -> Result<(), WriteError> {
+    let header = ["table", "example", "quantity", "unit", "published", "program", "computed", "deviation_percent", "half_digit", "note"];
+    let mut table = Table::new(&header);
+    for r in rows {
+        let words = [&r.table, &r.example, &r.quantity, &r.unit].map(Clone::clone);
+        let numbers = [number(r.book), optional(r.program), number(r.computed), number(r.deviation_percent()), number(r.half_digit)];
+        table.row(words.into_iter().chain(numbers).chain([r.note.to_owned()]));
+    }
+    table.save(folder, "sizing_examples.csv")
 }
 
 /// `sizing_front.csv`: a row a ring.

@@ -53,7 +53,7 @@ pub use robust::{robust, tolerances};
 pub use run::choices;
 pub use run::summary;
 pub use run::{conditions, optimum};
-pub use sizing::{brief as sizing_in_brief, rounds, sizing};
+pub use sizing::{brief as sizing_in_brief, examples, rounds, sizing};
 pub use strain::strain;
 pub use table::dash;
 pub use table::table;

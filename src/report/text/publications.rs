@@ -4,6 +4,7 @@ use super::table::{aligned, dash, significant};
 use crate::crankshaft::Place;
 use crate::input::Study;
 use crate::validation::rounds::RoundRow;
+use crate::validation::worked_examples::ExampleRow;
 use crate::validation::{Agreement, Chosen, Comparison, Entry, Kind, Placed, Role, Spread};
 
 /// A study with what it comes to.
@@ -26,11 +27,22 @@ fn by_source<'a>(pages: &[Page<'a>]) -> Vec<(&'a str, Vec<Page<'a>>)> {
     groups
 }
 
-/// What is said of several studies and of rounds of sizing (with their title), by publication.
-pub fn publications(pages: &[Page], rounds: &[(&str, &[RoundRow])]) -> String {
+/// Rounds of sizing and worked examples beside ours.
+#[derive(Debug, Clone)]
+pub struct SizedPage {
+    /// Title of the file.
+    pub title: String,
+    /// Rounds.
+    pub rounds: Vec<RoundRow>,
+    /// Worked examples.
+    pub examples: Vec<ExampleRow>,
+}
+
+/// What is said of several studies and of sizing, by publication.
+pub fn publications(pages: &[Page], sized: &[SizedPage]) -> String {
     let groups = by_source(pages);
     let mut rows: Vec<Vec<String>> = groups.iter().flat_map(|(source, pages)| deviations(source, pages)).collect();
-    rows.extend(rounds.iter().map(|(title, rounds)| of_rounds(title, rounds)));
+    rows.extend(sized.iter().flat_map(of_sizing));
     for i in (1..rows.len()).rev() {
         if rows[i][0] == rows[i - 1][0] {
             rows[i][0].clear();
@@ -102,11 +114,22 @@ fn spread_row(source: &str, role: String, numbers: usize, spread: &Spread, withi
     vec![source.to_owned(), role, numbers.to_string(), percent(spread.median()), percent(spread.worst()), within]
 }
 
-/// The last of our rounds of sizing beside the printed one.
-fn of_rounds(title: &str, rows: &[RoundRow]) -> Vec<String> {
-    let last = rows.iter().map(|r| r.round).max().unwrap_or(0);
-    let spread = Spread::new(rows.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()));
-    spread_row(title, format!("{}: round {last} of sizing", Role::Predicted.name()), spread.deviations.len(), &spread, "-".into())
+/// The last of our rounds of sizing beside the printed one, and worked examples.
+fn of_sizing(page: &SizedPage) -> Vec<Vec<String>> {
+    let last = page.rounds.iter().map(|r| r.round).max().unwrap_or(0);
+    let rounds = Spread::new(page.rounds.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()));
+    let examples = Spread::new(page.examples.iter().map(|e| e.deviation_percent().abs()));
+    let within = page.examples.iter().filter(|e| (e.computed - e.book).abs() <= e.half_digit).count();
+    let mut rows = Vec::new();
+    if !rounds.deviations.is_empty() {
+        let role = format!("{}: round {last} of sizing", Role::Predicted.name());
+        rows.push(spread_row(&page.title, role, rounds.deviations.len(), &rounds, "-".into()));
+    }
+    if !examples.deviations.is_empty() {
+        let (role, n) = (format!("{}: worked examples", Role::Recomputed.name()), examples.deviations.len());
+        rows.push(spread_row(&page.title, role, n, &examples, format!("{within} of {n}")));
+    }
+    rows
 }
 
 /// Measures that designs are ranked by, in words: of margins at every place of the tables.

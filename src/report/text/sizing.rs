@@ -6,6 +6,7 @@ use crate::input::SizingStudy;
 use crate::sizing::Margin;
 use crate::units::{DEG_PER_RAD, M_PER_MM};
 use crate::validation::rounds::{EXPLAINED, RoundRow, reason};
+use crate::validation::worked_examples::ExampleRow;
 use std::fmt::Write;
 
 fn dimensions(results: &SizingResults) -> String {
@@ -148,6 +149,21 @@ fn front(results: &SizingResults) -> String {
 /// Fillet over diameter in the charts of stepped shafts.
 const SHARPEST: f64 = 0.01;
 const ROUNDEST: f64 = 0.3;
+
+/// Results of worked examples beside ours.
+pub fn examples(rows: &[ExampleRow]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let cells = |r: &ExampleRow| {
+        let names = [&r.table, &r.example, &r.quantity, &r.unit].map(|s| s.replace('_', " "));
+        let numbers = [Some(r.book), r.program, Some(r.computed)].map(|x| dash(x.map(|x| significant(x, 5))));
+        names.into_iter().chain(numbers).chain([format!("{:+.2}", r.deviation_percent())]).collect()
+    };
+    let lines: Vec<Vec<String>> = rows.iter().map(cells).collect();
+    let header = ["table", "example", "quantity", "unit", "published", "program", "computed", "off/%"];
+    format!("Worked examples:\n{}", aligned(&header, &lines, |c| c < 4))
+}
 
 /// Last dimensions, smallest margin and masses in few lines, the front as a table.
 #[doc(hidden)]

@@ -327,6 +327,25 @@ pub(crate) const ROUND_QUANTITIES: [RoundQuantity; 24] = {
     ]
 };
 
+/// An input or a result of a worked example.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedExample {
+    /// Number of the table it stands in.
+    pub table: String,
+    /// Word of the example.
+    pub example: String,
+    /// Whether it goes in; otherwise it comes out.
+    pub is_input: bool,
+    /// What it is.
+    pub quantity: String,
+    /// Its unit as printed.
+    pub unit: String,
+    /// The number of the book or the CAD model, or the word in its place.
+    pub value: Result<f64, String>,
+    /// That of the publication's own program; `None` where it prints none.
+    pub program: Option<f64>,
+}
+
 /// A row of printed rounds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedRounds {

@@ -62,6 +62,9 @@ pub(crate) struct RawSizing {
     /// Printed rounds that the sizes are compared with.
     #[schemars(extend("examples" = ["published/rounds.csv"]))]
     pub published: Option<At<String>>,
+    /// Worked examples of books, inputs and results, that the functions of sizing are compared with by `hartog compare`.
+    #[schemars(extend("examples" = ["published/examples.csv"]))]
+    pub worked_examples: Option<At<String>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]

@@ -34,7 +34,7 @@ pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, fre
 pub use published_chain::chain;
 pub use published_choices::choices;
 pub use published_crank::{modes, von_mises};
-pub(crate) use rounds::published_rounds;
+pub(crate) use rounds::{published_examples, published_rounds};
 pub use superposed::Superposed;
 pub(crate) use table::Table;
 pub(crate) use torque::{pressure_traces, torque_harmonics};

@@ -1,8 +1,8 @@
-//! Printed rounds of sizing.
+//! Printed rounds of sizing, and worked examples.
 
 use super::table::Table;
 use crate::input::error::InputError;
-use crate::input::published::{PublishedRounds, ROUND_QUANTITIES};
+use crate::input::published::{PublishedExample, PublishedRounds, ROUND_QUANTITIES};
 use std::path::Path;
 
 /// `symbol, iteration_1, iteration_2, ...`: a row a quantity.
@@ -29,4 +29,32 @@ pub(crate) fn published_rounds(path: &Path) -> Result<Vec<PublishedRounds>, Inpu
         list.push(PublishedRounds { quantity: *quantity, values });
     }
     Ok(list)
+}
+
+/// `example, role` (`input` or `output`), `quantity, unit, book_or_cad` (of an input a number or a word), and optionally `table` and `program`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub(crate) fn published_examples(path: &Path) -> Result<Vec<PublishedExample>, InputError> {
+    let table = Table::read(path, &["example", "role", "quantity", "unit", "book_or_cad"])?;
+    let (example, role, quantity) = (table.column("example")?, table.column("role")?, table.column("quantity")?);
+    let (unit, book) = (table.column("unit")?, table.column("book_or_cad")?);
+    let row = |(line, cells): &(u64, Vec<String>)| {
+        let words = |column: usize| table.words(*line, column, &cells[column]);
+        let is_input = match cells[role].as_str() {
+            "input" => true,
+            "output" => false,
+            other => return Err(table.at(*line, role, format!("found `{other}`, expected `input` or `output`"))),
+        };
+        let value = match table.number(*line, book, &cells[book]) {
+            Ok(Some(x)) => Ok(x),
+            Err(_) if is_input => Err(words(book)?),
+            Err(error) => return Err(error),
+            Ok(None) => return Err(table.at(*line, book, "found an empty cell, expected a number or a word".into())),
+        };
+        let program = table.optional("program").map_or(Ok(None), |c| table.number(*line, c, &cells[c]))?;
+        let source = table.optional("table").map_or_else(|| Ok(String::new()), words)?;
+        Ok(PublishedExample { table: source, example: words(example)?, is_input, quantity: words(quantity)?, unit: words(unit)?, value, program })
+    };
+    table.rows.iter().map(row).collect()
 }

@@ -9,7 +9,7 @@ use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::engine::{Layout, Pressure};
 use crate::fatigue::endurance::HOTTEST;
 use crate::input::error::{At, Check, InputError, Source};
-use crate::input::published::PublishedRounds;
+use crate::input::published::{PublishedExample, PublishedRounds};
 use crate::input::schema::engine::RawPressure;
 use crate::input::schema::sizing::{
     RawBasis, RawBending, RawGiven, RawMechanism, RawPart, RawSizedChain, RawSizing, RawSizingFront, RawTorsion,
@@ -48,6 +48,8 @@ pub struct SizingStudy {
     pub pressure_file: Option<PathBuf>,
     /// Printed rounds to compare with.
     pub published: Option<Vec<PublishedRounds>>,
+    /// Worked examples that the functions of sizing are compared with.
+    pub examples: Vec<PublishedExample>,
     /// What is unusual about the proportions.
     pub warnings: Vec<String>,
 }
@@ -116,6 +118,7 @@ fn study(check: &mut Check, path: &Path, raw: &RawSizing) -> Option<SizingStudy>
     check.name(&raw.name);
     let mut warnings = Vec::new();
     let published = raw.published.as_ref().and_then(|file| table(check, file, folder, tables::published_rounds));
+    let examples = raw.worked_examples.as_ref().and_then(|file| table(check, file, folder, tables::published_examples));
     let specification = specification(check, raw, (strokes, &speeds_rpm), layout.as_ref(), pressure, &mut warnings);
     let layout = layout?;
     if layout.rods_per_throw != 1 || layout.bank_angle_deg.is_some() {
@@ -148,6 +151,7 @@ fn study(check: &mut Check, path: &Path, raw: &RawSizing) -> Option<SizingStudy>
             _ => None,
         },
         published,
+        examples: examples.unwrap_or_default(),
         specification: specification?,
         warnings,
     })

@@ -4,7 +4,7 @@ use super::amplitudes::{self, AmplitudeRow};
 use super::choices::{self, Choices};
 use super::entry::Entry;
 use super::verdict::{self, Verdict};
-use super::{absorbers, chain, claims, fatigue, frequencies, modes, multiaxial, notches, predicted, text_values, uncertainty, von_mises};
+use super::{absorbers, chain, claims, fatigue, frequencies, modes, multiaxial, notches, planes, predicted, text_values, uncertainty, von_mises};
 use crate::analysis::{Calibration, Results, RunError};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
@@ -71,6 +71,7 @@ fn entries(
     entries.extend(fatigue::entries(study, published));
     entries.extend(notches::entries(study, published));
     entries.extend(multiaxial::entries(study, published));
+    entries.extend(planes::entries(published));
     entries.extend(predicted::entries(study, published, system, fatigue::strength(published))?);
     entries.extend(chain::entries(study, published));
     entries.extend(chain::printed(study, published));

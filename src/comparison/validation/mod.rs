@@ -14,6 +14,7 @@ mod frequencies;
 mod modes;
 mod multiaxial;
 mod notches;
+mod planes;
 mod predicted;
 pub mod rounds;
 mod text_values;

@@ -43,11 +43,11 @@ fn alike(published: &Published) -> Option<Entry> {
         quantity: "points where the factor by Kakuno-Kawada is that by Sines".into(),
         kind: Kind::Other,
         unit: "-".into(),
-        published: Some(all as f64),
+        published: None,
         computed: Some(same as f64),
         uncertainty: Uncertainty::default(),
         role: Role::Recomputed,
-        note: format!("published: all points; at the other {} the two are a digit apart", all - same),
+        note: format!("of {all} points; at the other {} the two are a digit apart", all - same),
     })
 }
 

@@ -187,6 +187,17 @@ pub struct PublishedMultiaxial {
     pub factors: [f64; 6],
 }
 
+/// Critical planes of a point as printed: theta and phi, rad.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PublishedPlanes {
+    /// Where.
+    pub at: PublishedPoint,
+    /// Of the largest shear amplitude.
+    pub shear: [f64; 2],
+    /// Of Dang Van's criterion.
+    pub dang_van: [f64; 2],
+}
+
 /// What a stress history comes to at a point, Pa; `None`: not printed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PublishedHistory {
@@ -265,6 +276,8 @@ pub struct Published {
     pub multiaxial: Vec<PublishedMultiaxial>,
     /// Stresses behind them.
     pub histories: Vec<PublishedHistory>,
+    /// Critical planes of points.
+    pub planes: Vec<PublishedPlanes>,
     /// Which absorbers the source recommends.
     pub choices: Vec<PublishedChoice>,
     /// The publication that the tables are of; empty where it is not said.

@@ -299,6 +299,9 @@ pub(crate) struct RawPublished {
     /// Invariants of stress histories.
     #[schemars(extend("examples" = ["published/histories.csv"]))]
     pub histories: Option<At<String>>,
+    /// Critical planes of points.
+    #[schemars(extend("examples" = ["published/planes.csv"]))]
+    pub planes: Option<At<String>>,
     /// Designs that the publication recommends, with where it does so and why.
     #[schemars(extend("examples" = ["published/choices.csv"]))]
     pub choices: Option<At<String>>,

@@ -28,7 +28,7 @@ pub use history::HistoryReader;
 pub use history::PointHistory;
 pub(crate) use mass_elastic::mass_elastic;
 pub use measured_law::measured_law;
-pub use multiaxial::{histories, multiaxial};
+pub use multiaxial::{histories, multiaxial, planes};
 pub(crate) use plain_names::not_plain;
 pub use published::{Reach, absorbers, amplitudes, engines, factors, fatigue, frequencies, stresses};
 pub use published_chain::chain;

@@ -2,8 +2,8 @@
 
 use super::table::Table;
 use crate::input::error::InputError;
-use crate::input::published::{PublishedHistory, PublishedMultiaxial, PublishedPoint, SIX_CRITERIA};
-use crate::units::PA_PER_MPA;
+use crate::input::published::{PublishedHistory, PublishedMultiaxial, PublishedPlanes, PublishedPoint, SIX_CRITERIA};
+use crate::units::{PA_PER_MPA, RAD_PER_DEG};
 use std::path::Path;
 
 /// Columns that name a point.
@@ -89,5 +89,17 @@ pub fn histories(path: &Path) -> Result<Vec<PublishedHistory>, InputError> {
             hydrostatic_mean: row.number(4)? * PA_PER_MPA,
             at: row.at,
         })
+    })
+}
+
+/// `table, crank, speed_rpm, point, shear_theta_deg, shear_phi_deg, dang_van_theta_deg, dang_van_phi_deg`.
+///
+/// # Errors
+/// [`InputError`] with row and column.
+pub fn planes(path: &Path) -> Result<Vec<PublishedPlanes>, InputError> {
+    rows(path, &["shear_theta_deg", "shear_phi_deg", "dang_van_theta_deg", "dang_van_phi_deg"], |row| {
+        let angle = |i: usize| Ok::<f64, InputError>(row.number(i)? * RAD_PER_DEG);
+        let (shear, dang_van) = ([angle(0)?, angle(1)?], [angle(2)?, angle(3)?]);
+        Ok(PublishedPlanes { at: row.at, shear, dang_van })
     })
 }

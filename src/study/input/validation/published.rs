@@ -26,6 +26,7 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         factors: Vec::new(),
         multiaxial: Vec::new(),
         histories: Vec::new(),
+        planes: Vec::new(),
         choices: Vec::new(),
         source: raw.source.as_ref().map_or_else(String::new, |s| s.get_ref().clone()),
         tolerances: tolerances(check, &raw.tolerance_percent),
@@ -72,6 +73,9 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
             check.wrong(file, words);
         }
     }
+    if let Some(file) = &raw.planes {
+        published.planes = table(check, file, folder, tables::planes).unwrap_or_default();
+    }
     let tables = [
         &raw.chain,
         &raw.frequencies,
@@ -86,9 +90,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         &raw.factors,
         &raw.multiaxial,
         &raw.histories,
+        &raw.planes,
     ];
     if tables.iter().all(|f| f.is_none()) {
-        let names = "`chain`, `frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `choices`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`";
+        let names = "`chain`, `frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `choices`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`, `planes`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
     published

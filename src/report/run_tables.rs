@@ -20,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 24] = [
+pub(super) const RUN_TABLES: [RunTable; 25] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -129,6 +129,12 @@ pub(super) const RUN_TABLES: [RunTable; 24] = [
         about: "one row for each range of speed that a society's rule bars for a design that breaks its limit",
         asked: |s| s.limits.iter().any(|l| l.rule.is_some()),
         write: csv::barred,
+    },
+    RunTable {
+        stem: "torsion_cases",
+        about: "one row for each speed of every design by the torsion case of the study: stress at two instants of the cycle at the crankpin and the journal of the half throw with the smallest factor at its crankpin, its safety factors by Goodman, and the smallest over the full cycle",
+        asked: |s| s.fatigue.as_ref().is_some_and(|f| f.torsion_case.is_some()),
+        write: |_, r, f| csv::torsion_cases(r, f),
     },
     RunTable {
         stem: "rule_stresses",

@@ -19,7 +19,6 @@ mod predicted;
 pub mod rounds;
 mod text_values;
 mod uncertainty;
-pub mod torsion_cases;
 pub mod verdict;
 mod von_mises;
 pub mod worked_examples;

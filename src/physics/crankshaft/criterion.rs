@@ -12,7 +12,7 @@
 
 use super::stress_concentration::Formulas;
 use super::unit_loads::UnitLoads;
-use super::{Crank, Place};
+use super::{Crank, Place, TorsionCase};
 use crate::fatigue::multiaxial::{self, Limits};
 use crate::fatigue::{ClassRule, Criterion, Strength, class_rules};
 
@@ -164,6 +164,8 @@ pub struct FatigueSpec {
     pub notch_sensitivity: bool,
     /// At least one.
     pub fillets: Vec<FilletSpec>,
+    /// How torsion is taken at two instants of the cycle, beside the full one; `None` where that is not asked for.
+    pub torsion_case: Option<TorsionCase>,
     /// Of the class rule.
     pub rule: ClassRule,
 }

@@ -109,33 +109,58 @@ fn per_torque(crank: &Crank, place: Place) -> f64 {
     }
 }
 
+/// Local stresses of a fillet per moment, shear force and torque, factors included: 1/m³, 1/m², 1/m³.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[doc(hidden)]
+pub struct Nominal {
+    /// Stress per bending moment in the plane of the throw.
+    pub bending: f64,
+    /// Stress per shear force in that plane.
+    pub radial: f64,
+    /// Shear stress per torque.
+    pub torsion: f64,
+}
+
+/// Those of a fillet with factors of nominal stress, on the section that its factors are of; `None` of one with stresses per unit load.
+#[doc(hidden)]
+pub fn nominal(crank: &Crank, spec: &FatigueSpec, fillet: &FilletSpec) -> Option<Nominal> {
+    let sensitive = |factor: f64, radius: f64, torsion: bool| {
+        let q = if spec.notch_sensitivity { endurance::notch_sensitivity(radius, spec.strength.tensile, torsion) } else { 1.0 };
+        endurance::fatigue_factor(factor, q)
+    };
+    let (radius, round) = match fillet.place {
+        Place::Journal => (crank.journal_fillet, section::bending(crank.journal_diameter, crank.journal_bore)),
+        _ => (crank.pin_fillet, section::bending(crank.pin_diameter, crank.pin_bore)),
+    };
+    let (section, factors) = match &fillet.factors {
+        FactorSource::Given { bending, torsion } => (round, Factors { bending: *bending, radial: 0.0, torsion: *torsion }),
+        FactorSource::UnitLoads(_) => return None,
+        FactorSource::Formulas(formulas) => {
+            let all = Concentration::new(&crank.notch(), *formulas);
+            let web = section::web_bending(crank.web_breadth, crank.bearing_web());
+            (web, if fillet.place == Place::Journal { all.journal } else { all.crankpin })
+        }
+    };
+    Some(Nominal {
+        bending: section * sensitive(factors.bending, radius, false),
+        radial: section::web_compression(crank.web_breadth, crank.bearing_web()) * factors.radial,
+        torsion: per_torque(crank, fillet.place) * sensitive(factors.torsion, radius, true),
+    })
+}
+
 /// All locations of a study; nothing where a throw has no shaft beside it.
 pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Option<Vec<CriticalLocation>> {
     let mut list = Vec::new();
     let by_fillets = spec.criteria.iter().any(|c| !c.is_class_rule());
     let notch = crank.notch();
-    let sensitive = |factor: f64, radius: f64, torsion: bool| {
-        let q = if spec.notch_sensitivity { endurance::notch_sensitivity(radius, spec.strength.tensile, torsion) } else { 1.0 };
-        endurance::fatigue_factor(factor, q)
-    };
     let web = section::web_bending(crank.web_breadth, crank.bearing_web());
     let compression = section::web_compression(crank.web_breadth, crank.bearing_web());
     for fillet in spec.fillets.iter().filter(|_| by_fillets) {
-        let (radius, round) = match fillet.place {
-            Place::Journal => (crank.journal_fillet, section::bending(crank.journal_diameter, crank.journal_bore)),
-            _ => (crank.pin_fillet, section::bending(crank.pin_diameter, crank.pin_bore)),
-        };
-        let (nominal, factors) = match &fillet.factors {
-            FactorSource::Given { bending, torsion } => (round, Factors { bending: *bending, radial: 0.0, torsion: *torsion }),
-            FactorSource::UnitLoads(points) => {
-                list.extend(points_of(chain, crank, fillet, points)?);
-                continue;
-            }
-            FactorSource::Formulas(formulas) => {
-                let all = Concentration::new(&notch, *formulas);
-                (web, if fillet.place == Place::Journal { all.journal } else { all.crankpin })
-            }
-        };
+        if let FactorSource::UnitLoads(points) = &fillet.factors {
+            list.extend(points_of(chain, crank, fillet, points)?);
+            continue;
+        }
+        let own = nominal(crank, spec, fillet)?;
         for throw in fillet.throws(crank) {
             for (rear, shaft) in sides(chain, crank.throws(), throw, fillet.place)? {
                 list.push(CriticalLocation {
@@ -146,9 +171,9 @@ pub(super) fn locations(chain: &Chain, crank: &Crank, spec: &FatigueSpec) -> Opt
                     rear,
                     place: fillet.place,
                     shaft,
-                    bending: [tension(fillet.place) * nominal * sensitive(factors.bending, radius, false), 0.0],
-                    radial: tension(fillet.place) * away(rear) * compression * factors.radial,
-                    torsion: per_torque(crank, fillet.place) * sensitive(factors.torsion, radius, true),
+                    bending: [tension(fillet.place) * own.bending, 0.0],
+                    radial: tension(fillet.place) * away(rear) * own.radial,
+                    torsion: own.torsion,
                     unit_loads: None,
                     family: Family::Nominal,
                     allowable: None,

@@ -30,6 +30,7 @@ pub mod sizing;
 mod strain;
 mod table;
 mod timing;
+mod torsion_cases;
 mod values;
 mod webs;
 
@@ -58,5 +59,6 @@ pub use strain::strain;
 pub use table::number;
 pub(crate) use table::{in_unit, rounded};
 pub use timing::timing;
+pub(crate) use torsion_cases::torsion_cases;
 pub use values::values;
 pub(crate) use webs::{von_mises, web_loads, web_margins};

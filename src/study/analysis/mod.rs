@@ -57,6 +57,8 @@ pub mod sweeps;
 pub mod systems;
 pub mod timing;
 pub mod timing_probe;
+#[doc(hidden)]
+pub mod torsion_case;
 mod tradeoffs;
 #[doc(hidden)]
 pub mod verdict;

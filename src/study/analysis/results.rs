@@ -17,6 +17,7 @@ use super::sensitivities::Sensitivity;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
+use super::torsion_case::CaseOfDesign;
 use super::web_stress::WebsOfDesign;
 use crate::absorber::{Declaration, Deviation};
 use crate::crankshaft::Margin;
@@ -198,6 +199,8 @@ pub struct Results {
     pub joints: Vec<OnJointsOfDesign>,
     /// The same designs' webs by the loads of the flexible crank, where the study has `[fatigue]`.
     pub webs: Vec<WebsOfDesign>,
+    /// Designs by the torsion case that the study asks for.
+    pub torsion_cases: Vec<CaseOfDesign>,
     /// Largest difference between chain and flexible crank that decided which is computed with, over the larger, where the study leaves that open.
     pub crank_difference: Option<f64>,
     /// Times.

@@ -21,6 +21,7 @@ use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::{Clock, Timing};
+use super::torsion_case;
 use super::web_stress::{WebsOfDesign, web_stress};
 use super::{Progress, RunError, Silent, calibrate, families, timing_probe};
 use crate::absorber::Mounted;
@@ -135,6 +136,8 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
     let flexible = on_flexible(study, (&finders[0], &margins), (&designs, &optima, &shown), progress, &mut clock)?;
+    let best: Vec<DesignSpec> = optima.iter().filter(|o| o.main).map(|o| spec_of(&o.design)).collect();
+    let torsion_cases = torsion_case::by_case(study, &systems[0], margin.as_ref(), &best)?;
     large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
     let forced_floor = forced_floor(study, &finders[0]);
     let appearing = appearing(&systems);
@@ -169,6 +172,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         crank_models: flexible.crank_models,
         joints: flexible.joints,
         webs: flexible.webs,
+        torsion_cases,
         crank_difference: None,
         timing: clock.timing,
         system: systems.swap_remove(0),
@@ -196,6 +200,11 @@ fn on_flexible(
     let joints = on_joints::on_joints(study, &of_note, (progress, clock));
     let webs = web_stress((study, firing), margins, &of_note, (progress, clock))?;
     Ok(OnFlexible { crank_models, joints, webs })
+}
+
+/// What a design is of.
+fn spec_of(d: &DesignResult) -> DesignSpec {
+    DesignSpec { name: d.name.clone(), absorbers: d.absorbers.clone() }
 }
 
 /// The crank's margin, where the study judges it.

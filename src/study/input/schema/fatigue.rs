@@ -1,7 +1,7 @@
 //! The fatigue table of a study.
 
 use super::keyword::by_word;
-use crate::crankshaft::MarginCriterion;
+use crate::crankshaft::{MarginCriterion, TorsionCase};
 use crate::fatigue::endurance::RELIABILITIES;
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -27,6 +27,9 @@ pub(crate) struct RawFatigue {
     #[serde(default)]
     #[schemars(extend("default" = "signed", "examples" = ["as_tension"]))]
     pub mean_bending: RawMeanBending,
+    /// Margins at two instants of the cycle beside the full one, torsion by a case of Villalva (2014), section 7.2: all torques summed up to the flywheel, each throw by itself, or the differences of vibratory torques.
+    #[schemars(extend("examples" = ["c"]))]
+    pub torsion_case: Option<At<RawTorsionCase>>,
     /// Whether factors of concentration are lessened by notch sensitivity.
     #[serde(default)]
     #[schemars(extend("default" = false, "examples" = [true]))]
@@ -45,6 +48,12 @@ pub(crate) struct RawFatigue {
 pub(crate) struct RawCriterion(pub MarginCriterion);
 
 by_word!(RawCriterion, "Criterion", MarginCriterion::all(), MarginCriterion::name, Self);
+
+/// A torsion case by its letter.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RawTorsionCase(pub TorsionCase);
+
+by_word!(RawTorsionCase, "TorsionCase", TorsionCase::ALL, TorsionCase::name, Self);
 
 /// Pressure that bends the crank.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]

@@ -63,13 +63,20 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Cr
         RawMeanBending::AsTension => MeanBending::AsTension,
     };
     let notch_sensitivity = raw.notch_sensitivity;
+    let torsion_case = raw.torsion_case.as_ref().map(|c| c.get_ref().0);
+    if let Some(at) = &raw.torsion_case {
+        let nominal = |place: Place| fillets.iter().any(|f| f.place == place && !matches!(f.factors, FactorSource::UnitLoads(_)));
+        if !(nominal(Place::Crankpin) && nominal(Place::Journal)) {
+            check.wrong(at, "found a torsion case, expected a fillet with factors at a crankpin and one at a journal: its margins are at these");
+        }
+    }
     only_class_rule(check, raw, &criteria);
     if criteria.iter().any(|c| c.is_class_rule()) && !(STRENGTHS.0..=STRENGTHS.1).contains(&strength.tensile) {
         let (low, high) = (STRENGTHS.0 / PA_PER_MPA, STRENGTHS.1 / PA_PER_MPA);
         let at = &raw.material.tensile_strength_mpa;
         check.wrong(at, format!("found {} MPa, expected a tensile strength from {low} to {high} MPa for `iacs_m53`", at.get_ref()));
     }
-    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, limits, mean_bending, notch_sensitivity, fillets, rule })
+    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, limits, mean_bending, notch_sensitivity, fillets, torsion_case, rule })
 }
 
 /// What only other criteria than the class rule read must not stand without one.

@@ -4,6 +4,7 @@ use super::exit::{DONE, fail, files, paths, say, say_to_error, threads};
 use super::place::chosen;
 use super::progress::Bar;
 use crate::analysis::Progress;
+use crate::analysis::stress_figures::{of_point, of_points};
 use crate::analysis::stress_histories::{self, CHUNK, Summary};
 use crate::fatigue::multiaxial::Grid;
 use crate::fatigue::multiaxial::invariants::Amplitude as DeviatorAmplitude;
@@ -11,7 +12,7 @@ use crate::fatigue::multiaxial::plane::Amplitude;
 use crate::input::tables::{HistoryReader, PointHistory, Superposed};
 use crate::input::{InputError, noted, read_material, remarked};
 use crate::report::csv::fatigue::FatigueTable;
-use crate::report::{Folder, Job, Names, about_inputs, plot, text, write_folder};
+use crate::report::{Folder, Job, Names, about_inputs, plot, text, write_figure, write_folder};
 use crate::units::RAD_PER_DEG;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -46,6 +47,9 @@ pub struct Arguments {
     /// What amplitude a path of the deviator has: the radius of the smallest ball in five dimensions, or the largest of the ten circles in two, as the thesis took it, to see why not.
     #[arg(long, value_name = "WAY", value_enum, default_value_t)]
     pub deviator: Deviator,
+    /// Point that is drawn [default: that with the smallest factor].
+    #[arg(long, value_name = "NAME")]
+    pub point: Option<String>,
     /// Output folder [default: out/HISTORY].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -139,7 +143,7 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
     };
     let bar = Bar::default();
     bar.stage("points", 0);
-    let mut summary = Summary::default();
+    let mut summary = Summary { asked: arguments.point.clone(), ..Summary::default() };
     let mut points = points.peekable();
     while points.peek().is_some() {
         let chunk: Result<Vec<PointHistory>, _> = points.by_ref().take(CHUNK).collect();
@@ -163,8 +167,13 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
         }
     }
     drop(bar);
+    if let (Some(name), None) = (&arguments.point, &summary.critical) {
+        return fail(&format!("error: found --point {name}, expected the name of one of the {} points of the table", summary.points));
+    }
     let printed = || text::fatigue::summary(&summary, &limits);
     let written = table.finish(&folder).and_then(|()| plot::fatigue::draw(&summary, &limits, &folder));
+    let figures = [of_point(&summary), of_points(&summary)].into_iter().flatten();
+    let written = written.and_then(|()| figures.into_iter().try_for_each(|figure| write_figure(&figure, &folder)));
     let title = format!("Multiaxial fatigue of {} points", summary.points);
     if let Err(error) = written.and_then(|()| write_folder(&title, printed, &folder)).and_then(|()| folder.complete(&about_inputs(&inputs)))
     {

@@ -40,7 +40,7 @@ use hartog_study::{analysis, input};
 use run_tables::RUN_TABLES;
 
 use crate::analysis::classification::Classification;
-use crate::analysis::curves::Curves;
+use crate::analysis::curves::{Curves, Figure};
 use crate::analysis::fit_law::LawFit;
 use crate::analysis::sizing::{SizingResults, front_figure};
 use crate::analysis::{Calibration, Results};
@@ -121,16 +121,23 @@ pub fn write_comparison(
     Ok(())
 }
 
+/// Writes a figure as a table and a plot.
+///
+/// # Errors
+/// [`WriteError`] where a file cannot be written.
+#[doc(hidden)]
+pub fn write_figure(figure: &Figure, folder: &Folder) -> Result<(), WriteError> {
+    csv::curves::figure(figure, folder)?;
+    plot::curves::figure(figure, folder)
+}
+
 /// Writes a table and a plot a figure, and Holzer's tables.
 ///
 /// # Errors
 /// [`WriteError`] where a file cannot be written.
 #[doc(hidden)]
 pub fn write_curves(curves: &Curves, folder: &Folder) -> Result<(), WriteError> {
-    for figure in &curves.figures {
-        csv::curves::figure(figure, folder)?;
-        plot::curves::figure(figure, folder)?;
-    }
+    curves.figures.iter().try_for_each(|figure| write_figure(figure, folder))?;
     curves.unknowns.iter().try_for_each(|histories| csv::curves::unknowns(histories, folder))?;
     csv::curves::holzer(&curves.holzer, folder)
 }
@@ -176,10 +183,7 @@ pub fn write_sizing(study: &SizingStudy, results: &SizingResults, published: &[R
         csv::sizing::front(&results.front, folder)?;
         plot::curves::figure(&front_figure(study, &results.front), folder)?;
     }
-    for figure in &results.figures {
-        csv::curves::figure(figure, folder)?;
-        plot::curves::figure(figure, folder)?;
-    }
+    results.figures.iter().try_for_each(|figure| write_figure(figure, folder))?;
     plot::drawing::drawing(study, &results.sized, folder)?;
     if let Some(table) = &results.files.pressure {
         folder.write("pressure.csv", table.as_bytes())?;

@@ -90,7 +90,9 @@ impl Names {
             .both_if(flexible.is_some(), &["crank_modes", "orbits_#", "bearing_forces_#", "web_moments_#"])
             .tables_if(by_matrices, &unknowns.iter().map(String::as_str).collect::<Vec<_>>())
             .tables(&["holzer"])
-            .both(&["cylinder", "forces_#", "torque_#", "bearings_#", "crank_loads_#", "balance", "campbell", "modes"])
+            .both(&["cylinder", "forces_#", "torque_#", "kinematics_#", "pin_forces_#", "methods_#", "shafts_#", "loads_over_speed"])
+            .both(&["bearings_#", "crank_loads_#", "balance", "campbell", "modes"])
+            .both_if(study.fatigue.as_ref().is_some_and(|f| f.torsion_case.is_some()), &["torsion_cases_#"])
             .both(&["phase_vectors", "spectrum", "histories", "absorber_chart"])
             .both(&shafts.iter().map(String::as_str).collect::<Vec<_>>())
     }
@@ -98,7 +100,7 @@ impl Names {
     /// Those of `hartog fatigue`.
     #[doc(hidden)]
     pub fn of_fatigue() -> Self {
-        Self::of("fatigue", &[PAGE]).both(&["fatigue"])
+        Self::of("fatigue", &[PAGE]).both(&["fatigue", "fatigue_history", "fatigue_points"])
     }
 
     /// Those of `hartog fit`.
@@ -112,7 +114,7 @@ impl Names {
     pub fn of_size() -> Self {
         Self::of("size", &[PAGE, "engine.toml", "study.toml", "pressure.csv"])
             .tables(&["sizing", "sizing_comparison"])
-            .both(&["sizing_front", "sizing_forces_*", "sizing_moments_*"])
+            .both(&["sizing_front", "sizing_forces_*", "sizing_moments_*", "sizing_kinematics_*"])
             .plots(&["drawing"])
     }
 }

@@ -4,10 +4,10 @@
 
 use crate::support::{assert_close, study};
 use hartog::absorber::closed_forms;
+use hartog::absorber::fixed_points::{self, Point};
 use hartog::analysis::{self, Calibration, Results, Silent};
 use hartog::input::published::{PublishedAbsorber, PublishedFrequency};
 use hartog::input::{Published, Study};
-use hartog::validation::fixed_points::{self, Point};
 use hartog::validation::{Comparison, Entry, Kind, Role, Spread};
 use std::sync::OnceLock;
 

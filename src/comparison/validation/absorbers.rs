@@ -2,8 +2,8 @@
 //!
 //! Nothing is assumed of the source but the list of formulas it may have used: the one that gives its numbers is found by trying them all.
 
-use super::fixed_points::{self, Point};
 use super::{Entry, Kind, Role, Uncertainty};
+use crate::absorber::fixed_points::{self, Point};
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Absorber, Declaration, Law, Mounted, closed_forms};
 use crate::drivetrain::natural;

@@ -9,7 +9,6 @@ mod claims;
 pub mod comparison;
 pub mod entry;
 mod fatigue;
-pub mod fixed_points;
 mod frequencies;
 mod modes;
 mod multiaxial;

@@ -7,6 +7,7 @@ pub mod condensed;
 pub mod cooling;
 pub mod deviation;
 pub mod dynamic_stiffness;
+pub mod fixed_points;
 pub mod fractional_kelvin;
 pub mod fractional_zener;
 pub mod geometry;

@@ -1,4 +1,4 @@
-//! The worst point: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
+//! The worst point, or the one asked for: its shear path with the circle, its path of Dang Van with the limit, and the factors of all criteria.
 
 use super::canvas::{self, COLOURS, Drawn, GREY, WIDTH, captioned, fill, line, px, text};
 use crate::analysis::stress_histories::Summary;
@@ -20,7 +20,7 @@ pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), W
     let Some((point, result)) = &summary.critical else { return Ok(()) };
     let verdict = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
     canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {
-        let titled = canvas::titled(area, &format!("point {}: the smallest factor of all points", point.name))?;
+        let titled = canvas::titled(area, &format!("point {}{}", point.name, if summary.asked.is_none() { ": the smallest factor of all points" } else { "" }))?;
         let (upper, right) = titled.split_vertically(px(370));
         let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
         if let Some(v) = verdict(Criterion::MATAKE) {

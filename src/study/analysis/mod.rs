@@ -52,6 +52,8 @@ pub mod searches;
 pub mod sensitivities;
 pub mod sizing;
 mod strain;
+#[doc(hidden)]
+pub mod stress_figures;
 pub mod stress_histories;
 pub mod sweeps;
 pub mod systems;

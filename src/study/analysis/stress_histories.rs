@@ -10,6 +10,8 @@ use rayon::prelude::*;
 pub const CHUNK: usize = 256;
 /// Points kept for each criterion.
 const WORST: usize = 5;
+/// Points whose factors are drawn beside each other.
+const FEW: usize = 100;
 
 /// What the criteria say of a point.
 #[derive(Debug, Clone)]
@@ -37,8 +39,12 @@ pub struct Summary {
     pub points: usize,
     /// For each criterion the points with the smallest factors, smallest first.
     pub worst: Vec<Vec<(String, Verdict)>>,
-    /// The point with the smallest factor by any criterion, with its history.
+    /// The point asked for; `None` for the one with the smallest factor.
+    pub asked: Option<String>,
+    /// The point asked for, or that with the smallest factor by any criterion, with its history.
     pub critical: Option<(PointHistory, PointResult)>,
+    /// Every point with its factors, as long as there are no more than `FEW`.
+    pub few: Vec<PointResult>,
 }
 
 /// Evaluates some points, in parallel; in their order.
@@ -65,8 +71,17 @@ impl Summary {
                 list.truncate(WORST);
             }
         }
-        if self.critical.as_ref().is_none_or(|c| result.smallest() < c.1.smallest()) {
+        let shown = match &self.asked {
+            Some(name) => *name == point.name,
+            None => self.critical.as_ref().is_none_or(|c| result.smallest() < c.1.smallest()),
+        };
+        if shown {
             self.critical = Some((point.clone(), result.clone()));
+        }
+        if self.points <= FEW {
+            self.few.push(result.clone());
+        } else {
+            self.few.clear();
         }
     }
 }

@@ -46,6 +46,14 @@ impl History {
         self.components.each_ref().map(|c| c[j])
     }
 
+    /// A sum of the components with such weights over the cycle, Pa.
+    #[doc(hidden)]
+    pub fn along(&self, weights: &Weights) -> Vec<f64> {
+        let mut out = Vec::new();
+        self.project(weights, &mut out);
+        out
+    }
+
     /// A linear quantity at every sample.
     pub(crate) fn project(&self, weights: &Weights, out: &mut Vec<f64>) {
         out.resize(self.len(), 0.0);

@@ -67,8 +67,26 @@ impl Invariants {
 
 /// The largest radius of the smallest circles in pairs of dimensions.
 fn pairs(path: &[Vec<f64>; 5]) -> f64 {
-    let pairs = (0..5).flat_map(|a| (0..a).map(move |b| (a, b)));
-    pairs.map(|(a, b)| smallest_ball([&path[a], &path[b]]).radius).fold(0.0, f64::max)
+    PAIRS.map(|[a, b]| smallest_ball([&path[a], &path[b]]).radius).into_iter().fold(0.0, f64::max)
+}
+
+/// The ten pairs of dimensions.
+const PAIRS: [[usize; 2]; 10] = [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3], [0, 4], [1, 4], [2, 4], [3, 4]];
+
+/// The two of the five dimensions of the deviator, from 0, in which its path has the largest circle, and its path there, Pa.
+#[doc(hidden)]
+pub fn largest_pair(history: &History) -> ([usize; 2], [Vec<f64>; 2]) {
+    let path = history.deviator();
+    let radius = |[a, b]: [usize; 2]| smallest_ball([&path[a], &path[b]]).radius;
+    let [a, b] = PAIRS.into_iter().reduce(|m, p| if radius(p) > radius(m) { p } else { m }).unwrap_or(PAIRS[0]);
+    ([a, b], [path[a].clone(), path[b].clone()])
+}
+
+/// sqrt(J2) over the cycle, Pa: the length of the deviator's vector of five dimensions.
+#[doc(hidden)]
+pub fn sqrt_j2(history: &History) -> Vec<f64> {
+    let path = history.deviator();
+    (0..history.len()).map(|j| path.iter().map(|d| d[j] * d[j]).sum::<f64>().sqrt()).collect()
 }
 
 /// Largest shear stress of a deviator given as a vector of five dimensions: half the difference of its largest and smallest principal stress, by the angle of

@@ -21,6 +21,12 @@ pub(crate) const TORQUE: Axis = Axis { column: "torque_n_m", label: "torque / N 
 pub(crate) const FORCE: Axis = Axis { column: "force_n", label: "force / N" };
 /// Moment.
 pub(crate) const MOMENT: Axis = Axis { column: "moment_n_m", label: "moment / N m" };
+/// Travel of the piston.
+pub(crate) const TRAVEL: Axis = Axis { column: "travel_mm", label: "travel / mm" };
+/// Velocity of the piston.
+pub(crate) const VELOCITY: Axis = Axis { column: "velocity_m_per_s", label: "velocity / m/s" };
+/// Acceleration of the piston.
+pub(crate) const ACCELERATION: Axis = Axis { column: "acceleration_m_per_s2", label: "acceleration / m/s²" };
 /// Angle.
 pub(crate) const ANGLE: Axis = Axis { column: "angle_deg", label: "angle / °" };
 

@@ -7,14 +7,16 @@ mod crank_modes;
 mod cylinder;
 mod figure;
 mod journals;
+mod mechanism;
 mod modes;
 mod responses;
+mod torsion;
 mod unknowns;
 mod webs;
 
 pub use figure::curve;
 pub use figure::{Axis, Curve, Figure, Panel};
-pub(crate) use figure::{CRANK_DEG, FORCE, MOMENT, TORQUE};
+pub(crate) use figure::{ACCELERATION, CRANK_DEG, FORCE, MOMENT, TORQUE, TRAVEL, VELOCITY};
 pub use modes::HolzerRow;
 pub use modes::holzer;
 pub use unknowns::Histories;
@@ -66,14 +68,21 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));
         figures.extend(cylinder::torque(&study, *speed));
+        figures.extend(mechanism::kinematics(&study, *speed));
+        figures.extend(mechanism::pin_forces(&study, *speed));
+        figures.extend(mechanism::methods(&study, *speed));
         figures.extend(crank_loads::bearings(&study, *speed));
         figures.extend(crank_loads::crank_loads(&study, *speed));
         let of_crank = |error| RunError { what: "the flexible crank".into(), error };
+        let of_shafts = |error| RunError { what: format!("shafts at {speed} rpm"), error };
+        figures.extend(torsion::shafts(&study, &system, *speed).map_err(of_shafts)?);
+        figures.extend(torsion::cases(&study, &system, *speed).map_err(of_shafts)?);
         figures.extend(journals::journals(&study, &system, *speed).map_err(of_crank)?);
         figures.extend(webs::webs(&study, &system, *speed).map_err(of_crank)?);
         unknowns.extend(unknowns::histories(&study, &system, *speed).map_err(of_crank)?);
         progress.step();
     }
+    figures.extend(mechanism::over_speed(&study));
     figures.extend(balance::balance(&study, speeds[speeds.len() - 1]));
     if study.modes.elastic().next().is_some() {
         figures.push(modes::campbell(&study, &system));

@@ -107,7 +107,7 @@ pub(super) fn histories(study: &Study, system: &System) -> Result<Figure, Respon
 }
 
 /// The sum of all orders over the cycle, order zero left out.
-fn over_cycle(system: &System, phasors: &[C64], scale: f64) -> Vec<(f64, f64)> {
+pub(super) fn over_cycle(system: &System, phasors: &[C64], scale: f64) -> Vec<(f64, f64)> {
     let harmonics = &system.excitation.harmonics;
     // crank angle of a cycle: that of the period of the first harmonic
     let whole = 360.0 * f64::from(harmonics[0]) / system.excitation.orders[0].value();

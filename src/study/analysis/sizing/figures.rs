@@ -1,12 +1,13 @@
 //! Forces and moments of a sized slider-crank over the cycle.
 
 use super::results::FrontPoint;
-use crate::analysis::curves::{Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, curve};
+use crate::analysis::curves::{ACCELERATION, Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, TRAVEL, VELOCITY, curve};
 use crate::input::SizingStudy;
 use crate::sizing::Sized;
 use crate::sizing::crank::shares;
 use crate::sizing::cycle::{Cycle, Gas};
-use crate::units::DEG_PER_RAD;
+use crate::engine::kinematics::{Kinematics, SliderCrank};
+use crate::units::{DEG_PER_RAD, M_PER_MM, RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// Forces at the joints, along and across rod and crank, and moments at the sections, for the lowest and the highest speed.
 pub(super) fn figures(study: &SizingStudy, sized: &Sized) -> Vec<Figure> {
@@ -16,13 +17,30 @@ pub(super) fn figures(study: &SizingStudy, sized: &Sized) -> Vec<Figure> {
     let both = |i: usize| {
         let (cycle, throws) = (&sized.cycles[i], &sized.throws[i]);
         let name = format!("{}_rpm", cycle.speed_rpm);
-        [forces(study, cycle, &name), moments(study, cycle, throws, &name)]
+        [kinematics(study, cycle, &name), forces(study, cycle, &name), moments(study, cycle, throws, &name)]
     };
     shown.into_iter().flat_map(both).collect()
 }
 
 fn panel(title: &str, y: Axis, curves: Vec<Curve>) -> Panel {
     Panel { title: title.into(), x: CRANK_DEG, y, curves, y_top: None }
+}
+
+/// Travel from dead centre, velocity and acceleration of the piston.
+fn kinematics(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
+    let spec = &study.specification;
+    let crank = SliderCrank { crank_radius: spec.crank_radius(), rod_length: spec.rod_length, kinematics: Kinematics::Exact };
+    let omega = cycle.speed_rpm * RAD_PER_S_PER_RPM;
+    let line = |f: &dyn Fn(f64) -> f64| vec![curve("piston", cycle.crank_deg.iter().copied(), cycle.crank_deg.iter().map(|d| f(d * RAD_PER_DEG)))];
+    Figure {
+        name: format!("sizing_kinematics_{name}"),
+        title: format!("{}: motion of the piston at {} rpm", study.title, cycle.speed_rpm),
+        panels: vec![
+            panel("travel", TRAVEL, line(&|t| crank.motion(t).travel / M_PER_MM)),
+            panel("velocity", VELOCITY, line(&|t| crank.motion(t).slope * omega)),
+            panel("acceleration", ACCELERATION, line(&|t| crank.motion(t).curvature * omega * omega)),
+        ],
+    }
 }
 
 fn forces(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {

@@ -41,3 +41,15 @@ pub fn damping(mu: f64, tuning: f64, point: Point, step: f64) -> Option<f64> {
     let square = (undamped - amplification * amplification * determinant) / (4.0 * x * (amplification * amplification * locked - 1.0));
     (square.is_finite() && square >= 0.0).then(|| square.sqrt())
 }
+
+/// Amplitude of the engine over its static deflection at the square `x` of a frequency over the engine's, for an inertia ratio `mu`, a tuning and a damping ratio c/(2 J omega_engine); infinite damping locks the ring.
+/// \[Villalva 2014\] eq. (6.20), which prints the square of the left side without a square on the right.
+pub fn amplitude(mu: f64, tuning: f64, damping: f64, x: f64) -> f64 {
+    let locked = 1.0 - x * (1.0 + mu);
+    if damping == f64::INFINITY {
+        return 1.0 / locked.abs();
+    }
+    let (t, c) = (tuning * tuning, 4.0 * x * damping * damping);
+    let determinant = (t - x) * (1.0 - x) - mu * x * t;
+    (((t - x).powi(2) + c) / (determinant.powi(2) + c * locked.powi(2))).sqrt()
+}

@@ -39,7 +39,7 @@ enum Command {
     Check(check::Arguments),
     /// Chart speed against accuracy of every response method, how cost grows, and where each method fails.
     Chart(chart::Arguments),
-    /// Set published tables beside our own numbers, each with its role: given, calibrated, predicted, erratum or unexplained.
+    /// Set published tables beside our own numbers, each with its role.
     Compare(compare::Arguments),
     /// Plot what lies behind a design: pressure, forces, torque, bearings, crank loads, balance, modes, shafts, motions.
     Curves(curves::Arguments),

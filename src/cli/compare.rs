@@ -8,8 +8,8 @@ use crate::crankshaft::MarginCriterion;
 use crate::fatigue::Criterion;
 use crate::input::{self, CrankModel, InputFile, Published, Size, SizingStudy, Study};
 use crate::objective::Over;
-use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_examples, write_folder, write_rounds};
 use crate::report::text::publications::SizedPage;
+use crate::report::{self, Folder, Names, PAGE, about_inputs, text, write_comparison, write_examples, write_folder, write_rounds};
 use crate::sizing::size;
 use crate::validation::Comparison;
 use crate::validation::rounds::rounds;
@@ -21,8 +21,9 @@ use std::time::Instant;
 /// Arguments of `compare`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  hartog compare\n  hartog compare studies/villalva_v10.toml --out out/v10\n\n\
-Every published number has a role: given (an input of the model), calibrated (fitted to), predicted (computed without it), erratum (it\n\
-contradicts its own source, as the computation shows) or unexplained (no model comes near it). Notes are in comparison.csv.\n\n\
+Every published number has a role: given (an input of the model), calibrated (fitted to), predicted (by our loads and models, without it),\n\
+recomputed (from other printed numbers), fitted without freedom, other model, erratum (it contradicts its own source, as the computation\n\
+shows) or unexplained (no model comes near it). Notes are in comparison.csv, the order of designs by every measure in choices.csv.\n\n\
 Exit code: 0 done, 1 a tolerance stated in a study fails, 2 bad input or no finite response.")]
 pub struct Arguments {
     /// Study files (TOML) with published tables [default: those in ./studies].

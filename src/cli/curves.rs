@@ -13,8 +13,9 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  hartog curves studies/villalva_v10.toml\n  hartog curves studies/mendes_mwm6.toml --speed 1400 --speed 2200\n\n\
-Writes a table and a plot each of: cylinder pressure, forces, torque of every throw, loads of the main bearings, shear, moment and torque along the\n\
-crank, balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, motions over the cycle, absorber charts; and holzer.csv. Of a\n\
+Writes a table and a plot each of: cylinder pressure, motion of piston and rod, forces on piston, rod and crankpins, torque of every throw,\n\
+shafts over the cycle, loads of the main bearings, shear, moment and torque along the crank (by torsion case where the study has one),\n\
+balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, motions over the cycle, absorber charts; and holzer.csv. Of a\n\
 flexible crank its modes, orbits, bearing forces and moments of webs, too; of one by matrices the motions of its unknowns, for stresses."
 )]
 pub struct Arguments {

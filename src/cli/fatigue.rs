@@ -58,6 +58,23 @@ pub struct Arguments {
     pub threads: Option<u16>,
 }
 
+impl Arguments {
+    /// Planes and amplitudes that are asked for.
+    fn planes(&self) -> Grid {
+        Grid {
+            step: self.grid.map(|deg| deg * RAD_PER_DEG),
+            amplitude: match self.shear {
+                Shear::Circle => Amplitude::Circle,
+                Shear::Chord | Shear::Projection => Amplitude::Chord,
+            },
+            deviator: match self.deviator {
+                Deviator::Ball => DeviatorAmplitude::Ball,
+                Deviator::Pairs => DeviatorAmplitude::Pairs,
+            },
+        }
+    }
+}
+
 /// Amplitude of a path of shear.
 #[derive(Debug, Clone, Copy, Default, clap::ValueEnum)]
 pub enum Shear {
@@ -126,17 +143,7 @@ pub fn fatigue(arguments: &Arguments) -> u8 {
         Ok(folder) => folder,
         Err(error) => return fail(&error),
     };
-    let grid = Grid {
-        step: arguments.grid.map(|deg| deg * RAD_PER_DEG),
-        amplitude: match arguments.shear {
-            Shear::Circle => Amplitude::Circle,
-            Shear::Chord | Shear::Projection => Amplitude::Chord,
-        },
-        deviator: match arguments.deviator {
-            Deviator::Ball => DeviatorAmplitude::Ball,
-            Deviator::Pairs => DeviatorAmplitude::Pairs,
-        },
-    };
+    let grid = arguments.planes();
     let mut table = match FatigueTable::create(&folder) {
         Ok(table) => table,
         Err(error) => return fail(&error),

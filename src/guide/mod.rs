@@ -48,6 +48,10 @@ pub mod from_rust {}
 #[cfg_attr(any(doc, doctest), doc = include_str!("how_it_works.md"))]
 pub mod how_it_works {}
 
+/// See `src/guide/dissertations.md`.
+#[cfg_attr(any(doc, doctest), doc = include_str!("dissertations.md"))]
+pub mod dissertations {}
+
 /// See `src/guide/references.md`.
 #[cfg_attr(any(doc, doctest), doc = include_str!("references.md"))]
 pub mod references {}

@@ -1,11 +1,11 @@
 //! The crank as a structure: a beam on its bearings by two methods, stress concentration against the rule's own arithmetic, torsion cases.
 
 use crate::support::{assert_close, study};
+use hartog::crankshaft::TorsionCase;
 use hartog::crankshaft::stress_concentration::{Concentration, Formulas, Geometry};
 use hartog::crankshaft::{Beam, Crank, Support, elements, section, singularity};
 use hartog::fatigue::class_rules::{ClassRule, Manufacture, bore_stress};
 use hartog::validation::inverse;
-use hartog::validation::torsion_cases::{Case, halves};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -234,9 +234,9 @@ fn printed_factors_by_an_inverse_fit() {
 #[test]
 fn torsion_cases_by_hand() {
     let (applied, vibratory) = ([100.0, -40.0], [10.0, 30.0, 5.0]);
-    assert_eq!(halves(Case::A, &applied, &vibratory, 1.0), [[10.0, 110.0], [140.0, 100.0]]);
-    assert_eq!(halves(Case::B, &applied, &vibratory, -1.0), [[-10.0, 90.0], [70.0, -70.0]]);
-    assert_eq!(halves(Case::C, &applied, &vibratory, 1.0), [[20.0, 120.0], [145.0, 105.0]]);
+    assert_eq!(TorsionCase::A.halves(&applied, &vibratory, 1.0), [[10.0, 110.0], [140.0, 100.0]]);
+    assert_eq!(TorsionCase::B.halves(&applied, &vibratory, -1.0), [[-10.0, 90.0], [70.0, -70.0]]);
+    assert_eq!(TorsionCase::C.halves(&applied, &vibratory, 1.0), [[20.0, 120.0], [145.0, 105.0]]);
 }
 
 /// Tendencies: a sharper fillet, less overlap and a narrower web raise the factors, for random cranks within the ranges.

@@ -178,7 +178,7 @@ fn compare_writes_a_page_an_engine() {
     let text = String::from_utf8_lossy(&output);
     let lines: Vec<&str> = text.lines().collect();
     assert!((20..=40).contains(&lines.len()) && lines.iter().all(|l| l.chars().count() <= 100), "{} lines\n{text}", lines.len());
-    assert!(text.contains("tolerances that the study states hold") && !text.contains("Den Hartog"));
+    assert!(text.contains("tolerances that the studies state hold") && !text.contains("Den Hartog"));
     let pages: Vec<String> = ["villalva_i6_thesis", "villalva_v10_thesis"].map(|e| read(&folder.path().join(e), "report.html")).into();
     for words in
         ["Best published: viscous_untuned", "Possible with the same ring", "Erratum", "Unexplained", "std. error", "correlation", "holds"]
@@ -189,12 +189,18 @@ fn compare_writes_a_page_an_engine() {
     for engine in ["villalva_i6_thesis", "villalva_v10_thesis"] {
         let page = folder.path().join(engine);
         let table = read(&page, "comparison.csv");
-        assert!(table.starts_with("table,engine,design,quantity,unit,published,computed,deviation_percent,role,note\n"));
-        for role in ["given", "calibrated", "predicted", "erratum", "unexplained"] {
+        assert!(table.starts_with("table,engine,design,quantity,unit,published,computed,deviation_percent,role,note,half_digit,"));
+        for role in
+            ["given", "calibrated", "predicted", "recomputed", "\"fitted, no freedom left\"", "other model", "erratum", "unexplained"]
+        {
             assert!(table.contains(&format!(",{role},")), "{engine}: {role}");
         }
         assert!(!table.contains("NaN") && !table.contains("inf,"));
         assert!(read(&page, "calibration.csv").starts_with("input,in_file,fitted,standard_error,lower,upper,note\npressure_scale,"));
+        assert!(
+            read(&page, "choices.csv")
+                .starts_with("quantity,unit,design,published,computed,published_place,computed_place,recommended_in\n")
+        );
         for plot in ["comparison", "orders", "calibration"] {
             assert!(read(&page, &format!("{plot}.svg")).starts_with("<svg") && page.join(format!("{plot}.png")).is_file(), "{plot}");
         }
@@ -230,7 +236,7 @@ fn compare_that_fails() {
     let folder = tempfile::tempdir().expect("folder");
     let study = variant(folder.path(), "villalva_v10_thesis", &[("amplitude_worst = 30", "amplitude_worst = 3")]);
     let output = hartog().arg("compare").arg(&study).arg("--out").arg(folder.path().join("o")).assert().code(1).get_output().stdout.clone();
-    assert!(String::from_utf8_lossy(&output).contains("worst predicted amplitude, 3 %: 16.47 %: FAILS"));
+    assert!(String::from_utf8_lossy(&output).contains("worst predicted amplitude beyond its digits, 3 %: 21.42 %: FAILS"));
     let output = hartog().args(["compare", "studies/den_hartog.toml"]).assert().code(2).get_output().stderr.clone();
     assert!(String::from_utf8_lossy(&output).contains("has no [published] table"));
 }

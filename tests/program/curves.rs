@@ -103,3 +103,80 @@ fn the_command_writes_figures() {
     let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned() + &String::from_utf8_lossy(&refused.get_output().stdout);
     assert!(said.contains("expected a speed of the study, 1000 to 8700 rpm"), "{said}");
 }
+
+/// Law: the torque of a throw is its tangential force at the crank radius; what moving masses do returns to itself every turn, so that its mean over the cycle vanishes; velocity and acceleration are the rates of the travel; both
+/// methods agree for a rod that is two masses.
+#[test]
+fn forces_of_the_mechanism() {
+    for (name, speed) in [("villalva_v10", 6500.0), ("villalva_i6", 1600.0)] {
+        let curves = of(name, &[speed]);
+        let study = study(name);
+        let Source::Cylinder { geometry, .. } = &study.engine.source else { panic!("a cylinder") };
+        let tangential = panel(&curves, &format!("pin_forces_{speed}"), 2);
+        let torque = panel(&curves, &format!("torque_{speed}"), 0);
+        for (force, torque) in tangential.curves.iter().zip(&torque.curves) {
+            for (f, t) in force.points.iter().zip(&torque.points) {
+                assert_close(f.1 * geometry.slider_crank.crank_radius, t.1, 1e-9, 1e-6, "torque of a throw");
+            }
+        }
+        let (size, radial) = (panel(&curves, &format!("pin_forces_{speed}"), 0), panel(&curves, &format!("pin_forces_{speed}"), 1));
+        for ((s, r), t) in size.curves.iter().zip(&radial.curves).zip(&tangential.curves) {
+            for ((s, r), t) in s.points.iter().zip(&r.points).zip(&t.points) {
+                assert_close(r.1.hypot(t.1), s.1, 1e-12, 1e-9, "size of a force");
+            }
+        }
+        for i in [3, 4] {
+            for own in &panel(&curves, &format!("pin_forces_{speed}"), i).curves {
+                let largest = own.points.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+                let mean = own.points.iter().map(|p| p.1).sum::<f64>() / own.points.len() as f64;
+                assert_close(mean, 0.0, 0.0, 1e-9 * largest, "moving masses");
+            }
+        }
+        let kinematics = |i: usize| &panel(&curves, &format!("kinematics_{speed}"), i).curves[0].points;
+        let step = 1.0 / (6.0 * speed);
+        for (of, rate, scale) in [(0, 1, 1e-3), (1, 2, 1.0), (3, 4, std::f64::consts::PI / 180.0), (4, 5, 1.0)] {
+            let (of, rate) = (kinematics(of), kinematics(rate));
+            let largest = rate.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+            for j in 1..of.len() - 1 {
+                let slope = (of[j + 1].1 - of[j - 1].1) * scale / (2.0 * step);
+                assert_close(slope, rate[j].1, 0.0, 3e-4 * largest, "rate by differences a degree apart");
+            }
+        }
+        for methods in &curves.figures.iter().find(|f| f.name == format!("methods_{speed}")).expect("both methods").panels {
+            let [a, b] = &methods.curves[..] else { panic!("two methods") };
+            let largest = a.points.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+            for (a, b) in a.points.iter().zip(&b.points) {
+                assert_close(a.1, b.1, 0.0, 1e-9 * largest, &methods.title);
+            }
+        }
+    }
+}
+
+/// Law: half the range of a shaft's torque over the cycle is what the sweep has at that speed (720 points a cycle: 1e-3); along the crank the torque rises at a pin by the torque of its throw in the cases A and C; the two instants of
+/// the cases are one set for all designs.
+#[test]
+fn torque_of_the_crank() {
+    let curves = of("villalva_v10_thesis", &[6500.0]);
+    let shafts = panel(&curves, "shafts_6500", 0);
+    let sweep = curves.figures.iter().find(|f| f.name == "shaft_torque_none").expect("a sweep");
+    for swept in &sweep.panels {
+        let own = shafts.curves.iter().find(|c| c.label == swept.title).expect("the shaft");
+        let (low, high) = own.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, p| (m.0.min(p.1), m.1.max(p.1)));
+        let all = swept.curves.iter().find(|c| c.label == "all orders").expect("the sum");
+        let at = all.points.iter().find(|p| p.0 == 6500.0).expect("a speed of the study");
+        assert_close(0.5 * (high - low), at.1, 1e-3, 0.0, &swept.title);
+    }
+    let torque = panel(&curves, "torque_6500", 0);
+    let title = &panel(&curves, "torsion_cases_6500", 0).curves[0].label;
+    let angle: f64 = title.trim_start_matches("at ").trim_end_matches('°').parse().expect("an angle");
+    for case in [0, 2] {
+        let own = &panel(&curves, "torsion_cases_6500", 4).curves[case].points;
+        for (throw, corners) in own.chunks(4).enumerate() {
+            let jump = corners[2].1 - corners[1].1;
+            // the label is rounded to a degree: between its neighbours
+            let near: Vec<f64> = torque.curves[throw].points.iter().filter(|p| (p.0 - angle).abs() <= 1.0).map(|p| p.1).collect();
+            let (low, high) = near.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, t| (m.0.min(*t), m.1.max(*t)));
+            assert!(jump >= low - 1e-6 && jump <= high + 1e-6, "case {case}, throw {}: {jump} in {low} to {high}", throw + 1);
+        }
+    }
+}

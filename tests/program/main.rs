@@ -6,6 +6,7 @@ mod bad_input;
 mod commands;
 mod crank_page;
 mod curves;
+mod dissertations;
 mod fit;
 mod folders;
 mod hostile;

@@ -51,8 +51,9 @@ fn page(name: &str) -> Comparison {
 }
 
 fn deviations<'a>(c: &'a Comparison, kind: Kind, table: &'a str) -> impl Iterator<Item = (&'a Entry, f64, f64)> {
-    let predicted = c.entries.iter().filter(move |e| e.kind == kind && e.role == Role::Predicted && e.table.starts_with(table));
-    predicted.map(|e| (e, e.published.expect("printed"), e.computed.expect("ours")))
+    let free = |e: &Entry| matches!(e.role, Role::Predicted | Role::Recomputed);
+    let own = c.entries.iter().filter(move |e| e.kind == kind && free(e) && e.table.starts_with(table));
+    own.map(|e| (e, e.published.expect("printed"), e.computed.expect("ours")))
 }
 
 /// [Villalva 2014] Tables 6.1 and 6.2: frequencies within 1 Hz (none and tuned) or 1 % (viscous), critical speeds within 0.5 %, stiffness within
@@ -78,11 +79,11 @@ fn absorber_tables_are_reproduced() {
     }
 }
 
-/// The 11 predicted amplitudes of at least 0.10°: pooled median at most 8 %, V10 8 %, six 16 %, worst 30 %; the rows fitted are 7 and 7.
+/// The 12 predicted amplitudes, that of 0.03° with its one digit, too: pooled median at most 8 %, V10 8 %, six 16 %, worst 40 %, beyond half of the last digit 30 %; the rows fitted are 7 and 7.
 #[test]
 fn optimal_and_viscous_rows_are_predicted() {
     let mut pooled = Spread::default();
-    for (name, predicted, most) in [("villalva_v10_thesis", 5, 8.0), ("villalva_i6_thesis", 6, 16.0)] {
+    for (name, predicted, most) in [("villalva_v10_thesis", 6, 8.0), ("villalva_i6_thesis", 6, 16.0)] {
         let c = page(name);
         assert_eq!(shipped(name).calibration.as_ref().expect("fitted").rows.len(), 7, "{name}");
         let spread = &c.verdict.all;
@@ -90,6 +91,8 @@ fn optimal_and_viscous_rows_are_predicted() {
         assert_eq!(c.verdict.tuned.deviations.len() + c.verdict.viscous.deviations.len(), predicted, "{name}");
         assert!(spread.median().expect("rows") <= most, "{name}: {:?}", spread.deviations);
         pooled.deviations.extend(&spread.deviations);
+        let beyond = c.amplitudes.iter().filter(|r| r.role == Role::Predicted).filter_map(|r| r.beyond_digits_percent());
+        assert!(beyond.fold(0.0, f64::max) <= 30.0, "{name}");
         for row in c.amplitudes.iter().filter(|r| r.published.is_some()) {
             let design = study(name).designs[row.design].name.clone();
             let fitted = ["none", "tuned_unity"].contains(&design.as_str());
@@ -105,7 +108,7 @@ fn optimal_and_viscous_rows_are_predicted() {
         }
     }
     pooled.deviations.sort_by(f64::total_cmp);
-    assert!(pooled.median().expect("rows") <= 8.0 && pooled.worst().expect("rows") <= 30.0, "{:?}", pooled.deviations);
+    assert!(pooled.median().expect("rows") <= 8.0 && pooled.worst().expect("rows") <= 40.0, "{:?}", pooled.deviations);
 }
 
 /// What is predicted is not looked at: changing every predicted amplitude, or leaving them out, changes no bit of what is fitted.
@@ -135,7 +138,8 @@ fn edit_predicted(s: &mut Study, f: impl Fn(f64) -> Option<f64>) {
 fn errata(c: &Comparison) -> Vec<(String, String, String)> {
     // those of the crank's stresses have their own test
     let crank = |e: &Entry| e.quantity.contains("safety factor") || e.quantity.contains("von Mises");
-    let list = c.entries.iter().filter(|e| e.role == Role::Erratum && !crank(e));
+    let claim = |e: &Entry| e.table == "9" || e.table == "6.5.2" || e.table == "text" || e.table == "8.2";
+    let list = c.entries.iter().filter(|e| e.role == Role::Erratum && !crank(e) && !claim(e));
     list.map(|e| (e.table.clone(), e.design.clone(), e.quantity.clone())).collect()
 }
 
@@ -237,12 +241,12 @@ fn multiaxial_tables() {
     let fitted = Fitted::new("minucci_i4", |s| s.fatigue.as_mut().expect("[fatigue]").criteria.truncate(1));
     let c = fitted.beside(&fitted.published);
     let of = |kind: Kind, role: Role| c.entries.iter().filter(move |e| e.kind == kind && e.role == role).collect::<Vec<_>>();
-    let predicted = of(Kind::Multiaxial, Role::Predicted);
+    let predicted = of(Kind::Multiaxial, Role::Recomputed);
     assert_eq!(predicted.len(), 12, "three criteria at four points");
     for e in predicted {
         assert_close(e.computed.expect("ours"), e.published.expect("printed"), 0.0, 0.06, &e.quantity);
     }
-    let alike = of(Kind::MultiaxialAlone, Role::Predicted);
+    let alike = of(Kind::MultiaxialAlone, Role::Recomputed);
     assert_eq!(alike.len(), 56);
     assert!(alike.iter().all(|e| (e.computed.expect("ours") - e.published.expect("printed")).abs() < 0.1 + 1e-9));
     let errata: Vec<String> = of(Kind::Multiaxial, Role::Erratum).iter().map(|e| format!("{}: {}", e.design, e.quantity)).collect();

@@ -31,6 +31,7 @@ mod multiaxial_margin;
 mod one_order;
 mod prices;
 mod progress;
+mod publications;
 mod real_absorbers;
 mod robust;
 mod several_rings;

@@ -154,12 +154,12 @@ pub fn entries(study: &Study, published: &Published, conventions: &[Frequencies]
 }
 
 /// The amplitude of one order at the hub that the source accepts, degrees; `None` where it states none.
-pub fn accepted_deg(published: &Published) -> Option<f64> {
+pub(super) fn accepted_deg(published: &Published) -> Option<f64> {
     published.quantities.iter().find(|q| q.name == "recommended_hub_amplitude_limit").and_then(|q| q.value.as_ref().ok().copied())
 }
 
 /// The largest printed resonance of every design and ours of the same orders, beside what the source accepts.
-pub fn acceptance(study: &Study, published: &Published, rows: &[AmplitudeRow]) -> Vec<Entry> {
+pub(super) fn acceptance(study: &Study, published: &Published, rows: &[AmplitudeRow]) -> Vec<Entry> {
     let Some(limit) = accepted_deg(published) else { return Vec::new() };
     let word = |x: f64| if x <= limit { "holds" } else { "breaks" };
     let entry = |(i, design): (usize, &crate::input::DesignSpec)| {
@@ -177,7 +177,11 @@ pub fn acceptance(study: &Study, published: &Published, rows: &[AmplitudeRow]) -
             computed: Some(own),
             uncertainty: Uncertainty::default(),
             role: if fitted { Role::Calibrated } else { Role::Predicted },
-            note: format!("of the orders and speeds printed; the printed one {} the accepted {limit} deg, ours {} it", word(printed), word(own)),
+            note: format!(
+                "of the orders and speeds printed; the printed one {} the accepted {limit} deg, ours {} it",
+                word(printed),
+                word(own)
+            ),
         })
     };
     study.designs.iter().enumerate().filter_map(entry).collect()

@@ -68,6 +68,7 @@ impl Ranking {
     }
 
     /// How many pairs agree.
+    #[doc(hidden)]
     pub fn agreement(&self) -> Agreement {
         self.pairs().iter().fold(Agreement::default(), |sum, (_, agrees)| match agrees {
             None => Agreement { tied: sum.tied + 1, ..sum },

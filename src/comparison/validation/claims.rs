@@ -114,12 +114,15 @@ fn efficiency(study: &Study, published: &Published, rows: &[AmplitudeRow]) -> Re
     let system = System::with_modes(other.chain.clone(), other.modes.clone(), Excitation::new(&other.engine, other.order_limit));
     let scaled = amplitudes::rows(&other, published, None, &system)?;
     let ratio = |(own, row): (&AmplitudeRow, &AmplitudeRow)| {
-        let counted = row.role == Role::Calibrated || row.role == Role::Predicted;
+        let counted = row.role == Role::Calibrated;
         Some(own.computed?.amplitude / row.published.filter(|p| *p > 0.0 && counted)?)
     };
     let mut ratios: Vec<f64> = scaled.iter().zip(rows).filter_map(ratio).collect();
     ratios.sort_by(f64::total_cmp);
     let (Some(low), Some(high)) = (ratios.first(), ratios.last()) else { return Ok(None) };
-    let note = format!("eq. (3.7) with an efficiency of {efficiency}; amplitudes would be {low:.1} to {high:.1} times the printed ones (median {:.1})", ratios[ratios.len() / 2]);
+    let note = format!(
+        "eq. (3.7) with an efficiency of {efficiency}; amplitudes would be {low:.1} to {high:.1} times the printed ones that are fitted (median {:.1})",
+        ratios[ratios.len() / 2]
+    );
     Ok(Some(entry("text", "pressure over brake mean pressure", "-", (by_efficiency, fitted), Role::Erratum, note)))
 }

@@ -4,7 +4,9 @@ use super::amplitudes::{self, AmplitudeRow};
 use super::choices::{self, Choices};
 use super::entry::Entry;
 use super::verdict::{self, Verdict};
-use super::{absorbers, chain, claims, fatigue, frequencies, modes, multiaxial, notches, planes, predicted, text_values, uncertainty, von_mises};
+use super::{
+    absorbers, chain, claims, fatigue, frequencies, modes, multiaxial, notches, planes, predicted, text_values, uncertainty, von_mises,
+};
 use crate::analysis::{Calibration, Results, RunError};
 use crate::drivetrain::System;
 use crate::engine::Excitation;

@@ -115,7 +115,7 @@ pub struct Uncertainty {
 
 impl Uncertainty {
     /// Half the width of the interval that both leave: half of the last printed digit and two standard errors; `None` where nothing is printed.
-    pub fn half_width(&self) -> Option<f64> {
+    pub(super) fn half_width(&self) -> Option<f64> {
         Some(self.half_digit? + STANDARD_ERRORS * self.standard_error.unwrap_or(0.0))
     }
 }
@@ -153,6 +153,7 @@ impl Entry {
     }
 
     /// Whether ours is the printed number within the uncertainty of both; `None` where one is missing.
+    #[doc(hidden)]
     pub fn is_within(&self) -> Option<bool> {
         let (published, computed) = (self.published?, self.computed?);
         let rounding = ROUNDING * published.abs();

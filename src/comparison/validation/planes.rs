@@ -56,15 +56,16 @@ fn entry(table: &str, design: String, quantity: String, unit: &str, values: (Opt
 
 fn angles(at: &PublishedPoint, what: &str, printed: [f64; 2]) -> [Entry; 2] {
     let normal = |reading: Reading| reading(printed).normal().map(|x| format!("{x:.3}")).join(", ");
-    let note = format!("normal ({}) by eq. (4.1), ({}) with theta as colatitude; z is the axis of the crank", normal(by_equation), normal(by_text));
+    let note = format!(
+        "normal ({}) by eq. (4.1), ({}) with theta as colatitude; z is the axis of the crank",
+        normal(by_equation),
+        normal(by_text)
+    );
     let speed = if at.speed.is_empty() { String::new() } else { format!(" at {} rpm", at.speed) };
     let on_grid = |angle: f64| (angle / GRID - (angle / GRID).round()).abs() < SAME;
     let of = |name: &str, angle: f64| {
-        let (role, note) = if on_grid(angle) {
-            (Role::Given, note.clone())
-        } else {
-            (Role::Erratum, format!("not on the grid of 15 degrees; {note}"))
-        };
+        let (role, note) =
+            if on_grid(angle) { (Role::Given, note.clone()) } else { (Role::Erratum, format!("not on the grid of 15 degrees; {note}")) };
         let design = format!("{} {}{speed}", at.crank, at.point);
         entry(&at.table, design, format!("{what}, {name}"), "deg", (Some(angle * DEG_PER_RAD), None), role, note)
     };

@@ -25,7 +25,7 @@ pub(crate) fn speed_of(published: &Published, condition: &str) -> Option<f64> {
 
 /// Extremes of the torque of every shaft at one speed.
 fn torques(system: &System, design: &DesignSpec, speed_rpm: f64) -> Result<Vec<Extremes>, RunError> {
-    let found = torsion_case::torques(system, design, &Grid::new(&[speed_rpm], &[]));
+    let found = torsion_case::torques(system, &design.absorbers, &Grid::new(&[speed_rpm], &[]));
     let rows = found.map_err(|error| RunError { what: format!("design `{}`", design.name), error })?;
     Ok(rows.iter().map(|row| row[0]).collect())
 }
@@ -101,7 +101,8 @@ fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<V
     let Some(criterion) = criterion else { return Ok(Vec::new()) };
     let printed = |condition: &str, design: usize, place: Place| {
         let same = |f: &&PublishedFatigue| {
-            (f.design, f.condition.as_str(), f.fillet.as_str()) == (design, condition, place.name()) && TorsionCase::of(&f.torsion_case) == Some(TorsionCase::C)
+            (f.design, f.condition.as_str(), f.fillet.as_str()) == (design, condition, place.name())
+                && TorsionCase::of(&f.torsion_case) == Some(TorsionCase::C)
         };
         published.fatigue.iter().find(same).map(|f| f.safety_factor)
     };

@@ -165,8 +165,7 @@ impl CrankLoads<'_> {
     }
 
     /// Resultant bending moment at every crankpin at a sample, N m.
-    #[doc(hidden)]
-    pub fn pin_moments(&self, j: usize) -> Vec<f64> {
+    pub(super) fn pin_moments(&self, j: usize) -> Vec<f64> {
         let model = self.model;
         let resultant = |at: &f64| {
             let influence = model.beam.moment_at(&model.reactions, *at);

@@ -20,7 +20,10 @@ pub fn draw(summary: &Summary, limits: &Limits, folder: &Folder) -> Result<(), W
     let Some((point, result)) = &summary.critical else { return Ok(()) };
     let verdict = |c: Criterion| result.verdicts.iter().find(|v| v.criterion == c);
     canvas::save(folder, "fatigue", (WIDTH, 36 + 370 + 300), |area| {
-        let titled = canvas::titled(area, &format!("point {}{}", point.name, if summary.asked.is_none() { ": the smallest factor of all points" } else { "" }))?;
+        let titled = canvas::titled(
+            area,
+            &format!("point {}{}", point.name, if summary.asked.is_none() { ": the smallest factor of all points" } else { "" }),
+        )?;
         let (upper, right) = titled.split_vertically(px(370));
         let (left, middle) = upper.split_horizontally(px(WIDTH / 2));
         if let Some(v) = verdict(Criterion::MATAKE) {

@@ -1,8 +1,8 @@
 //! What is printed of a comparison: a table that lines up, and a paragraph generated from the numbers.
 
+use super::publications::{SAME_RING, agreements, value};
 use super::table::{aligned, dash, significant};
-use crate::input::{Study, UnitOf};
-use crate::units::DEG_PER_RAD;
+use crate::input::Study;
 use crate::validation::{Comparison, Entry, Kind, Ranked, Role, Spread};
 
 /// An input that differs from the printed one by more than its digits.
@@ -50,15 +50,6 @@ fn spread(words: &str, s: &Spread) -> String {
     }
 }
 
-pub(super) fn value(study: &Study, v: f64) -> String {
-    match study.objective.unit {
-        UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
-        UnitOf::Torque => format!("{} N m", significant(v, 4)),
-        UnitOf::Margin => crate::text::margin::factor(1.0 / v),
-        unit => format!("{}{}", significant(unit.shown(v), 4), unit.suffix()),
-    }
-}
-
 /// Where a number stands, what it is, as printed and as computed.
 fn named(e: &Entry) -> String {
     let design = if e.design.is_empty() { String::new() } else { format!(" of {}", e.design) };
@@ -68,9 +59,6 @@ fn named(e: &Entry) -> String {
 
 /// Factors printed with one digit that differ by no more than it are the same.
 const ONE_DIGIT: f64 = 0.1 + 1e-9;
-
-/// Rings whose inertias differ by less than this share are the same.
-pub(super) const SAME_RING: f64 = 1e-9;
 
 /// Which design is best, how far ahead an optimum is, how good the predictions are, and what not to trust.
 #[doc(hidden)]
@@ -89,7 +77,7 @@ pub fn brief(study: &Study, c: &Comparison) -> String {
     let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
     let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
     let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());
-    let more = [best(study, c), super::publications::agreements(&(study, c)), own_stresses(c), doubts(study, c)].concat();
+    let more = [best(study, c), agreements(&(study, c)), own_stresses(c), doubts(study, c)].concat();
     let more = more.into_iter().filter(|line| !line.starts_with("Input differs"));
     let held = Some(held).filter(|_| !c.verdict.checks.is_empty());
     let lines = std::iter::once(numbers).chain(reproduced(study, c)).chain(more).chain(failing).chain(held);

@@ -2,13 +2,17 @@
 
 use super::table::{aligned, dash, significant};
 use crate::crankshaft::Place;
-use crate::input::Study;
+use crate::input::{Study, UnitOf};
+use crate::units::DEG_PER_RAD;
 use crate::validation::rounds::RoundRow;
 use crate::validation::worked_examples::ExampleRow;
 use crate::validation::{Agreement, Chosen, Comparison, Entry, Kind, Placed, Role, Spread};
 
 /// A study with what it comes to.
 pub type Page<'a> = (&'a Study, &'a Comparison);
+
+/// Rings whose inertias differ by less than this share are the same.
+pub(super) const SAME_RING: f64 = 1e-9;
 
 /// The publication a study is of; the engine where the study names none.
 fn source<'a>((study, _): &Page<'a>) -> &'a str {
@@ -182,12 +186,11 @@ fn beside_ours(study: &Study, c: &Comparison) -> Option<String> {
     let own = |name: &str| c.verdict.designs.iter().find(|d| d.name == name);
     let chosen: Vec<_> = c.choices.chosen.iter().filter_map(|c| own(&c.design)).collect();
     let optimum = chosen.first().and_then(|first| {
-        let same = c.verdict.optima.iter().find(|o| (o.ring_inertia / first.ring_inertia - 1.0).abs() < super::comparison::SAME_RING);
+        let same = c.verdict.optima.iter().find(|o| (o.ring_inertia / first.ring_inertia - 1.0).abs() < SAME_RING);
         same.or(c.verdict.optima.first())
     })?;
-    let value = |v: f64| super::comparison::value(study, v);
-    let theirs: Vec<String> = chosen.iter().map(|d| value(d.objective)).collect();
-    let best = value(optimum.objective);
+    let theirs: Vec<String> = chosen.iter().map(|d| value(study, d.objective)).collect();
+    let best = value(study, optimum.objective);
     Some(format!("by ours {}, the optimum of {} kg m² {best}", theirs.join(", "), significant(optimum.ring_inertia, 4)))
 }
 
@@ -229,7 +232,9 @@ fn trends(pages: &[Page]) -> Vec<String> {
         names.push(&study.engine.name);
         let mut told = Vec::new();
         let mut printed = Vec::new();
-        for (what, model) in [("largest von Mises stress over the full cycle", "full cycle on the chain"), ("largest von Mises stress at", "flexible crank")] {
+        for (what, model) in
+            [("largest von Mises stress over the full cycle", "full cycle on the chain"), ("largest von Mises stress at", "flexible crank")]
+        {
             let pairs = stresses(what, study);
             let (Some(first), Some(last)) = (pairs.first(), pairs.last()) else { continue };
             let reversed = (last.0 - first.0) * (last.1 - first.1) < 0.0;
@@ -238,7 +243,12 @@ fn trends(pages: &[Page]) -> Vec<String> {
             told.push(format!("{model} {}{}", list(|p| p.1), if reversed { " (reversed)" } else { "" }));
         }
         if !told.is_empty() {
-            lines.push(format!("{}, largest stress at rising speed: printed {} MPa; {}.", study.engine.name, printed.concat(), told.join("; ")));
+            lines.push(format!(
+                "{}, largest stress at rising speed: printed {} MPa; {}.",
+                study.engine.name,
+                printed.concat(),
+                told.join("; ")
+            ));
         }
     }
     lines
@@ -274,7 +284,28 @@ pub fn rankings(c: &Comparison) -> String {
         }
         let own = ranking.agreement();
         let alike = if own.tied > 0 { format!(", {} printed alike", own.tied) } else { String::new() };
-        rows.push(vec![String::new(), format!("{} of {} pairs in the printed order{alike}", own.agree, own.pairs), String::new(), String::new(), String::new(), String::new()]);
+        rows.push(vec![
+            String::new(),
+            format!("{} of {} pairs in the printed order{alike}", own.agree, own.pairs),
+            String::new(),
+            String::new(),
+            String::new(),
+            String::new(),
+        ]);
     }
-    if rows.is_empty() { String::new() } else { aligned(&["measure", "design", "published", "computed", "place", "ours"], &rows, |c| c < 2) }
+    if rows.is_empty() {
+        String::new()
+    } else {
+        aligned(&["measure", "design", "published", "computed", "place", "ours"], &rows, |c| c < 2)
+    }
+}
+
+/// An objective in the unit of the study.
+pub(super) fn value(study: &Study, v: f64) -> String {
+    match study.objective.unit {
+        UnitOf::Angle => format!("{}°", significant(v * DEG_PER_RAD, 4)),
+        UnitOf::Torque => format!("{} N m", significant(v, 4)),
+        UnitOf::Margin => crate::text::margin::factor(1.0 / v),
+        unit => format!("{}{}", significant(unit.shown(v), 4), unit.suffix()),
+    }
 }

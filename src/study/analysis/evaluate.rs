@@ -6,6 +6,7 @@ use super::required_material::{MadeOf, made_of};
 use super::{BarredRange, ConditionResult, RuleStress, RunError, StillBroken, barred, conditions};
 use crate::absorber::Mounted;
 use crate::drivetrain::{System, natural};
+use crate::input::Study;
 use crate::numerics::C64;
 use crate::objective::{Condition, DesignPeaks, Measure, Over, Peak, PeakFinder, Place, holds};
 use crate::response::{Quantity, ResponseError, Unamplified, Work, quasi_static};
@@ -292,4 +293,14 @@ fn loads(peaks: &mut DesignPeaks, work: &mut Work) -> Result<Vec<AbsorberLoad>, 
         Ok(AbsorberLoad { power, ring_twist, made_of: made_of(&design[i].absorber, ring_twist) })
     };
     (0..design.len()).map(one).collect()
+}
+
+/// Largest value of the objective if nothing resonated, where it is a twist.
+pub(super) fn forced_floor(study: &Study, finder: &PeakFinder) -> Option<f64> {
+    match study.objective.measure.quantities.as_slice() {
+        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean && finder.system.flexible.is_none() => {
+            Some(floor(finder, *q, study.objective.measure.over))
+        }
+        _ => None,
+    }
 }

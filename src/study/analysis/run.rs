@@ -21,7 +21,7 @@ use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
 use super::timing::{Clock, Timing};
-use super::torsion_case;
+use super::torsion_case::{self, CaseOfDesign};
 use super::web_stress::{WebsOfDesign, web_stress};
 use super::{Progress, RunError, Silent, calibrate, families, timing_probe};
 use crate::absorber::Mounted;
@@ -97,8 +97,7 @@ impl Study {
 /// [`RunError`] where a design has no finite response.
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock::start();
-    let excitation = study.excitation();
-    let mut systems = systems(study, excitation, progress);
+    let mut systems = systems(study, study.excitation(), progress);
     let kinks: &[f64] = if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] };
     let grid = Grid::new(&study.speeds_rpm, kinks);
     clock.lap("excitation", Work::default());
@@ -132,16 +131,14 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let response = || over_speed(study, (&finders, &load_cases), (&shown, &optima), progress);
     let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
-    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, duty, heat, simplest, strain, large_twist, robust } = response?;
+    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust } =
+        response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
     let flexible = on_flexible(study, (&finders[0], &margins), (&designs, &optima, &shown), progress, &mut clock)?;
-    let best: Vec<DesignSpec> = optima.iter().filter(|o| o.main).map(|o| spec_of(&o.design)).collect();
-    let torsion_cases = torsion_case::by_case(study, &systems[0], margin.as_ref(), &best)?;
     large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
-    let forced_floor = forced_floor(study, &finders[0]);
-    let appearing = appearing(&systems);
-    let method = methods[0].name();
+    let forced_floor = evaluate::forced_floor(study, &finders[0]);
+    let (appearing, method) = (appearing(&systems), methods[0].name());
     drop(load_cases);
     drop(finders);
     drop(methods);
@@ -202,11 +199,6 @@ fn on_flexible(
     Ok(OnFlexible { crank_models, joints, webs })
 }
 
-/// What a design is of.
-fn spec_of(d: &DesignResult) -> DesignSpec {
-    DesignSpec { name: d.name.clone(), absorbers: d.absorbers.clone() }
-}
-
 /// The crank's margin, where the study judges it.
 fn crank(study: &Study, system: &System, grid: &Grid, progress: &dyn Progress, clock: &mut Clock) -> Option<Margin> {
     if study.fatigue.is_some() {
@@ -230,16 +222,6 @@ fn probe(study: &Study, finder: &PeakFinder, shown: &[&DesignResult], margins: &
 fn modes(study: &Study, system: &System) -> Vec<Vec<EngineMode>> {
     let highest = highest_frequency_hz(study, &system.excitation.orders);
     study.optimise.as_ref().map_or_else(Vec::new, |o| families::engine_modes(study, o, highest))
-}
-
-/// Largest value of the objective if nothing resonated, where it is a twist.
-fn forced_floor(study: &Study, finder: &PeakFinder) -> Option<f64> {
-    match study.objective.measure.quantities.as_slice() {
-        [q] if study.objective.is_twist && study.objective.measure.over != Over::Mean && finder.system.flexible.is_none() => {
-            Some(evaluate::floor(finder, *q, study.objective.measure.over))
-        }
-        _ => None,
-    }
 }
 
 fn of_design(d: &DesignResult, error: ResponseError) -> RunError {
@@ -300,6 +282,7 @@ struct OverSpeed {
     sweeps_of_sizes: Vec<Sweeps>,
     margins: Vec<MarginSweep>,
     diagram: Option<Diagram>,
+    torsion_cases: Vec<CaseOfDesign>,
     duty: Vec<DutyOfDesign>,
     heat: Vec<HeatOfDesign>,
     simplest: Vec<SimplestLaw>,
@@ -347,8 +330,9 @@ fn over_speed(
     let large_twist = large_twist::large_twist(study, firing, shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let simplest = equivalent_constants::simplest(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
+    let torsion_cases = torsion_case::by_case(study, firing, shown)?;
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, duty, heat, simplest, strain, large_twist, robust })
+    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

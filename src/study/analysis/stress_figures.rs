@@ -20,8 +20,9 @@ const FACTOR: Axis = Axis { column: "safety_factor", label: "safety factor" };
 pub fn of_point(summary: &Summary) -> Option<Figure> {
     let (point, result) = summary.critical.as_ref()?;
     let (history, n) = (&point.history, point.history.len());
-    let percent = || (0..n).map(|j| 100.0 * j as f64 / n as f64);
-    let mpa = |values: Vec<f64>| values.into_iter().map(|s| s / PA_PER_MPA);
+    // the first sample once more where the cycle ends
+    let percent = || (0..=n).map(|j| 100.0 * j as f64 / n as f64);
+    let mpa = |values: Vec<f64>| values.clone().into_iter().chain(values.into_iter().take(1)).map(|s| s / PA_PER_MPA);
     let von_mises: Vec<f64> = sqrt_j2(history).into_iter().map(|s| 3f64.sqrt() * s).collect();
     let mut over = vec![curve("von Mises", percent(), mpa(von_mises)), curve("hydrostatic", percent(), mpa(history.hydrostatic()))];
     let plane = result.verdicts.iter().find(|v| v.criterion == Criterion::MATAKE).and_then(|v| v.plane);
@@ -30,11 +31,7 @@ pub fn of_point(summary: &Summary) -> Option<Figure> {
         over.push(curve("normal to the plane of the largest shear", percent(), mpa(history.along(&resolved(&normal, &normal)))));
     }
     let ([a, b], [x, y]) = largest_pair(history);
-    let path = Curve {
-        label: format!("S{} and S{}", a + 1, b + 1),
-        order: None,
-        points: mpa(x).zip(mpa(y)).collect(),
-    };
+    let path = Curve { label: format!("S{} and S{}", a + 1, b + 1), order: None, points: mpa(x).zip(mpa(y)).collect() };
     let panel = |title: &str, x: Axis, y: Axis, curves: Vec<Curve>| Panel { title: title.into(), x, y, curves, y_top: None };
     Some(Figure {
         name: "fatigue_history".into(),

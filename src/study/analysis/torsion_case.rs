@@ -1,13 +1,14 @@
 //! Margins at two instants of the cycle by a torsion case of \[Villalva 2014\] beside those over the full cycle, over speed.
 
-use super::RunError;
+use super::{DesignResult, RunError};
+use crate::absorber::Mounted;
 use crate::crankshaft::critical_locations::nominal;
 use crate::crankshaft::loads::CrankModel;
 use crate::crankshaft::torsion_cases::{AtInstants, Instants, PerLoad, TorsionCase, stresses};
 use crate::crankshaft::{Crank, FatigueSpec, Margin, MarginCriterion, Place, Torque, Used};
 use crate::drivetrain::System;
 use crate::fatigue::{Criterion, Strength};
-use crate::input::{DesignSpec, Study};
+use crate::input::Study;
 use crate::numerics::synthesis::Extremes;
 use crate::objective::PeakFinder;
 use crate::response::{Direct, Grid, Method, Quantity, Response, ResponseError, Work};
@@ -50,11 +51,11 @@ impl CaseOfDesign {
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance.
 #[doc(hidden)]
-pub fn torques(system: &System, design: &DesignSpec, grid: &Grid) -> Result<Vec<Vec<Extremes>>, ResponseError> {
+pub fn torques(system: &System, design: &[Mounted], grid: &Grid) -> Result<Vec<Vec<Extremes>>, ResponseError> {
     let method = Method::Direct(Direct::new(system, grid));
     let finder = PeakFinder::new(system, grid, &method, false);
     let shafts: Vec<Quantity> = (0..system.chain.len() - 1).map(Quantity::ShaftTorque).collect();
-    let sweeps = finder.method.sweep_each(&design.absorbers, &shafts, &mut Work::default())?;
+    let sweeps = finder.method.sweep_each(design, &shafts, &mut Work::default())?;
     Ok(sweeps.iter().map(|s| finder.extremes(s)).collect())
 }
 
@@ -89,11 +90,11 @@ pub fn per_load(crank: &Crank, spec: &FatigueSpec) -> Option<[PerLoad; 2]> {
     Some([of(PLACES[0])?, of(PLACES[1])?])
 }
 
-/// Given designs and `found` ones by the case that the study asks for; nothing where it asks for none.
+/// Designs by the case that the study asks for; nothing where it asks for none.
 ///
 /// # Errors
 /// [`RunError`] where a design has no finite response.
-pub(crate) fn by_case(study: &Study, system: &System, margin: Option<&Margin>, found: &[DesignSpec]) -> Result<Vec<CaseOfDesign>, RunError> {
+pub(crate) fn by_case(study: &Study, firing: &PeakFinder, shown: &[&DesignResult]) -> Result<Vec<CaseOfDesign>, RunError> {
     let asked = study.fatigue.as_ref().and_then(|f| Some((f, f.torsion_case?)));
     let (Some((spec, case)), Some(crank)) = (asked, &study.crank) else { return Ok(Vec::new()) };
     let crank = in_the_middle(crank);
@@ -101,10 +102,11 @@ pub(crate) fn by_case(study: &Study, system: &System, margin: Option<&Margin>, f
     let (Some(per_load), Some(model)) = (per_load(&crank, spec), CrankModel::thesis(engine, &crank)) else { return Ok(Vec::new()) };
     let instants: Vec<Instants> = study.speeds_rpm.iter().map(|speed| Instants::new(engine, &model.at(*speed))).collect();
     let goodman = spec.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
-    let full = margin.zip(goodman);
+    let full = firing.margin.zip(goodman);
     let grid = Grid::new(&study.speeds_rpm, &[]);
-    let design = |d: &DesignSpec| {
-        let torques = torques(system, d, &grid).map_err(|error| RunError { what: format!("design `{}`", d.name), error })?;
+    let design = |d: &&DesignResult| {
+        let torques =
+            torques(firing.system, &d.absorbers, &grid).map_err(|error| RunError { what: format!("design `{}`", d.name), error })?;
         let speeds = study.speeds_rpm.iter().zip(&instants).enumerate().map(|(i, (speed, at))| {
             let shafts: Vec<Extremes> = torques.iter().map(|t| t[i]).collect();
             at_speed((case, at, *speed), &at_bearings(crank.throws(), &shafts), (per_load, spec.strength), |place| {
@@ -113,7 +115,7 @@ pub(crate) fn by_case(study: &Study, system: &System, margin: Option<&Margin>, f
         });
         Ok(CaseOfDesign { design: d.name.clone(), speeds: speeds.collect() })
     };
-    study.designs.iter().chain(found).map(design).collect()
+    shown.iter().map(design).collect()
 }
 
 fn at_speed(

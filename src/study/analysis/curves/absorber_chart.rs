@@ -50,7 +50,11 @@ pub(super) fn absorber_chart() -> Figure {
         name: "absorber_chart".into(),
         title: "Optimal absorbers on an undamped mass".into(),
         panels: vec![
-            panel("tuning", TUNING, vec![line("unity", &|_| 1.0), line("Den Hartog", &den_hartog_tuning), line("exact optimum", &|mu| h_infinity(mu).0)]),
+            panel(
+                "tuning",
+                TUNING,
+                vec![line("unity", &|_| 1.0), line("Den Hartog", &den_hartog_tuning), line("exact optimum", &|mu| h_infinity(mu).0)],
+            ),
             panel(
                 "damping",
                 DAMPING,

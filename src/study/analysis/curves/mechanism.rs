@@ -91,7 +91,9 @@ pub(super) fn methods(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let both: [(&str, Method); 2] = [("Newton-Euler", newton_euler), ("traditional", traditional)];
     let lines = |alone: bool, f: fn(&UnitForces) -> f64| -> Vec<Curve> {
         let at = |m: &Moment| if alone { still(m) } else { *m };
-        both.iter().map(|(label, method)| curve(*label, degrees(moments.len()), moments.iter().map(|m| f(&method(geometry, at(m)))))).collect()
+        both.iter()
+            .map(|(label, method)| curve(*label, degrees(moments.len()), moments.iter().map(|m| f(&method(geometry, at(m))))))
+            .collect()
     };
     Some(Figure {
         name: format!("methods_{speed_rpm}"),

@@ -15,8 +15,8 @@ mod unknowns;
 mod webs;
 
 pub use figure::curve;
-pub use figure::{Axis, Curve, Figure, Panel};
 pub(crate) use figure::{ACCELERATION, CRANK_DEG, FORCE, MOMENT, TORQUE, TRAVEL, VELOCITY};
+pub use figure::{Axis, Curve, Figure, Panel};
 pub use modes::HolzerRow;
 pub use modes::holzer;
 pub use unknowns::Histories;

@@ -73,7 +73,7 @@ pub(super) fn cases(study: &Study, system: &System, speed_rpm: f64) -> Result<Op
     let instants = Instants::new(engine, &loads);
     let grid = Grid::new(&[speed_rpm], &[]);
     let vibratory = study.designs.iter().map(|d| {
-        let found = torques(system, d, &grid)?;
+        let found = torques(system, &d.absorbers, &grid)?;
         Ok(at_bearings(crank.throws(), &found.iter().map(|row| row[0]).collect::<Vec<_>>()))
     });
     let vibratory: Vec<Vec<f64>> = vibratory.collect::<Result<_, ResponseError>>()?;
@@ -109,7 +109,8 @@ fn along(loads: &CrankLoads, instants: &Instants) -> Vec<Panel> {
         let line = |i: usize| Curve { label: label(i), order: None, points: of(i).into_iter().map(|(x, y)| (x / M_PER_MM, y)).collect() };
         vec![line(0), line(1)]
     };
-    let panel = |title: &str, y, of: &dyn Fn(usize) -> Vec<(f64, f64)>| Panel { title: title.into(), x: PLACE, y, curves: curves(of), y_top: None };
+    let panel =
+        |title: &str, y, of: &dyn Fn(usize) -> Vec<(f64, f64)>| Panel { title: title.into(), x: PLACE, y, curves: curves(of), y_top: None };
     vec![
         panel("shear force in the plane of throw 1", FORCE, &|i| both[i].0[0].clone()),
         panel("shear force across it", FORCE, &|i| both[i].0[1].clone()),

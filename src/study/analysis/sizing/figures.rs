@@ -2,11 +2,11 @@
 
 use super::results::FrontPoint;
 use crate::analysis::curves::{ACCELERATION, Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, TRAVEL, VELOCITY, curve};
+use crate::engine::kinematics::{Kinematics, SliderCrank};
 use crate::input::SizingStudy;
 use crate::sizing::Sized;
 use crate::sizing::crank::shares;
 use crate::sizing::cycle::{Cycle, Gas};
-use crate::engine::kinematics::{Kinematics, SliderCrank};
 use crate::units::{DEG_PER_RAD, M_PER_MM, RAD_PER_DEG, RAD_PER_S_PER_RPM};
 
 /// Forces at the joints, along and across rod and crank, and moments at the sections, for the lowest and the highest speed.
@@ -31,7 +31,8 @@ fn kinematics(study: &SizingStudy, cycle: &Cycle, name: &str) -> Figure {
     let spec = &study.specification;
     let crank = SliderCrank { crank_radius: spec.crank_radius(), rod_length: spec.rod_length, kinematics: Kinematics::Exact };
     let omega = cycle.speed_rpm * RAD_PER_S_PER_RPM;
-    let line = |f: &dyn Fn(f64) -> f64| vec![curve("piston", cycle.crank_deg.iter().copied(), cycle.crank_deg.iter().map(|d| f(d * RAD_PER_DEG)))];
+    let line =
+        |f: &dyn Fn(f64) -> f64| vec![curve("piston", cycle.crank_deg.iter().copied(), cycle.crank_deg.iter().map(|d| f(d * RAD_PER_DEG)))];
     Figure {
         name: format!("sizing_kinematics_{name}"),
         title: format!("{}: motion of the piston at {} rpm", study.title, cycle.speed_rpm),

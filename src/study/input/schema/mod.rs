@@ -11,6 +11,7 @@ mod keyword;
 pub mod material;
 pub mod material_states;
 pub mod measure;
+pub mod published;
 pub mod range;
 pub mod robust;
 pub mod sizing;

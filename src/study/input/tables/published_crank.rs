@@ -53,7 +53,17 @@ pub fn von_mises(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Pu
     let table = Table::read(path, &["design", "speed_rpm", "von_mises_mpa"])?;
     let rows = Rows::new(&table, engine)?;
     let (design, speed, stress) = (table.column("design")?, table.column("speed_rpm")?, table.column("von_mises_mpa")?);
-    rows.only(&["table", "engine", "design", "speed_rpm", "bearing_stiffness", "bearing_damping", "von_mises_mpa", "change_percent", "place"])?;
+    rows.only(&[
+        "table",
+        "engine",
+        "design",
+        "speed_rpm",
+        "bearing_stiffness",
+        "bearing_damping",
+        "von_mises_mpa",
+        "change_percent",
+        "place",
+    ])?;
     let mut list: Vec<PublishedVonMises> = Vec::new();
     for (line, cells) in &rows.of_engine {
         let factor =

@@ -54,7 +54,15 @@ pub(crate) fn published_examples(path: &Path) -> Result<Vec<PublishedExample>, I
         };
         let program = table.optional("program").map_or(Ok(None), |c| table.number(*line, c, &cells[c]))?;
         let source = table.optional("table").map_or_else(|| Ok(String::new()), words)?;
-        Ok(PublishedExample { table: source, example: words(example)?, is_input, quantity: words(quantity)?, unit: words(unit)?, value, program })
+        Ok(PublishedExample {
+            table: source,
+            example: words(example)?,
+            is_input,
+            quantity: words(quantity)?,
+            unit: words(unit)?,
+            value,
+            program,
+        })
     };
     table.rows.iter().map(row).collect()
 }

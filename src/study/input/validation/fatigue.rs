@@ -67,7 +67,10 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Cr
     if let Some(at) = &raw.torsion_case {
         let nominal = |place: Place| fillets.iter().any(|f| f.place == place && !matches!(f.factors, FactorSource::UnitLoads(_)));
         if !(nominal(Place::Crankpin) && nominal(Place::Journal)) {
-            check.wrong(at, "found a torsion case, expected a fillet with factors at a crankpin and one at a journal: its margins are at these");
+            check.wrong(
+                at,
+                "found a torsion case, expected a fillet with factors at a crankpin and one at a journal: its margins are at these",
+            );
         }
     }
     only_class_rule(check, raw, &criteria);
@@ -76,7 +79,16 @@ pub(crate) fn resolve(check: &mut Check, raw: &At<RawFatigue>, crank: Option<&Cr
         let at = &raw.material.tensile_strength_mpa;
         check.wrong(at, format!("found {} MPa, expected a tensile strength from {low} to {high} MPa for `iacs_m53`", at.get_ref()));
     }
-    (check.mistakes.len() == before).then_some(FatigueSpec { criteria, strength, limits, mean_bending, notch_sensitivity, fillets, torsion_case, rule })
+    (check.mistakes.len() == before).then_some(FatigueSpec {
+        criteria,
+        strength,
+        limits,
+        mean_bending,
+        notch_sensitivity,
+        fillets,
+        torsion_case,
+        rule,
+    })
 }
 
 /// What only other criteria than the class rule read must not stand without one.

@@ -4,7 +4,7 @@ use super::named::table;
 use crate::fatigue::multiaxial::Limits;
 use crate::input::error::{At, Check, InputError};
 use crate::input::published::{Published, Tolerances};
-use crate::input::schema::study::{RawPublished, RawTolerances};
+use crate::input::schema::published::{RawPublished, RawTolerances};
 use crate::input::tables::{self, Reach};
 use std::path::Path;
 
@@ -76,6 +76,12 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
     if let Some(file) = &raw.planes {
         published.planes = table(check, file, folder, tables::planes).unwrap_or_default();
     }
+    any_table(check, raw);
+    published
+}
+
+/// At least one table is there.
+fn any_table(check: &mut Check, raw: &RawPublished) {
     let tables = [
         &raw.chain,
         &raw.frequencies,
@@ -96,7 +102,6 @@ pub(crate) fn resolve(check: &mut Check, raw: &RawPublished, folder: &Path, reac
         let names = "`chain`, `frequencies`, `modes`, `von_mises`, `absorbers`, `amplitudes`, `engines`, `choices`, `fatigue`, `stresses`, `factors`, `multiaxial`, `histories`, `planes`";
         check.wrong(&raw.engine, format!("found no table, expected at least one of {names}"));
     }
-    published
 }
 
 /// Rows of a table; none where there is no such table.

@@ -82,6 +82,7 @@ fn torsion_cases_by_study() {
         let limit =
             page.comparison.entries.iter().find(|e| e.quantity == "fatigue limit behind the safety factors").and_then(|e| e.computed);
         let mut checked = 0;
+        let mut smallest: Vec<(String, Vec<(String, f64)>)> = Vec::new();
         for case in TorsionCase::ALL {
             let mut s = page.study.clone();
             let printed: Vec<&hartog::input::published::PublishedFatigue> =
@@ -104,6 +105,14 @@ fn torsion_cases_by_study() {
             fatigue.fillets = vec![fillet(Place::Crankpin), fillet(Place::Journal)];
             let results = analysis::run(&s, &Silent).expect("damped");
             assert_eq!(results.torsion_cases.len(), s.designs.len());
+            let least = |of: fn(&analysis::CaseAtSpeed) -> f64| -> Vec<(String, f64)> {
+                let one = |d: &analysis::CaseOfDesign| (d.design.clone(), d.speeds.iter().map(of).fold(f64::INFINITY, f64::min));
+                results.torsion_cases.iter().map(one).collect()
+            };
+            smallest.push((case.name().into(), least(|s| s.safety_factors[0])));
+            if case == TorsionCase::C {
+                smallest.push(("full cycle".into(), least(|s| s.full_cycle[0].expect("goodman"))));
+            }
             for f in printed {
                 let design = &results.torsion_cases[f.design];
                 let at = design.speeds.iter().find(|r| r.speed_rpm == speed(&f.condition)).expect("a speed");
@@ -121,6 +130,23 @@ fn torsion_cases_by_study() {
             }
         }
         assert_eq!(checked, 36, "{name}");
+        // what the README says of the designs by each case
+        let readme = include_str!("../../README.md");
+        let at = |case: &str, design: &str| {
+            let found =
+                smallest.iter().find(|s| s.0 == case).and_then(|s| s.1.iter().find(|d| d.0 == design)).map(|d| format!("{:.2}", d.1));
+            found.expect("computed")
+        };
+        let (best, label) = if name.contains("v10") { ("tuned_unity", "V10 ") } else { ("tuned_optimal", "six ") };
+        for (case, words) in [("c", [best, "viscous_untuned", "none"]), ("full cycle", ["viscous_untuned", best, "none"])] {
+            let sentence: Vec<String> = words.iter().map(|d| format!("{} {}", short(d), at(case, d))).collect();
+            let (flat, sentence) = (readme.replace('\n', " "), format!("{label}{}", sentence.join(", ")));
+            assert!(flat.contains(&sentence), "{sentence}");
+        }
+        for (case, list) in &smallest {
+            let first = list.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|d| d.0.as_str());
+            assert_eq!(first, Some(if case == "c" { best } else { "viscous_untuned" }), "{name}, case {case}");
+        }
     }
 }
 
@@ -219,6 +245,29 @@ fn roles_and_sentences() {
         [("none", false, false), ("tuned_unity", false, false), ("tuned_optimal", false, false), ("viscous_untuned", true, true)]
     );
     assert!(page("villalva_v10_thesis").results.designs.len() == 4);
+}
+
+/// Equals itself: the accepted amplitude as a limit of a study judges every design as the guide says.
+#[test]
+fn accepted_amplitude_as_a_limit() {
+    let limit = "[[constraint]]\nhub_amplitude = { station = \"pulley\", over = \"orders\", max_deg = 0.25, speed_rpm = [1500, 3200] }\n";
+    let chapter = include_str!("../../src/guide/dissertations.md");
+    assert!(chapter.contains(limit));
+    let folder = tempfile::tempdir().expect("folder");
+    let path = crate::support::variant(folder.path(), "villalva_i6_thesis", &[("[fatigue]", &format!("{limit}\n[fatigue]"))]);
+    let mut s = hartog::input::read(&path).expect("a study");
+    (s.optimise, s.front, s.fatigue) = (None, None, None);
+    s.more_objectives.clear();
+    s.conditions.clear();
+    let results = s.run().expect("damped");
+    let found: Vec<String> = results.designs.iter().map(|d| format!("{:.3}° ({})", 0.25 * d.limits_firing[0], short(&d.name))).collect();
+    let [first @ .., last] = &found[..] else { panic!("designs") };
+    let sentence = format!("{} and {last}", first.join(", "));
+    assert!(chapter.replace('\n', " ").contains(&sentence), "{sentence}");
+}
+
+fn short(design: &str) -> &str {
+    design.trim_start_matches("tuned_").trim_end_matches("_untuned")
 }
 
 /// Equals the literature: every angle of Minucci's planes is on his grid of 15 degrees and named in both readings, and 57 of his 60 pairs of planes are one plane by his eq. (4.1), 48 with theta as colatitude.

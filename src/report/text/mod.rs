@@ -31,6 +31,7 @@ mod sizing;
 mod strain;
 pub(crate) mod table;
 mod to_be_computed;
+mod torsion_cases;
 pub(crate) mod verdict;
 mod whole;
 pub mod width;
@@ -57,6 +58,7 @@ pub use sizing::{brief as sizing_in_brief, examples, rounds, sizing};
 pub use strain::strain;
 pub use table::dash;
 pub use table::table;
+pub(crate) use torsion_cases::torsion_cases;
 pub use whole::{notes, whole};
 
 /// Numbers of things, but for those of which there are none.

@@ -15,6 +15,7 @@ pub fn whole(study: &Study, fitted: Option<&Calibration>, results: &Results) -> 
     text += &super::designs(study, results);
     let sections = [
         margin::margins(study, results),
+        super::torsion_cases(results),
         super::crank_models(results),
         super::duty(results),
         super::life(results),

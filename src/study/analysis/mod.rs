@@ -93,4 +93,5 @@ pub use sensitivities::Sensitivity;
 pub use strain::{StrainAt, StrainOfDesign};
 pub use sweeps::Sweeps;
 pub use timing::Timing;
+pub use torsion_case::{CaseAtSpeed, CaseOfDesign};
 pub use web_stress::{VonMisesAt, Web, WebMargin, WebsOfDesign, von_mises_on_bearings};

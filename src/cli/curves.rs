@@ -3,7 +3,7 @@
 use super::exit::{DONE, fail, files, paths, say};
 use super::place::chosen;
 use super::progress::Bar;
-use crate::analysis::curves::curves as compute;
+use crate::analysis::curves::{Shown, curves_of};
 use crate::engine::Source;
 use crate::input;
 use crate::report::{Folder, Job, Names, about_inputs, text, write_curves, write_folder};
@@ -12,7 +12,8 @@ use std::path::PathBuf;
 /// Arguments of `curves`.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  hartog curves studies/villalva_v10.toml\n  hartog curves studies/mendes_mwm6.toml --speed 1400 --speed 2200\n\n\
+    after_help = "Examples:\n  hartog curves studies/villalva_v10.toml\n  hartog curves studies/mendes_mwm6.toml --speed 1400 --speed 2200\n  \
+hartog curves studies/villalva_i6.toml --design none --throw 1 --orders all\n\n\
 Writes a table and a plot each of: cylinder pressure, motion of piston and rod, forces on piston, rod and crankpins, torque of every throw,\n\
 shafts over the cycle, loads of the main bearings, shear, moment and torque along the crank (by torsion case where the study has one),\n\
 balance, mode shapes, phase vectors, spectrum, torque of the shafts by orders, motions over the cycle, absorber charts; and holzer.csv. Of a\n\
@@ -27,9 +28,28 @@ pub struct Arguments {
     /// Speed of forces and loads; may be given several times [default: that of the largest mean torque and the highest].
     #[arg(long, value_name = "RPM")]
     pub speed: Vec<f64>,
+    /// Design that is shown; may be given several times [default: all].
+    #[arg(long, value_name = "NAME")]
+    pub design: Vec<String>,
+    /// Throw that is shown where there is a curve a throw; may be given several times [default: all].
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..))]
+    pub throw: Vec<u16>,
+    /// Orders that the torque of shafts shows.
+    #[arg(long, value_name = "WHICH", value_enum, default_value_t)]
+    pub orders: Orders,
     /// Number of threads [default: all]; results are the same for any number.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub threads: Option<u16>,
+}
+
+/// Orders that are drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Orders {
+    /// Those with the largest peaks.
+    #[default]
+    Main,
+    /// All of the study.
+    All,
 }
 
 /// Computes the curves of a study and writes them.
@@ -52,6 +72,14 @@ pub fn curves(arguments: &Arguments) -> u8 {
     let mut speeds = arguments.speed.clone();
     speeds.sort_by(f64::total_cmp);
     speeds.dedup();
+    if let Some(name) = arguments.design.iter().find(|name| !study.designs.iter().any(|d| d.name == **name)) {
+        let known: Vec<&str> = study.designs.iter().map(|d| d.name.as_str()).collect();
+        return fail(&format!("error: found --design {name}, expected one of the study: {}", known.join(", ")));
+    }
+    let throws = study.engine.layout.throws();
+    if let Some(throw) = arguments.throw.iter().find(|t| usize::from(**t) > throws) {
+        return fail(&format!("error: found --throw {throw}, expected a number from 1 to {throws}"));
+    }
     let path = match chosen(arguments.out.as_ref(), &arguments.study, "_curves") {
         Ok(path) => path,
         Err(error) => return fail(&error),
@@ -62,7 +90,13 @@ pub fn curves(arguments: &Arguments) -> u8 {
         Err(error) => return fail(&error),
     };
     let bar = Bar::default();
-    let found = compute(&study, &speeds, &bar);
+    let shown = Shown {
+        speeds_rpm: speeds,
+        designs: arguments.design.clone(),
+        throws: arguments.throw.iter().map(|t| usize::from(*t) - 1).collect(),
+        all_orders: arguments.orders == Orders::All,
+    };
+    let found = curves_of(&study, &shown, &bar);
     drop(bar);
     let found = match found {
         Ok(curves) => curves,

@@ -3,7 +3,7 @@
 use crate::support::{assert_close, study};
 use assert_cmd::Command;
 use hartog::analysis::Silent;
-use hartog::analysis::curves::{Curves, Figure, Panel, curves};
+use hartog::analysis::curves::{Curves, Figure, Panel, Shown, curves, curves_of};
 use hartog::engine::{Excitation, Source};
 use std::fs;
 
@@ -179,4 +179,21 @@ fn torque_of_the_crank() {
             assert!(jump >= low - 1e-6 && jump <= high + 1e-6, "case {case}, throw {}: {jump} in {low} to {high}", throw + 1);
         }
     }
+}
+
+/// What is asked for is shown, and nothing else: one design, one throw, all orders; the fit of the inputs sees all designs.
+#[test]
+fn only_what_is_asked_for() {
+    let study = study("villalva_v10_thesis");
+    let shown = Shown { speeds_rpm: vec![8700.0], designs: vec!["tuned_unity".into()], throws: vec![1], all_orders: true };
+    let (some, all) = (curves_of(&study, &shown, &Silent).expect("damped"), curves(&study, &[8700.0], &Silent).expect("damped"));
+    let names = |c: &Curves| c.figures.iter().map(|f| f.name.clone()).filter(|n| n.starts_with("shaft_torque")).collect::<Vec<_>>();
+    assert_eq!((names(&some), names(&all).len()), (vec!["shaft_torque_tuned_unity".to_owned()], 4));
+    let pins = panel(&some, "pin_forces_8700", 0);
+    assert_eq!(pins.curves.len(), 1);
+    assert_eq!(pins.curves[0], panel(&all, "pin_forces_8700", 0).curves[1]);
+    // orders 1/2 to 12, and all together
+    let of = |c: &Curves| panel(c, "shaft_torque_tuned_unity", 0).curves.len();
+    assert_eq!((of(&some), of(&all)), (25, 7));
+    assert_eq!(panel(&some, "shafts_8700", 0).curves, panel(&all, "shafts_8700", 1).curves);
 }

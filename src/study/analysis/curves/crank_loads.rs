@@ -2,6 +2,7 @@
 
 use super::cylinder::STRIDE;
 use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, MOMENT, Panel, TORQUE, curve};
+use super::shown::Shown;
 use crate::crankshaft::loads::{self, CrankModel};
 use crate::input::Study;
 use crate::numerics::elementary::Elementary;
@@ -12,7 +13,7 @@ pub(super) const PLACE: Axis = Axis { column: "place_mm", label: "place along th
 const MM: f64 = 1e3;
 
 /// One load case a throw: the instant of its largest rod force at a speed. Nothing without `[crank]`.
-pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
+pub(super) fn crank_loads(study: &Study, shown: &Shown, speed_rpm: f64) -> Option<Figure> {
     let crank = study.crank.as_ref()?;
     let model = CrankModel::new(study.engine_of_crank(), crank)?;
     let loads = model.at(speed_rpm);
@@ -22,7 +23,7 @@ pub(super) fn crank_loads(study: &Study, speed_rpm: f64) -> Option<Figure> {
     };
     let worst = |t: usize| (0..loads.theta.len()).fold(0, |m, j| if size(t, j) > size(t, m) { j } else { m });
     let (mut shear, mut moment, mut across, mut torque) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for t in 0..crank.throws() {
+    for t in shown.throws(crank.throws()) {
         let j = worst(t);
         let (v, m) = loads.along(j, t);
         let named = |points: &[(f64, f64)]| Curve {

@@ -1,6 +1,7 @@
 //! Pressure over crank angle and over swept volume; forces and torque of a cylinder and of the throws.
 
 use super::figure::{Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, TORQUE, curve};
+use super::shown::Shown;
 use crate::engine::cycle::Cycle;
 use crate::engine::forces::{UnitForces, friction_torque, gas_torque, inertia_torque_per_omega2, unit_forces};
 use crate::engine::pressure::sample_angle;
@@ -110,10 +111,11 @@ pub(super) fn forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
 }
 
 /// Torque of every throw and of all together at a speed.
-pub(super) fn torque(study: &Study, speed_rpm: f64) -> Option<Figure> {
+pub(super) fn torque(study: &Study, shown: &Shown, speed_rpm: f64) -> Option<Figure> {
     let loads = Cycle::new(&study.engine)?.loads(speed_rpm, STRIDE);
     let n = loads.theta.len();
-    let throws = loads.torque.iter().enumerate().map(|(t, y)| curve(format!("throw {}", t + 1), degrees(n), y.iter().copied())).collect();
+    let line = |t: usize| curve(format!("throw {}", t + 1), degrees(n), loads.torque[t].iter().copied());
+    let throws = shown.throws(loads.torque.len()).map(line).collect();
     let total = curve("all throws", degrees(n), (0..n).map(|j| loads.torque.iter().map(|t| t[j]).sum()));
     let panel = |title: &str, curves| Panel { title: title.into(), x: CRANK_DEG, y: TORQUE, curves, y_top: None };
     Some(Figure {

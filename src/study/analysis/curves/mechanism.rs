@@ -2,6 +2,7 @@
 
 use super::cylinder::{STRIDE, cylinder_of, degrees};
 use super::figure::{ACCELERATION, ANGLE, Axis, CRANK_DEG, Curve, FORCE, Figure, Panel, SPEED, TORQUE, TRAVEL, VELOCITY, curve};
+use super::shown::Shown;
 use crate::engine::Engine;
 use crate::engine::cycle::{Cycle, ThrowLoads, axes, crank_fixed, pin_angles};
 use crate::engine::forces::{Moment, UnitForces, newton_euler, traditional};
@@ -56,7 +57,7 @@ fn of_masses(engine: &Engine, loads: &ThrowLoads, unit: &[UnitForces]) -> Vec<Ve
 }
 
 /// Force on every crankpin over the cycle at a speed: its size, its parts in axes that turn with the crank, and what the moving masses alone do in axes of the engine.
-pub(super) fn pin_forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
+pub(super) fn pin_forces(study: &Study, shown: &Shown, speed_rpm: f64) -> Option<Figure> {
     let (geometry, _) = cylinder_of(study)?;
     let cycle = Cycle::new(&study.engine)?;
     let loads = cycle.loads(speed_rpm, STRIDE);
@@ -66,7 +67,7 @@ pub(super) fn pin_forces(study: &Study, speed_rpm: f64) -> Option<Figure> {
     let pins = pin_angles(&study.engine);
     let each = |f: &dyn Fn(usize, usize) -> f64| -> Vec<Curve> {
         let n = loads.theta.len();
-        (0..forces.len()).map(|t| curve(format!("throw {}", t + 1), degrees(n), (0..n).map(|j| f(t, j)))).collect()
+        shown.throws(forces.len()).map(|t| curve(format!("throw {}", t + 1), degrees(n), (0..n).map(|j| f(t, j)))).collect()
     };
     let turned = |t: usize, j: usize| crank_fixed(forces[t][j], loads.theta[j] + pins[t]);
     Some(Figure {

@@ -10,6 +10,7 @@ mod journals;
 mod mechanism;
 mod modes;
 mod responses;
+mod shown;
 mod torsion;
 mod unknowns;
 mod webs;
@@ -19,6 +20,7 @@ pub(crate) use figure::{ACCELERATION, CRANK_DEG, FORCE, MOMENT, TORQUE, TRAVEL, 
 pub use figure::{Axis, Curve, Figure, Panel};
 pub use modes::HolzerRow;
 pub use modes::holzer;
+pub use shown::Shown;
 pub use unknowns::Histories;
 
 use super::calibrate::calibrate;
@@ -59,20 +61,31 @@ fn share_scale(figures: &mut [Figure]) {
 /// # Errors
 /// [`RunError`] where a design has no finite response.
 pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Result<Curves, RunError> {
-    let (study, _) = calibrate(study, progress)?;
+    curves_of(study, &Shown { speeds_rpm: speeds_rpm.to_vec(), ..Shown::default() }, progress)
+}
+
+/// The same, of what is asked for.
+///
+/// # Errors
+/// As [`curves`].
+#[doc(hidden)]
+pub fn curves_of(study: &Study, shown: &Shown, progress: &dyn Progress) -> Result<Curves, RunError> {
+    let speeds_rpm = &shown.speeds_rpm;
+    let (mut study, _) = calibrate(study, progress)?;
+    study.designs.retain(|d| shown.designs.is_empty() || shown.designs.contains(&d.name));
     let system = study.system(study.excitation());
-    let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.to_vec() };
+    let speeds = if speeds_rpm.is_empty() { load_cases(&study, &system) } else { speeds_rpm.clone() };
     progress.stage("curves", speeds.len() + study.designs.len());
     let mut figures: Vec<Figure> = cylinder::pressure(&study).into_iter().collect();
     let mut unknowns = Vec::new();
     for speed in &speeds {
         figures.extend(cylinder::forces(&study, *speed));
-        figures.extend(cylinder::torque(&study, *speed));
+        figures.extend(cylinder::torque(&study, shown, *speed));
         figures.extend(mechanism::kinematics(&study, *speed));
-        figures.extend(mechanism::pin_forces(&study, *speed));
+        figures.extend(mechanism::pin_forces(&study, shown, *speed));
         figures.extend(mechanism::methods(&study, *speed));
         figures.extend(crank_loads::bearings(&study, *speed));
-        figures.extend(crank_loads::crank_loads(&study, *speed));
+        figures.extend(crank_loads::crank_loads(&study, shown, *speed));
         let of_crank = |error| RunError { what: "the flexible crank".into(), error };
         let of_shafts = |error| RunError { what: format!("shafts at {speed} rpm"), error };
         figures.extend(torsion::shafts(&study, &system, *speed).map_err(of_shafts)?);
@@ -93,7 +106,7 @@ pub fn curves(study: &Study, speeds_rpm: &[f64], progress: &dyn Progress) -> Res
     let mut shafts = Vec::new();
     for design in &study.designs {
         let of_design = |error| RunError { what: format!("design `{}`", design.name), error };
-        shafts.extend(responses::shaft_torque(&study, &system, design).map_err(of_design)?);
+        shafts.extend(responses::shaft_torque(&study, &system, (design, shown)).map_err(of_design)?);
         progress.step();
     }
     share_scale(&mut shafts);

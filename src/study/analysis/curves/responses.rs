@@ -1,6 +1,7 @@
 //! Torque of the shafts by orders over speed, motions over the cycle, order spectrum of the torque.
 
 use super::figure::{ANGLE, CRANK_DEG, Curve, Figure, ORDER, Panel, SPEED, TORQUE, curve};
+use super::shown::Shown;
 use crate::absorber::Mounted;
 use crate::drivetrain::System;
 use crate::input::{DesignSpec, Study};
@@ -41,7 +42,11 @@ fn shafts(study: &Study, direct: &Direct, design: &[Mounted]) -> Result<Vec<Vec<
 ///
 /// # Errors
 /// [`ResponseError::Unbounded`] where nothing damps a resonance met exactly.
-pub(super) fn shaft_torque(study: &Study, system: &System, design: &DesignSpec) -> Result<Option<Figure>, ResponseError> {
+pub(super) fn shaft_torque(
+    study: &Study,
+    system: &System,
+    (design, shown): (&DesignSpec, &Shown),
+) -> Result<Option<Figure>, ResponseError> {
     let grid = Grid::new(&study.speeds_rpm, &[]);
     let direct = Direct::new(system, &grid);
     let sweeps = shafts(study, &direct, &design.absorbers)?;
@@ -56,7 +61,9 @@ pub(super) fn shaft_torque(study: &Study, system: &System, design: &DesignSpec) 
         let of_order = |n: usize| sweeps[*s].iter().skip(n).step_by(orders).map(|y| y.norm()).collect::<Vec<f64>>();
         let mut main: Vec<usize> = (0..orders).collect();
         main.sort_by(|a, b| peak(&of_order(*b)).total_cmp(&peak(&of_order(*a))));
-        main.truncate(MAIN_ORDERS);
+        if !shown.all_orders {
+            main.truncate(MAIN_ORDERS);
+        }
         main.sort_unstable();
         let mut curves: Vec<Curve> = main
             .into_iter()

@@ -275,6 +275,18 @@ fn sections_hold_what_they_are_sized_for() {
             assert!(smaller >= spec.design_factor * (1.0 - 1e-9), "{}: {smaller}", m.section);
         }
         assert!(last.buckling_margin >= spec.buckling_factor * (1.0 - 1e-9));
+        // what stands behind a margin gives it: Goodman's line of the equivalent moments on the section
+        for m in last.margins.iter().filter(|m| m.behind.is_some()) {
+            let (behind, d) =
+                (m.behind.expect("a round section"), last.sizes.named().iter().find(|n| n.0.starts_with(m.section)).map(|n| n.1));
+            let d = d.unwrap_or(if m.section == "piston_pin" { last.sizes.pin_diameter } else { last.sizes.seat_diameter });
+            let part = if m.section == "piston_pin" { &spec.pin } else { &spec.crank };
+            let section = std::f64::consts::PI * d.powi(3) / 32.0;
+            let used = (behind.moments[0] / behind.fatigue_limit + behind.moments[1] / part.tensile) / section;
+            assert_close(1.0 / used, m.fatigue, 1e-9, 0.0, m.section);
+            let limit = behind.factors.iter().product::<f64>() * (0.5 * part.tensile).min(7e8);
+            assert_close(limit, behind.fatigue_limit, 1e-12, 0.0, m.section);
+        }
         let (before, after) = crank::shares(&spec.bearings);
         let s = 0.5 * (last.sizes.crankpin_length + last.sizes.web_thickness);
         let from_before = before * (spec.bearings.before + s) - s;

@@ -21,6 +21,6 @@ pub mod stepped_shaft;
 pub mod web;
 
 pub use failure::SizingError;
-pub use round::{Margin, Round};
+pub use round::{Behind, Margin, Round};
 pub use rounds::{Sized, size};
 pub use specification::{Bearings, Bending, Given, Material, Sizes, Specification, TorqueCase};

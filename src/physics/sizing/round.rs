@@ -27,6 +27,19 @@ pub struct Margin {
     pub yielding: f64,
     /// For infinite life.
     pub fatigue: f64,
+    /// What stands behind that; `None` of sections that are not round.
+    pub behind: Option<Behind>,
+}
+
+/// What stands behind the margin of a round section for infinite life, of the throw and speed with the smallest.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Behind {
+    /// Of load, size, surface, temperature and reliability \[Norton 2013\] chapter 6.
+    pub factors: [f64; 5],
+    /// With all of them, Pa.
+    pub fatigue_limit: f64,
+    /// Equivalent moments of amplitude and mean, N m.
+    pub moments: [f64; 2],
 }
 
 /// What one round comes to.
@@ -111,7 +124,14 @@ impl RoundSection<'_> {
         let strength = self.strength(diameter);
         let all = self.moments.iter().map(|m| m.margins(&strength, self.notch, diameter));
         let [yielding, fatigue] = all.fold([f64::INFINITY; 2], |a, b| [a[0].min(b[0]), a[1].min(b[1])]);
-        Margin { section: self.name, yielding, fatigue }
+        let used = |m: &&Moments| m.margins(&strength, self.notch, diameter)[1];
+        let worst = self.moments.iter().min_by(|a, b| used(a).total_cmp(&used(b)));
+        let behind = worst.map(|m| Behind {
+            factors: self.material.endurance(Loading::Bending, diameter).factors(self.material.tensile),
+            fatigue_limit: strength.fatigue_limit,
+            moments: m.equivalent(self.notch),
+        });
+        Margin { section: self.name, yielding, fatigue, behind }
     }
 }
 
@@ -214,7 +234,7 @@ fn shank_thickness(spec: &Specification, loads: &[ShankLoads]) -> f64 {
 fn shank_margin(spec: &Specification, loads: &[ShankLoads], thickness: f64) -> Margin {
     let needed = loads.iter().map(|l| rod::axial_thickness(l, &spec.rod, 1.0));
     let [yielding, fatigue] = needed.fold([0.0f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]).map(|t| (thickness / t).powi(2));
-    Margin { section: "rod_shank", yielding, fatigue }
+    Margin { section: "rod_shank", yielding, fatigue, behind: None }
 }
 
 /// Fatigue factors of a fillet: the web as a shoulder, as high as it is in bending and as wide as it is in torsion.
@@ -231,7 +251,7 @@ fn notch(spec: &Specification, diameter: f64, sizes: &Sizes) -> Notch {
 fn web_margin<'a>(spec: &Specification, webs: impl Iterator<Item = &'a WebLoads>, sizes: &Sizes) -> Margin {
     let all = webs.map(|loads| web::margins(loads, (sizes.web_breadth, sizes.web_thickness), &spec.crank));
     let [yielding, fatigue] = all.fold([f64::INFINITY; 2], |a, b| [a[0].min(b[0]), a[1].min(b[1])]);
-    Margin { section: "web", yielding, fatigue }
+    Margin { section: "web", yielding, fatigue, behind: None }
 }
 
 /// Webs whose margin is within this of the smallest are looked at while the breadth is sought; the others are looked at again in the end.
@@ -298,5 +318,5 @@ fn eye(spec: &Specification, cycles: &[Cycle], end: End, bore: f64, shank_thickn
     };
     let per_area = eye::stress_concentration(ratio) / ((ratio - 1.0) * bore * width);
     let margin = |area: f64| if area > 0.0 { 1.0 / (per_area * area) } else { f64::INFINITY };
-    Ok((ratio * bore, Margin { section: name, yielding: margin(yielding), fatigue: margin(fatigue) }))
+    Ok((ratio * bore, Margin { section: name, yielding: margin(yielding), fatigue: margin(fatigue), behind: None }))
 }

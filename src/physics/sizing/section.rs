@@ -60,16 +60,16 @@ impl Notch {
 
 impl Moments {
     /// Equivalent moments for amplitude and mean, N m: sqrt((K M)² + 3/4 (K_s T)²), by von Mises.
-    fn equivalent(&self, notch: Notch) -> (f64, f64) {
+    pub(super) fn equivalent(&self, notch: Notch) -> [f64; 2] {
         let [a, b] = self.bending;
         let combine = |m: f64, t: f64| (notch.bending * m).hypotenuse(0.75f64.sqrt() * notch.torsion * t);
         let amplitude = a.amplitude.hypotenuse(b.amplitude) + self.rotating.abs();
-        (combine(amplitude, self.torsion.amplitude), combine(a.mean.hypotenuse(b.mean), self.torsion.mean))
+        [combine(amplitude, self.torsion.amplitude), combine(a.mean.hypotenuse(b.mean), self.torsion.mean)]
     }
 
     /// Diameter for infinite life, m: d³ = 32 n/pi (M_a/S_e + M_m/S_ut) of the equivalent moments \[Norton 2013\] eq. (10.8).
     pub fn fatigue_diameter(&self, strength: &Strength, notch: Notch, factor: f64) -> f64 {
-        let (amplitude, mean) = self.equivalent(notch);
+        let [amplitude, mean] = self.equivalent(notch);
         (32.0 * factor / PI * (amplitude / strength.fatigue_limit + mean / strength.tensile)).cube_root()
     }
 

@@ -24,15 +24,18 @@ pub struct Material {
 impl Material {
     /// Fatigue limit of a round section, Pa; axial load has no effect of size \[Norton 2013\] eq. (6.7c).
     pub fn fatigue_limit(&self, loading: Loading, diameter: f64) -> f64 {
-        let diameter = if loading == Loading::Axial { 0.0 } else { diameter };
-        let endurance = Endurance {
+        self.endurance(loading, diameter).factors(self.tensile).iter().product::<f64>() * estimated_limit(self.tensile)
+    }
+
+    /// What a round section differs in from a specimen.
+    pub(super) fn endurance(&self, loading: Loading, diameter: f64) -> Endurance {
+        Endurance {
             loading,
-            diameter,
+            diameter: if loading == Loading::Axial { 0.0 } else { diameter },
             surface: self.surface,
             temperature_c: self.temperature_c,
             reliability_percent: self.reliability_percent,
-        };
-        endurance.factors(self.tensile).iter().product::<f64>() * estimated_limit(self.tensile)
+        }
     }
 
     /// Strengths of a round section.

@@ -5,7 +5,7 @@ use crate::analysis::sizing::{FrontPoint, SizingResults};
 use crate::files::{Folder, WriteError};
 use crate::sizing::Round;
 use crate::sizing::rod::TAPER;
-use crate::units::{DEG_PER_RAD, M_PER_MM};
+use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_MPA};
 use crate::validation::rounds::{EXPLAINED, RoundRow, reason};
 use crate::validation::worked_examples::ExampleRow;
 
@@ -33,6 +33,14 @@ fn quantities(round: &Round) -> Vec<(String, &'static str, f64)> {
         list.push((format!("{}_margin_fatigue", m.section), "1", m.fatigue));
     }
     list.push(("rod_shank_margin_buckling".into(), "1", round.buckling_margin));
+    for (m, behind) in round.margins.iter().filter_map(|m| Some((m, m.behind?))) {
+        for (name, factor) in ["load", "size", "surface", "temperature", "reliability"].iter().zip(behind.factors) {
+            list.push((format!("{}_{name}_factor", m.section), "1", factor));
+        }
+        list.push((format!("{}_fatigue_limit", m.section), "MPa", behind.fatigue_limit / PA_PER_MPA));
+        list.push((format!("{}_moment_amplitude", m.section), "N m", behind.moments[0]));
+        list.push((format!("{}_moment_mean", m.section), "N m", behind.moments[1]));
+    }
     list
 }
 

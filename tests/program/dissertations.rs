@@ -93,6 +93,7 @@ fn has_unit(quantity: &str) -> bool {
         "damping_ratio",
         "inertia_ratio",
         "frequency_ratio",
+        "amplitude_ratio",
         "station",
         "relative_angle",
     ];

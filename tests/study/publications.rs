@@ -48,7 +48,7 @@ fn designs_in_the_printed_order() {
     let chapter = include_str!("../../src/guide/dissertations.md");
     for (name, label, expected, tied, chosen) in [
         ("villalva_v10_thesis", "V10", [(18, 18), (5, 7), (15, 18), (11, 18)], 0, vec!["tuned_unity"]),
-        ("villalva_i6_thesis", "six", [(10, 13), (6, 6), (7, 13), (11, 13)], 5, vec!["viscous_untuned", "tuned_unity"]),
+        ("villalva_i6_thesis", "six", [(10, 13), (9, 11), (7, 13), (11, 13)], 5, vec!["viscous_untuned", "tuned_unity"]),
     ] {
         let choices = &page(name).comparison.choices;
         let at_crankpins = |kind: Kind| {
@@ -61,7 +61,13 @@ fn designs_in_the_printed_order() {
         let found = kinds.map(|k| (at_crankpins(k).agree, at_crankpins(k).pairs));
         assert_eq!(found, expected, "{name}");
         assert_eq!(at_crankpins(Kind::OwnMargin).tied, tied, "{name}");
-        let row = format!("| {label} | {} |", expected.map(|(a, n)| format!("{a} of {n}")).join(" | "));
+        let at_journals = |kind: Kind| {
+            let own = Agreement::of(choices.rankings.iter().filter(|r| r.kind == kind && r.quantity.ends_with("journal")));
+            (own.agree, own.pairs)
+        };
+        let journals = [Kind::OwnMargin, Kind::FullCycleMargin].map(at_journals);
+        let cells: Vec<String> = expected.iter().chain(&journals).map(|(a, n)| format!("{a} of {n}")).collect();
+        let row = format!("| {label} | {} |", cells.join(" | "));
         assert!(chapter.contains(&row), "{row}");
         let names: Vec<&str> = choices.chosen.iter().map(|c| c.design.as_str()).collect();
         assert_eq!(names, chosen);
@@ -181,7 +187,9 @@ fn uncertainties() {
     let moved = |i: usize, by: f64| -> Vec<Entry> {
         let mut values = fitted.clone();
         values[i].1 += by * errors[i];
-        let study = page.study.with_inputs(&values);
+        // from the engine file, not from the fitted study, whose pressure is scaled already
+        let study = study("villalva_i6_thesis").with_inputs(&values);
+        let study = Study { optimise: None, front: None, conditions: Vec::new(), fatigue: page.study.fatigue.clone(), ..study };
         let results = analysis::run(&study, &Silent).expect("damped");
         hartog::validation::compare((&study, &study), published, None, &results).expect("damped").entries
     };
@@ -224,7 +232,7 @@ fn roles_and_sentences() {
     let expected = [
         "v1 largest deviation of case C from the flexible model 20.00 38.26 erratum",
         "v1 largest deviation of the chain's frequencies from finite elements 3.00 5.79 erratum",
-        "v1 pressure over brake mean pressure 1.82 0.73 erratum",
+        "v1 pressure over brake mean pressure 1.82 0.73 unexplained",
         "i6 largest deviation of case C from the flexible model 32.00 32.14 recomputed",
         "i6 largest deviation of the chain's frequencies from finite elements 3.00 9.51 erratum",
         "i6 orders 4.5 and 6 with tuned absorbers, said to be below 0.25 0.34 erratum",
@@ -300,11 +308,17 @@ fn examples_of_books() {
     let mut tables: Vec<&str> = rows.iter().map(|r| r.table.as_str()).collect();
     tables.dedup();
     assert_eq!(tables, ["9", "11", "14", "16", "18", "20", "23", "25"]);
-    for r in rows.iter().filter(|r| (r.table.as_str(), r.quantity.as_str()) != ("25", "rod_inertia")) {
+    for r in rows.iter().filter(|r| r.computed.is_some() && (r.table.as_str(), r.quantity.as_str()) != ("25", "rod_inertia")) {
         let most = if r.table == "25" { 2.0 } else { 1.0 };
-        assert!(r.deviation_percent().abs() < most, "{} {}: {} %", r.table, r.quantity, r.deviation_percent());
+        let off = r.deviation_percent().expect("ours");
+        assert!(off.abs() < most, "{} {}: {off} %", r.table, r.quantity);
     }
-    assert!(rows.iter().any(|r| r.quantity == "rod_inertia" && r.deviation_percent() > 50.0 && !r.note.is_empty()));
+    // a result whose inputs are missing is told, not left out
+    let without: Vec<_> = sizing.examples.iter().filter(|e| e.table != "15").cloned().collect();
+    assert!(worked_examples(&without).iter().filter(|r| r.table == "16").all(|r| r.computed.is_none() && !r.note.is_empty()));
+    let told: Vec<&str> = rows.iter().filter(|r| r.computed.is_none()).map(|r| r.quantity.as_str()).collect();
+    assert_eq!(told.len(), 4, "{told:?}");
+    assert!(rows.iter().any(|r| r.quantity == "rod_inertia" && r.deviation_percent().is_some_and(|d| d > 50.0) && !r.note.is_empty()));
 }
 
 /// Theory: misprinted formulas of the guide. The right form of (6.13) has the fixed points as roots, the printed one has not; the amplitude that (6.20) squares is that of a two-mass system; (6.33) makes the amplitude level at the fixed

@@ -175,7 +175,7 @@ pub(super) fn acceptance(study: &Study, published: &Published, rows: &[Amplitude
             unit: "deg".into(),
             published: Some(printed),
             computed: Some(own),
-            uncertainty: Uncertainty::default(),
+            uncertainty: Uncertainty { half_digit: of_design().map(|r| r.half_digit * DEG_PER_RAD).reduce(f64::max), standard_error: None },
             role: if fitted { Role::Calibrated } else { Role::Predicted },
             note: format!(
                 "of the orders and speeds printed; the printed one {} the accepted {limit} deg, ours {} it",

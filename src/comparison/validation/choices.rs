@@ -1,6 +1,6 @@
 //! Which designs are better: as a publication has it and as computed, by every measure that its tables hold, pair by pair; and what it recommends.
 
-use super::{Entry, Kind, Role};
+use super::{Entry, Kind};
 use crate::input::published::PublishedChoice;
 use crate::input::{Published, Study};
 use std::cmp::Ordering;
@@ -104,12 +104,13 @@ pub struct Choices {
 /// The rankings that entries hold, and what is recommended.
 pub fn choices(study: &Study, published: &Published, entries: &[Entry]) -> Choices {
     let mut rankings: Vec<Ranking> = Vec::new();
-    // what is another quantity than the printed one ranks nothing
-    let ranked = entries.iter().filter(|e| e.kind.is_ranked() && e.role != Role::Unexplained);
+    let ranked = entries.iter().filter(|e| e.kind.is_ranked());
     for e in ranked {
         let (Some(published), Some(computed)) = (e.published, e.computed) else { continue };
         let placed = Placed { design: e.design.clone(), published, computed };
         match rankings.iter_mut().find(|r| (r.kind, &r.quantity) == (e.kind, &e.quantity)) {
+            // an order that meets two modes is ranked where it meets the first
+            Some(ranking) if ranking.designs.iter().any(|d| d.design == placed.design) => {}
             Some(ranking) => ranking.designs.push(placed),
             None => {
                 let (quantity, unit) = (e.quantity.clone(), e.unit.clone());

@@ -1,6 +1,7 @@
 //! Sentences of a source that its own tables decide: how far models differ, which resonances are below a limit, forces beside torques, and the pressure that follows from a mechanical efficiency.
 
 use super::amplitudes::{self, AmplitudeRow, accepted_deg};
+use super::uncertainty::half_digit;
 use super::{Entry, Kind, Role, Uncertainty};
 use crate::analysis::RunError;
 use crate::drivetrain::System;
@@ -124,5 +125,7 @@ fn efficiency(study: &Study, published: &Published, rows: &[AmplitudeRow]) -> Re
         "eq. (3.7) with an efficiency of {efficiency}; amplitudes would be {low:.1} to {high:.1} times the printed ones that are fitted (median {:.1})",
         ratios[ratios.len() / 2]
     );
-    Ok(Some(entry("text", "pressure over brake mean pressure", "-", (by_efficiency, fitted), Role::Erratum, note)))
+    let mut found = entry("text", "pressure over brake mean pressure", "-", (by_efficiency, fitted), Role::Unexplained, note);
+    found.uncertainty.half_digit = half_digit([efficiency]).map(|half| half / (efficiency * efficiency));
+    Ok(Some(found))
 }

@@ -7,10 +7,10 @@ use super::verdict::{self, Verdict};
 use super::{
     absorbers, chain, claims, fatigue, frequencies, modes, multiaxial, notches, planes, predicted, text_values, uncertainty, von_mises,
 };
-use crate::analysis::{Calibration, Results, RunError};
+use crate::analysis::{Calibrated, Calibration, Results, RunError};
 use crate::drivetrain::System;
 use crate::engine::Excitation;
-use crate::input::{Published, Study};
+use crate::input::{Input, Published, Study};
 
 /// All tables of one engine beside our numbers.
 #[derive(Debug, Clone)]
@@ -42,7 +42,7 @@ pub fn compare(
     uncertainty::digits(&mut entries);
     if let Some(calibration) = calibration {
         uncertainty::standard_errors(&mut entries, calibration, |inputs| {
-            let moved = study.with_inputs(inputs);
+            let moved = study.with_inputs(&from_fitted(study, calibration, inputs));
             let torque = Excitation::new(&moved.engine, moved.order_limit);
             let system = System::with_modes(moved.chain.clone(), moved.modes.clone(), torque);
             let amplitudes = amplitudes::rows(&moved, published, Some(calibration), &system)?;
@@ -52,6 +52,15 @@ pub fn compare(
     let choices = choices::choices(study, published, &entries);
     let verdict = verdict::verdict(study, published, results, &entries, &amplitudes);
     Ok(Comparison { entries, amplitudes, choices, accepted: self::amplitudes::accepted_deg(published), verdict })
+}
+
+/// Values of inputs as a study that is fitted already takes them: a scale of a pressure that the fit has scaled counts from one again.
+fn from_fitted(study: &Study, calibration: &Calibration, inputs: &[(Input, f64)]) -> Vec<(Input, f64)> {
+    let again = |(c, (input, value)): (&Calibrated, &(Input, f64))| {
+        let own = input.value(&study.engine, &study.chain).unwrap_or(c.value);
+        (*input, value * own / c.value)
+    };
+    calibration.inputs.iter().zip(inputs).map(again).collect()
 }
 
 /// Every printed number beside ours, without uncertainties.

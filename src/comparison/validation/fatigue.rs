@@ -46,7 +46,7 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
         let off = sum.map(|sum| (sum * PA_PER_MPA / s.von_mises - 1.0).abs());
         let (role, note) = match (row, off) {
             (Some(f), Some(off)) if off > OTHER_SUM && !fits(Criterion::Goodman.safety_factor(f.cycle, strength), f) => {
-                (Role::Unexplained, format!("the stresses of table {} are misprinted there", f.table))
+                (Role::Recomputed, format!("amplitude and factor of table {} give it; the mean is misprinted there", f.table))
             }
             (Some(f), Some(off)) if off > OTHER_SUM => {
                 (Role::Erratum, format!("amplitude and mean at the crankpin in table {} add up to another stress", f.table))
@@ -54,6 +54,11 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             (Some(f), _) => (Role::Recomputed, format!("amplitude and mean at the crankpin in table {}, added up", f.table)),
             (None, _) => (Role::OtherModel, "finite elements in a flexible multibody model: for comparison".into()),
         };
+        // where the mean is misprinted, the one that the printed factor needs stands in
+        let needed = row.filter(|_| role == Role::Recomputed && off.is_some_and(|off| off > OTHER_SUM)).map(|f| {
+            let mean = strength.tensile * (1.0 / f.safety_factor - f.cycle.amplitude / strength.fatigue_limit);
+            (f.cycle.amplitude + mean) / PA_PER_MPA
+        });
         Entry {
             table: s.table.clone(),
             design: String::new(),
@@ -61,7 +66,7 @@ pub fn entries(study: &Study, published: &Published) -> Vec<Entry> {
             kind: Kind::Other,
             unit: "MPa".into(),
             published: Some(s.von_mises / PA_PER_MPA),
-            computed: sum,
+            computed: needed.or(sum),
             uncertainty: Uncertainty::default(),
             role,
             note,

@@ -42,6 +42,7 @@ pub fn entries(study: &Study, published: &Published, system: &System, strength: 
     let Some(model) = CrankModel::thesis(&study.engine, &together) else { return Ok(Vec::new()) };
     let round = |diameter: f64, bore: f64, bending: f64, torsion: f64| PerLoad {
         bending: section::bending(diameter, bore) * bending,
+        on_web: false,
         torsion: section::torsion(diameter, bore) * torsion,
     };
     let per_load = [
@@ -60,7 +61,7 @@ pub fn entries(study: &Study, published: &Published, system: &System, strength: 
         }
         let Some((_, at)) = known.iter().find(|k| k.0 == f.condition) else { continue };
         let design = &study.designs[f.design];
-        let vibratory = at_bearings(crank.throws(), &torques(system, design, speed)?);
+        let Some(vibratory) = at_bearings(&study.chain, crank.throws(), &torques(system, design, speed)?) else { continue };
         let place = usize::from(f.fillet == "journal");
         let own = stresses(case, at, &vibratory, per_load, strength).cycles[place];
         list.extend(beside(f, &design.name, own, strength));

@@ -1,11 +1,13 @@
 //! How well printed numbers and ours are known: the digits of a table, and the standard errors of the inputs that were fitted.
 
-use super::Entry;
+use super::{Entry, Kind};
 use crate::analysis::{Calibration, RunError};
 use crate::input::Input;
 
 /// Inputs are moved by this share of their standard error, either way.
 const STEP: f64 = 0.25;
+/// Changes to either side that differ by more than this share are of different places.
+const BENT: f64 = 0.5;
 /// Digits that a printed number has at most.
 const DIGITS: usize = 9;
 
@@ -32,14 +34,18 @@ pub fn digits(entries: &mut [Entry]) {
     let of = |e: &Entry, others: &[Entry]| {
         let alike = |o: &&Entry| (&o.table, &o.unit, o.kind) == (&e.table, &e.unit, e.kind);
         let own = e.published?;
-        if e.table == "text" { half_digit([own]) } else { half_digit(others.iter().filter(alike).filter_map(|o| o.published)) }
+        if e.table == "text" && e.kind == Kind::Other {
+            half_digit([own])
+        } else {
+            half_digit(others.iter().filter(alike).filter_map(|o| o.published))
+        }
     };
     let halves: Vec<Option<f64>> = entries.iter().map(|e| of(e, entries)).collect();
-    entries.iter_mut().zip(halves).for_each(|(e, half)| e.uncertainty.half_digit = half);
+    entries.iter_mut().zip(halves).for_each(|(e, half)| e.uncertainty.half_digit = e.uncertainty.half_digit.or(half));
 }
 
 /// Standard error of every computed number from those of the fitted inputs and their correlation: s² = sum over pairs of inputs of d_i r_ij d_j, where d_i is what one standard error of input i changes, by
-/// differences. `again`: the same entries with other values of the inputs. Nothing where an input has no finite error.
+/// differences. `again`: the same entries with other values of the inputs. Nothing where an input has no finite error, and none of a number that has no slope, as another place governs a little further.
 ///
 /// # Errors
 /// Those of `again`.
@@ -60,17 +66,22 @@ pub fn standard_errors(
             Ok((values[i].1, again(&values)?))
         };
         let ((low, before), (high, after)) = (moved(-STEP)?, moved(STEP)?);
-        let change = |(b, a): (&Entry, &Entry)| match (b.computed, a.computed) {
-            (Some(b), Some(a)) if high > low => (a - b) / (high - low) * error,
+        let change = |(own, (b, a)): (&Entry, (&Entry, &Entry))| match (b.computed, own.computed, a.computed) {
+            (Some(b), Some(own), Some(a)) if high > low => {
+                let (down, up) = (own - b, a - own);
+                // another throw or peak governs on one side: there is no slope
+                let bent = (up - down).abs() > BENT * up.abs().max(down.abs());
+                if bent { f64::NAN } else { (a - b) / (high - low) * error }
+            }
             _ => 0.0,
         };
-        changes.push(before.iter().zip(&after).map(change).collect());
+        changes.push(entries.iter().zip(before.iter().zip(&after)).map(change).collect());
     }
     let correlated = |i: usize, j: usize| if i == j { 1.0 } else { calibration.statistics.correlation[i][j].unwrap_or(0.0) };
     for (n, e) in entries.iter_mut().enumerate() {
         let pairs = (0..errors.len()).flat_map(|i| (0..errors.len()).map(move |j| (i, j)));
         let variance: f64 = pairs.map(|(i, j)| changes[i][n] * correlated(i, j) * changes[j][n]).sum();
-        e.uncertainty.standard_error = Some(variance.max(0.0).sqrt()).filter(|s| *s > 0.0);
+        e.uncertainty.standard_error = Some(variance.sqrt()).filter(|s| s.is_finite() && *s > 0.0);
     }
     Ok(())
 }

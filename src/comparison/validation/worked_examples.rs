@@ -33,8 +33,8 @@ pub struct ExampleRow {
     pub book: f64,
     /// Of the publication's own program; `None` where it prints none.
     pub program: Option<f64>,
-    /// Ours.
-    pub computed: f64,
+    /// Ours; `None` where an input is missing or no function of ours gives it.
+    pub computed: Option<f64>,
     /// Half of the last digit of the book.
     pub half_digit: f64,
     /// What a reader should know.
@@ -42,9 +42,9 @@ pub struct ExampleRow {
 }
 
 impl ExampleRow {
-    /// (computed - book)/book, per cent.
-    pub fn deviation_percent(&self) -> f64 {
-        100.0 * (self.computed / self.book - 1.0)
+    /// (computed - book)/book, per cent; `None` without ours.
+    pub fn deviation_percent(&self) -> Option<f64> {
+        self.computed.map(|computed| 100.0 * (computed / self.book - 1.0))
     }
 }
 
@@ -69,10 +69,13 @@ impl Inputs<'_> {
     }
 }
 
+/// What is said of a result without ours.
+const NOT_COMPUTED: &str = "an input is missing, or no function of ours gives it";
+
 /// Named results in the units of their tables.
 type Found = Vec<(&'static str, f64)>;
 
-/// Every printed result beside ours; results that no function gives are left out.
+/// Every printed result beside ours.
 pub fn worked_examples(published: &[PublishedExample]) -> Vec<ExampleRow> {
     let mut rows = Vec::new();
     let mut names: Vec<&str> = published.iter().map(|p| p.example.as_str()).collect();
@@ -81,7 +84,9 @@ pub fn worked_examples(published: &[PublishedExample]) -> Vec<ExampleRow> {
         let of_example = |input: bool| published.iter().filter(move |p| p.example == *name && p.is_input == input);
         let found = found(name, &Inputs(of_example(true).collect())).unwrap_or_default();
         for p in of_example(false) {
-            let (Some((_, computed)), Ok(book)) = (found.iter().find(|f| f.0 == p.quantity), &p.value) else { continue };
+            let Ok(book) = &p.value else { continue };
+            let computed = found.iter().find(|f| f.0 == p.quantity).map(|f| f.1);
+            let alike = published.iter().filter(|o| !o.is_input && (&o.table, &o.unit) == (&p.table, &p.unit));
             rows.push(ExampleRow {
                 table: p.table.clone(),
                 example: p.example.clone(),
@@ -89,9 +94,9 @@ pub fn worked_examples(published: &[PublishedExample]) -> Vec<ExampleRow> {
                 unit: p.unit.clone(),
                 book: *book,
                 program: p.program,
-                computed: *computed,
-                half_digit: half_digit([*book]).unwrap_or(0.0),
-                note: note(&p.example, &p.quantity),
+                computed,
+                half_digit: half_digit(alike.filter_map(|o| o.value.as_ref().ok().copied())).unwrap_or(0.0),
+                note: if computed.is_some() { note(&p.example, &p.quantity) } else { NOT_COMPUTED },
             });
         }
     }

@@ -80,6 +80,13 @@ fn shafts_beside(chain: &Chain, throws: usize, throw: usize) -> Option<[usize; 2
     Some(if falls { [beside[1], beside[0]] } else { beside })
 }
 
+/// The shaft whose torque each main bearing carries, from the one before the first throw to that behind the last; `None` where the throws do not follow each other along the chain.
+#[doc(hidden)]
+pub fn shafts_at_bearings(chain: &Chain, throws: usize) -> Option<Vec<usize>> {
+    let beside: Vec<[usize; 2]> = (0..throws).map(|t| shafts_beside(chain, throws, t)).collect::<Option<_>>()?;
+    Some(beside.first().map(|b| b[0]).into_iter().chain(beside.iter().map(|b| b[1])).collect())
+}
+
 /// Webs of a throw (whether it is the rear one) with the shafts whose torque a place there is judged with.
 fn sides(chain: &Chain, throws: usize, throw: usize, place: Place) -> Option<Vec<(bool, usize)>> {
     let [front, rear] = shafts_beside(chain, throws, throw)?;

@@ -176,6 +176,15 @@ impl CrankLoads<'_> {
         pins.iter().map(resultant).collect()
     }
 
+    /// Bending moment in the plane of its throw at the front and rear web of every throw at a sample, N m.
+    pub(super) fn web_moments(&self, j: usize) -> Vec<[f64; 2]> {
+        let of = |throw: usize, influence: &Influence| {
+            let sum = |axis: usize| -> f64 { influence.moment.iter().zip(&self.forces).map(|(i, f)| i * f[j][axis]).sum() };
+            self.turned([sum(0), sum(1)], j, throw)[0]
+        };
+        self.model.webs.iter().enumerate().map(|(t, webs)| [of(t, &webs[0]), of(t, &webs[1])]).collect()
+    }
+
     /// Force of the crank on every main bearing at a sample, N, in axes of the engine; missing bearings left out.
     pub fn bearing_forces(&self, j: usize) -> Vec<[f64; 2]> {
         let reactions = &self.model.reactions.0;

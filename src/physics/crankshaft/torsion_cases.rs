@@ -62,7 +62,8 @@ impl TorsionCase {
     }
 }
 
-/// The two instants of section 7.3.1 at one speed: where a crankpin is pushed hardest towards the crankshaft, and where the exhaust stroke of the same cylinder begins.
+/// The two instants of section 7.3.1 at one speed: where the force of the rods and of what turns with a throw, along the middle of the banks and towards the crankcase, is largest, and where the exhaust stroke of the cylinder begins that
+/// fires next to that. The source has the first at the combustion: so it is where gas outweighs the moving masses; at high speed it is where they push the crankpin outwards at the lower dead centre.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instants {
     /// Index of their samples.
@@ -71,6 +72,8 @@ pub struct Instants {
     pub theta: [f64; 2],
     /// Resultant moment at every crankpin, N m.
     pub moments: [Vec<f64>; 2],
+    /// Moment in the plane of its throw at the front and rear web of every throw, N m.
+    pub webs: [Vec<[f64; 2]>; 2],
     /// Torque of every throw, N m.
     pub applied: [Vec<f64>; 2],
 }
@@ -101,6 +104,7 @@ impl Instants {
             samples,
             theta: samples.map(|j| loads.theta[j]),
             moments: samples.map(|j| loads.pin_moments(j)),
+            webs: samples.map(|j| loads.web_moments(j)),
             applied: samples.map(|j| loads.torque.iter().map(|t| t[j]).collect()),
         }
     }
@@ -111,6 +115,8 @@ impl Instants {
 pub struct PerLoad {
     /// Stress per bending moment.
     pub bending: f64,
+    /// Whether that is the moment at the web, of factors on its section; otherwise it is the resultant at the crankpin, on its round section.
+    pub on_web: bool,
     /// Shear stress per torque.
     pub torsion: f64,
 }
@@ -131,8 +137,9 @@ pub struct AtInstants {
 pub fn stresses(case: TorsionCase, at: &Instants, vibratory: &[f64], per_load: [PerLoad; 2], strength: Strength) -> AtInstants {
     let twisting = [case.halves(&at.applied[0], vibratory, 1.0), case.halves(&at.applied[1], vibratory, -1.0)];
     let cycle = |throw: usize, half: usize, place: usize| {
-        let PerLoad { bending, torsion } = per_load[place];
-        let bending = at.moments.each_ref().map(|m| m[throw] * bending);
+        let PerLoad { bending, on_web, torsion } = per_load[place];
+        let moment = |i: usize| if on_web { at.webs[i][throw][half] } else { at.moments[i][throw] };
+        let bending = [0, 1].map(|i| moment(i) * bending);
         let torsion = twisting.each_ref().map(|t| t[throw][half] * torsion);
         let combine = |b: f64, t: f64| (b * b + 3.0 * t * t).sqrt();
         Cycle {

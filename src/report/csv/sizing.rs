@@ -82,7 +82,7 @@ pub(crate) fn examples(rows: &[ExampleRow], folder: &Folder) -> Result<(), Write
     let mut table = Table::new(&header);
     for r in rows {
         let words = [&r.table, &r.example, &r.quantity, &r.unit].map(Clone::clone);
-        let numbers = [number(r.book), optional(r.program), number(r.computed), number(r.deviation_percent()), number(r.half_digit)];
+        let numbers = [number(r.book), optional(r.program), optional(r.computed), optional(r.deviation_percent()), number(r.half_digit)];
         table.row(words.into_iter().chain(numbers).chain([r.note.to_owned()]));
     }
     table.save(folder, "sizing_examples.csv")

@@ -78,14 +78,13 @@ fn words(kind: Kind) -> &'static str {
         Kind::OwnStress | Kind::OwnMargin | Kind::FullCycleMargin => "crank stress and margin",
         Kind::CrankMode => "modes of the crank",
         Kind::VibratoryTorque => "vibratory torque",
-        Kind::Accepted => "accepted amplitude",
         _ => "other",
     }
 }
 
 /// How far numbers of a publication are off by role, predicted ones by what they are. What contradicts itself or is unexplained is told apart from these, and inputs are as given.
 fn deviations(source: &str, pages: &[Page]) -> Vec<Vec<String>> {
-    let all: Vec<&Entry> = pages.iter().flat_map(|p| &p.1.entries).filter(|e| e.published.is_some()).collect();
+    let all: Vec<&Entry> = pages.iter().flat_map(|p| &p.1.entries).filter(|e| e.published.is_some() && e.kind != Kind::Accepted).collect();
     let told = |role: &Role| !matches!(role, Role::Given | Role::Erratum | Role::Unexplained);
     let mut rows: Vec<Vec<String>> = Vec::new();
     for role in Role::ALL.into_iter().filter(told) {
@@ -122,8 +121,8 @@ fn spread_row(source: &str, role: String, numbers: usize, spread: &Spread, withi
 fn of_sizing(page: &SizedPage) -> Vec<Vec<String>> {
     let last = page.rounds.iter().map(|r| r.round).max().unwrap_or(0);
     let rounds = Spread::new(page.rounds.iter().filter(|r| r.round == last).map(|r| r.deviation_percent().abs()));
-    let examples = Spread::new(page.examples.iter().map(|e| e.deviation_percent().abs()));
-    let within = page.examples.iter().filter(|e| (e.computed - e.book).abs() <= e.half_digit).count();
+    let examples = Spread::new(page.examples.iter().filter_map(|e| e.deviation_percent()).map(f64::abs));
+    let within = page.examples.iter().filter(|e| e.computed.is_some_and(|c| (c - e.book).abs() <= e.half_digit)).count();
     let mut rows = Vec::new();
     if !rounds.deviations.is_empty() {
         let role = format!("{}: round {last} of sizing", Role::Predicted.name());
@@ -140,7 +139,7 @@ fn of_sizing(page: &SizedPage) -> Vec<Vec<String>> {
 const MEASURES: [(&str, Kind); 4] = [
     ("hub amplitude", Kind::Amplitude),
     ("torque", Kind::VibratoryTorque),
-    ("margin, its method", Kind::OwnMargin),
+    ("margin, case C", Kind::OwnMargin),
     ("margin, full cycle", Kind::FullCycleMargin),
 ];
 
@@ -191,7 +190,8 @@ fn beside_ours(study: &Study, c: &Comparison) -> Option<String> {
     })?;
     let theirs: Vec<String> = chosen.iter().map(|d| value(study, d.objective)).collect();
     let best = value(study, optimum.objective);
-    Some(format!("by ours {}, the optimum of {} kg m² {best}", theirs.join(", "), significant(optimum.ring_inertia, 4)))
+    let what = &study.objective.label;
+    Some(format!("{what} by ours {}, of the optimum with {} kg m² {best}", theirs.join(" and "), significant(optimum.ring_inertia, 4)))
 }
 
 /// Which designs hold the amplitude at the hub that a publication accepts, as printed and by ours.
@@ -268,7 +268,7 @@ fn misprints(source: &str, pages: &[Page]) -> Vec<String> {
         let named = |(table, n): &(&str, usize)| if *n > 1 { format!("{table} ({n})") } else { (*table).to_owned() };
         (!all.is_empty()).then(|| format!("{} {words}: {}", all.len(), tables.iter().map(named).collect::<Vec<_>>().join(", ")))
     };
-    let both = [of_role(Role::Erratum, "errata by table"), of_role(Role::Unexplained, "unexplained by table")];
+    let both = [of_role(Role::Erratum, "errata (by table or section)"), of_role(Role::Unexplained, "unexplained")];
     let told: Vec<String> = both.into_iter().flatten().collect();
     if told.is_empty() { Vec::new() } else { vec![format!("{source}: {}.", told.join("; "))] }
 }

@@ -157,8 +157,8 @@ pub fn examples(rows: &[ExampleRow]) -> String {
     }
     let cells = |r: &ExampleRow| {
         let names = [&r.table, &r.example, &r.quantity, &r.unit].map(|s| s.replace('_', " "));
-        let numbers = [Some(r.book), r.program, Some(r.computed)].map(|x| dash(x.map(|x| significant(x, 5))));
-        names.into_iter().chain(numbers).chain([format!("{:+.2}", r.deviation_percent())]).collect()
+        let numbers = [Some(r.book), r.program, r.computed].map(|x| dash(x.map(|x| significant(x, 5))));
+        names.into_iter().chain(numbers).chain([dash(r.deviation_percent().map(|d| format!("{d:+.2}")))]).collect()
     };
     let lines: Vec<Vec<String>> = rows.iter().map(cells).collect();
     let header = ["table", "example", "quantity", "unit", "published", "program", "computed", "off/%"];

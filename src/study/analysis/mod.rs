@@ -69,7 +69,7 @@ mod web_stress;
 pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
 pub use barred::{BarredRange, Objection, RuleStress, StillBroken};
-pub use calibrate::{Calibration, calibrate};
+pub use calibrate::{Calibrated, Calibration, calibrate};
 pub use catalogue::Ranked;
 pub use conditions::ConditionResult;
 pub use crank_models::{ByModel, Modelled};

@@ -2,11 +2,11 @@
 
 use super::{DesignResult, RunError};
 use crate::absorber::Mounted;
-use crate::crankshaft::critical_locations::nominal;
+use crate::crankshaft::critical_locations::{nominal, shafts_at_bearings};
 use crate::crankshaft::loads::CrankModel;
 use crate::crankshaft::torsion_cases::{AtInstants, Instants, PerLoad, TorsionCase, stresses};
-use crate::crankshaft::{Crank, FatigueSpec, Margin, MarginCriterion, Place, Torque, Used};
-use crate::drivetrain::System;
+use crate::crankshaft::{Crank, FactorSource, FatigueSpec, FilletSpec, Margin, MarginCriterion, Place, Torque, Used};
+use crate::drivetrain::{Chain, System};
 use crate::fatigue::{Criterion, Strength};
 use crate::input::Study;
 use crate::numerics::synthesis::Extremes;
@@ -65,10 +65,10 @@ pub fn in_the_middle(crank: &Crank) -> Crank {
     Crank { rod_spacing: 0.0, ..crank.clone() }
 }
 
-/// Vibratory torque at every bearing from that of the shafts: a bearing between neighbouring throws carries the torque of the shaft there.
+/// Vibratory torque at every bearing from that of the shafts: a bearing between neighbouring throws carries the torque of the shaft there. Nothing where the throws do not follow each other along the chain.
 #[doc(hidden)]
-pub fn at_bearings(throws: usize, shafts: &[Extremes]) -> Vec<f64> {
-    (0..=throws).map(|b| shafts[b.min(shafts.len() - 1)].half_peak_to_peak).collect()
+pub fn at_bearings(chain: &Chain, throws: usize, shafts: &[Extremes]) -> Option<Vec<f64>> {
+    Some(shafts_at_bearings(chain, throws)?.into_iter().map(|s| shafts[s].half_peak_to_peak).collect())
 }
 
 /// The most used location at a place over the full cycle, with its name.
@@ -85,7 +85,11 @@ pub fn most_used(model: &Margin, criterion: usize, place: Place, speed_rpm: f64,
 pub fn per_load(crank: &Crank, spec: &FatigueSpec) -> Option<[PerLoad; 2]> {
     let of = |place: Place| {
         let own = spec.fillets.iter().filter(|f| f.place == place);
-        own.filter_map(|f| nominal(crank, spec, f)).map(|n| PerLoad { bending: n.bending, torsion: n.torsion }).next()
+        let per_load = |f: &FilletSpec| {
+            let on_web = matches!(f.factors, FactorSource::Formulas(_));
+            nominal(crank, spec, f).map(|n| PerLoad { bending: n.bending, on_web, torsion: n.torsion })
+        };
+        own.filter_map(per_load).next()
     };
     Some([of(PLACES[0])?, of(PLACES[1])?])
 }
@@ -104,12 +108,16 @@ pub(crate) fn by_case(study: &Study, firing: &PeakFinder, shown: &[&DesignResult
     let goodman = spec.criteria.iter().position(|c| *c == MarginCriterion::MeanStress(Criterion::Goodman));
     let full = firing.margin.zip(goodman);
     let grid = Grid::new(&study.speeds_rpm, &[]);
+    if shafts_at_bearings(&study.chain, crank.throws()).is_none() {
+        return Ok(Vec::new());
+    }
     let design = |d: &&DesignResult| {
         let torques =
             torques(firing.system, &d.absorbers, &grid).map_err(|error| RunError { what: format!("design `{}`", d.name), error })?;
         let speeds = study.speeds_rpm.iter().zip(&instants).enumerate().map(|(i, (speed, at))| {
             let shafts: Vec<Extremes> = torques.iter().map(|t| t[i]).collect();
-            at_speed((case, at, *speed), &at_bearings(crank.throws(), &shafts), (per_load, spec.strength), |place| {
+            let vibratory = at_bearings(&study.chain, crank.throws(), &shafts).unwrap_or_default();
+            at_speed((case, at, *speed), &vibratory, (per_load, spec.strength), |place| {
                 full.and_then(|(model, goodman)| Some(1.0 / most_used(model, goodman, place, *speed, &shafts)?.1.value))
             })
         });

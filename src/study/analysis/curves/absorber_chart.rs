@@ -8,8 +8,9 @@ use crate::numerics::maximise::maximise;
 
 const RATIO: Axis = Axis { column: "inertia_ratio", label: "inertia ratio" };
 const TUNING: Axis = Axis { column: "tuning", label: "tuning, absorber over engine" };
-const DAMPING: Axis = Axis { column: "damping_ratio", label: "c/(2 J omega of engine)" };
-const PEAK: Axis = Axis { column: "peak", label: "peak / static deflections" };
+const DAMPING: Axis = Axis { column: "damping_ratio", label: "c/(2 J omega), J of ring, omega of engine" };
+const PEAK: Axis = Axis { column: "peak", label: "height / static deflection of the engine" };
+const AMPLITUDE: Axis = Axis { column: "amplitude_ratio", label: "amplitude / static deflection" };
 const FREQUENCY: Axis = Axis { column: "frequency_ratio", label: "frequency / that of the engine" };
 /// Points of a curve, and its ends.
 const POINTS: usize = 200;
@@ -20,7 +21,7 @@ const FREQUENCIES: (f64, f64) = (0.4, 1.6);
 const DAMPINGS: [f64; 3] = [0.1, 0.3, 1.0];
 /// Frequencies over which a peak is looked for.
 const FINE: usize = 400;
-/// Amplitudes beyond this are cut: an undamped resonance is infinite.
+/// Amplitudes are cut here: an undamped resonance is infinite.
 const TALLEST: f64 = 20.0;
 
 /// Amplitude of the engine over frequency at one inertia ratio: without damping, with some, and with the ring locked; all pass the fixed points.
@@ -35,9 +36,9 @@ fn response() -> Panel {
     let mut curves = vec![line("no damping".into(), 0.0)];
     curves.extend(DAMPINGS.map(|d| line(format!("damping ratio {d}"), d)));
     curves.push(line("ring locked".into(), f64::INFINITY));
-    curves.push(Curve { label: "fixed points".into(), order: None, points: fixed.to_vec() });
-    let title = format!("response of the engine, inertia ratio {SHOWN}, tuning by Den Hartog");
-    Panel { title, x: FREQUENCY, y: PEAK, curves, y_top: None }
+    curves.push(Curve { label: "at the height of the fixed points".into(), order: None, points: fixed.to_vec() });
+    let title = format!("response of the engine, inertia ratio {SHOWN}, tuning by Den Hartog, cut at {TALLEST}");
+    Panel { title, x: FREQUENCY, y: AMPLITUDE, curves, y_top: None }
 }
 
 /// Tuning, damping, peak and frequencies \[Villalva 2014\] chapter 6; the peaks are those at the fixed points, sqrt(1 + 2/mu) tuned by Den Hartog, 1 + 2/mu for a viscous one, and that of the exact optimum.
@@ -66,16 +67,16 @@ pub(super) fn absorber_chart() -> Figure {
                 ],
             ),
             panel(
-                "peak",
+                "peak of the exact optimum, height of the fixed points of the others",
                 PEAK,
                 vec![
-                    line("Den Hartog", &|mu| (1.0 + 2.0 / mu).sqrt()),
+                    line("Den Hartog, both fixed points", &|mu| (1.0 + 2.0 / mu).sqrt()),
                     line("unity, lower fixed point", &|mu| amplification(mu, 1.0, Point::I)),
                     line("unity, upper fixed point", &|mu| amplification(mu, 1.0, Point::II)),
                     line("exact optimum", &exact_peak),
                 ],
             ),
-            panel("peak, viscous", PEAK, vec![line("viscous", &|mu| 1.0 + 2.0 / mu)]),
+            panel("height of the fixed point, viscous", PEAK, vec![line("viscous", &|mu| 1.0 + 2.0 / mu)]),
             panel(
                 "frequencies of the fixed points",
                 FREQUENCY,

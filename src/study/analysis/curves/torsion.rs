@@ -6,6 +6,7 @@ use super::responses::over_cycle;
 use crate::analysis::torsion_case::{at_bearings, in_the_middle, torques};
 use crate::crankshaft::Crank;
 use crate::crankshaft::TorsionCase;
+use crate::crankshaft::critical_locations::shafts_at_bearings;
 use crate::crankshaft::loads::{CrankLoads, CrankModel};
 use crate::crankshaft::torsion_cases::Instants;
 use crate::drivetrain::System;
@@ -69,12 +70,16 @@ pub(super) fn cases(study: &Study, system: &System, speed_rpm: f64) -> Result<Op
     let (Some(case), Some(crank)) = (asked, &study.crank) else { return Ok(None) };
     let (crank, engine) = (in_the_middle(crank), study.engine_of_crank());
     let Some(model) = CrankModel::thesis(engine, &crank) else { return Ok(None) };
+    if shafts_at_bearings(&study.chain, crank.throws()).is_none() {
+        return Ok(None);
+    }
     let loads = model.at(speed_rpm);
     let instants = Instants::new(engine, &loads);
     let grid = Grid::new(&[speed_rpm], &[]);
     let vibratory = study.designs.iter().map(|d| {
         let found = torques(system, &d.absorbers, &grid)?;
-        Ok(at_bearings(crank.throws(), &found.iter().map(|row| row[0]).collect::<Vec<_>>()))
+        let shafts: Vec<_> = found.iter().map(|row| row[0]).collect();
+        Ok(at_bearings(&study.chain, crank.throws(), &shafts).unwrap_or_default())
     });
     let vibratory: Vec<Vec<f64>> = vibratory.collect::<Result<_, ResponseError>>()?;
     let mut panels = along(&loads, &instants);

@@ -21,6 +21,11 @@ pub fn choices(path: &Path, engine: &str, designs: &[String]) -> Result<Vec<Publ
             let found = format!("found design `{}`, expected one of the study: {}", shown(&cells[design]), designs.join(", "));
             table.at(*line, design, found)
         })?;
+        for column in [Some(words), table.optional("table")].into_iter().flatten() {
+            if cells[column].trim().is_empty() {
+                return Err(table.at(*line, column, "found an empty cell, expected where and why it is recommended".into()));
+            }
+        }
         Ok(PublishedChoice { table: rows.source(*line, cells)?, design: index, words: table.words(*line, words, &cells[words])? })
     };
     rows.of_engine.iter().map(row).collect()

@@ -140,6 +140,9 @@ fn tables() {
     let published = [
         "amplitudes",
         "absorbers",
+        "chain",
+        "choices",
+        "planes",
         "frequencies",
         "modes",
         "von_mises",

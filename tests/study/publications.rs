@@ -216,7 +216,9 @@ fn roles_and_sentences() {
             match e.kind {
                 Kind::SafetyFactor => assert!(matches!(e.role, Role::Recomputed | Role::Erratum), "{}", e.quantity),
                 Kind::OtherModel => assert_eq!(e.role, Role::OtherModel, "{}", e.quantity),
-                Kind::OwnMargin | Kind::FullCycleMargin | Kind::OwnStress => assert_eq!(e.role, Role::Predicted, "{}", e.quantity),
+                Kind::OwnMargin | Kind::FullCycleMargin | Kind::OwnStress | Kind::FullCycleStress => {
+                    assert_eq!(e.role, Role::Predicted, "{}", e.quantity)
+                }
                 _ => {}
             }
             assert!(e.table != "7.1" && e.table != "7.8" || e.role == Role::FittedExactly, "{}", e.quantity);

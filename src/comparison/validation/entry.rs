@@ -80,6 +80,10 @@ pub enum Kind {
     VibratoryTorque,
     /// Stress of the crank by our own loads.
     OwnStress,
+    /// Largest stress of the crank over the full cycle, by our own loads and the chain's torque.
+    FullCycleStress,
+    /// The same on the flexible crank, on its own bearings.
+    FlexibleStress,
     /// Safety factor by them and the method of the source.
     OwnMargin,
     /// Safety factor by them over the full cycle.

@@ -138,7 +138,7 @@ fn full_cycle(study: &Study, published: &Published, system: &System) -> Result<V
                 if let (Some(fem), Place::Crankpin, true) = (fem, place, design.absorbers.is_empty()) {
                     let mut own = entry(
                         format!("largest von Mises stress over the full cycle, {words}, beside finite elements"),
-                        Kind::OwnStress,
+                        Kind::FullCycleStress,
                         "MPa",
                         Some(fem.von_mises / PA_PER_MPA),
                         (used.cycle.amplitude + used.cycle.mean) / PA_PER_MPA,

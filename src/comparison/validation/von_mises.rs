@@ -51,7 +51,7 @@ pub fn entries(study: &Study, published: &Published) -> Result<Vec<Entry>, RunEr
             table: p.table.clone(),
             design: study.designs[p.design].name.clone(),
             quantity: format!("largest von Mises stress at {} rpm{bearings}", p.speed_rpm),
-            kind: Kind::OwnStress,
+            kind: if p.bearings == OWN { Kind::FlexibleStress } else { Kind::OwnStress },
             unit: "MPa".into(),
             published: Some(p.stress / PA_PER_MPA),
             computed: own.as_ref().map(|own| own.stress / PA_PER_MPA),

@@ -34,7 +34,10 @@ fn row(e: &Entry) -> Vec<String> {
 
 /// Stresses by our own loads on assumed lengths, and factors without stresses: in `comparison.csv`, and summed up below.
 fn is_own(e: &Entry) -> bool {
-    matches!(e.kind, Kind::OwnStress | Kind::OwnMargin | Kind::FullCycleMargin | Kind::MultiaxialAlone)
+    matches!(
+        e.kind,
+        Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress | Kind::OwnMargin | Kind::FullCycleMargin | Kind::MultiaxialAlone
+    )
 }
 
 /// Every number that is not an input, and inputs that differ from the printed ones. Notes are in `comparison.csv`; those of misprints and of what stays unexplained are printed too.
@@ -236,8 +239,8 @@ fn tolerances(c: &Comparison) -> Vec<String> {
 fn own_stresses(c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
     for case in ["case A", "case B", "case C", "finite elements", "largest von Mises stress"] {
-        let ratios_of = |kind: Kind| {
-            let own = c.entries.iter().filter(move |e| e.kind == kind && e.quantity.contains(case));
+        let ratios_of = |of: fn(Kind) -> bool| {
+            let own = c.entries.iter().filter(move |e| of(e.kind) && e.quantity.contains(case));
             let mut ratios: Vec<f64> = own.filter_map(|e| Some(e.computed? / e.published?)).collect();
             ratios.sort_by(f64::total_cmp);
             ratios
@@ -246,7 +249,8 @@ fn own_stresses(c: &Comparison) -> Vec<String> {
             let (low, high) = (ratios.first()?, ratios.last()?);
             Some(format!("{:.2} times (median of {}, {low:.2} to {high:.2})", ratios[ratios.len() / 2], ratios.len()))
         };
-        let all = [("stresses", Kind::OwnStress), ("safety factors", Kind::OwnMargin)];
+        let is_stress: fn(Kind) -> bool = |k| matches!(k, Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress);
+        let all: [(&str, fn(Kind) -> bool); 2] = [("stresses", is_stress), ("safety factors", |k| k == Kind::OwnMargin)];
         let parts: Vec<String> =
             all.iter().filter_map(|(what, kind)| Some(format!("{what} {} the printed ones", words(&ratios_of(*kind))?))).collect();
         if !parts.is_empty() {

@@ -75,7 +75,9 @@ fn words(kind: Kind) -> &'static str {
     match kind {
         Kind::Frequency | Kind::CriticalSpeed => "frequencies",
         Kind::Amplitude => "hub amplitudes",
-        Kind::OwnStress | Kind::OwnMargin | Kind::FullCycleMargin => "crank stress and margin",
+        Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress | Kind::OwnMargin | Kind::FullCycleMargin => {
+            "crank stress and margin"
+        }
         Kind::CrankMode => "modes of the crank",
         Kind::VibratoryTorque => "vibratory torque",
         _ => "other",
@@ -203,7 +205,7 @@ fn accepted(pages: &[Page]) -> Vec<String> {
         let hold = |value: fn(&Entry) -> Option<f64>| {
             let names: Vec<String> =
                 rows.iter().filter(|e| value(e).is_some_and(|v| v <= limit)).map(|e| e.design.replace('_', " ")).collect();
-            if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+            if names.is_empty() { "no design".to_owned() } else { names.join(", ") }
         };
         lines.push(format!(
             "{}: {}° of one order at the hub is accepted; it holds as printed with {}, by ours with {}.",
@@ -218,10 +220,9 @@ fn accepted(pages: &[Page]) -> Vec<String> {
 
 /// Largest stress of an engine over speed, as printed and ours.
 fn trends(pages: &[Page]) -> Vec<String> {
-    let stresses = |what: &str, study: &Study| -> Vec<(f64, f64)> {
+    let stresses = |kind: Kind, study: &Study| -> Vec<(f64, f64)> {
         let own = pages.iter().filter(|p| p.0.engine.name == study.engine.name).flat_map(|p| &p.1.entries);
-        let own = own.filter(|e| e.kind == Kind::OwnStress && e.quantity.starts_with(what) && !e.quantity.contains("bearings"));
-        own.filter_map(|e| e.published.zip(e.computed)).collect()
+        own.filter(|e| e.kind == kind).filter_map(|e| e.published.zip(e.computed)).collect()
     };
     let mut lines = Vec::new();
     let mut names: Vec<&str> = Vec::new();
@@ -232,10 +233,8 @@ fn trends(pages: &[Page]) -> Vec<String> {
         names.push(&study.engine.name);
         let mut told = Vec::new();
         let mut printed = Vec::new();
-        for (what, model) in
-            [("largest von Mises stress over the full cycle", "full cycle on the chain"), ("largest von Mises stress at", "flexible crank")]
-        {
-            let pairs = stresses(what, study);
+        for (kind, model) in [(Kind::FullCycleStress, "full cycle on the chain"), (Kind::FlexibleStress, "flexible crank")] {
+            let pairs = stresses(kind, study);
             let (Some(first), Some(last)) = (pairs.first(), pairs.last()) else { continue };
             let reversed = (last.0 - first.0) * (last.1 - first.1) < 0.0;
             let list = |value: fn(&(f64, f64)) -> f64| pairs.iter().map(|p| format!("{:.0}", value(p))).collect::<Vec<_>>().join(", ");
@@ -273,7 +272,7 @@ fn misprints(source: &str, pages: &[Page]) -> Vec<String> {
     if told.is_empty() { Vec::new() } else { vec![format!("{source}: {}.", told.join("; "))] }
 }
 
-/// Designs by every measure that is printed for several: as printed, ours, and their places by each; what is in another order than printed is marked.
+/// Designs by every measure that is printed for several: as printed, ours, their places by each, and how many pairs are in the printed order.
 pub fn rankings(c: &Comparison) -> String {
     let mut rows = Vec::new();
     for ranking in &c.choices.rankings {

@@ -249,10 +249,10 @@ fn own_stresses(c: &Comparison) -> Vec<String> {
             let (low, high) = (ratios.first()?, ratios.last()?);
             Some(format!("{:.2} times (median of {}, {low:.2} to {high:.2})", ratios[ratios.len() / 2], ratios.len()))
         };
-        let is_stress: fn(Kind) -> bool = |k| matches!(k, Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress);
-        let all: [(&str, fn(Kind) -> bool); 2] = [("stresses", is_stress), ("safety factors", |k| k == Kind::OwnMargin)];
+        let is_stress = |k: Kind| matches!(k, Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress);
+        let both = [("stresses", ratios_of(is_stress)), ("safety factors", ratios_of(|k| k == Kind::OwnMargin))];
         let parts: Vec<String> =
-            all.iter().filter_map(|(what, kind)| Some(format!("{what} {} the printed ones", words(&ratios_of(*kind))?))).collect();
+            both.iter().filter_map(|(what, ratios)| Some(format!("{what} {} the printed ones", words(ratios)?))).collect();
         if !parts.is_empty() {
             lines.push(format!("Crank by our own loads on assumed lengths, {case}: {}.", parts.join(", ")));
         }

@@ -280,6 +280,21 @@ fn short(design: &str) -> &str {
     design.trim_start_matches("tuned_").trim_end_matches("_untuned")
 }
 
+/// The cases sum torques up to the last throw: a chain that leads the other way is refused by name.
+#[test]
+fn torsion_cases_lead_to_the_last_throw() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = crate::support::variant(folder.path(), "villalva_i6_thesis", &[]);
+    let engine = folder.path().join("engines/villalva_i6_thesis.toml");
+    let mut text = std::fs::read_to_string(&engine).expect("an engine");
+    for throw in 1..=6 {
+        text = text.replace(&format!("throws = [{throw}]"), &format!("throws = [-{}]", 7 - throw));
+    }
+    std::fs::write(&engine, text.replace("throws = [-", "throws = [")).expect("written");
+    let error = hartog::input::read(&path).expect_err("refused").to_string();
+    assert!(error.contains("found a torsion case for a chain that leads from the last throw to the first"), "{error}");
+}
+
 /// Equals the literature: every angle of Minucci's planes is on his grid of 15 degrees and named in both readings, and 57 of his 60 pairs of planes are one plane by his eq. (4.1), 48 with theta as colatitude.
 #[test]
 fn planes_by_both_readings() {

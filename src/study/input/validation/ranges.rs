@@ -48,6 +48,11 @@ pub(crate) fn check_throws(check: &mut Check, fatigue: &At<RawFatigue>, chain: &
     } else if stations_of_throws(chain, throws).is_none() {
         "found [fatigue] for a chain whose throws do not follow each other, expected them in the order of their numbers"
     } else {
+        let falls = stations_of_throws(chain, throws).is_some_and(|s| s.windows(2).any(|p| p[0] > p[1]));
+        if let Some(at) = fatigue.get_ref().torsion_case.as_ref().filter(|_| falls) {
+            let words = "found a torsion case for a chain that leads from the last throw to the first, expected the other way: its torques are summed up to the last throw";
+            check.wrong(at, words);
+        }
         return;
     };
     check.wrong(fatigue, found);

@@ -4,18 +4,22 @@ use super::run_tables::RUN_TABLES;
 use crate::absorber::TYPES;
 
 /// Stems of names of files that no row of [`RUN_TABLES`] is for, and what is in them.
-const CAPTIONS: [(&str, &str); 12] = [
+const CAPTIONS: [(&str, &str); 16] = [
     ("tolerance_band", "designs within the tolerances of the study"),
     ("calibration", "fitted inputs with standard errors"),
     ("margin", "cycle of stress and safety factor of the crank for each design, speed, fillet and criterion"),
     ("response", "amplitude and phase of each order, and half peak-to-peak of all together, against speed"),
     ("timing", "time and work by stage"),
     ("comparison", "published values beside computed ones"),
+    ("choices", "designs by every measure that is printed for several: as printed, as computed, and the places by both"),
     ("holzer", "Holzer's tables of the first modes"),
     ("fatigue", "safety factors of every point by each criterion"),
+    ("fatigue_history", "stress of the point that is drawn over the cycle"),
+    ("fatigue_points", "safety factors of all points beside each other"),
     ("speed_accuracy", "seconds per design and error of the peak, for each response method"),
     ("sizing", "what each round of sizing found"),
     ("sizing_comparison", "printed rounds of sizing beside ours"),
+    ("sizing_examples", "worked examples of books beside ours"),
     ("sizing_front", "masses of the crank against the response"),
 ];
 

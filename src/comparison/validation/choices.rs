@@ -83,7 +83,7 @@ impl Ranking {
     }
 }
 
-/// A recommended design beside the best of the others.
+/// A recommended design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chosen {
     /// What is recommended.

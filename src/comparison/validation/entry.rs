@@ -92,6 +92,8 @@ pub enum Kind {
     Multiaxial,
     /// Such a factor where the stresses behind it are not printed.
     MultiaxialAlone,
+    /// Angle of a printed plane, degrees.
+    PlaneAngle,
     /// Anything else.
     Other,
 }

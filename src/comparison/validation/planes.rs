@@ -1,7 +1,7 @@
 //! Critical planes that \[Minucci 2010\] prints, by both readings of his angles. His eq. (4.1) has phi from the axis of the crank and theta round it, as ours; his text has theta as colatitude.
 //!
-//! Where the plane of the largest shear amplitude is that of Dang Van, his search may print n for one and -n for the other. The reading by which more of his pairs are one plane is the one
-//! that his program has.
+//! Where the plane of the largest shear amplitude is that of Dang Van, his search may print n for one and -n for the other. The reading by which more of his pairs are one plane is the likelier one
+//! of his program.
 
 use super::{Entry, Kind, Role, Uncertainty};
 use crate::fatigue::multiaxial::Plane;
@@ -39,12 +39,19 @@ pub fn entries(published: &Published) -> Vec<Entry> {
     list
 }
 
-fn entry(table: &str, design: String, quantity: String, unit: &str, values: (Option<f64>, Option<f64>), role: Role, note: String) -> Entry {
+fn entry(
+    (table, design): (&str, String),
+    quantity: String,
+    (kind, unit): (Kind, &str),
+    values: (Option<f64>, Option<f64>),
+    role: Role,
+    note: String,
+) -> Entry {
     Entry {
         table: table.into(),
         design,
         quantity,
-        kind: Kind::Other,
+        kind,
         unit: unit.into(),
         published: values.0,
         computed: values.1,
@@ -67,7 +74,7 @@ fn angles(at: &PublishedPoint, what: &str, printed: [f64; 2]) -> [Entry; 2] {
         let (role, note) =
             if on_grid(angle) { (Role::Given, note.clone()) } else { (Role::Erratum, format!("not on the grid of 15 degrees; {note}")) };
         let design = format!("{} {}{speed}", at.crank, at.point);
-        entry(&at.table, design, format!("{what}, {name}"), "deg", (Some(angle * DEG_PER_RAD), None), role, note)
+        entry((&at.table, design), format!("{what}, {name}"), (Kind::PlaneAngle, "deg"), (Some(angle * DEG_PER_RAD), None), role, note)
     };
     [of("theta", printed[0]), of("phi", printed[1])]
 }
@@ -81,6 +88,8 @@ fn one_plane(published: &Published, words: &str, reading: Reading) -> Entry {
     };
     let (all, found) = (published.planes.len(), published.planes.iter().filter(same).count());
     let quantity = format!("points whose two printed planes are one {words}");
-    let note = format!("of {all} points; the reading with more of them is that of the program behind the tables");
-    entry("6.1, 6.2, 6.6", String::new(), quantity, "-", (None, Some(found as f64)), Role::Recomputed, note)
+    let note = format!("of {all} points; the reading with more of them is the likelier one of the program behind the tables");
+    let mut tables: Vec<&str> = published.planes.iter().map(|row| row.at.table.as_str()).collect();
+    tables.dedup();
+    entry((&tables.join(", "), String::new()), quantity, (Kind::Other, "-"), (None, Some(found as f64)), Role::Recomputed, note)
 }

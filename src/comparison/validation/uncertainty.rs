@@ -66,6 +66,10 @@ pub fn standard_errors(
             Ok((values[i].1, again(&values)?))
         };
         let ((low, before), (high, after)) = (moved(-STEP)?, moved(STEP)?);
+        // other values may leave an entry out: then they do not belong together
+        if before.len() != entries.len() || after.len() != entries.len() {
+            return Ok(());
+        }
         let change = |(own, (b, a)): (&Entry, (&Entry, &Entry))| match (b.computed, own.computed, a.computed) {
             (Some(b), Some(own), Some(a)) if high > low => {
                 let (down, up) = (own - b, a - own);

@@ -36,7 +36,13 @@ fn row(e: &Entry) -> Vec<String> {
 fn is_own(e: &Entry) -> bool {
     matches!(
         e.kind,
-        Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress | Kind::OwnMargin | Kind::FullCycleMargin | Kind::MultiaxialAlone
+        Kind::OwnStress
+            | Kind::FullCycleStress
+            | Kind::FlexibleStress
+            | Kind::OwnMargin
+            | Kind::FullCycleMargin
+            | Kind::MultiaxialAlone
+            | Kind::PlaneAngle
     )
 }
 
@@ -73,10 +79,12 @@ pub fn paragraph(study: &Study, c: &Comparison) -> String {
 /// The same in few lines: how many numbers there are in each role, what is best and what is possible, how good the predictions are, and what of the tolerances fails.
 #[doc(hidden)]
 pub fn brief(study: &Study, c: &Comparison) -> String {
-    let of_role = |role: Role| (c.entries.iter().filter(|e| e.role == role && !differs(e)).count(), role.name());
+    let name = |role: Role| if role == Role::Erratum { "errata" } else { role.name() };
+    let printed = || c.entries.iter().filter(|e| e.published.is_some());
+    let of_role = |role: Role| (printed().filter(|e| e.role == role && !differs(e)).count(), name(role));
     let inputs = (c.entries.iter().filter(|e| differs(e)).count(), "by other inputs");
     let counts: Vec<(usize, &str)> = Role::ALL.map(of_role).into_iter().chain([inputs]).collect();
-    let numbers = format!("{} published numbers: {}.", c.entries.len(), super::counted(&counts));
+    let numbers = format!("{} published numbers: {}.", printed().count(), super::counted(&counts));
     let failing: Vec<String> = tolerances(c).into_iter().filter(|line| !line.ends_with("holds.")).collect();
     let held = c.verdict.checks.iter().filter(|check| check.holds()).count();
     let held = format!("{held} of {} tolerances that the study states hold.", c.verdict.checks.len());
@@ -97,7 +105,9 @@ fn deviations(c: &Comparison, kind: Kind) -> impl Iterator<Item = f64> + '_ {
 fn best(study: &Study, c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
     let v = &c.verdict;
-    let plain: Vec<&Ranked> = v.designs.iter().filter(|d| d.ring_inertia > 0.0).collect();
+    // a study may have designs where its tables have none
+    let printed = study.published.as_ref().is_some_and(|p| !p.absorbers.is_empty());
+    let plain: Vec<&Ranked> = v.designs.iter().filter(|d| printed && d.ring_inertia > 0.0).collect();
     if let (Some(best), none) = (plain.first(), v.designs.iter().find(|d| d.ring_inertia == 0.0)) {
         let beside = none.map_or_else(String::new, |n| format!(" (without absorber {})", value(study, n.objective)));
         let others: Vec<String> = plain[1..].iter().map(|d| format!("{} {}", d.name, value(study, d.objective))).collect();
@@ -238,9 +248,14 @@ fn tolerances(c: &Comparison) -> Vec<String> {
 /// What our own loads make of the crank, case by case.
 fn own_stresses(c: &Comparison) -> Vec<String> {
     let mut lines = Vec::new();
+    let of = |k: Kind, case: &str| match k {
+        Kind::FullCycleStress => case == "finite elements",
+        Kind::FlexibleStress => case == "largest von Mises stress",
+        _ => k == Kind::OwnStress,
+    };
     for case in ["case A", "case B", "case C", "finite elements", "largest von Mises stress"] {
-        let ratios_of = |of: fn(Kind) -> bool| {
-            let own = c.entries.iter().filter(move |e| of(e.kind) && e.quantity.contains(case));
+        let ratios_of = |counts: &dyn Fn(Kind) -> bool| {
+            let own = c.entries.iter().filter(|e| counts(e.kind) && e.quantity.contains(case));
             let mut ratios: Vec<f64> = own.filter_map(|e| Some(e.computed? / e.published?)).collect();
             ratios.sort_by(f64::total_cmp);
             ratios
@@ -249,8 +264,7 @@ fn own_stresses(c: &Comparison) -> Vec<String> {
             let (low, high) = (ratios.first()?, ratios.last()?);
             Some(format!("{:.2} times (median of {}, {low:.2} to {high:.2})", ratios[ratios.len() / 2], ratios.len()))
         };
-        let is_stress = |k: Kind| matches!(k, Kind::OwnStress | Kind::FullCycleStress | Kind::FlexibleStress);
-        let both = [("stresses", ratios_of(is_stress)), ("safety factors", ratios_of(|k| k == Kind::OwnMargin))];
+        let both = [("stresses", ratios_of(&|k| of(k, case))), ("safety factors", ratios_of(&|k| k == Kind::OwnMargin))];
         let parts: Vec<String> =
             both.iter().filter_map(|(what, ratios)| Some(format!("{what} {} the printed ones", words(ratios)?))).collect();
         if !parts.is_empty() {

@@ -18,6 +18,8 @@ pub enum File {
     Sizing,
     /// Strengths of a material, for `hartog fatigue`.
     Material,
+    /// Compounds of rubber and oils for dampers.
+    Compounds,
 }
 
 impl From<File> for FileKind {
@@ -27,6 +29,7 @@ impl From<File> for FileKind {
             File::Engine => Self::Engine,
             File::Sizing => Self::Sizing,
             File::Material => Self::Material,
+            File::Compounds => Self::Compounds,
         }
     }
 }
@@ -42,6 +45,8 @@ pub enum Schema {
     Sizing,
     /// Strengths of a material, for `hartog fatigue`.
     Material,
+    /// Compounds of rubber and oils for dampers.
+    Compounds,
     /// What a run found: `results.json`.
     Results,
 }
@@ -53,6 +58,7 @@ impl Schema {
             Self::Engine => FileKind::Engine.json_schema_text(),
             Self::Sizing => FileKind::Sizing.json_schema_text(),
             Self::Material => FileKind::Material.json_schema_text(),
+            Self::Compounds => FileKind::Compounds.json_schema_text(),
             Self::Results => format!("{:#}\n", results_json::json_schema()),
         }
     }

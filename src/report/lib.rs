@@ -23,6 +23,7 @@ mod reason;
 #[doc(hidden)]
 pub mod results_json;
 mod run_tables;
+mod sheet;
 mod summary;
 mod taken;
 pub mod text;
@@ -81,6 +82,7 @@ pub fn write_run(
         || (write_tables(study, results, folder), results_json::write(study, inputs, results, folder), page::prepared(study, results));
     let (large, (plots, (tables, record, prepared))) = rayon::join(large, || rayon::join(plots, rest));
     tables.and(large).and(plots).and(record)?;
+    sheet::write(study, results, folder)?;
     page::write((study, inputs), results, &prepared, folder)
 }
 

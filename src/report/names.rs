@@ -29,6 +29,8 @@ pub struct Names {
     tables: Vec<String>,
     /// Stems of plots.
     pub(super) plots: Vec<String>,
+    /// Stems of order sheets.
+    pub(super) sheets: Vec<String>,
 }
 
 impl Names {
@@ -40,7 +42,14 @@ impl Names {
     /// Whole names of a command that lists nothing when it has ended.
     #[doc(hidden)]
     pub fn given(command: &'static str, files: impl Iterator<Item = String>) -> Self {
-        Self { command, lists: false, files: files.chain([JOURNAL.to_owned()]).collect(), tables: Vec::new(), plots: Vec::new() }
+        Self {
+            command,
+            lists: false,
+            files: files.chain([JOURNAL.to_owned()]).collect(),
+            tables: Vec::new(),
+            plots: Vec::new(),
+            sheets: Vec::new(),
+        }
     }
 
     pub(super) fn with_files(mut self, names: Vec<String>) -> Self {
@@ -79,8 +88,9 @@ impl Names {
         let stem = |ends: &[(&str, bool)]| ends.iter().filter(|e| e.1).find_map(|e| name.strip_suffix(e.0));
         let table = stem(&[(".csv", true), (".parquet", Format::Parquet.is_wanted())]);
         let plot = stem(&[(".svg", true), (".png", true), (".pdf", Format::Pdf.is_wanted())]);
+        let sheet = stem(&[(".html", true), (".pdf", true), (".json", true)]);
         let is_of = |stem: Option<&str>, known: &[String]| stem.is_some_and(|s| known.iter().any(|k| fits(s, k)));
-        self.files.iter().any(|f| f == name) || is_of(table, &self.tables) || is_of(plot, &self.plots)
+        is_of(sheet, &self.sheets) || self.files.iter().any(|f| f == name) || is_of(table, &self.tables) || is_of(plot, &self.plots)
     }
 }
 

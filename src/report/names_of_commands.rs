@@ -3,7 +3,15 @@
 use super::matrices::MatrixFormat;
 use super::names::{CLASSIFICATION, Names, PAGE, RESULTS, UNFINISHED};
 use super::run_tables::{RUN_TABLES, has_large_twist, materials};
+use crate::absorber::construction::shape;
 use crate::input::{FrontSpec, RETUNED, Study};
+
+/// Whether a study has a damper by its dimensions.
+fn by_dimensions(study: &Study) -> bool {
+    let searched = study.optimise.iter().flat_map(|o| &o.absorbers).any(|a| a.types.iter().any(|t| shape(t).is_some()));
+    let given = study.designs.iter().chain(study.catalogues.iter().flat_map(|c| &c.designs));
+    searched || given.flat_map(|d| &d.absorbers).any(|m| m.absorber.law().is_some_and(|law| law.parts().is_some()))
+}
 
 impl Names {
     /// Plots of designs: those that are given, the best of catalogues, and optima.
@@ -12,7 +20,11 @@ impl Names {
         let sold = sold.flat_map(|d| [d.name.clone(), format!("{}{RETUNED}", d.name)]);
         let given = study.designs.iter().map(|d| d.name.clone());
         let found = study.optimise.iter().map(|_| "optimum_*".to_owned());
-        self.plots.extend(given.chain(sold).chain(found).map(|name| format!("response_{name}")));
+        let all: Vec<String> = given.chain(sold).chain(found).collect();
+        self.plots.extend(all.iter().map(|name| format!("response_{name}")));
+        if by_dimensions(study) {
+            self.sheets.extend(all.iter().map(|name| format!("order_{name}")));
+        }
         self
     }
 

@@ -3,7 +3,7 @@
 use super::csv;
 use super::files::{Folder, WriteError};
 use crate::absorber::{Material, Mounted};
-use crate::analysis::Results;
+use crate::analysis::{Results, compounds};
 use crate::crankshaft::MarginCriterion;
 use crate::input::{FrontSpec, Study};
 
@@ -20,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 25] = [
+pub(super) const RUN_TABLES: [RunTable; 26] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -32,6 +32,12 @@ pub(super) const RUN_TABLES: [RunTable; 25] = [
         about: "one row for each value of every design: condition, measure, value, unit, place, order, speed",
         asked: always,
         write: csv::values,
+    },
+    RunTable {
+        stem: "compounds",
+        about: "compounds, oils and steps of dimensions that a study chooses from, one row each: the objective at the best that was found of it; of those that were left out a bound, below which no design of them was found with less asked of it",
+        asked: |s| s.optimise.as_ref().is_some_and(compounds::are_named),
+        write: csv::compounds,
     },
     RunTable {
         stem: "order_peaks",

@@ -3,6 +3,7 @@
 
 mod absorbers;
 mod chains;
+mod construction;
 mod dual_mass;
 mod enclosing;
 mod engines;

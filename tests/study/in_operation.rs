@@ -282,7 +282,7 @@ fn beside_a_jump(mut found: OptimumResult, limit: &LimitSpec) {
     assert_eq!(told(&mut found, 1e-6, 0.999), None);
     assert_eq!(told(&mut found, 0.001, 1.04), None);
     // within tolerances a drift is from their edge
-    found.load_cases[0].deviation = Some(hartog::absorber::Deviation { factors: Vec::new() });
+    found.load_cases[0].deviation = Some(hartog::absorber::Deviation { factors: Vec::new(), amounts: Vec::new() });
     found.sensitivities.iter_mut().filter(|s| s.limited).for_each(|s| s.drift = (None, Some(0.001)));
     assert!(found.jump(limit, 0.96).is_none());
 }

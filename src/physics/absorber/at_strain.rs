@@ -1,5 +1,6 @@
 //! A law at an amplitude of strain.
 
+use super::construction::{Number, Parts};
 use super::dynamic_stiffness::Operating;
 use super::law::{Declaration, Law};
 use super::material::Material;
@@ -45,6 +46,15 @@ impl Law for Strained {
     }
     fn depends_on_speed(&self) -> bool {
         self.law.depends_on_speed()
+    }
+    fn hub_inertia(&self) -> f64 {
+        self.law.hub_inertia()
+    }
+    fn parts(&self) -> Option<&Parts<f64>> {
+        self.law.parts()
+    }
+    fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
+        self.law.parts_by_dimensions()
     }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
         Arc::new(Self { law: self.law.rebuilt(values), factors: self.factors })

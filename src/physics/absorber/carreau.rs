@@ -28,14 +28,14 @@ pub struct Carreau {
     pub flow_index: f64,
 }
 
-const TRANSITION: Parameter = of_material(
+pub(super) const TRANSITION: Parameter = of_material(
     ("transition_exponent", "a", "Width of the transition from Newtonian to shear-thinning."),
     Range::Within(0.05, 1.0),
     |_| (0.05, 1.0),
     |_| 0.8,
 );
 
-const FLOW_INDEX: Parameter =
+pub(super) const FLOW_INDEX: Parameter =
     of_material(("flow_index", "n", "Flow index of the shear-thinning branch."), Range::Within(0.0, 0.95), |_| (0.0, 0.95), |_| 0.3);
 
 /// Ring in silicone oil.

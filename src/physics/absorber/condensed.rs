@@ -4,6 +4,7 @@
 //! z = -omega² J_hub + S m/(S + m); its twist against the host is -m/(S + m) of the host's angle. All are kept as fractions: they stay finite where
 //! an undamped ring resonates (the host stands still) and where one that sits on another does.
 
+use super::construction::hub_derivatives;
 use super::dynamic_stiffness::Operating;
 use super::mounted::{Absorber, Host, Mounted};
 use crate::numerics::C64;
@@ -121,6 +122,8 @@ impl Condensed {
         let by_stiffness = f.inertial * f.inertial;
         let mut list: Vec<C64> = law.derivatives(at).into_iter().map(|d| by_stiffness * d).collect();
         list[0] += by_inertia;
+        let by_hub = f.denominator * f.denominator * (-at.omega * at.omega);
+        list.iter_mut().zip(hub_derivatives(law.as_ref())).for_each(|(d, by)| *d += by_hub * by);
         list
     }
 }
@@ -135,7 +138,7 @@ fn fraction(design: &[Mounted], index: usize, at: Operating) -> Fraction {
         inertial = inertial * f.denominator + f.numerator * carried;
         carried *= f.denominator;
     }
-    let hub = omega2 * m.hub_inertia;
+    let hub = omega2 * m.hub();
     match &m.absorber {
         Absorber::Locked { .. } => Fraction {
             numerator: inertial - carried * hub,

@@ -33,6 +33,13 @@ pub enum ToAir {
         /// m.
         width: f64,
     },
+    /// The same of the damper's own outer diameter and width, which follow from its dimensions: as wide as it is.
+    Own {
+        /// R, m.
+        radius: f64,
+        /// m.
+        width: f64,
+    },
 }
 
 /// Air at 40 °C: thermal conductivity, W/(m K), and kinematic viscosity, m²/s.
@@ -46,7 +53,7 @@ impl ToAir {
     pub fn conductance(self, shaft_speed: f64) -> f64 {
         match self {
             Self::Given(conductance) => conductance,
-            Self::Disc { radius, width } => {
+            Self::Disc { radius, width } | Self::Own { radius, width } => {
                 let reynolds = shaft_speed * radius * radius / VISCOSITY;
                 let laminar = (TURBULENT / reynolds).sqrt().min(1.0);
                 let nusselt = 0.36 * reynolds.sqrt() * laminar * laminar + 0.015 * reynolds.power(0.8) * (1.0 - laminar.power(2.6));

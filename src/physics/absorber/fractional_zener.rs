@@ -35,7 +35,7 @@ pub(super) const EXPONENT: Parameter = of_material(
     |_| 0.5,
 );
 
-const GLASS_RATIO: Parameter =
+pub(super) const GLASS_RATIO: Parameter =
     of_material(("glass_ratio", "r", "Stiffness at infinite frequency over that at none."), Range::Above(1.0), |_| (1.01, 1e4), |_| 20.0);
 
 /// Ring on rubber of four numbers.
@@ -58,7 +58,7 @@ pub(super) fn start(ring_inertia: f64, engine: EngineMode) -> Vec<f64> {
 impl FractionalZener {
     /// S of z = (i omega tau)^alpha.
     #[inline(always)]
-    fn stiffness_of(&self, z: C64) -> C64 {
+    pub(super) fn stiffness_of(&self, z: C64) -> C64 {
         // one division by a real number costs half of one by a complex one; the imaginary part of (1 + r z)(1 + z*) is (r - 1) Im z
         let (above, below) = (1.0 + self.glass_ratio * z, 1.0 + z);
         let scale = self.stiffness / below.norm_sqr();

@@ -2,6 +2,7 @@
 //! of optimisers come from the declaration; the response methods ask for S and its derivatives, and know no types.
 
 use super::closed_forms::EngineMode;
+use super::construction::{Number, Parts};
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::material::Material;
@@ -60,6 +61,26 @@ pub trait Law: Debug + Send + Sync {
     /// What is known of its material; nothing where nothing is said of it.
     fn material(&self) -> Option<&Material> {
         None
+    }
+
+    /// Inertia of a hub or housing that is part of it, kg m²: beside that of a design.
+    fn hub_inertia(&self) -> f64 {
+        0.0
+    }
+
+    /// What its dimensions come to; `None` where it is no damper by its dimensions.
+    fn parts(&self) -> Option<&Parts<f64>> {
+        None
+    }
+
+    /// The same with the derivatives with respect to its dimensions, which are the first of the declared parameters.
+    fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
+        None
+    }
+
+    /// Largest shear strain per twist, 1/rad: of its dimensions, or of the shape that its material gives; `None` where neither is known.
+    fn strain_per_twist(&self) -> Option<f64> {
+        self.parts().map(|p| p.strain_per_twist).or_else(|| Some(self.material()?.geometry?.strain_per_twist()))
     }
 
     /// Its equations at large twist; nothing where S is all there is to the law.

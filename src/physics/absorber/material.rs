@@ -5,7 +5,9 @@ use super::geometry::Geometry;
 use super::kraus::Kraus;
 use super::life::StrainLife;
 use super::material_state::State;
+use super::substance::Substance;
 use super::temperature::TemperatureLaw;
+use std::sync::Arc;
 
 /// Factors on the parameters of a type in a state, in the order of their declaration.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,12 +40,19 @@ pub struct Material {
     pub amplitude: Option<Kraus>,
     /// Cycles of that strain that it bears.
     pub life: Option<StrainLife>,
+    /// The compound or oil, where a study names one.
+    pub substance: Option<Arc<Substance>>,
 }
 
 impl Material {
     /// What a state leaves of it: the cycles of strain that it bears, with the shape that is sheared.
     pub(super) fn lasting(&self) -> Self {
-        Self { geometry: self.geometry.filter(|_| self.life.is_some()), life: self.life, ..Self::default() }
+        Self {
+            geometry: self.geometry.filter(|_| self.life.is_some()),
+            life: self.life,
+            substance: self.substance.clone(),
+            ..Self::default()
+        }
     }
 
     /// Whether it says that its state follows from the motion: by heat, or by strain.

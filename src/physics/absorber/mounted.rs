@@ -139,7 +139,7 @@ pub enum Host {
 pub struct Mounted {
     /// What carries the hub.
     pub on: Host,
-    /// Inertia of hub or housing, added to what carries it, kg m².
+    /// Inertia of hub or housing, added to what carries it, kg m²; beside that of a housing that follows from dimensions.
     pub hub_inertia: f64,
     /// The absorber.
     pub absorber: Absorber,
@@ -156,6 +156,12 @@ impl Mounted {
         Self { on: Host::Ring(inner), hub_inertia: 0.0, absorber: absorber.into() }
     }
 
+    /// Inertia of hub or housing, that of its dimensions with it, kg m².
+    #[doc(hidden)]
+    pub fn hub(&self) -> f64 {
+        self.hub_inertia + self.absorber.law().map_or(0.0, |law| law.hub_inertia())
+    }
+
     /// The same with a hub or housing, kg m².
     #[must_use]
     pub fn with_hub(self, hub_inertia: f64) -> Self {
@@ -164,7 +170,8 @@ impl Mounted {
 }
 
 /// A design with the law of one absorber changed; the same where that is locked.
-pub(crate) fn with_law(design: &[Mounted], index: usize, change: impl FnOnce(&Arc<dyn Law>) -> Arc<dyn Law>) -> Vec<Mounted> {
+#[doc(hidden)]
+pub fn with_law(design: &[Mounted], index: usize, change: impl FnOnce(&Arc<dyn Law>) -> Arc<dyn Law>) -> Vec<Mounted> {
     let mut changed = design.to_vec();
     if let Absorber::Ring(law) = &design[index].absorber {
         changed[index].absorber = Absorber::Ring(change(law));

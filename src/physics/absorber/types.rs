@@ -1,6 +1,7 @@
 //! The types a study may name.
 
 use super::carreau::CARREAU;
+use super::construction::{DISC, HOUSING, SLEEVE, WEDGE};
 use super::fractional_kelvin::FRACTIONAL_KELVIN;
 use super::fractional_zener::FRACTIONAL_ZENER;
 use super::hardening::HARDENING;
@@ -16,7 +17,7 @@ use super::undamped::UNDAMPED;
 use super::viscous::VISCOUS;
 
 /// All of them, in the order of lists and messages.
-pub static TYPES: [&Declaration; 15] = [
+pub static TYPES: [&Declaration; 19] = [
     &TUNED,
     &VISCOUS,
     &UNDAMPED,
@@ -32,6 +33,10 @@ pub static TYPES: [&Declaration; 15] = [
     &CIRCULAR_PENDULUM,
     &TAUTOCHRONE_PENDULUM,
     &CYCLOIDAL_PENDULUM,
+    &SLEEVE,
+    &DISC,
+    &WEDGE,
+    &HOUSING,
 ];
 
 /// Types that are given only: searches are of small twists, where these are other types.

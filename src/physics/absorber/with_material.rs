@@ -1,9 +1,11 @@
 //! A law with its material: in each state of that, the parameters are those of the reference state times a factor.
 
+use super::construction::{Number, Parts};
+use super::cooling::{Cooling, ToAir};
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::law::{ByFactor, Declaration, Law};
-use super::material::Material;
+use super::material::{Material, Thermal};
 use super::material_state::State;
 use crate::numerics::C64;
 use std::sync::Arc;
@@ -18,7 +20,16 @@ pub struct WithMaterial {
 impl WithMaterial {
     /// A law with what is known of its material; in each state as many factors as it has parameters.
     pub fn of(law: Arc<dyn Law>, material: &Arc<Material>) -> Arc<dyn Law> {
-        if **material == Material::default() { law } else { Arc::new(Self { law, material: material.clone() }) }
+        let own = law.parts().zip(material.thermal);
+        let material = match own {
+            Some((parts, thermal)) if matches!(thermal.cooling.to_air, ToAir::Own { .. }) => {
+                let to_air = ToAir::Own { radius: 0.5 * parts.outer_diameter, width: parts.width };
+                let cooling = Cooling { to_air, ..thermal.cooling };
+                Arc::new(Material { thermal: Some(Thermal { cooling, ..thermal }), ..Material::clone(material) })
+            }
+            _ => material.clone(),
+        };
+        if *material == Material::default() { law } else { Arc::new(Self { law, material }) }
     }
 }
 
@@ -32,21 +43,28 @@ pub(crate) fn at_temperature(law: &Arc<dyn Law>, celsius: f64) -> Arc<dyn Law> {
 
 /// A law with its parameters times factors; its values stay those of the law.
 pub(super) fn changed(law: &Arc<dyn Law>, factors: Vec<f64>) -> Arc<dyn Law> {
-    Arc::new(Changed::new(law.clone(), factors))
+    changed_by(law, (factors, Vec::new()))
 }
 
-/// A law whose parameters are those of another times factors; its values are those of the other.
+/// A law with its parameters times factors, then with amounts added; its values stay those of the law.
+pub(super) fn changed_by(law: &Arc<dyn Law>, (factors, amounts): (Vec<f64>, Vec<f64>)) -> Arc<dyn Law> {
+    Arc::new(Changed::new(law.clone(), factors, amounts))
+}
+
+/// A law whose parameters are those of another times factors, with amounts added where there are any; its values are those of the other.
 #[derive(Debug, Clone)]
 struct Changed {
     reference: Arc<dyn Law>,
     now: Arc<dyn Law>,
     factors: Vec<f64>,
+    amounts: Vec<f64>,
 }
 
 impl Changed {
-    fn new(reference: Arc<dyn Law>, factors: Vec<f64>) -> Self {
-        let values: Vec<f64> = reference.values().iter().zip(&factors).map(|(v, f)| v * f).collect();
-        Self { now: reference.rebuilt(&values), reference, factors }
+    fn new(reference: Arc<dyn Law>, factors: Vec<f64>, amounts: Vec<f64>) -> Self {
+        let mut values: Vec<f64> = reference.values().iter().zip(&factors).map(|(v, f)| v * f).collect();
+        values.iter_mut().zip(&amounts).for_each(|(v, a)| *v += a);
+        Self { now: reference.rebuilt(&values), reference, factors, amounts }
     }
 }
 
@@ -77,6 +95,12 @@ macro_rules! stands_in {
         fn large_twist(&self) -> Option<&dyn LargeTwist> {
             self.$now.large_twist()
         }
+        fn hub_inertia(&self) -> f64 {
+            self.$now.hub_inertia()
+        }
+        fn parts(&self) -> Option<&Parts<f64>> {
+            self.$now.parts()
+        }
         fn dynamic_stiffness_each(&self, at: &[Operating], out: &mut [C64]) {
             self.$now.dynamic_stiffness_each(at, out);
         }
@@ -91,15 +115,16 @@ impl Law for WithMaterial {
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.law.derivatives(at)
     }
+    fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
+        self.law.parts_by_dimensions()
+    }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
-        Arc::new(Self { law: self.law.rebuilt(values), material: self.material.clone() })
+        Self::of(self.law.rebuilt(values), &self.material)
     }
     fn in_state(&self, state: State) -> Option<Arc<dyn Law>> {
         match self.material.states.iter().find(|s| s.state == state) {
             // its cycles of strain count in every state
-            Some(found) => {
-                Some(Self::of(Arc::new(Changed::new(self.law.clone(), found.factors.clone())), &Arc::new(self.material.lasting())))
-            }
+            Some(found) => Some(Self::of(changed(&self.law, found.factors.clone()), &Arc::new(self.material.lasting()))),
             // what is known of the material leaves what the law itself knows
             None => Some(Arc::new(Self { law: self.law.in_state(state)?, material: self.material.clone() })),
         }
@@ -117,7 +142,11 @@ impl Law for Changed {
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.now.derivatives(at).into_iter().zip(&self.factors).map(|(d, f)| d * *f).collect()
     }
+    fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
+        let by = |x: Number| x.rescaled(|i| self.factors.get(i).copied().unwrap_or(1.0));
+        self.now.parts_by_dimensions().map(|parts| Box::new(parts.map(by)))
+    }
     fn rebuilt(&self, values: &[f64]) -> Arc<dyn Law> {
-        Arc::new(Self::new(self.reference.rebuilt(values), self.factors.clone()))
+        Arc::new(Self::new(self.reference.rebuilt(values), self.factors.clone(), self.amounts.clone()))
     }
 }

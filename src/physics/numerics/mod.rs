@@ -3,6 +3,7 @@
 pub(crate) mod abs_sums;
 pub(crate) mod banded;
 pub(crate) mod block_tridiagonal;
+pub mod dual;
 pub mod eigen;
 pub mod elementary;
 pub mod ellipsoid;

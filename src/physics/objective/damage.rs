@@ -5,6 +5,7 @@ use super::measure::{Measure, Over};
 use super::peak::Peak;
 use super::peak_search::PeakFinder;
 use super::point_metric::DIFFERENCE;
+use crate::absorber::construction::strain_derivatives;
 use crate::absorber::{Mounted, StrainLife};
 use crate::drivetrain::System;
 use crate::numerics::rainflow::amplitudes;
@@ -39,8 +40,8 @@ pub struct Hour {
 impl Sheared {
     /// Of an absorber whose material says so.
     pub fn of(mounted: &Mounted) -> Option<Self> {
-        let material = mounted.absorber.law()?.material()?;
-        Some(Self { life: material.life?, per_twist: material.geometry?.strain_per_twist() })
+        let law = mounted.absorber.law()?;
+        Some(Self { life: law.material()?.life?, per_twist: law.strain_per_twist()? })
     }
 
     /// An hour at a speed, under orders of the ring's twist.
@@ -110,6 +111,12 @@ impl PeakFinder<'_> {
                     sheared.hour((&point.system, &self.synthesiser), point.speed_rpm, &y).damage
                 };
                 *sum += point.share * (moved(step) - moved(-step)) / (2.0 * step);
+            }
+            if let Some(law) = design[index].absorber.law().filter(|_| index == ring) {
+                // damage goes with a power of the strain per twist
+                let own =
+                    sheared.life.exponent * point.share * sheared.hour((&point.system, &self.synthesiser), point.speed_rpm, &twist).damage;
+                gradient.iter_mut().zip(strain_derivatives(law.as_ref())).for_each(|(g, d)| *g += own * d);
             }
         }
         Ok(gradient)

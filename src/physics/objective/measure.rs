@@ -31,6 +31,8 @@ pub enum Over {
     MeanPower,
     /// Share of its life that an hour of the duty takes of what the absorbers shear whose ring twists are the quantities, the largest, 1/h.
     Damage,
+    /// Largest shear strain in the absorbers whose ring twists are the quantities, each by its own dimensions: half peak-to-peak of all orders together.
+    Strain,
     /// What the design has at no speed.
     Property(Property),
 }
@@ -52,7 +54,7 @@ impl Over {
             Self::Property(_) | Self::Damage => (String::new(), String::new()),
             Self::Mean | Self::MeanPower => ("mean over the duty of ".into(), "mean_".into()),
             Self::AtDuty(_) => ("mean over the duty of ".into(), "peak_mean_".into()),
-            Self::Synthesis | Self::Margin(_) | Self::Power | Self::Temperature => ("peak ".into(), "peak_".into()),
+            Self::Synthesis | Self::Margin(_) | Self::Power | Self::Temperature | Self::Strain => ("peak ".into(), "peak_".into()),
         }
     }
 }
@@ -66,6 +68,18 @@ pub enum Property {
     RingInertia,
     /// The same with their hubs.
     TotalInertia,
+    /// Mass of their rings, housings and of what is sheared together, kg: of those that are given by their dimensions.
+    Mass,
+    /// Volume of the cylinders that they fill, m³.
+    Volume,
+    /// Price of them together.
+    Cost(Price),
+    /// Largest outer diameter, m.
+    OuterDiameter,
+    /// Largest width, m.
+    Width,
+    /// Inverse of the smallest diameter that is free inside, 1/m.
+    Bore,
     /// How far a natural frequency of chain and absorbers lies inside a band, as the ratio to the nearer end of it: above one inside, Hz.
     Band {
         /// Hz.
@@ -73,6 +87,19 @@ pub enum Property {
         /// Hz.
         high: f64,
     },
+}
+
+/// What a damper costs: a function of its masses and its diameter, in any currency.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Price {
+    /// Whatever its size.
+    pub fixed: f64,
+    /// Per kg of the ring.
+    pub ring: f64,
+    /// Per kg of the housing.
+    pub housing: f64,
+    /// Per m of the outer diameter.
+    pub diameter: f64,
 }
 
 /// A range with speeds at its ends that differ from them by rounding.
@@ -148,10 +175,12 @@ impl Measure {
         }
     }
 
-    /// Whether it is of inertias alone, which are the same in every condition.
+    /// Whether it is of inertias and sizes alone, which are the same in every condition.
     #[doc(hidden)]
     pub fn is_inertia(&self) -> bool {
-        matches!(self.over, Over::Property(Property::RingInertia | Property::TotalInertia))
+        use Property::{Bore, Cost, Mass, OuterDiameter, RingInertia, TotalInertia, Volume, Width};
+        let drawn = |p: &Property| matches!(p, RingInertia | TotalInertia | Mass | Volume | Cost(_) | OuterDiameter | Width | Bore);
+        matches!(&self.over, Over::Property(p) if drawn(p))
     }
 
     /// In units of one: W, rad, N m.

@@ -1,10 +1,11 @@
 //! Measures that a design has at no speed.
 
-use super::measure::{Measure, Over, Property};
+use super::measure::{Measure, Over, Price, Property};
 use super::peak::Peak;
 use super::peak_search::PeakFinder;
+use crate::absorber::construction::shape;
 use crate::absorber::parameter::STIFFNESS;
-use crate::absorber::{Absorber, Mounted};
+use crate::absorber::{Absorber, Law, Mounted, Parts};
 use crate::drivetrain::natural;
 use crate::response::Quantity;
 
@@ -25,6 +26,28 @@ fn loss_factor(absorber: &Absorber) -> Option<f64> {
     natural::own_loss_factor(absorber.law().filter(|law| law.spring_and_damper().is_none())?.as_ref())
 }
 
+/// Mass of a damper by its dimensions, kg.
+#[doc(hidden)]
+pub fn mass(law: &dyn Law, parts: &Parts<f64>) -> f64 {
+    parts.ring_mass + parts.hub_mass + sheared(law, parts).0
+}
+
+/// Mass of what is sheared, kg, and what a kg of it costs.
+fn sheared(law: &dyn Law, parts: &Parts<f64>) -> (f64, f64) {
+    let named = law.material().and_then(|m| m.substance.as_ref());
+    let density = named.map_or_else(|| shape(law.declaration()).map_or(0.0, |s| s.sheared.density()), |s| s.density);
+    (density * parts.sheared_volume, named.map_or(0.0, |s| s.price))
+}
+
+fn volume(parts: &Parts<f64>) -> f64 {
+    0.25 * std::f64::consts::PI * parts.outer_diameter * parts.outer_diameter * parts.width
+}
+
+fn cost(law: &dyn Law, parts: &Parts<f64>, price: Price) -> f64 {
+    let (mass, per_kg) = sheared(law, parts);
+    price.fixed + price.ring * parts.ring_mass + price.housing * parts.hub_mass + price.diameter * parts.outer_diameter + per_kg * mass
+}
+
 impl PeakFinder<'_> {
     /// A property as the only peak of its measure; nothing where no absorber has it.
     pub(super) fn property(&self, design: &[Mounted], measure: &Measure, property: Property) -> Option<Peak> {
@@ -36,13 +59,29 @@ impl PeakFinder<'_> {
     fn value_of(&self, design: &[Mounted], measure: &Measure, property: Property) -> Option<(f64, Quantity)> {
         let first = measure.quantities.first().copied();
         let sum = |of: &dyn Fn(&Mounted) -> f64| Some((measure.absorbers().filter_map(|i| design.get(i)).map(of).sum(), first?));
+        let of_parts = |of: &dyn Fn(&dyn Law, &Parts<f64>) -> f64| -> Option<Vec<(f64, Quantity)>> {
+            let own = |i: usize| {
+                let law = design.get(i)?.absorber.law()?;
+                Some((of(law.as_ref(), law.parts()?), Quantity::RingTwist(i)))
+            };
+            let found: Vec<_> = measure.absorbers().filter_map(own).collect();
+            (!found.is_empty()).then_some(found)
+        };
+        let sum_of = |found: Vec<(f64, Quantity)>| (found.iter().map(|f| f.0).sum(), found[0].1);
+        let largest = |found: Vec<(f64, Quantity)>| found.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
         match property {
             Property::RingInertia => sum(&|m| m.absorber.ring_inertia()),
-            Property::TotalInertia => sum(&|m| m.absorber.ring_inertia() + m.hub_inertia),
+            Property::TotalInertia => sum(&|m| m.absorber.ring_inertia() + m.hub()),
             Property::LossFactor => {
                 let loss_of = |i: usize| Some((loss_factor(&design.get(i)?.absorber)?, Quantity::RingTwist(i)));
                 measure.absorbers().filter_map(loss_of).reduce(|a, b| if b.0 > a.0 { b } else { a })
             }
+            Property::Mass => of_parts(&|law, p| mass(law, p)).map(sum_of),
+            Property::Volume => of_parts(&|_, p| volume(p)).map(sum_of),
+            Property::Cost(price) => of_parts(&|law, p| cost(law, p, price)).map(sum_of),
+            Property::OuterDiameter => of_parts(&|_, p| p.outer_diameter).and_then(largest),
+            Property::Width => of_parts(&|_, p| p.width).and_then(largest),
+            Property::Bore => of_parts(&|_, p| 1.0 / p.bore).and_then(largest),
             Property::Band { low, high } => {
                 let inside = |f: f64| (f / low).min(high / f);
                 let all = natural::frequencies_hz(&self.system.chain, &self.system.modes, design);

@@ -36,7 +36,7 @@ pub use load_case::LoadCase;
 pub use load_case::largest;
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
-pub use robust::Tolerances;
+pub use robust::{Scatter, Tolerances};
 pub use search::{LocalOptimum, Optimum, Stages, Start};
 pub use second_order::SecondOrder;
 pub use shadow_prices::OnBound;

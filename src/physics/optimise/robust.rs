@@ -5,7 +5,8 @@
 use super::minimax::Outcome;
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
-use crate::absorber::{Declaration, Deviation, Mounted};
+use crate::absorber::construction::shape;
+use crate::absorber::{Declaration, Deviation, Mounted, Sheared, Substance};
 use crate::numerics::elementary::Elementary;
 use crate::numerics::maximise::maximise;
 use crate::objective::{Limit, Measure};
@@ -16,6 +17,8 @@ use rayon::prelude::*;
 use std::convert::Infallible;
 use std::f64::consts::TAU;
 
+/// Key of the relaxation time of an oil.
+const RELAXATION_TIME: &str = "relaxation_time_s";
 /// A deviation is worse where it is by this share.
 const WORSE: f64 = 1e-9;
 /// Most searches of the inside of the box, after each of which an optimum is sought anew.
@@ -27,22 +30,78 @@ const ROUNDS: usize = 6;
 /// Share of the reach at which it is looked whether the value falls from an end.
 const INWARD: f64 = 0.05;
 
-/// Shares by which parameters of the absorbers of a design may deviate.
+/// What the making of absorbers scatters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scatter {
+    /// A parameter by its key, a share more or less.
+    Share(&'static str, f64),
+    /// A parameter by its key, an amount in its unit more or less.
+    Amount(&'static str, f64),
+    /// Hardness of rubber, Shore A more or less: its modulus follows by Gent's relation.
+    Hardness(f64),
+    /// Viscosity of oil, a share more or less: the relaxation time is tied to it.
+    Viscosity(f64),
+}
+
+/// Young's modulus of rubber by its hardness but for a factor \[Gent 1958\]: (56 + 7.62336 S)/(254 - 2.54 S).
+#[doc(hidden)]
+pub fn modulus_of_hardness(shore_a: f64) -> f64 {
+    (56.0 + 7.623_36 * shore_a) / (254.0 - 2.54 * shore_a)
+}
+
+/// Softest and hardest rubber that the relation is used for, Shore A.
+const HARDNESS: (f64, f64) = (10.0, 95.0);
+
+/// How a point of an edge, from -1 to 1, changes a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum By {
+    /// 1 + share x.
+    Share(f64),
+    /// Amount x is added.
+    Amount(f64),
+    /// The first factor at x = 1, the second at x = -1, by powers between.
+    Factors(f64, f64),
+}
+
+/// Shares and amounts by which parameters of the absorbers of a design may deviate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tolerances {
     /// Parameters of each absorber.
     counts: Vec<usize>,
-    /// Absorber, parameter, share.
-    edges: Vec<(usize, usize, f64)>,
+    /// Absorber, parameters that change together, and how.
+    edges: Vec<(usize, Vec<usize>, By)>,
 }
 
 impl Tolerances {
     /// Those of some types (nothing for an absorber without one) by the keys of their parameters.
     pub fn new(types: &[Option<&'static Declaration>], shares: &[(&'static str, f64)]) -> Self {
-        let counts = types.iter().map(|t| t.map_or(0, |t| t.parameters.len())).collect();
-        let edges_of = |(i, t): (usize, &Option<&'static Declaration>)| -> Vec<(usize, usize, f64)> {
-            let place = |(key, share): &(&'static str, f64)| Some((i, t.as_ref()?.index(key)?, *share));
-            shares.iter().filter_map(place).collect()
+        let types: Vec<_> = types.iter().map(|t| t.map(|t| (t, None))).collect();
+        let scatter: Vec<Scatter> = shares.iter().map(|(key, share)| Scatter::Share(key, *share)).collect();
+        Self::scattered(&types, &scatter)
+    }
+
+    /// The same of what their making scatters, with the compound or oil of each.
+    pub fn scattered(types: &[Option<(&'static Declaration, Option<&Substance>)>], scatter: &[Scatter]) -> Self {
+        let counts = types.iter().map(|t| t.map_or(0, |t| t.0.parameters.len())).collect();
+        let edges_of = |(i, t): (usize, &Option<(&'static Declaration, Option<&Substance>)>)| -> Vec<(usize, Vec<usize>, By)> {
+            let place = |scatter: &Scatter| -> Option<(usize, Vec<usize>, By)> {
+                let (kind, substance) = t.as_ref()?;
+                let sheared = shape(kind).map(|s| s.sheared);
+                match *scatter {
+                    Scatter::Share(key, share) => Some((i, vec![kind.index(key)?], By::Share(share))),
+                    Scatter::Amount(key, amount) => Some((i, vec![kind.index(key)?], By::Amount(amount))),
+                    Scatter::Hardness(amount) => {
+                        let own = substance.filter(|_| sheared == Some(Sheared::Rubber))?.grade;
+                        let to = |hardness: f64| modulus_of_hardness(hardness.clamp(HARDNESS.0, HARDNESS.1)) / modulus_of_hardness(own);
+                        Some((i, vec![shape(kind)?.material().start], By::Factors(to(own + amount), to(own - amount))))
+                    }
+                    Scatter::Viscosity(share) => {
+                        let first = shape(kind).filter(|_| sheared == Some(Sheared::Oil))?.material().start;
+                        Some((i, vec![first, kind.index(RELAXATION_TIME)?], By::Share(share)))
+                    }
+                }
+            };
+            scatter.iter().filter_map(place).collect()
         };
         Self { counts, edges: types.iter().enumerate().flat_map(edges_of).collect() }
     }
@@ -53,6 +112,18 @@ impl Tolerances {
         Self::new(&design.iter().map(|m| m.absorber.declaration()).collect::<Vec<_>>(), shares)
     }
 
+    /// Of a design, of what its making scatters.
+    #[doc(hidden)]
+    pub fn scattered_of(design: &[Mounted], scatter: &[Scatter]) -> Self {
+        let one = |m: &Mounted| {
+            let law = m.absorber.law()?;
+            Some((law.declaration(), law.material().and_then(|m| m.substance.clone())))
+        };
+        let owned: Vec<_> = design.iter().map(one).collect();
+        let types: Vec<_> = owned.iter().map(|o| o.as_ref().map(|(t, s)| (*t, s.as_deref()))).collect();
+        Self::scattered(&types, scatter)
+    }
+
     /// Number of edges of the box.
     pub fn edges(&self) -> usize {
         self.edges.len()
@@ -61,10 +132,18 @@ impl Tolerances {
     /// The deviation at a point of the box: each edge from -1 to 1.
     pub fn at(&self, point: &[f64]) -> Deviation {
         let mut factors: Vec<Vec<f64>> = self.counts.iter().map(|n| vec![1.0; *n]).collect();
-        for ((absorber, parameter, share), x) in self.edges.iter().zip(point) {
-            factors[*absorber][*parameter] = 1.0 + share * x;
+        let adds = self.edges.iter().any(|e| matches!(e.2, By::Amount(_)));
+        let mut amounts: Vec<Vec<f64>> = if adds { self.counts.iter().map(|n| vec![0.0; *n]).collect() } else { Vec::new() };
+        for ((absorber, parameters, by), x) in self.edges.iter().zip(point) {
+            for parameter in parameters {
+                match *by {
+                    By::Share(share) => factors[*absorber][*parameter] = 1.0 + share * x,
+                    By::Amount(amount) => amounts[*absorber][*parameter] = amount * x,
+                    By::Factors(up, down) => factors[*absorber][*parameter] = if *x >= 0.0 { up.power(*x) } else { down.power(-*x) },
+                }
+            }
         }
-        Deviation { factors }
+        Deviation { factors, amounts }
     }
 
     /// All corners.
@@ -242,7 +321,8 @@ fn worse_inside(problem: &Problem, tolerances: &Tolerances, optimum: &Optimum, s
     let mut worse: Vec<(Vec<f64>, f64)> = tolerances.highest(|point| value_at(point, own), seed);
     worse.retain(|w| w.1 > value);
     let excess = optimum.outcome.rows.excess().exponential() * (1.0 + WORSE);
-    for limit in problem.limits {
+    // sizes grow or fall with every dimension: they are worst in a corner
+    for limit in problem.limits.iter().filter(|l| !l.measure.is_inertia()) {
         let beyond = tolerances.highest(|point| value_at(point, (std::slice::from_ref(limit), &[])), seed);
         worse.extend(beyond.into_iter().filter(|w| w.1 > excess));
     }

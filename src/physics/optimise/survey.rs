@@ -149,10 +149,14 @@ fn costs_more_than_limits(problem: &Problem) -> bool {
     problem.objectives.iter().any(|o| matches!(o.measure.over, Over::Temperature | Over::Damage))
 }
 
+/// Where a design has more load cases than this, as within tolerances, the box is not looked over: it was for the design as drawn.
+const MOST_LOAD_CASES: usize = 32;
+
 /// Whether the whole box of a problem is looked over: where its limits or several absorbers leave more than one part of it to end in.
 #[doc(hidden)]
 pub fn is_wanted(problem: &Problem) -> bool {
-    !problem.space.variables.is_empty() && (!problem.limits.is_empty() || problem.space.slots.len() > 1)
+    let several = !problem.limits.is_empty() || problem.space.slots.len() > 1;
+    !problem.space.variables.is_empty() && several && problem.load_cases.len() <= MOST_LOAD_CASES
 }
 
 /// Looks over the whole box, follows what may be better than an optimum, and keeps what is.

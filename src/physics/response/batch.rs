@@ -156,7 +156,7 @@ fn rings(b: &mut Block, design: &[Mounted]) {
         let left = &mut b.twist[station];
         let ring_inertia = m.absorber.ring_inertia();
         if m.absorber.law().is_none() {
-            let inertia = m.hub_inertia + ring_inertia;
+            let inertia = m.hub() + ring_inertia;
             for l in 0..LANES {
                 left.re[l] -= omega[l] * omega[l] * inertia;
             }
@@ -171,7 +171,7 @@ fn rings(b: &mut Block, design: &[Mounted]) {
             // near its own resonance an undamped ring turns rounding of the hub's angle into its own
             let cancelled = ring * scale;
             worst[l] = if cancelled > worst[l] { cancelled } else { worst[l] };
-            left.re[l] -= omega[l] * omega[l] * m.hub_inertia + scale * (s_re * d_re + s_im * s_im);
+            left.re[l] -= omega[l] * omega[l] * m.hub() + scale * (s_re * d_re + s_im * s_im);
             left.im[l] += scale * s_im * ring;
         }
     }

@@ -62,7 +62,7 @@ impl Bodies {
         }
         for (index, m) in design.iter().enumerate() {
             let host = host_body(design, m.on, n);
-            bodies.inertia[host] += m.hub_inertia;
+            bodies.inertia[host] += m.hub();
             let Absorber::Ring(law) = &m.absorber else {
                 bodies.inertia[host] += m.absorber.ring_inertia();
                 bodies.rings.push((host, host));

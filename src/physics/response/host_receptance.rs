@@ -59,7 +59,7 @@ const LARGEST_CANCELLATION: f64 = 1e5;
 /// The station that carries a ring alone.
 fn single(design: &[Mounted]) -> Option<usize> {
     match design {
-        [Mounted { on: Host::Station(station), hub_inertia: 0.0, .. }] => Some(*station),
+        [m @ Mounted { on: Host::Station(station), .. }] if m.hub() == 0.0 => Some(*station),
         _ => None,
     }
 }

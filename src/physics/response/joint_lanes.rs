@@ -131,7 +131,7 @@ fn single(table: &Table, mounted: &Mounted) -> (Lane, Lane, Lane) {
     let square = table.at.map(|at| at.omega * at.omega);
     let ring_inertia = mounted.absorber.ring_inertia();
     let Absorber::Ring(law) = &mounted.absorber else {
-        let inertia = ring_inertia + mounted.hub_inertia;
+        let inertia = ring_inertia + mounted.hub();
         return (Lane { re: square.map(|s| -s * inertia), im: [0.0; LANES] }, Lane::ONE, Lane::ZERO);
     };
     let spring = match law.spring_and_damper() {
@@ -142,7 +142,7 @@ fn single(table: &Table, mounted: &Mounted) -> (Lane, Lane, Lane) {
             Lane { re: s.map(|s| s.re), im: s.map(|s| s.im) }
         }
     };
-    fraction(&square, &spring, (ring_inertia, mounted.hub_inertia))
+    fraction(&square, &spring, (ring_inertia, mounted.hub()))
 }
 
 /// S m - D omega² J_hub and D = S + m with m = -omega² J; and -m.

@@ -138,7 +138,7 @@ macro_rules! each_point {
 
 /// Inertias and S of an absorber at the points, given to `job`.
 fn with_spring<T>(points: &Points, mounted: &Mounted, first: usize, count: usize, job: impl FnOnce(&Inertias, Spring) -> T) -> T {
-    let (hub, ring) = (mounted.hub_inertia, mounted.absorber.ring_inertia());
+    let (hub, ring) = (mounted.hub(), mounted.absorber.ring_inertia());
     let Absorber::Ring(law) = &mounted.absorber else {
         // without a ring of its own any stiffness does
         return job(&Inertias { ring: 0.0, hub: hub + ring }, Spring::Constant(SpringAndDamper { stiffness: 1.0, damping: 0.0 }));

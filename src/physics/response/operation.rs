@@ -109,7 +109,7 @@ impl<'a> AtSpeed<'a> {
     /// [`ResponseError::Unbounded`] where nothing damps a resonance.
     pub fn strains(&self, celsius: Option<f64>) -> Result<Vec<f64>, ResponseError> {
         let law = self.warmed(celsius);
-        let per_twist = self.law.material().and_then(|m| m.geometry).map_or(0.0, |g| g.strain_per_twist());
+        let per_twist = self.law.strain_per_twist().unwrap_or(0.0);
         let mut excess = |x: f64| -> Result<f64, ResponseError> {
             let ring = self.open.ring_twist(&at_strain(&law, x.exponential()))?;
             let twist = match self.rule {

@@ -7,6 +7,7 @@
 
 use super::Direct;
 use super::factored::Factored;
+use crate::absorber::construction::hub_derivatives;
 use crate::absorber::mounted::station_of;
 use crate::absorber::{Host, Mounted, Operating};
 use crate::numerics::{C64, ZERO};
@@ -39,7 +40,7 @@ impl Rings {
                     let host = place(inner)?;
                     matrix[(row, host)] -= s;
                     matrix[(host, row)] -= s;
-                    matrix[(host, host)] += s - at.omega * at.omega * design[i].hub_inertia;
+                    matrix[(host, host)] += s - at.omega * at.omega * design[i].hub();
                 }
             }
         }
@@ -111,6 +112,9 @@ impl Direct<'_> {
             let law = design[index].absorber.law()?;
             let mut list: Vec<C64> = law.derivatives(at).into_iter().map(|d| -d * lambda * twist).collect();
             list[0] += mu * angle * (at.omega * at.omega);
+            // a housing moves as what carries it
+            let hub = (mu - lambda) * (angle - twist) * (at.omega * at.omega);
+            list.iter_mut().zip(hub_derivatives(law.as_ref())).for_each(|(d, by)| *d += hub * by);
             if !list.iter().all(|d| d.is_finite()) {
                 return None;
             }

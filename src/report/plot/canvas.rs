@@ -181,6 +181,11 @@ pub(crate) fn save(folder: &Folder, name: &str, (width, height): (u32, u32), dra
     Ok(())
 }
 
+/// A picture as a page of PDF at so many of its units per inch.
+pub(crate) fn written_page(svg: &str, units_per_inch: f32) -> Option<Vec<u8>> {
+    pdf(&parsed(svg)?, units_per_inch)
+}
+
 /// A picture with its words laid out in the built-in font.
 fn parsed(svg: &str) -> Option<resvg::usvg::Tree> {
     static FONTS: OnceLock<Arc<resvg::usvg::fontdb::Database>> = OnceLock::new();

@@ -1,7 +1,7 @@
 //! Plots as SVG, with PNG beside it.
 
 pub(crate) mod campbell;
-mod canvas;
+pub(crate) mod canvas;
 pub mod chart;
 pub mod comparison;
 pub(crate) mod curves;

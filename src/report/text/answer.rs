@@ -6,6 +6,7 @@ use super::flexible::by_models;
 use super::judged::{sentence, value_of};
 use super::limits::{barred, broken_within_tolerances, limits, not_judged, of_given};
 use super::margin::below_acceptable;
+use super::order_sheets;
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
@@ -80,7 +81,10 @@ fn found(study: &Study, results: &Results) -> String {
     let of = &study.objective.label;
     let mut text = String::new();
     let mut put = |line: String| text.extend([line.as_str(), "\n"]);
-    let named = |d: &DesignResult| format!("{}: {of} {}", d.name, judged(d));
+    let named = |d: &DesignResult| format!("{}: {of} {}{}", d.name, judged(d), doubtful(results, d));
+    let sheet = |d: &DesignResult| {
+        results.sheets.iter().find(|s| s.design == d.name).map(|s| format!("  {}", order_sheets::sentence(study, results, s)))
+    };
     match (results.best_optimum(false), results.best_given()) {
         (Some(o), given) => {
             let nearest = if o.conflict.is_some() {
@@ -89,7 +93,10 @@ fn found(study: &Study, results: &Results) -> String {
                 ""
             };
             put(format!("{nearest}{}", named(&o.design)));
-            parameters(study, &o.design).into_iter().for_each(&mut put);
+            match sheet(&o.design) {
+                Some(line) => put(line),
+                None => parameters(study, &o.design).into_iter().for_each(&mut put),
+            }
             put(format!("  {}", savings(study, results, &o.design, given)));
             put(format!("  {}", certificate(o)));
             if study.limits.is_empty() {
@@ -104,7 +111,10 @@ fn found(study: &Study, results: &Results) -> String {
         }
         (None, Some(given)) => {
             put(format!("The study asks for no optimum. Best design: {}", named(given)));
-            parameters(study, given).into_iter().for_each(&mut put);
+            match sheet(given) {
+                Some(line) => put(line),
+                None => parameters(study, given).into_iter().for_each(&mut put),
+            }
             put(format!("  {}", savings(study, results, given, None)));
             fewer(of_given(study, results, given)).into_iter().for_each(&mut put);
             not_judged(study, given).into_iter().for_each(|words| put(format!("  {words}")));
@@ -119,10 +129,22 @@ fn found(study: &Study, results: &Results) -> String {
     if let Some(robust) = results.best_optimum(true) {
         let held = if robust.limits_hold() { "" } else { ", which breaks limits" };
         put(format!("Within the tolerances: {}{held}", named(&robust.design)));
+        sheet(&robust.design).into_iter().for_each(&mut put);
         let worse = results.verdicts(robust).into_iter().filter(|v| matches!(v, Verdict::WorseThanNone { .. }));
         worse.for_each(|v| put(format!("  verdict: {}", clause(&v, study.objective_of(robust.objective), &robust.design.absorbers))));
     }
     text
+}
+
+/// What makes a design doubtful, for its first line: nobody sells what it is made of, or it is used where nothing is known of that.
+fn doubtful(results: &Results, d: &DesignResult) -> &'static str {
+    let unbuildable = of_design(results, d).0.iter().any(|v| matches!(v, Verdict::Unbuildable { .. }));
+    let outside = results.sheets.iter().any(|s| s.design == d.name && !s.outside.is_empty());
+    match (unbuildable, outside) {
+        (true, _) => "; CANNOT BE BUILT of what exists",
+        (false, true) => "; OUTSIDE what is known of its material",
+        (false, false) => "",
+    }
 }
 
 /// Each absorber of a design: type, station and parameters with their units.

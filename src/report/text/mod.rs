@@ -23,6 +23,7 @@ pub(crate) mod limits;
 pub mod margin;
 mod materials;
 mod model;
+pub(crate) mod order_sheets;
 mod plausibility;
 pub mod publications;
 mod robust;

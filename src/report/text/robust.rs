@@ -5,6 +5,7 @@ use crate::absorber::{Deviation, Mounted};
 use crate::analysis::{Results, RowCase};
 use crate::input::{MeasureSpec, RobustSpec, Study, UnitOf};
 use crate::objective::{Condition, holds};
+use crate::optimise::Scatter;
 
 /// What is deviated, in words: "k +10 %, c -30 %"; of several absorbers each with its number.
 pub(crate) fn deviation(design: &[Mounted], deviation: &Deviation) -> String {
@@ -39,7 +40,13 @@ pub fn tolerances(spec: &RobustSpec) -> String {
         let percent = format!("{:.2}", 100.0 * share);
         format!("{key} ±{} %", percent.trim_end_matches('0').trim_end_matches('.'))
     };
-    spec.shares.iter().map(one).collect::<Vec<_>>().join(", ")
+    let scatter = |s: &Scatter| match s {
+        Scatter::Share(key, share) => one(&(*key, *share)),
+        Scatter::Amount(key, amount) => format!("{key} ±{amount}"),
+        Scatter::Hardness(amount) => format!("hardness ±{amount} Shore A"),
+        Scatter::Viscosity(share) => one(&("viscosity", *share)),
+    };
+    spec.scatter().iter().map(scatter).collect::<Vec<_>>().join(", ")
 }
 
 /// A row a design with nominal and worst value; empty where the study has no tolerances.

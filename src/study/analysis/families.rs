@@ -65,10 +65,13 @@ fn slot(
     };
     let surroundings = Surroundings { modes, ring_inertia: size.1 };
     let material = spec.materials.iter().find(|m| m.0 == declaration).map(|m| &m.1);
+    let substance = material.and_then(|m| m.choices.first());
     let (mut values, mut variables) = (Vec::new(), Vec::new());
     for (parameter, p) in declaration.parameters.iter().enumerate() {
         let own = material.iter().flat_map(|m| &m.properties);
-        let given = own.chain(&spec.bounds).find(|b| b.0 == p.key).map(|b| b.1);
+        let step = spec.steps.iter().find(|s| s.0 == p.key).map(|s| (s.1[0], s.1[0]));
+        let named = substance.and_then(|s| s.value(p.key)).map(|x| (x, x));
+        let given = step.or(named).or_else(|| own.chain(&spec.bounds).find(|b| b.0 == p.key).map(|b| b.1));
         let (lower, upper) = if parameter == 0 { size } else { given.unwrap_or_else(|| (p.bounds)(&surroundings)) };
         values.push(lower);
         if lower < upper {
@@ -78,7 +81,7 @@ fn slot(
             variables.push(Variable { absorber: index, parameter, lower, upper, scale });
         }
     }
-    let known = Arc::new(material.map_or_else(Material::default, |m| m.of_type(declaration, spec.temperatures)));
+    let known = Arc::new(material.map_or_else(Material::default, |m| m.of_type(declaration, substance, spec.temperatures)));
     (Slot { declaration, on: spec.on, hub_inertia: spec.hub_inertia, values, material: known }, variables)
 }
 

@@ -68,6 +68,7 @@ impl<'a> Told<'a> {
             | Over::AtDuty(_)
             | Over::MeanPower
             | Over::Damage
+            | Over::Strain
             | Over::Property(_) => {
                 return None;
             }

@@ -9,6 +9,8 @@ pub mod calibrate;
 mod catalogue;
 mod catalogue_retuning;
 pub mod classification;
+#[doc(hidden)]
+pub mod compounds;
 pub mod conditions;
 #[doc(hidden)]
 pub mod crank_at_speed;
@@ -50,6 +52,8 @@ mod search_in_operation;
 #[doc(hidden)]
 pub mod searches;
 pub mod sensitivities;
+#[doc(hidden)]
+pub mod sheets;
 pub mod sizing;
 mod strain;
 #[doc(hidden)]
@@ -71,6 +75,7 @@ pub use crate::response::operation::{Balance, Rule};
 pub use barred::{BarredRange, Objection, RuleStress, StillBroken};
 pub use calibrate::{Calibrated, Calibration, calibrate};
 pub use catalogue::Ranked;
+pub use compounds::CompoundResult;
 pub use conditions::ConditionResult;
 pub use crank_models::{ByModel, Modelled};
 pub use duty::points as duty_points;
@@ -90,6 +95,7 @@ pub use results::{Beside, FrontResult, OptimumResult, Results, RowCase, Tradeoff
 pub use robust::{Percentile, RobustOfDesign, Worst};
 pub use run::run;
 pub use sensitivities::Sensitivity;
+pub use sheets::Sheet;
 pub use strain::{StrainAt, StrainOfDesign};
 pub use sweeps::Sweeps;
 pub use timing::Timing;

@@ -1,7 +1,8 @@
 //! What an absorber would have to be made of: the modulus or viscosity that its law asks of the shape that is sheared.
 
-use crate::absorber::parameter::DAMPING;
-use crate::absorber::{Absorber, Operating};
+use crate::absorber::construction::shape;
+use crate::absorber::parameter::{DAMPING, STIFFNESS};
+use crate::absorber::{Absorber, Operating, Sheared};
 use crate::drivetrain::natural;
 use crate::objective::Condition;
 use crate::units::HZ_PER_RAD_PER_S;
@@ -31,13 +32,17 @@ pub struct OnHeldHub {
     pub loss_factor: f64,
 }
 
+/// Key of the viscosity of an oil by its name.
+const VISCOSITY: &str = "viscosity_pa_s";
+
 /// Where damping is the whole of it the ring has no frequency that matters.
 fn is_oil(absorber: &Absorber) -> bool {
-    absorber.value(crate::absorber::parameter::STIFFNESS.key).is_none_or(|k| k == 0.0)
+    let of_shape = absorber.declaration().and_then(shape);
+    of_shape.map_or_else(|| absorber.value(STIFFNESS.key).is_none_or(|k| k == 0.0), |s| s.sheared == Sheared::Oil)
 }
 
 /// The ring of an absorber at its own frequency; nothing where it has none.
-fn at_own_frequency(absorber: &Absorber) -> Option<OnHeldHub> {
+pub(super) fn at_own_frequency(absorber: &Absorber) -> Option<OnHeldHub> {
     let law = absorber.law().filter(|_| !is_oil(absorber))?;
     let omega = natural::own(law.as_ref())?;
     let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
@@ -59,12 +64,11 @@ pub fn over_states(absorber: &Absorber, conditions: impl Iterator<Item = Conditi
 #[doc(hidden)]
 pub fn made_of(absorber: &Absorber, ring_twist: f64) -> Option<MadeOf> {
     let law = absorber.law()?;
-    let geometry = law.material()?.geometry?;
-    let factor = geometry.factor();
+    let factor = law.parts().map(|p| p.factor).or_else(|| Some(law.material()?.geometry?.factor()))?;
     Some(MadeOf {
         factor,
         rubber: at_own_frequency(absorber).map(|own| (own.frequency_hz, own.stiffness / factor, own.loss_factor)),
-        viscosity: absorber.value(DAMPING.key).filter(|_| is_oil(absorber)).map(|c| c / factor),
-        strain: geometry.strain_per_twist() * ring_twist,
+        viscosity: absorber.value(DAMPING.key).filter(|_| is_oil(absorber)).map(|c| c / factor).or_else(|| absorber.value(VISCOSITY)),
+        strain: law.strain_per_twist()? * ring_twist,
     })
 }

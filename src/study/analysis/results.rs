@@ -2,6 +2,7 @@
 
 use super::calibrate::Calibration;
 use super::catalogue::Ranked;
+use super::compounds::CompoundResult;
 use super::crank_diagram::Diagram;
 use super::crank_models::ByModel;
 use super::duty::DutyOfDesign;
@@ -14,6 +15,7 @@ use super::method_selection::Choice;
 use super::on_joints::OnJointsOfDesign;
 use super::robust::RobustOfDesign;
 use super::sensitivities::Sensitivity;
+use super::sheets::Sheet;
 use super::strain::StrainOfDesign;
 use super::sweeps::Sweeps;
 use super::timing::Timing;
@@ -151,6 +153,8 @@ pub struct Results {
     pub method: &'static str,
     /// What searches by each objective evaluate designs by, where the method is `auto`.
     pub choices: Vec<Choice>,
+    /// Compounds, oils and steps of dimensions that were chosen from.
+    pub compounds: Vec<CompoundResult>,
     /// Absorbers of catalogues, the best first.
     pub catalogue: Vec<Ranked>,
     /// Given designs, and the best of catalogues.
@@ -191,6 +195,8 @@ pub struct Results {
     pub large_twist: Vec<LargeTwistOfDesign>,
     /// The same designs within the tolerances of the study, where it has some.
     pub robust: Vec<RobustOfDesign>,
+    /// Dampers by their dimensions, as they are ordered.
+    pub sheets: Vec<Sheet>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.
     pub appearing: Vec<Order>,
     /// Given designs and main optima by other models of the crank, where the response is that of a flexible one.

@@ -64,7 +64,7 @@ pub fn robust<'d>(
     let seed = study.optimise.as_ref().map_or(1, |o| o.seed);
     progress.stage("tolerances", shown.len());
     let one = |d: &&'d DesignResult| {
-        let tolerances = Tolerances::of(&d.absorbers, &spec.shares);
+        let tolerances = Tolerances::scattered_of(&d.absorbers, &spec.scatter());
         let sample_tolerances = || within(study, (finder, cases), d, (spec, &tolerances, seed));
         let found = (tolerances.edges() > 0)
             .then(|| remembered(progress.memory(), &("tolerances", &d.name, &d.absorbers), sample_tolerances).map_err(|error| (*d, error)));

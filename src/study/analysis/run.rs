@@ -2,6 +2,7 @@
 
 use super::catalogue;
 use super::catalogue_retuning::with_retuned;
+use super::compounds::{self, CompoundResult, Leave, Of};
 use super::crank_diagram::{self, Diagram};
 use super::crank_models;
 use super::duty::{self, DutyOfDesign};
@@ -17,6 +18,7 @@ use super::on_joints;
 use super::results::{OptimumResult, Results};
 use super::robust::{self, RobustOfDesign};
 use super::searches::Searches;
+use super::sheets::{self, Sheet};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
@@ -119,6 +121,9 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let measures = margins::measures(study);
     let wanted = EvaluationPlan::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
+    let of = Of { finders: &finders, load_cases: &load_cases, modes: &modes, wanted: &wanted, progress };
+    let (narrowed, compounds) = chosen(study, &of, &mut clock)?;
+    let study = narrowed.as_ref().unwrap_or(study);
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
     let best = with_retuned(study, best, (&finders, &load_cases), progress)?;
     let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
@@ -131,7 +136,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let response = || over_speed(study, (&finders, &load_cases), (&shown, &optima), progress);
     let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
-    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust } =
+    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust, sheets } =
         response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
@@ -147,6 +152,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         calibration: None,
         method,
         choices,
+        compounds,
         catalogue,
         designs,
         optima,
@@ -165,6 +171,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         strain,
         large_twist,
         robust,
+        sheets,
         appearing,
         crank_models: flexible.crank_models,
         joints: flexible.joints,
@@ -174,6 +181,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         timing: clock.timing,
         system: systems.swap_remove(0),
     })
+}
+
+/// The study with one of the compounds, oils and steps that it chooses from, and what was found of each; itself where it chooses from nothing.
+fn chosen(study: &Study, of: &Of, clock: &mut Clock) -> Result<(Option<Study>, Vec<CompoundResult>), RunError> {
+    let Some((spec, rows)) = compounds::chosen(study, of, Leave::Hopeless)? else { return Ok((None, Vec::new())) };
+    clock.lap("compounds", Work::default());
+    Ok((Some(Study { optimise: Some(spec), ..study.clone() }), rows))
 }
 
 /// What only a flexible crank has.
@@ -289,6 +303,7 @@ struct OverSpeed {
     strain: Vec<StrainOfDesign>,
     large_twist: Vec<LargeTwistOfDesign>,
     robust: Vec<RobustOfDesign>,
+    sheets: Vec<Sheet>,
 }
 
 /// Responses and margins over speed of the designs that are shown, what they do over the duty, and the fatigue diagram of the one with the largest margin.
@@ -332,7 +347,8 @@ fn over_speed(
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let torsion_cases = torsion_case::by_case(study, firing, shown)?;
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust })
+    let sheets = sheets::sheets(study, (firing, load_cases), (shown, &heat), progress).map_err(|(d, error)| of_design(d, error))?;
+    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust, sheets })
 }
 
 /// A condition as load cases of a design problem: one for each cylinder that may misfire.

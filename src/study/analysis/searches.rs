@@ -292,9 +292,11 @@ impl<'a> Searches<'a> {
         for (i, suffix) in others.chain(self.study.combined.iter().map(|_| "combined".to_owned())).enumerate() {
             families.extend(again(&suffix).into_iter().map(|family| Sought { family, objective: i + 1, within: None }));
         }
-        if let Some(robust) = &self.study.robust {
-            let tolerances =
-                |f: &Family| Tolerances::new(&f.space.slots.iter().map(|s| Some(s.declaration)).collect::<Vec<_>>(), &robust.shares);
+        if let Some(robust) = self.study.robust.as_ref().filter(|r| r.search) {
+            let tolerances = |f: &Family| {
+                let types: Vec<_> = f.space.slots.iter().map(|s| Some((s.declaration, s.material.substance.as_deref()))).collect();
+                Tolerances::scattered(&types, &robust.scatter())
+            };
             let within = again("robust").into_iter().map(|family| (tolerances(&family), family)).filter(|f| f.0.edges() > 0);
             families.extend(within.map(|(t, family)| Sought { family, objective: 0, within: Some(t) }));
         }

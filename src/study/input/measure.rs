@@ -3,7 +3,10 @@
 use crate::fatigue::shaft_rules::{HIGHEST_BARRED, ShaftRule};
 use crate::objective::{AtExceptedSpeeds, Limit, Measure};
 use crate::response::Rate;
-use crate::units::{DEG_PER_RAD, PA_PER_MPA, RAD_PER_DEG};
+use crate::units::{DEG_PER_RAD, M_PER_MM, PA_PER_MPA, RAD_PER_DEG};
+
+/// m³ per litre.
+const M3_PER_LITRE: f64 = 1e-3;
 
 /// Unit a measure is reported in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +43,18 @@ pub enum UnitOf {
     Temperature,
     /// kg m².
     Inertia,
+    /// Shear strain, per cent.
+    Percent,
+    /// kg.
+    Mass,
+    /// Litres (m³ inside).
+    Volume,
+    /// Any currency.
+    Currency,
+    /// mm (m inside).
+    Length,
+    /// mm, of which the inverse is limited (1/m inside).
+    Bore,
     /// None.
     Ratio,
     /// None: a safety factor, of which the inverse is minimised.
@@ -57,7 +72,18 @@ impl UnitOf {
             Self::Strain { per_twist } => 100.0 * value * per_twist,
             Self::SpringStress { per_twist } => value * per_twist / PA_PER_MPA,
             Self::PowerPerArea { area } => value / area,
-            Self::Motion(_) | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => value,
+            Self::Percent => 100.0 * value,
+            Self::Volume => value / M3_PER_LITRE,
+            Self::Length => value / M_PER_MM,
+            Self::Bore => 1.0 / (value * M_PER_MM),
+            Self::Motion(_)
+            | Self::Torque
+            | Self::Power
+            | Self::Temperature
+            | Self::Inertia
+            | Self::Mass
+            | Self::Currency
+            | Self::Ratio => value,
             Self::Margin | Self::Life => 1.0 / value,
         }
     }
@@ -70,7 +96,18 @@ impl UnitOf {
             Self::Strain { per_twist } => 0.01 * shown / per_twist,
             Self::SpringStress { per_twist } => shown * PA_PER_MPA / per_twist,
             Self::PowerPerArea { area } => shown * area,
-            Self::Motion(_) | Self::Torque | Self::Power | Self::Temperature | Self::Inertia | Self::Ratio => shown,
+            Self::Percent => 0.01 * shown,
+            Self::Volume => shown * M3_PER_LITRE,
+            Self::Length => shown * M_PER_MM,
+            Self::Bore => 1.0 / (shown * M_PER_MM),
+            Self::Motion(_)
+            | Self::Torque
+            | Self::Power
+            | Self::Temperature
+            | Self::Inertia
+            | Self::Mass
+            | Self::Currency
+            | Self::Ratio => shown,
             Self::Margin | Self::Life => 1.0 / shown,
         }
     }
@@ -84,7 +121,7 @@ impl UnitOf {
     /// Whether more of it is better: inside it is the inverse.
     #[doc(hidden)]
     pub fn is_inverse(self) -> bool {
-        matches!(self, Self::Margin | Self::Life)
+        matches!(self, Self::Margin | Self::Life | Self::Bore)
     }
 
     /// Behind a number: with a space where it takes one.
@@ -95,13 +132,16 @@ impl UnitOf {
             Self::Motion(rate) => rate.suffix(),
             Self::Torque => " N m",
             Self::Stress { .. } | Self::SpringStress { .. } => " MPa",
-            Self::Strain { .. } => " %",
+            Self::Strain { .. } | Self::Percent => " %",
+            Self::Mass => " kg",
+            Self::Volume => " l",
+            Self::Length | Self::Bore => " mm",
             Self::Power => " W",
             Self::PowerPerArea { .. } => " W/m²",
             Self::Temperature => " °C",
             Self::Inertia => " kg m²",
             Self::Life => " h",
-            Self::Ratio | Self::Margin => "",
+            Self::Ratio | Self::Margin | Self::Currency => "",
         }
     }
 
@@ -112,13 +152,16 @@ impl UnitOf {
             Self::Motion(rate) => rate.unit(),
             Self::Torque => "N m",
             Self::Stress { .. } | Self::SpringStress { .. } => "MPa",
-            Self::Strain { .. } => "%",
+            Self::Strain { .. } | Self::Percent => "%",
+            Self::Mass => "kg",
+            Self::Volume => "l",
+            Self::Length | Self::Bore => "mm",
             Self::Power => "W",
             Self::PowerPerArea { .. } => "W/m2",
             Self::Temperature => "degC",
             Self::Inertia => "kg m2",
             Self::Life => "h",
-            Self::Ratio | Self::Margin => "1",
+            Self::Ratio | Self::Margin | Self::Currency => "1",
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::material_states::RawMaterialStates;
 use super::range::RawRange;
+use crate::absorber::construction::shape;
 use crate::absorber::types::closed_form_names;
 use crate::absorber::{Declaration, TYPES};
 use crate::input::error::At;
@@ -120,7 +121,7 @@ pub(crate) struct RawBranch {
 #[derive(Debug)]
 pub(crate) enum RawType {
     /// A declared type, a value for each of its parameters.
-    Declared(&'static Declaration, Vec<At<f64>>),
+    Declared(&'static Declaration, Vec<Option<At<f64>>>),
     Locked(RawLocked),
     Seeded(RawSeeded),
     Measured(RawMeasured),
@@ -225,18 +226,18 @@ impl Visitor<'_> for Word {
     }
 }
 
-/// Values of a declared type.
+/// Values of a declared type; a compound or oil may stand for those that are properties of one.
 struct Values(usize);
 
 impl<'de> DeserializeSeed<'de> for Values {
-    type Value = Vec<At<f64>>;
+    type Value = Vec<Option<At<f64>>>;
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
         deserializer.deserialize_struct(TYPES[self.0].name, &words().keys[self.0], self)
     }
 }
 
 impl<'de> Visitor<'de> for Values {
-    type Value = Vec<At<f64>>;
+    type Value = Vec<Option<At<f64>>>;
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "struct {}", TYPES[self.0].name)
     }
@@ -246,7 +247,9 @@ impl<'de> Visitor<'de> for Values {
         while let Some(key) = map.next_key_seed(Word(keys, false))? {
             values[key] = Some(map.next_value()?);
         }
-        values.into_iter().zip(keys).map(|(v, key)| v.ok_or_else(|| A::Error::missing_field(key))).collect()
+        let named = |i: usize| shape(TYPES[self.0]).is_some_and(|s| s.material().contains(&i));
+        let known = |(i, v): (usize, Option<At<f64>>)| if v.is_some() || named(i) { Ok(v) } else { Err(A::Error::missing_field(keys[i])) };
+        values.into_iter().enumerate().map(known).collect()
     }
 }
 

@@ -6,7 +6,9 @@ use super::material::RawMaterialFile;
 use super::material_states::RawMaterialStates;
 use super::sizing::RawSizing;
 use super::study::RawStudy;
+use super::substance::RawSubstances;
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::construction::shape;
 use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Parameter, Range, Surroundings, TYPES};
 use schemars::generate::SchemaSettings;
@@ -26,11 +28,13 @@ pub enum FileKind {
     Sizing,
     /// Strengths of a material, for `hartog fatigue`.
     Material,
+    /// Compounds of rubber and oils for dampers.
+    Compounds,
 }
 
 impl FileKind {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Study, Self::Engine, Self::Sizing, Self::Material];
+    pub const ALL: [Self; 5] = [Self::Study, Self::Engine, Self::Sizing, Self::Material, Self::Compounds];
 
     /// Its word.
     pub fn name(self) -> &'static str {
@@ -39,6 +43,7 @@ impl FileKind {
             Self::Engine => "engine",
             Self::Sizing => "sizing",
             Self::Material => "material",
+            Self::Compounds => "compounds",
         }
     }
 
@@ -53,6 +58,7 @@ impl FileKind {
             Self::Engine => generator.root_schema_for::<RawEngine>(),
             Self::Sizing => generator.root_schema_for::<RawSizing>(),
             Self::Material => generator.root_schema_for::<RawMaterialFile>(),
+            Self::Compounds => generator.root_schema_for::<RawSubstances>(),
         };
         let mut value = schema.to_value();
         without_null(&mut value);
@@ -176,7 +182,8 @@ impl JsonSchema for RawType {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let schema_of = |t: &&'static Declaration| {
-            let keys: Vec<&str> = t.parameters.iter().map(|p| p.key).collect();
+            let named = |i: usize| shape(t).is_some_and(|s| s.material().contains(&i));
+            let keys: Vec<&str> = t.parameters.iter().enumerate().filter(|p| !named(p.0)).map(|p| p.1.key).collect();
             (t.name, t.about, table(t.parameters.iter().map(|p| (p.key.to_owned(), value(p))).collect(), &keys))
         };
         let mut list: Vec<_> = TYPES.iter().map(schema_of).collect();

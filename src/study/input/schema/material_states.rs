@@ -24,6 +24,9 @@ pub(crate) struct RawTemperatures {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawMaterialStates {
+    /// The compound or oil by its name, of a type by its dimensions: one, or in a family several, of which the best is taken. Its table has all of its numbers.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "examples" = [["epdm_60"]]))]
+    pub of: Option<At<Vec<At<String>>>>,
     /// How stiffness or viscosity follows temperature.
     #[schemars(extend("examples" = [{"wlf": {"c1": 8.86, "c2_k": 101.6, "reference_c": 50}}]))]
     pub temperature: Option<At<RawTemperatureLaw>>,
@@ -129,9 +132,9 @@ pub(crate) struct RawCooling {
     /// Conductance to the hub.
     #[schemars(extend("minimum" = 0, "examples" = [1]))]
     pub to_hub_w_per_k: At<f64>,
-    /// Temperature that the material bears.
+    /// Temperature that the material bears; without it that of the compound or oil of `of`.
     #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [110]))]
-    pub limit_c: At<f64>,
+    pub limit_c: Option<At<f64>>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -140,6 +143,9 @@ pub(crate) enum RawToAir {
     /// Conductance to the air.
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [2]))]
     WPerK(At<f64>),
+    /// A rotating disc of the damper's own size, which its dimensions say.
+    #[schemars(extend("enum" = [true], "examples" = [true]))]
+    OwnDisc(At<bool>),
     /// A rotating disc of this size.
     Disc(RawDisc),
 }

@@ -248,6 +248,78 @@ over_speed!(RawTemperature {
     #[schemars(extend("exclusiveMinimum" = 0, "examples" = [110]))]
     max_c: Option<At<f64>>,
 });
+over_speed!(RawOwnStrain {
+    /// The absorber by its number; a type by its dimensions.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    absorber: At<i64>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [12]))]
+    max_percent: Option<At<f64>>,
+});
+
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawMass {
+    /// The absorber by its number; without it all together. Types by their dimensions have a mass.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    pub absorber: Option<At<i64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [8]))]
+    pub max_kg: Option<At<f64>>,
+}
+
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawVolume {
+    /// The absorber by its number; without it all together. Types by their dimensions have a volume.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    pub absorber: Option<At<i64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [3]))]
+    pub max_l: Option<At<f64>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawCost {
+    /// The absorber by its number; without it all together. Types by their dimensions have a cost.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    pub absorber: Option<At<i64>>,
+    /// Whatever the size, in the currency of the tables of compounds and oils, whose prices are added.
+    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [20]))]
+    pub fixed: Option<At<f64>>,
+    /// Per kg of the ring.
+    #[schemars(extend("minimum" = 0, "examples" = [3]))]
+    pub ring_per_kg: At<f64>,
+    /// Per kg of a housing.
+    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [5]))]
+    pub housing_per_kg: Option<At<f64>>,
+    /// Per mm of the outer diameter.
+    #[schemars(extend("minimum" = 0, "default" = 0, "examples" = [0.05]))]
+    pub per_mm_of_diameter: Option<At<f64>>,
+    /// Largest value allowed.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    pub max: Option<At<f64>>,
+}
+
+/// Room for an absorber.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawEnvelope {
+    /// The absorber by its number; a type by its dimensions.
+    #[schemars(extend("minimum" = 1, "examples" = [1]))]
+    pub absorber: At<i64>,
+    /// Largest outer diameter.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [270]))]
+    pub outer_diameter_mm: Option<At<f64>>,
+    /// Largest width.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [60]))]
+    pub width_mm: Option<At<f64>>,
+    /// Smallest diameter that is free inside.
+    #[schemars(extend("exclusiveMinimum" = 0, "examples" = [100]))]
+    pub bore_mm: Option<At<f64>>,
+}
+
 over_speed!(#[derive(Default)] RawMargin {
     /// The criterion; without it the first of `[fatigue]`.
     #[schemars(extend("examples" = ["goodman"]))]
@@ -348,6 +420,8 @@ pub(crate) enum RawMeasure {
     RingTwist(RawRingTwist),
     /// Shear strain of an absorber's element.
     ElementStrain(RawStrain),
+    /// Shear strain of the rubber of an absorber, by its dimensions; oil has none that counts.
+    Strain(RawOwnStrain),
     /// Stress of an absorber's springs by the twist of its ring.
     SpringStress(RawSpringStress),
     /// Life of what an absorber shears, over the duty.
@@ -364,6 +438,14 @@ pub(crate) enum RawMeasure {
     RingInertia(RawInertia),
     /// Inertia of ring and hub.
     TotalInertia(RawInertia),
+    /// Mass of an absorber, by its dimensions.
+    Mass(RawMass),
+    /// Volume of the cylinder that an absorber fills, by its dimensions.
+    Volume(RawVolume),
+    /// Cost of an absorber, a function of its masses and its diameter.
+    Cost(RawCost),
+    /// Room for an absorber: a limit for each of its sizes that is given.
+    Envelope(RawEnvelope),
     /// Natural frequencies kept out of a band.
     NaturalFrequency(RawBand),
     /// Smallest margin of the crank.

@@ -17,3 +17,4 @@ pub mod robust;
 pub mod sizing;
 pub mod step;
 pub mod study;
+pub mod substance;

@@ -1,5 +1,6 @@
 //! Tolerances that a design is to hold within.
 
+use crate::absorber::SHAPES;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
 use schemars::JsonSchema;
@@ -13,11 +14,36 @@ pub(crate) struct RawRobust {
     /// By the key of a parameter its tolerance as a share, from 1e-6 to 0.9: 0.1 is 10 % more or less.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() },
         "additionalProperties" = share("Tolerance of the parameter of this key."), "examples" = [{"stiffness_n_m_per_rad": 0.1}]))]
-    pub tolerance: At<BTreeMap<String, At<f64>>>,
+    pub tolerance: Option<At<BTreeMap<String, At<f64>>>>,
+    /// What the making of dampers by their dimensions scatters, more or less: a dimension by its key, in its unit; `hardness_shore_a` of rubber; `viscosity_percent` of oil.
+    #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": process_keys() },
+        "additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Tolerance, in the unit of the key.", "examples": [0.2] },
+        "examples" = [{"rubber_thickness_mm": 0.2, "hardness_shore_a": 5}]))]
+    pub process: Option<At<BTreeMap<String, At<f64>>>>,
+    /// Whether optima within the tolerances are sought beside those as drawn, which takes several times as long.
+    #[schemars(extend("default" = true, "examples" = [false]))]
+    pub search: Option<bool>,
     /// Random designs within the tolerances, beside the exact worst case.
     #[schemars(extend("examples" = [{"percentile": 95, "samples": 1000, "distribution": "uniform"}]))]
     pub sampling: Option<RawSampling>,
 }
+
+/// Keys of what a process scatters: dimensions, and what of a compound or oil does.
+pub(crate) fn process_keys() -> Vec<&'static str> {
+    let mut keys: Vec<&'static str> = Vec::new();
+    let dimensions = SHAPES.iter().flat_map(|s| s.declaration.parameters[..s.material().start].iter().map(|p| p.key));
+    for key in dimensions.chain([HARDNESS, VISCOSITY]) {
+        if !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    keys
+}
+
+/// Key of the scatter of hardness.
+pub(crate) const HARDNESS: &str = "hardness_shore_a";
+/// Key of the scatter of viscosity.
+pub(crate) const VISCOSITY: &str = "viscosity_percent";
 
 /// A share of a parameter.
 pub(super) fn share(about: &str) -> Value {

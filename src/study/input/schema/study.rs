@@ -53,6 +53,10 @@ pub(crate) struct RawStudy {
     /// Temperatures of the conditions `cold` and `hot`.
     #[schemars(extend("examples" = [{"cold_c": -20, "hot_c": 90}]))]
     pub temperatures: Option<RawTemperatures>,
+    /// Files of compounds and oils of one's own, relative to the study, beside those that hartog carries.
+    #[serde(default)]
+    #[schemars(extend("uniqueItems" = true, "examples" = [["compounds.toml"]]))]
+    pub compounds: Vec<At<String>>,
     /// What of the crank the response is computed with: its torsional chain, or the flexible crank of the engine file; `auto`: the chain where the measured difference is below `response.tolerance`.
     #[schemars(extend("default" = "chain", "examples" = ["flexible"]))]
     pub crank: Option<At<RawCrankModel>>,

@@ -1,10 +1,12 @@
 //! Given designs, and what absorbers of designs and families share.
 
-use super::material_states::{Temperatures, material, of_measured};
+use super::material_states::{Known, Temperatures, material, of_measured};
 use super::named::{station, table};
+use super::substances::Substances;
 use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::construction::shape;
 use crate::absorber::measured::Measured;
-use crate::absorber::{Absorber, Branch, Host, Mounted, Parameter, Prony, Range, WithMaterial, types};
+use crate::absorber::{Absorber, Branch, Declaration, Host, Law, Mounted, Parameter, Prony, Range, WithMaterial, types};
 use crate::drivetrain::{Chain, Modes};
 use crate::input::error::{At, Check};
 use crate::input::letters::fault;
@@ -32,6 +34,7 @@ pub(crate) struct Reaches<'a> {
     pub chain: &'a Chain,
     pub modes: &'a Modes,
     pub temperatures: Temperatures,
+    pub substances: &'a Substances,
     /// Folder of the study.
     pub folder: &'a Path,
     /// Lowest and highest frequency of the torque, Hz.
@@ -159,13 +162,10 @@ pub fn value(check: &mut Check, parameter: &Parameter, raw: &At<f64>) -> f64 {
 
 /// An absorber in its place, with the station below it.
 fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, of: Reaches) -> Option<Mounted> {
-    let Reaches { chain, modes, temperatures, .. } = of;
+    let Reaches { chain, modes, temperatures, substances, .. } = of;
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
     let absorber = match &raw.kind {
-        RawType::Declared(declaration, values) => {
-            let values: Vec<f64> = declaration.parameters.iter().zip(values).map(|(p, v)| value(check, p, v)).collect();
-            Absorber::Ring((declaration.build)(&values))
-        }
+        RawType::Declared(declaration, values) => Absorber::Ring(declared(check, raw, (declaration, values), substances)?),
         RawType::Measured(m) => measured(check, m, of)?,
         RawType::Prony(p) => prony(check, p),
         RawType::Locked(l) => Absorber::Locked { ring_inertia: check.not_negative(&l.ring_inertia_kg_m2) },
@@ -188,8 +188,8 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
             if matches!(law_of, RawType::Measured(_)) && !of_measured(check, raw.get_ref()) {
                 return None;
             }
-            let spec = material(check, raw.get_ref(), (law.declaration(), None), temperatures);
-            let known = Arc::new(spec.of_type(law.declaration(), temperatures));
+            let spec = material(check, raw.get_ref(), (law.declaration(), None), Known { temperatures, substances });
+            let known = Arc::new(spec.of_type(law.declaration(), spec.choices.first(), temperatures));
             Absorber::Ring(WithMaterial::of(law, &known))
         }
         (Absorber::Locked { ring_inertia }, Some(raw)) => {
@@ -199,6 +199,46 @@ fn absorber(check: &mut Check, raw: &RawAbsorber, place: Option<(Host, usize)>, 
         (absorber, None) => absorber,
     };
     Some(Mounted { on: place?.0, hub_inertia, absorber })
+}
+
+/// A ring of a declared type; a compound or oil gives what its values leave out.
+fn declared(
+    check: &mut Check,
+    raw: &RawAbsorber,
+    (declaration, values): (&'static Declaration, &[Option<At<f64>>]),
+    substances: &Substances,
+) -> Option<Arc<dyn Law>> {
+    let names = raw.material.as_ref().and_then(|m| m.get_ref().of.as_ref());
+    let shape = shape(declaration);
+    let named = names.zip(shape).and_then(|(names, shape)| match names.get_ref().as_slice() {
+        [name] => substances.find(&mut Check::new(check.source), name, shape.sheared),
+        list => {
+            check.wrong(names, format!("found {} names, expected one compound or oil of a given design", list.len()));
+            None
+        }
+    });
+    let mut complete = true;
+    let mut list = Vec::new();
+    for (p, given) in declaration.parameters.iter().zip(values) {
+        let own = named.as_ref().and_then(|s| s.value(p.key));
+        match (given, own) {
+            (Some(given), Some(_)) => {
+                check.wrong(given, format!("found `{}` beside `material.of`, whose table has it, expected one of them", p.key));
+            }
+            (Some(given), None) => list.push(value(check, p, given)),
+            (None, Some(own)) => list.push(own),
+            (None, None) => complete = false,
+        }
+    }
+    if !complete && names.is_none() {
+        let missing: Vec<&str> = declaration.parameters.iter().zip(values).filter(|v| v.1.is_none()).map(|v| v.0.key).collect();
+        let given = values.iter().flatten().next()?;
+        check.wrong(
+            given,
+            format!("found `{}` without {}, expected them, or a compound or oil as `material.of`", declaration.name, missing.join(", ")),
+        );
+    }
+    (list.len() == declaration.parameters.len()).then(|| (declaration.build)(&list))
 }
 
 /// A ring on measured values, which the study's frequencies and temperatures may not leave.

@@ -2,7 +2,7 @@
 
 use super::absorbers::DesignSpec;
 use super::family::materials;
-use super::material_states::{MaterialSpec, Temperatures, geometry};
+use super::material_states::{Known, MaterialSpec, geometry};
 use super::named::{station, table};
 use crate::absorber::{Absorber, Declaration, Geometry, Material, Mounted, TYPES, WithMaterial};
 use crate::drivetrain::Chain;
@@ -39,7 +39,7 @@ pub(super) fn resolve(
     study: &RawStudy,
     (chain, folder): (&Chain, &Path),
     given: &[DesignSpec],
-    temperatures: Temperatures,
+    known: Known,
 ) -> Vec<CatalogueSpec> {
     let mut names: HashSet<String> = given.iter().map(|d| d.name.clone()).collect();
     let mut list = Vec::new();
@@ -58,7 +58,7 @@ pub(super) fn resolve(
         let with = MadeWith { ring_inertia, factor: geometry.map(|g| g.factor()) };
         let read = |path: &Path| catalogue(path, with);
         let (Some(on), Some(rows)) = (station(check, chain, &raw.on.station), table(check, &raw.file, folder, read)) else { continue };
-        let materials = materials_of_rows(check, raw, (&rows, geometry), temperatures);
+        let materials = materials_of_rows(check, raw, (&rows, geometry), known);
         if rows.len() > MOST {
             check.wrong(&raw.file, format!("found {} absorbers, expected at most {MOST}", rows.len()));
         }
@@ -96,16 +96,17 @@ fn materials_of_rows(
     check: &mut Check,
     raw: &RawCatalogue,
     (rows, geometry): (&[CatalogueRow], Option<Geometry>),
-    temperatures: Temperatures,
+    known: Known,
 ) -> BTreeMap<&'static str, Arc<Material>> {
     let types: BTreeMap<&str, &'static Declaration> = rows.iter().map(|r| (r.declaration.name, r.declaration)).collect();
     let types: Vec<&'static Declaration> = types.into_values().collect();
     for material in raw.material.values().filter(|m| !m.get_ref().properties.is_empty()) {
         check.wrong(material, "found properties of the material of a catalogue, expected them among the columns of its table");
     }
-    let of_type =
-        |(declaration, spec): (&'static Declaration, MaterialSpec)| (declaration.name, Arc::new(spec.of_type(declaration, temperatures)));
-    materials(check, &raw.material, (&types, geometry), temperatures).into_iter().map(of_type).collect()
+    let of_type = |(declaration, spec): (&'static Declaration, MaterialSpec)| {
+        (declaration.name, Arc::new(spec.of_type(declaration, spec.choices.first(), known.temperatures)))
+    };
+    materials(check, &raw.material, (&types, geometry), known).into_iter().map(of_type).collect()
 }
 
 /// Keys with their places and shares.

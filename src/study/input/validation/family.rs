@@ -1,7 +1,8 @@
 //! A family of absorbers: types, sizes and bounds.
 
 use super::absorbers::{engine_mode, value};
-use super::material_states::{MaterialSpec, Temperatures, material};
+use super::material_states::{Known, MaterialSpec, Temperatures, material};
+use crate::absorber::construction::shape;
 use crate::absorber::geometry::ring_inertia;
 use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Geometry, Host, Parameter, Range, TYPES};
@@ -22,6 +23,11 @@ pub enum Size {
     Between(f64, f64),
 }
 
+/// A parameter by its key with its bounds.
+type Bounds = (&'static str, (f64, f64));
+/// A dimension by its key with its steps.
+type Steps = (&'static str, Vec<f64>);
+
 /// A family of absorbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AbsorberSpec {
@@ -35,6 +41,8 @@ pub struct AbsorberSpec {
     pub size: Size,
     /// Lower and upper bound (equal: held) of parameters by their keys; of the others hartog chooses wide bounds.
     pub bounds: Vec<(&'static str, (f64, f64))>,
+    /// Values of dimensions of which the best is taken, by their keys.
+    pub steps: Vec<(&'static str, Vec<f64>)>,
     /// Materials of types that have one.
     pub materials: Vec<(&'static Declaration, MaterialSpec)>,
     /// Of the study's conditions.
@@ -69,8 +77,9 @@ pub(super) fn family(
     raw: &RawOptimised,
     place: Option<(Host, usize)>,
     (chain, modes): (&Chain, &Modes),
-    temperatures: Temperatures,
+    known: Known,
 ) -> Option<AbsorberSpec> {
+    let temperatures = known.temperatures;
     let station = place.map(|p| p.1);
     let hub_inertia = raw.hub_inertia_kg_m2.as_ref().map_or(0.0, |h| check.not_negative(h));
     let mut types: Vec<&'static Declaration> = Vec::new();
@@ -93,9 +102,11 @@ pub(super) fn family(
     }
     let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
     let size = size(check, raw, station.map(|s| (s, whole_chain)), (chain, modes));
-    let bounds = bounds_of(check, raw, &types);
-    let materials = materials(check, &raw.material, (&types, None), temperatures);
-    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, materials, temperatures, whole_chain })
+    let materials = materials(check, &raw.material, (&types, None), known);
+    let bounds = bounds_of(check, raw, &types, &materials);
+    let steps = steps(check, raw, &types);
+    rooms(check, raw, (&types, &size), (&bounds, &steps));
+    Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, steps, materials, temperatures, whole_chain })
 }
 
 /// Ring inertias; `place`: the station, and whether ratios are of the whole chain.
@@ -146,7 +157,7 @@ pub(super) fn materials(
     check: &mut Check,
     raw: &BTreeMap<String, At<RawMaterialStates>>,
     (types, sheared): (&[&'static Declaration], Option<Geometry>),
-    temperatures: Temperatures,
+    known: Known,
 ) -> Vec<(&'static Declaration, MaterialSpec)> {
     let mut list = Vec::new();
     for (word, raw) in raw {
@@ -155,7 +166,7 @@ pub(super) fn materials(
             check.wrong(raw, format!("found a material of type `{word}`, expected one of {}", names.join(" or ")));
             continue;
         };
-        let mut spec = material(check, raw.get_ref(), (declaration, sheared), temperatures);
+        let mut spec = material(check, raw.get_ref(), (declaration, sheared), known);
         for (key, range) in &raw.get_ref().properties {
             let Some(parameter) = declaration.parameters.iter().skip(1).find(|p| p.key == key) else {
                 let known: Vec<&str> = declaration.parameters.iter().skip(1).map(|p| p.key).collect();
@@ -186,9 +197,17 @@ fn pair_of(check: &mut Check, range: &RawRange) -> Option<(f64, f64)> {
 }
 
 /// Bounds as given, for all types that have the parameter.
-fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) -> Vec<(&'static str, (f64, f64))> {
+fn bounds_of(
+    check: &mut Check,
+    raw: &RawOptimised,
+    types: &[&'static Declaration],
+    materials: &[(&'static Declaration, MaterialSpec)],
+) -> Vec<(&'static str, (f64, f64))> {
     let mut bounds = Vec::new();
     for (key, range) in &raw.bounds {
+        if matches!(range, RawRange::Each(_)) && is_dimension(types, key) {
+            continue;
+        }
         let Some(pair) = pair_of(check, range) else { continue };
         if !types.is_empty() && types.iter().all(|t| t.index(key).is_none()) {
             let Some(at) = first_value(range) else { continue };
@@ -211,15 +230,88 @@ fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaratio
         }
     }
     for t in types {
-        let given = |key: &str| of_material(t, key) || raw.bounds.iter().any(|b| b.0 == key);
+        let of_table = |key: &str| {
+            materials.iter().any(|m| m.0 == *t && m.1.choices.iter().all(|s| s.value(key).is_some()) && !m.1.choices.is_empty())
+        };
+        let given = |key: &str| of_material(t, key) || of_table(key) || raw.bounds.iter().any(|b| b.0 == key);
         for p in t.parameters.iter().filter(|p| p.material && !given(p.key)) {
-            let words = format!("found type `{}` without `{}`, a property of its material that no default can decide", t.name, p.key);
+            let dimension = shape(t).is_some_and(|s| !s.material().contains(&t.index(p.key).unwrap_or(0)));
+            let what = if dimension { "a dimension" } else { "a property of its material" };
+            let words = format!("found type `{}` without `{}`, {} that no default can decide", t.name, p.key, what);
             let help =
                 format!("`{key}.fixed = …`, or `.between`; or under `material.{}` as `properties.{key}.fixed = …`", t.name, key = p.key);
             check.wrong_with_help(&raw.types, words, help);
         }
     }
     bounds
+}
+
+/// Whether a key is that of a dimension.
+fn is_dimension(types: &[&'static Declaration], key: &str) -> bool {
+    let of = |t: &&'static Declaration| shape(t).zip(t.index(key)).is_some_and(|(s, i)| !s.material().contains(&i));
+    types.iter().any(of)
+}
+
+/// Steps of dimensions, of which the best is taken.
+fn steps(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) -> Vec<(&'static str, Vec<f64>)> {
+    let mut all = Vec::new();
+    for (key, range) in &raw.bounds {
+        let RawRange::Each(list) = range else { continue };
+        if !is_dimension(types, key) {
+            continue;
+        }
+        if list.get_ref().is_empty() {
+            check.wrong(list, "found an empty list, expected at least one step");
+            continue;
+        }
+        for p in types.iter().flat_map(|t| t.parameters).filter(|p| p.key == *key) {
+            in_range(check, p, range);
+        }
+        let values: Vec<f64> = list.get_ref().iter().map(|v| check.positive(v)).collect();
+        for (i, v) in values.iter().enumerate().filter(|(i, v)| values[..*i].contains(v)) {
+            check.wrong(&list.get_ref()[i], format!("found {v} a second time, expected different steps"));
+        }
+        all.push((*key, values));
+    }
+    all
+}
+
+/// Whether each type by its dimensions has room for what it is made of, wherever its bounds lie: its bore is smallest where the outer diameter is least and all else is most.
+fn rooms(
+    check: &mut Check,
+    raw: &RawOptimised,
+    (types, size): (&[&'static Declaration], &Size),
+    (bounds, steps): (&[Bounds], &[Steps]),
+) {
+    let largest_ring = match size {
+        Size::Each(list) => list.iter().copied().fold(0.0, f64::max),
+        Size::Between(_, most) => *most,
+    };
+    for shape in types.iter().filter_map(|t| shape(t)) {
+        let end = |p: &Parameter, i: usize| -> Option<f64> {
+            let stepped = || {
+                steps
+                    .iter()
+                    .find(|s| s.0 == p.key)
+                    .map(|s| s.1.iter().fold((f64::INFINITY, 0.0), |m: (f64, f64), x| (m.0.min(*x), m.1.max(*x))))
+            };
+            let (low, high) = bounds.iter().find(|b| b.0 == p.key).map(|b| b.1).or_else(stepped)?;
+            Some(if i == 1 { low } else { high })
+        };
+        let dimensions = &shape.declaration.parameters[..shape.material().start];
+        let Some(corner) = dimensions.iter().enumerate().skip(1).map(|(i, p)| end(p, i)).collect::<Option<Vec<f64>>>() else { continue };
+        let values: Vec<f64> = std::iter::once(largest_ring).chain(corner).collect();
+        let bore = shape.parts_of(&values).bore / M_PER_MM;
+        let at = raw.bounds.iter().find(|b| b.0 == dimensions[1].key).and_then(|b| first_value(&b.1));
+        if let Some(at) = at.filter(|_| bore <= 0.0) {
+            let name = shape.declaration.name;
+            check.wrong_with_help(
+                at,
+                format!("found bounds of `{name}` that leave no room inside: its bore would be {bore:.1} mm, expected it above zero wherever the bounds lie"),
+                "half the least outer diameter has to be more than all walls, gaps and rubber at their most",
+            );
+        }
+    }
 }
 
 /// Whether bounds lie in the range of a parameter; signs were looked at.

@@ -1,16 +1,20 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
+use super::substances::Substances;
+use crate::absorber::construction::shape;
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{
-    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, TYPES, TemperatureLaw, Thermal, ToAir,
+    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, SHAPES, State, StrainLife, Substance, TYPES, TemperatureLaw,
+    Thermal, ToAir,
 };
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::RawType;
 use crate::input::schema::material_states::{
-    RawAmplitude, RawCooling, RawGeometry, RawLife, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
+    RawAmplitude, RawCooling, RawGeometry, RawKraus, RawLife, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
 };
 use crate::input::schema::study::{RawCondition, RawStudy};
 use crate::units::{KELVIN_AT_0_C, M_PER_MM};
+use std::sync::Arc;
 
 /// Temperatures of the conditions `cold` and `hot`, °C.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
@@ -38,6 +42,17 @@ pub struct MaterialSpec {
     pub life: Option<StrainLife>,
     /// Bounds of its properties by their keys.
     pub properties: Vec<(&'static str, (f64, f64))>,
+    /// Compounds or oils that it may be.
+    pub choices: Vec<Arc<Substance>>,
+}
+
+/// What materials are resolved against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Known<'a> {
+    /// Of the study's conditions.
+    pub temperatures: Temperatures,
+    /// Compounds and oils that can be named.
+    pub substances: &'a Substances,
 }
 
 /// Temperatures above absolute zero that anything is made for, °C.
@@ -80,7 +95,7 @@ fn check_conditions(check: &mut Check, study: &RawStudy, temperatures: Temperatu
     let optimised = || study.optimise.iter().flat_map(|o| o.absorber.get_ref()).flat_map(|a| a.material.values());
     let sold = || study.catalogue.iter().flat_map(|c| c.material.values());
     let materials = || designed().chain(optimised()).chain(sold());
-    let said = materials().map(|m| (m.get_ref().temperature.is_some(), m.get_ref().ageing.is_some()));
+    let said = materials().map(|m| (m.get_ref().temperature.is_some() || m.get_ref().of.is_some(), m.get_ref().ageing.is_some()));
     let measured =
         study.design.iter().flat_map(|d| &d.absorber).any(|a| matches!(&a.kind, RawType::Measured(m) if m.temperature_c.is_some()));
     let (warms, ages) = said.fold((false, false), |all, a| (all.0 || a.0, all.1 || a.1));
@@ -115,8 +130,10 @@ pub(super) fn material(
     check: &mut Check,
     raw: &RawMaterialStates,
     (declaration, sheared): (&'static Declaration, Option<Geometry>),
-    temperatures: Temperatures,
+    Known { temperatures, substances }: Known,
 ) -> MaterialSpec {
+    let choices = named(check, raw, declaration, substances);
+    choices.iter().for_each(|s| reaches(check, raw, s, temperatures));
     let law = raw.temperature.as_ref().map(|raw| {
         let law = law(check, raw.get_ref());
         if declaration.parameters.iter().all(|p| p.follows == Follows::Nothing) {
@@ -147,14 +164,56 @@ pub(super) fn material(
     let ageing = raw.ageing.as_ref().map_or_else(Vec::new, |raw| {
         raw.get_ref().iter().filter_map(|(key, value)| Some((aged_key(check, key, value, declaration)?, check.positive(value)))).collect()
     });
-    let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, law));
+    let laws: Vec<TemperatureLaw> = law.iter().copied().chain(choices.iter().map(|s| s.temperature)).collect();
+    let limits: Vec<f64> = choices.iter().map(|s| s.limit).collect();
+    let cooling = raw.cooling.as_ref().and_then(|c| cooling(check, c, (&laws, &limits), declaration));
     if let (Some(at), Some(_)) = (&raw.geometry, sheared) {
         check.wrong(at, "found what is sheared a second time, expected `geometry` in the [[catalogue]] or in its materials");
     }
     let geometry = raw.geometry.as_ref().and_then(|g| geometry(check, g)).or(sheared);
     let amplitude = raw.amplitude.as_ref().map(|a| amplitude(check, a, (declaration, geometry)));
     let life = raw.life.as_ref().map(|l| life(check, l, geometry));
-    MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new() }
+    MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new(), choices }
+}
+
+/// Compounds or oils by their names.
+fn named(check: &mut Check, raw: &RawMaterialStates, declaration: &Declaration, substances: &Substances) -> Vec<Arc<Substance>> {
+    let Some(at) = &raw.of else { return Vec::new() };
+    let Some(shape) = shape(declaration) else {
+        let known: Vec<&str> = SHAPES.iter().map(|s| s.declaration.name).collect();
+        check.wrong(
+            at,
+            format!("found a compound or oil of `{}`, expected one of a type by its dimensions: {}", declaration.name, known.join(", ")),
+        );
+        return Vec::new();
+    };
+    if at.get_ref().is_empty() {
+        check.wrong(at, "found an empty list, expected at least one compound or oil");
+    }
+    if let Some(law) = &raw.temperature {
+        check.wrong(law, "found a law of temperature beside `of`, whose table has it, expected one of them");
+    }
+    let mut list: Vec<Arc<Substance>> = Vec::new();
+    for name in at.get_ref() {
+        let Some(found) = substances.find(check, name, shape.sheared) else { continue };
+        if list.iter().any(|s| s.name == found.name) {
+            check.wrong(name, format!("found `{}` a second time, expected each once", found.name));
+        }
+        list.push(found);
+    }
+    list
+}
+
+/// Whether a compound or oil holds at the temperatures of the study's conditions.
+fn reaches(check: &mut Check, raw: &RawMaterialStates, substance: &Substance, temperatures: Temperatures) {
+    let Some(name) = raw.of.iter().flat_map(|l| l.get_ref()).find(|n| *n.get_ref() == substance.name) else { return };
+    let (low, high) = substance.valid.celsius;
+    for celsius in [temperatures.cold, temperatures.hot].into_iter().flatten().filter(|t| !(low..=high).contains(t)) {
+        check.wrong(
+            name,
+            format!("found `{}` at {celsius} °C, expected temperatures from {low} to {high} °C, at which its numbers hold", substance.name),
+        );
+    }
 }
 
 /// Types whose law follows temperature by its relaxation times, as shifts of frequency are meant.
@@ -215,7 +274,7 @@ fn aged_key(check: &mut Check, key: &str, at: &At<f64>, declaration: &'static De
     found
 }
 
-fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
+pub(super) fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
     match raw {
         RawTemperatureLaw::Wlf(w) => {
             TemperatureLaw::Wlf { c1: check.positive(&w.c1), c2: check.positive(&w.c2_k), reference: celsius(check, &w.reference_c) }
@@ -298,6 +357,11 @@ fn amplitude(check: &mut Check, at: &At<RawAmplitude>, (declaration, geometry): 
     if geometry.is_none() {
         check.wrong(at, "found how rubber follows its strain, expected `geometry` beside it, which tells the strain of a twist");
     }
+    kraus(check, raw)
+}
+
+/// The law of Kraus.
+pub(super) fn kraus(check: &mut Check, raw: &RawKraus) -> Kraus {
     let of_strain = "a shear strain from 1e-6 to 10, 0.05 for 5 %";
     Kraus {
         storage_ratio: check.within(&raw.storage_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
@@ -317,6 +381,11 @@ fn life(check: &mut Check, at: &At<RawLife>, geometry: Option<Geometry>) -> Stra
             "found how many cycles of strain a material bears, expected `geometry` beside it, which tells the strain of a twist",
         );
     }
+    strain_life(check, raw)
+}
+
+/// Cycles of strain that a material bears.
+pub(super) fn strain_life(check: &mut Check, raw: &RawLife) -> StrainLife {
     StrainLife {
         strain: check.within(&raw.reference_strain, 1e-6..=10.0, "a shear strain from 1e-6 to 10, 0.05 for 5 %"),
         cycles: check.within(&raw.reference_cycles, 1.0..=1e20, "a number of cycles from 1 to 1e20"),
@@ -325,25 +394,58 @@ fn life(check: &mut Check, at: &At<RawLife>, geometry: Option<Geometry>) -> Stra
 }
 
 /// What cools an absorber whose material follows temperature by a law.
-fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) -> Option<Cooling> {
+fn cooling(
+    check: &mut Check,
+    at: &At<RawCooling>,
+    (laws, limits): (&[TemperatureLaw], &[f64]),
+    declaration: &Declaration,
+) -> Option<Cooling> {
     let raw = at.get_ref();
-    let Some(law) = law else {
+    if laws.is_empty() {
         check.wrong(at, "found `cooling` of a material of which nothing says how it follows temperature, expected `temperature` beside it");
         return None;
-    };
+    }
     let to_air = match &raw.to_air {
         RawToAir::WPerK(g) => ToAir::Given(check.positive(g)),
         RawToAir::Disc(disc) => {
             let [diameter, width] = [&disc.diameter_mm, &disc.width_mm].map(|x| M_PER_MM * check.positive(x));
             ToAir::Disc { radius: 0.5 * diameter, width }
         }
+        RawToAir::OwnDisc(own) => {
+            if !own.get_ref() {
+                check.wrong(own, "found false, expected true, or another kind of `to_air`");
+            }
+            if shape(declaration).is_none() {
+                check.wrong(
+                    own,
+                    format!(
+                        "found the disc of `{}`, expected `disc = {{ diameter_mm = …, width_mm = … }}`: it has no dimensions",
+                        declaration.name
+                    ),
+                );
+            }
+            ToAir::Own { radius: 0.0, width: 0.0 }
+        }
     };
-    let [air, hub, limit] = [&raw.air_c, &raw.hub_c, &raw.limit_c].map(|t| celsius(check, t));
-    if limit <= air.max(hub) {
-        check.wrong(&raw.limit_c, format!("found a limit of {limit} °C, expected more than the {} °C round the absorber", air.max(hub)));
+    let [air, hub] = [&raw.air_c, &raw.hub_c].map(|t| celsius(check, t));
+    let given = raw.limit_c.as_ref().map(|t| celsius(check, t));
+    if given.is_none() && limits.is_empty() {
+        check.wrong(at, "found `cooling` without `limit_c`, expected the temperature that the material bears");
+        return None;
     }
-    let (low, high) = law.range();
-    for (t, at) in [(air, &raw.air_c), (hub, &raw.hub_c), (limit, &raw.limit_c)] {
+    // of several compounds each has its own
+    let limit = given.unwrap_or_else(|| limits.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    let least = given.unwrap_or_else(|| limits.iter().copied().fold(f64::INFINITY, f64::min));
+    if least <= air.max(hub) {
+        let limit = least;
+        check.wrong(
+            raw.limit_c.as_ref().unwrap_or(&raw.hub_c),
+            format!("found a limit of {limit} °C, expected more than the {} °C round the absorber", air.max(hub)),
+        );
+    }
+    let places = [(air, &raw.air_c), (hub, &raw.hub_c)].into_iter().chain(given.zip(raw.limit_c.as_ref()));
+    for ((t, at), law) in places.flat_map(|p| laws.iter().map(move |law| (p, law))) {
+        let (low, high) = law.range();
         if !(low..=high).contains(&t) {
             let words = format!("found {t} °C outside the range of the material's law of temperature, {low:.1} to {high} °C");
             check.wrong_with_help(at, words, "a law says nothing of temperatures beyond its range (`between_c` of `temperature.exponential`): a lower temperature here, or a law that was measured farther");
@@ -354,17 +456,20 @@ fn cooling(check: &mut Check, at: &At<RawCooling>, law: Option<TemperatureLaw>) 
 
 impl MaterialSpec {
     /// What is known of it where a type is made of it.
-    pub(crate) fn of_type(&self, declaration: &Declaration, temperatures: Temperatures) -> Material {
+    pub(crate) fn of_type(&self, declaration: &Declaration, substance: Option<&Arc<Substance>>, temperatures: Temperatures) -> Material {
+        let temperature = self.temperature.or(substance.map(|s| s.temperature));
         let mut states = Vec::new();
         for (state, celsius) in [(State::Cold, temperatures.cold), (State::Hot, temperatures.hot)] {
-            let (Some(law), Some(celsius)) = (&self.temperature, celsius) else { continue };
+            let (Some(law), Some(celsius)) = (&temperature, celsius) else { continue };
             states.push(Factors { state, factors: declaration.followed(law.factor(celsius)) });
         }
         if !self.ageing.is_empty() {
             let ageing_factor = |key: &str| self.ageing.iter().find(|a| a.0 == key).map_or(1.0, |a| a.1);
             states.push(Factors { state: State::Aged, factors: declaration.parameters.iter().map(|p| ageing_factor(p.key)).collect() });
         }
-        let thermal = self.temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling });
-        Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude, life: self.life }
+        let limit = |cooling: Cooling| Cooling { limit: substance.map_or(cooling.limit, |s| s.limit.min(cooling.limit)), ..cooling };
+        let thermal = temperature.zip(self.cooling).map(|(law, cooling)| Thermal { law, cooling: limit(cooling) });
+        let life = self.life.or(substance.and_then(|s| s.life));
+        Material { states, thermal, geometry: self.geometry, amplitude: self.amplitude, life, substance: substance.cloned() }
     }
 }

@@ -28,6 +28,7 @@ mod ranges;
 mod robust;
 mod rows;
 pub(super) mod sizing;
+mod substances;
 mod systems;
 mod tree;
 
@@ -42,7 +43,7 @@ pub use family::{AbsorberSpec, Size};
 pub use flexible_model::FlexibleModel;
 pub use inputs::Input;
 pub use load::DutyPoint;
-use material_states::Temperatures;
+use material_states::Known;
 use measures::{Context, Judged};
 pub use parts::PartsError;
 use ranges::MOST_POINTS;
@@ -109,11 +110,11 @@ impl Base {
     }
 
     /// What absorbers are resolved against.
-    fn reaches<'a>(&'a self, study: &'a Path, modes: &'a Modes, temperatures: Temperatures) -> Reaches<'a> {
+    fn reaches<'a>(&'a self, study: &'a Path, modes: &'a Modes, Known { temperatures, substances }: Known<'a>) -> Reaches<'a> {
         let orders = self.orders();
         let hz = |order: Option<&Order>, speed: f64| order.map_or(0.0, |o| o.value() * speed * HZ_PER_RPM);
         let frequencies_hz = (hz(orders.first(), self.speeds_rpm[0]), hz(orders.last(), self.speeds_rpm[self.speeds_rpm.len() - 1]));
-        Reaches { chain: &self.chain, modes, temperatures, folder: folder_of(study), frequencies_hz }
+        Reaches { chain: &self.chain, modes, temperatures, substances, folder: folder_of(study), frequencies_hz }
     }
 }
 
@@ -256,9 +257,11 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
     let study = files.study;
     let modes = Modes::new(&base.chain);
     let temperatures = material_states::of_conditions(check, study);
-    let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, temperatures));
-    let catalogues = catalogue::resolve(check, study, (&base.chain, folder_of(files.path)), &designs, temperatures);
-    let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), temperatures);
+    let substances = substances::substances(check, &study.compounds, folder_of(files.path));
+    let known = Known { temperatures, substances: &substances };
+    let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, known));
+    let catalogues = catalogue::resolve(check, study, (&base.chain, folder_of(files.path)), &designs, known);
+    let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), known);
     let given: Vec<&DesignSpec> = designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).collect();
     let hub = hub(given.iter().copied(), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);
@@ -273,6 +276,7 @@ fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> 
         cooled: &Context::cooled(&given, optimise.as_ref()),
         balanced: &Context::balanced(&given, optimise.as_ref()),
         lives: &Context::lives(&given, optimise.as_ref()),
+        dimensioned: &Context::dimensioned(&given, optimise.as_ref()),
         unread: given.is_empty() && !study.catalogue.is_empty(),
         has_duty: !study.duty.is_empty(),
         unequal: material_states::conditions(study).any(|c| c.get_ref().0.burning() != Burning::Alike),

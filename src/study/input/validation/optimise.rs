@@ -2,7 +2,7 @@
 
 use super::absorbers::{engine_mode, hosts, only_one_follows, root};
 use super::family::{AbsorberSpec, family, ordered};
-use super::material_states::Temperatures;
+use super::material_states::Known;
 use crate::absorber::Host;
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
@@ -109,7 +109,7 @@ pub(crate) fn resolve(
     study: &RawStudy,
     engine: &Engine,
     (chain, modes): (&Chain, &Modes),
-    temperatures: Temperatures,
+    known: Known,
 ) -> Option<OptimiseSpec> {
     let raw = study.optimise.as_ref()?;
     under_limits(check, raw, &study.constraint);
@@ -130,7 +130,7 @@ pub(crate) fn resolve(
         return None;
     }
     let hosts = hosts(check, chain, &list.iter().map(|a| (a.name.as_ref(), &a.on)).collect::<Vec<_>>());
-    let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes), temperatures));
+    let absorbers = list.iter().enumerate().map(|(i, a)| family(check, a, hosts[i].zip(root(&hosts, i)), (chain, modes), known));
     let absorbers: Vec<Option<AbsorberSpec>> = absorbers.collect();
     only_one_follows(check, list.iter().map(|a| a.material.values().map(At::get_ref).collect()));
     let optima = absorbers.iter().flatten().map(AbsorberSpec::choices).fold(1, usize::saturating_mul);

@@ -5,6 +5,7 @@ use super::family::{AbsorberSpec, Size};
 use super::material_states::Temperatures;
 use super::measures::{default_twist, twist_spec};
 use super::optimise::OptimiseSpec;
+use crate::absorber::construction::shape;
 use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Host};
 use crate::drivetrain::{Chain, Modes};
@@ -38,7 +39,7 @@ pub enum PartsError {
     #[error("found no ascending, finite speeds above zero and order limit from 0.5 to 200, expected both")]
     Range,
     /// A type that no search can take.
-    #[error("found a search for `{0}`, whose law is of large twist, expected another type: it may be given")]
+    #[error("found a search for `{0}`, whose law is of large twist or needs dimensions, expected another type: it may be given")]
     GivenOnly(&'static str),
     /// A station or size of an absorber that is none.
     #[error(
@@ -117,12 +118,12 @@ impl Study {
     /// The same with a search for the best absorber of a type and size on a station: all its other parameters are free within wide bounds. The twist is from that station to the last.
     ///
     /// # Errors
-    /// [`PartsError::Absorber`] where there is no such station or ring, [`PartsError::GivenOnly`] of a type whose law is of large twist.
+    /// [`PartsError::Absorber`] where there is no such station or ring, [`PartsError::GivenOnly`] of a type whose law is of large twist or needs dimensions.
     pub fn with_search(mut self, station: usize, kind: &'static Declaration, ring_inertia: f64) -> Result<Self, PartsError> {
         if station >= self.chain.len() || !ring_inertia.is_finite() || ring_inertia <= 0.0 {
             return Err(PartsError::Absorber { station, ring_inertia: ring_inertia.to_string() });
         }
-        if GIVEN_ONLY.contains(&kind) {
+        if GIVEN_ONLY.contains(&kind) || shape(kind).is_some() {
             return Err(PartsError::GivenOnly(kind.name));
         }
         let absorber = AbsorberSpec {
@@ -131,6 +132,7 @@ impl Study {
             types: vec![kind],
             size: Size::Each(vec![ring_inertia]),
             bounds: Vec::new(),
+            steps: Vec::new(),
             materials: Vec::new(),
             temperatures: Temperatures::default(),
             whole_chain: false,

@@ -2,17 +2,30 @@
 
 use super::absorbers::DesignSpec;
 use super::optimise::OptimiseSpec;
-use crate::absorber::Declaration;
+use crate::absorber::construction::shape;
+use crate::absorber::{Declaration, Sheared};
 use crate::input::error::{At, Check};
-use crate::input::schema::robust::{RawDistribution, RawRobust};
+use crate::input::schema::robust::{HARDNESS, RawDistribution, RawRobust, VISCOSITY, process_keys};
+use crate::optimise::{Scatter, Tolerances};
 
 /// Tolerances of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobustSpec {
     /// Shares by which parameters may be larger or smaller, by their keys.
     pub shares: Vec<(&'static str, f64)>,
+    /// What the making of dampers by their dimensions scatters.
+    pub process: Vec<Scatter>,
+    /// Whether optima within the tolerances are sought.
+    pub search: bool,
     /// Random designs.
     pub sampling: Option<Sampling>,
+}
+
+impl RobustSpec {
+    /// All that scatters.
+    pub fn scatter(&self) -> Vec<Scatter> {
+        self.shares.iter().map(|(key, share)| Scatter::Share(key, *share)).chain(self.process.iter().copied()).collect()
+    }
 }
 
 /// Random designs within the tolerances.
@@ -38,11 +51,11 @@ pub(super) fn resolve(
     optimise: Option<&OptimiseSpec>,
     designs: &[&DesignSpec],
 ) -> Option<RobustSpec> {
-    let raw = raw.get_ref();
+    let (place, raw) = (raw, raw.get_ref());
     let lists = types_of(optimise, designs);
     let types: Vec<&'static Declaration> = lists.iter().flatten().flatten().copied().collect();
     let mut shares = Vec::new();
-    for (key, share) in raw.tolerance.get_ref() {
+    for (key, share) in raw.tolerance.iter().flat_map(|t| t.get_ref()) {
         let Some(known) = types.iter().flat_map(|t| t.parameters).map(|p| p.key).find(|known| known == key) else {
             let mut keys: Vec<&str> = types.iter().flat_map(|t| t.parameters).map(|p| p.key).collect();
             keys.sort_unstable();
@@ -53,15 +66,24 @@ pub(super) fn resolve(
         };
         shares.push((known, check.within(share, 1e-6..=0.9, "a share from 1e-6 to 0.9: 0.1 is 10 % more or less")));
     }
-    if raw.tolerance.get_ref().is_empty() {
-        check.wrong(&raw.tolerance, "found no tolerance, expected at least one parameter with its share");
+    for empty in [&raw.tolerance, &raw.process].into_iter().flatten().filter(|t| t.get_ref().is_empty()) {
+        check.wrong(empty, "found no tolerance, expected at least one parameter with its share");
     }
-    let of_type = |t: &&'static Declaration| shares.iter().filter(|s| t.index(s.0).is_some()).count();
+    if raw.tolerance.is_none() && raw.process.is_none() {
+        check.wrong(place, "found [robust] without a tolerance, expected `tolerance` or `process`");
+    }
+    let process = process(check, raw, &types);
+    let scatters = |t: &&'static Declaration, s: &Scatter| {
+        Tolerances::scattered(&[Some((t, None))], &[*s]).edges() > 0 || matches!(s, Scatter::Hardness(_))
+    };
+    let of_type = |t: &&'static Declaration| {
+        shares.iter().filter(|s| t.index(s.0).is_some()).count() + process.iter().filter(|s| scatters(t, s)).count()
+    };
     let edges =
         |design: &Vec<Vec<&'static Declaration>>| design.iter().map(|types| types.iter().map(of_type).max().unwrap_or(0)).sum::<usize>();
     if let Some(most) = lists.iter().map(edges).max().filter(|most| *most > MOST_TOLERANCES) {
         check.wrong(
-            &raw.tolerance,
+            place,
             format!(
                 "found tolerances of {most} parameters of one design, expected at most {MOST_TOLERANCES}: all their corners are looked at"
             ),
@@ -86,7 +108,35 @@ pub(super) fn resolve(
             normal: matches!(s.distribution, RawDistribution::Normal),
         }
     });
-    (!shares.is_empty()).then_some(RobustSpec { shares, sampling })
+    (!shares.is_empty() || !process.is_empty()).then_some(RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling })
+}
+
+/// What a process scatters.
+fn process(check: &mut Check, raw: &RawRobust, types: &[&'static Declaration]) -> Vec<Scatter> {
+    let mut list = Vec::new();
+    for (key, amount) in raw.process.iter().flat_map(|p| p.get_ref()) {
+        let known = process_keys().into_iter().find(|known| known == key);
+        let has = |kind: Sheared| types.iter().any(|t| shape(t).is_some_and(|s| s.sheared == kind));
+        let is_had = match key.as_str() {
+            HARDNESS => has(Sheared::Rubber),
+            VISCOSITY => has(Sheared::Oil),
+            _ => types.iter().any(|t| shape(t).zip(t.index(key)).is_some_and(|(s, i)| !s.material().contains(&i))),
+        };
+        let Some(known) = known.filter(|_| is_had) else {
+            let expected = process_keys().join(", ");
+            check.wrong(
+                amount,
+                format!("found the scatter of `{key}`, which no absorber here has, expected that of a type by its dimensions: {expected}"),
+            );
+            continue;
+        };
+        list.push(match known {
+            HARDNESS => Scatter::Hardness(check.within(amount, 0.1..=20.0, "a hardness from 0.1 to 20 Shore A")),
+            VISCOSITY => Scatter::Viscosity(0.01 * check.within(amount, 0.1..=90.0, "a share from 0.1 to 90 %")),
+            key => Scatter::Amount(key, check.positive(amount)),
+        });
+    }
+    list
 }
 
 /// Types that each absorber may have, of every given design and of what is optimised.

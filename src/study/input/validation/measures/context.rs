@@ -63,6 +63,8 @@ pub(crate) struct Context<'a> {
     pub balanced: &'a [usize],
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
+    /// Of each absorber whether some type or design of it is given by its dimensions.
+    pub dimensioned: &'a [bool],
     /// Whether a catalogue has rows that could not be read, and no other design was.
     pub unread: bool,
     /// Whether the study has a duty.
@@ -120,6 +122,12 @@ impl<'a> Context<'a> {
         (0..Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise))
             .map(|i| searched(i).chain(given(i)).all(|said| said))
             .collect()
+    }
+
+    /// Of each absorber whether some type or design of it is given by its dimensions.
+    pub fn dimensioned(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+        let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
+        super::of_construction::dimensioned(designs, optimise, count)
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

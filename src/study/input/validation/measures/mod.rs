@@ -4,13 +4,16 @@ mod context;
 mod names;
 mod of_absorbers;
 mod of_chain;
+mod of_construction;
 
 pub(crate) use context::{Context, Judged, default_twist};
 
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
-use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
+use crate::input::schema::measure::{
+    RawInertia, RawLossFactor, RawMargin, RawMass, RawMeasure, RawPower, RawRingTwist, RawTorque, RawVolume,
+};
 use crate::input::schema::study::RawStudy;
 use crate::objective::condition::Burning;
 use crate::objective::{Condition, Over, Property, Within};
@@ -50,6 +53,14 @@ fn of_kind<'r>(check: &mut Check, raw: &'r At<RawMeasure>, of: Context) -> Optio
         RawMeasure::ShaftStress(m) => of_chain::shaft_stress(check, m, of),
         RawMeasure::RingTwist(m) => of_absorbers::ring_twist(check, m, of),
         RawMeasure::ElementStrain(m) => of_absorbers::element_strain(check, m, of),
+        RawMeasure::Strain(m) => of_construction::strain(check, m, of),
+        RawMeasure::Mass(m) => of_construction::mass(check, m, raw, of),
+        RawMeasure::Volume(m) => of_construction::volume(check, m, raw, of),
+        RawMeasure::Cost(m) => of_construction::cost(check, m, raw, of),
+        RawMeasure::Envelope(_) => {
+            check.wrong(raw, "found an envelope in an objective, expected it in a [[constraint]]");
+            None
+        }
         RawMeasure::SpringStress(m) => of_absorbers::spring_stress(check, m, of),
         RawMeasure::Life(m) => of_absorbers::life(check, m, of),
         RawMeasure::DissipatedPower(m) => of_absorbers::dissipated_power(check, m, of),
@@ -81,8 +92,18 @@ pub(super) fn twist_spec(chain: &Chain, hub: usize) -> MeasureSpec {
 }
 
 /// Words that need no more keys, for `of`.
-const BY_WORD: [&str; 8] =
-    ["peak_twist", "vibratory_torque", "ring_twist", "dissipated_power", "loss_factor", "ring_inertia", "total_inertia", "margin"];
+const BY_WORD: [&str; 10] = [
+    "mass",
+    "volume",
+    "peak_twist",
+    "vibratory_torque",
+    "ring_twist",
+    "dissipated_power",
+    "loss_factor",
+    "ring_inertia",
+    "total_inertia",
+    "margin",
+];
 
 /// A measure by its word: that of the study's objectives or limits, or of all shafts, rings or locations.
 fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Context) -> Option<MeasureSpec> {
@@ -100,6 +121,8 @@ fn by_word(check: &mut Check, word: &At<String>, known: &[&MeasureSpec], of: Con
         "loss_factor" => of_absorbers::loss_factor(check, &RawLossFactor::default(), of).map(|r| r.spec),
         "ring_inertia" => of_absorbers::ring_inertia(check, &RawInertia::default(), of).map(|r| r.spec),
         "total_inertia" => of_absorbers::total_inertia(check, &RawInertia::default(), of).map(|r| r.spec),
+        "mass" => of_construction::mass(check, &RawMass::default(), word, of).map(|r| r.spec),
+        "volume" => of_construction::volume(check, &RawVolume::default(), word, of).map(|r| r.spec),
         "margin" => of_chain::margin(check, &RawMargin::default(), word, of).map(|r| r.spec),
         other => {
             let expected = format!("expected one of {}, or the word of an objective or limit of the study", BY_WORD.join(", "));
@@ -224,8 +247,14 @@ fn shown(spec: &MeasureSpec) -> String {
 /// Limits.
 pub(super) fn limits(check: &mut Check, study: &RawStudy, of: Context) -> Vec<LimitSpec> {
     let mut limits = Vec::new();
+    let mut resolved = Vec::new();
     for raw in &study.constraint {
-        let Some(Resolved { spec, bound }) = measure(check, raw, of) else { continue };
+        match raw.get_ref() {
+            RawMeasure::Envelope(e) => resolved.extend(of_construction::envelope(check, e, of).into_iter().map(|r| (raw, r))),
+            _ => resolved.extend(measure(check, raw, of).map(|r| (raw, r))),
+        }
+    }
+    for (raw, Resolved { spec, bound }) in resolved {
         let (limit, words) = match bound {
             Bound::Most(None) => {
                 let help = format!("`hartog keys constraint.{}.` lists its keys", spec.key);

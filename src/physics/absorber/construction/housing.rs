@@ -1,0 +1,76 @@
+//! A ring in silicone oil in its housing, which is bolted to the crank: oil at both faces, at the rim and at the bore of the ring.
+
+use super::law::build;
+use super::{M_PER_MM, Number, OUTER_DIAMETER, Parts, RING_DENSITY, RING_WALL, Shape, Sheared, annulus, dimension, polar, sleeve_factor};
+use crate::absorber::carreau::{FLOW_INDEX, TRANSITION};
+use crate::absorber::law::Declaration;
+use crate::absorber::maxwell::RELAXATION_TIME;
+use crate::absorber::parameter::{Follows, Parameter, RING_INERTIA, Range, of_material};
+
+/// A ring in silicone oil in its housing.
+pub static HOUSING: Declaration = Declaration {
+    name: "housing",
+    about: "A ring in silicone oil in its housing, by its dimensions.",
+    parameters: &[
+        RING_INERTIA,
+        Parameter { about: "Outer diameter of the housing.", ..OUTER_DIAMETER },
+        dimension(("housing_wall_mm", "s/mm", "Thickness of the housing's walls."), Range::Positive),
+        RING_WALL,
+        dimension(("radial_gap_mm", "gap_r/mm", "Gap at the rim and at the bore of the ring."), Range::Positive),
+        dimension(("axial_gap_mm", "gap_a/mm", "Gap at each face of the ring."), Range::Positive),
+        RING_DENSITY,
+        dimension(
+            ("housing_density_kg_m3", "rho_h/kg/m³", "Density of the housing: 7850 of steel, 7200 of cast iron."),
+            Range::Within(500.0, 25_000.0),
+        ),
+        Parameter {
+            follows: Follows::Factor,
+            ..of_material(
+                ("viscosity_pa_s", "eta/Pa s", "Viscosity of the oil at low frequency."),
+                Range::Positive,
+                |_| (1e-3, 2e3),
+                |_| 1.0,
+            )
+        },
+        Parameter { range: Range::Positive, ..RELAXATION_TIME },
+        TRANSITION,
+        FLOW_INDEX,
+    ],
+    build: |v| build(&SHAPE, v),
+    closed_forms: &[],
+};
+
+pub(super) static SHAPE: Shape = Shape { declaration: &HOUSING, sheared: Sheared::Oil, dimensions: 8, parts };
+
+fn parts(d: &[Number; super::MOST]) -> Parts<Number> {
+    let [inertia, diameter, wall, ring_wall, radial, axial, density, housing_density] = *d;
+    let outside = diameter * (0.5 * M_PER_MM);
+    let (wall, radial, axial) = (wall * M_PER_MM, radial * M_PER_MM, axial * M_PER_MM);
+    let rim = outside - wall;
+    let outer = rim - radial;
+    let inner = outer - ring_wall * M_PER_MM;
+    let bore = inner - radial;
+    let inside = bore - wall;
+    let ring_width = inertia / (density * polar(inner, outer));
+    let chamber = ring_width + axial * 2.0;
+    let at_rim = rim.powi(2) / (rim.powi(2) - outer.powi(2)) * 2.0;
+    let at_faces = outer / axial;
+    // two faces, rim and bore, as far as each reaches
+    let of_housing = |section: &dyn Fn(Number, Number) -> Number| {
+        (section(inside, outside) * wall * 2.0 + (section(rim, outside) + section(inside, bore)) * chamber) * housing_density
+    };
+    Parts {
+        factor: polar(inner, outer) / axial * 2.0 + sleeve_factor(outer, rim, ring_width) + sleeve_factor(bore, inner, ring_width),
+        strain_per_twist: if at_rim.value > at_faces.value { at_rim } else { at_faces },
+        hub_inertia: of_housing(&polar),
+        ring_mass: density * annulus(inner, outer) * ring_width,
+        hub_mass: of_housing(&annulus),
+        sheared_volume: annulus(inner, outer) * axial * 2.0 + (annulus(outer, rim) + annulus(bore, inner)) * chamber,
+        outer_diameter: outside * 2.0,
+        width: chamber + wall * 2.0,
+        bore: inside * 2.0,
+        ring: [inner, outer],
+        ring_width,
+        sheared_length: radial,
+    }
+}

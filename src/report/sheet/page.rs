@@ -1,0 +1,340 @@
+//! The page: what stands on it, and where.
+
+use super::section;
+use crate::absorber::{Sheared, TYPES, construction};
+use crate::analysis::{DesignResult, Results, Sheet};
+use crate::input::Study;
+use crate::objective::{Condition, holds};
+use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
+use crate::text::table::significant;
+use std::fmt::Write;
+
+/// Units of the page: those of CSS.
+pub(super) const UNITS_PER_INCH: f32 = 96.0;
+/// A4.
+const WIDTH: f64 = 793.7;
+const HEIGHT: f64 = 1122.5;
+/// Edge of the page.
+const EDGE: f64 = 45.0;
+/// Height of a line of text.
+const LINE: f64 = 14.0;
+/// Letters of a sentence in a line of the whole width.
+const LETTERS: usize = 118;
+
+/// What is drawn so far.
+pub(super) struct Page {
+    svg: String,
+}
+
+fn escaped(words: &str) -> String {
+    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// A sentence in lines of at most so many letters.
+fn wrapped(words: &str, letters: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words.split(' ') {
+        let last = lines.last_mut().expect("a line");
+        if !last.is_empty() && last.chars().count() + 1 + word.chars().count() > letters {
+            lines.push(word.to_owned());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    lines
+}
+
+/// A table of the page: its title and its rows.
+struct Block {
+    title: &'static str,
+    rows: Vec<(String, String)>,
+}
+
+impl Page {
+    /// Of a damper.
+    pub fn of(study: &Study, results: &Results, sheet: &Sheet) -> Self {
+        let mut page = Self { svg: String::new() };
+        let design = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == sheet.design);
+        let declared = TYPES.into_iter().find(|t| t.name == sheet.kind);
+        let sheared = declared.and_then(construction::shape).map_or(Sheared::Rubber, |s| s.sheared);
+        let mut y = EDGE + 14.0;
+        page.text((EDGE, y), 18.0, &format!("Torsional vibration damper for {}", study.engine.name), true);
+        y += 18.0;
+        page.text(
+            (EDGE, y),
+            10.0,
+            &format!("Design {} of study {}; hartog {}", sheet.design, study.name, env!("CARGO_PKG_VERSION")),
+            false,
+        );
+        y += 20.0;
+        for line in wrapped(&sentence(study, results, sheet), LETTERS) {
+            page.text((EDGE, y), 11.0, &line, true);
+            y += 15.0;
+        }
+        for line in outside(sheet) {
+            page.text((EDGE, y), 10.0, &format!("OUTSIDE: {line}"), true);
+            y += LINE;
+        }
+        y += 6.0;
+        let half = 0.5 * (WIDTH - 2.0 * EDGE);
+        section::draw(&mut page, sheet, sheared, (EDGE, y, half - 10.0, 330.0));
+        let mut right = y + 6.0;
+        for block in [dimensions(sheet), parts(sheet, sheared)] {
+            right = page.block((EDGE + half + 10.0, right), half - 10.0, &block);
+        }
+        y = right.max(y + 345.0) + 4.0;
+        let mut columns = [y, y];
+        let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet)];
+        for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
+            let column = i % 2;
+            let x = EDGE + column as f64 * (half + 10.0);
+            columns[column] = page.block((x, columns[column]), half - 10.0, block);
+        }
+        y = columns[0].max(columns[1]);
+        if let Some(d) = design {
+            y = page.block((EDGE, y), WIDTH - 2.0 * EDGE, &limits(study, d));
+        }
+        page.text((EDGE, y + 10.0), 11.0, "Assumptions", true);
+        y += 24.0;
+        for line in assumptions(sheet).iter().flat_map(|a| wrapped(a, 135)) {
+            if y < HEIGHT - EDGE - 70.0 {
+                page.text((EDGE, y), 9.0, &line, false);
+                y += 12.0;
+            }
+        }
+        page.title_block();
+        page
+    }
+
+    /// The whole picture.
+    pub fn svg(self) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"DejaVu Sans\">\n<rect x=\"0\" y=\"0\" width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#ffffff\"/>\n{}</svg>",
+            self.svg
+        )
+    }
+
+    pub fn text(&mut self, (x, y): (f64, f64), size: f64, words: &str, strong: bool) {
+        self.anchored((x, y), size, words, (strong, "start"));
+    }
+
+    fn anchored(&mut self, (x, y): (f64, f64), size: f64, words: &str, (strong, anchor): (bool, &str)) {
+        // the built-in font has one weight: what is strong has a colour
+        let fill = if strong { "#0b3d75" } else { "#1a1a1a" };
+        let _ = writeln!(
+            self.svg,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{fill}\">{}</text>",
+            escaped(words)
+        );
+    }
+
+    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), dashes: &str) {
+        let dashed = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
+        let _ = writeln!(
+            self.svg,
+            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"#000000\" stroke-width=\"0.6\"{dashed}/>",
+            from.0, from.1, to.0, to.1
+        );
+    }
+
+    pub fn rectangle(&mut self, (x, y, width, height): (f64, f64, f64, f64), fill: &str) {
+        let _ = writeln!(
+            self.svg,
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{fill}\" stroke=\"#000000\" stroke-width=\"0.8\"/>"
+        );
+    }
+
+    /// A dimension between two points, level or upright, with its number beside it.
+    pub fn dimension(&mut self, from: (f64, f64), to: (f64, f64), words: &str) {
+        self.line(from, to, "");
+        let level = (from.1 - to.1).abs() < 0.5;
+        for (x, y) in [from, to] {
+            let (dx, dy) = if level { (0.0, 4.0) } else { (4.0, 0.0) };
+            self.line((x - dx, y - dy), (x + dx, y + dy), "");
+        }
+        let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
+        if level {
+            self.anchored((middle.0, middle.1 - 4.0), 9.0, words, (false, "middle"));
+        } else {
+            let (x, y) = (middle.0 - 3.0, middle.1);
+            let _ = writeln!(
+                self.svg,
+                "<text transform=\"translate({x:.1} {y:.1}) rotate(-90)\" font-size=\"9\" text-anchor=\"middle\" fill=\"#000000\">{}</text>",
+                escaped(words)
+            );
+        }
+    }
+
+    /// A table; returns where it ends.
+    fn block(&mut self, (x, mut y): (f64, f64), width: f64, block: &Block) -> f64 {
+        y += 10.0;
+        self.text((x, y), 11.0, block.title, true);
+        y += 4.0;
+        self.line((x, y), (x + width, y), "");
+        y += 12.0;
+        for (name, value) in &block.rows {
+            self.text((x, y), 9.5, name, false);
+            self.anchored((x + width, y), 9.5, value, (false, "end"));
+            y += LINE - 1.0;
+        }
+        y + 4.0
+    }
+
+    /// Boxes that the maker fills in.
+    fn title_block(&mut self) {
+        let names = ["Drawn", "Checked", "Date", "Drawing number", "Revision", "Maker"];
+        let (top, each) = (HEIGHT - EDGE - 40.0, (WIDTH - 2.0 * EDGE) / names.len() as f64);
+        for (i, name) in names.iter().enumerate() {
+            let x = EDGE + i as f64 * each;
+            self.rectangle((x, top, each, 40.0), "#ffffff");
+            self.text((x + 4.0, top + 11.0), 8.0, name, false);
+        }
+    }
+}
+
+fn row(name: &str, value: String) -> (String, String) {
+    (name.to_owned(), value)
+}
+
+fn dimensions(sheet: &Sheet) -> Block {
+    let declared = TYPES.into_iter().find(|t| t.name == sheet.kind).map_or(&[][..], |t| t.parameters);
+    let one = |(key, value): &(&'static str, f64)| {
+        let about = declared.iter().find(|p| p.key == *key).map_or(*key, |p| p.about.trim_end_matches('.'));
+        let about = about.split(':').next().unwrap_or(about);
+        let unit = if key.ends_with("_mm") {
+            " mm"
+        } else if key.ends_with("_kg_m3") {
+            " kg/m³"
+        } else if key.ends_with("_kg_m2") {
+            " kg m²"
+        } else {
+            ""
+        };
+        row(about, format!("{}{unit}", significant(*value, 5)))
+    };
+    let p = &sheet.parts;
+    let mm = |x: f64| format!("{} mm", significant(x * 1e3, 4));
+    let mut rows: Vec<_> = sheet.dimensions.iter().map(one).collect();
+    rows.push(row("Width of the ring", mm(p.ring_width)));
+    rows.push(row("Width of all", mm(p.width)));
+    rows.push(row("Free diameter inside", mm(p.bore)));
+    Block { title: "Dimensions", rows }
+}
+
+fn parts(sheet: &Sheet, sheared: Sheared) -> Block {
+    let p = &sheet.parts;
+    let kg = |x: f64| format!("{} kg", significant(x, 4));
+    let mut rows = vec![row("Ring", format!("{}, {} kg m²", kg(p.ring_mass), significant(sheet.ring_inertia, 5)))];
+    if p.hub_mass > 0.0 {
+        rows.push(row("Housing", format!("{}, {} kg m²", kg(p.hub_mass), significant(p.hub_inertia, 5))));
+    }
+    let name = sheet.substance.as_ref().map_or_else(|| "not named".to_owned(), |s| format!("{} ({})", s.name, s.about));
+    match sheared {
+        Sheared::Rubber => {
+            rows.push(row("Compound", name));
+            rows.extend(sheet.substance.as_ref().map(|s| row("Hardness", format!("{} Shore A", significant(s.grade, 3)))));
+            rows.push(row("Rubber", kg(sheet.sheared_mass)));
+        }
+        Sheared::Oil => {
+            rows.push(row("Oil", name));
+            rows.extend(sheet.substance.as_ref().map(|s| row("Viscosity at 25 °C", format!("{} mm²/s", significant(s.grade, 7)))));
+            rows.push(row("Volume of oil", format!("{} l ({})", significant(p.sheared_volume * 1e3, 4), kg(sheet.sheared_mass))));
+        }
+    }
+    rows.push(row("All together", kg(sheet.mass)));
+    Block { title: "Parts", rows }
+}
+
+fn stiffness(sheet: &Sheet, sheared: Sheared) -> Block {
+    let mut rows = Vec::new();
+    rows.extend(sheet.static_stiffness.map(|k| row("Static stiffness", format!("{} N m/rad", significant(k, 5)))));
+    rows.extend(sheet.damping.map(|c| row("Damping at low speed", format!("{} N m s/rad", significant(c, 5)))));
+    if let Some(own) = sheet.on_held_hub.filter(|_| sheared == Sheared::Rubber) {
+        rows.push(row("Ring on its held hub, at the reference", format!("{} Hz", significant(own.frequency_hz, 5))));
+        rows.push(row("Loss factor there", significant(own.loss_factor, 3)));
+    }
+    for p in &sheet.at_peak {
+        let name = if p.condition == Condition::Firing { "reference".to_owned() } else { p.condition.name().replace('_', " ") };
+        let k = format!("{} N m/rad, loss factor {}", significant(p.stiffness, 4), significant(p.loss_factor, 3));
+        rows.push(row(&format!("At {} Hz, {name}", significant(p.frequency_hz, 4)), k));
+    }
+    Block { title: "Dynamic stiffness", rows }
+}
+
+fn loads(sheet: &Sheet) -> Block {
+    let p = &sheet.parts;
+    let radius = 0.5 * p.outer_diameter;
+    // both faces and the rim
+    let surface = 2.0 * std::f64::consts::PI * radius * (radius + p.width);
+    let mut rows = vec![
+        row("Largest shear strain", format!("{} %", significant(100.0 * sheet.strain, 3))),
+        row("Largest shear stress at the bond", format!("{} MPa", megapascal(sheet.stress))),
+        row("Largest heat", format!("{} W", significant(sheet.power, 4))),
+        row("Over its own surface", format!("{} W/m²", significant(sheet.power / surface, 4))),
+    ];
+    rows.extend(sheet.celsius.map(|c| {
+        row("Highest temperature in operation", if c.is_finite() { format!("{} °C", significant(c, 4)) } else { "overheats".into() })
+    }));
+    rows.extend(sheet.substance.as_ref().map(|s| row("What the material bears", format!("{} °C", significant(s.limit, 4)))));
+    Block { title: "Strain and heat", rows }
+}
+
+fn acceptance(study: &Study, sheet: &Sheet) -> Block {
+    let Some(band) = &sheet.acceptance else { return Block { title: "Acceptance test", rows: Vec::new() } };
+    let what = match band.of {
+        crate::analysis::sheets::Measured::FrequencyHz => "Own frequency of the ring, hub held, at the reference",
+        crate::analysis::sheets::Measured::DampingNMSPerRad => "Braking torque over slow speed",
+    };
+    let mut rows = vec![row(what, String::new()), row("accepted", accepted(band)), row("as drawn", significant(band.drawn, 5))];
+    rows.extend(sheet.substance.as_ref().map(|s| row("at", format!("{} °C", significant(s.temperature.reference(), 3)))));
+    if study.limits.is_empty() {
+        rows.clear();
+    }
+    Block { title: "Acceptance test", rows }
+}
+
+fn made(study: &Study, sheet: &Sheet) -> Block {
+    let mut rows = Vec::new();
+    if let Some(spec) = &study.robust {
+        rows.extend(crate::text::tolerances(spec).split(", ").map(|t| row("Tolerance", t.to_owned())));
+    }
+    if let Some(h) = &sheet.holding {
+        rows.push(row("Yield: all limits hold", holding(h)));
+        rows.extend(h.broken.map(|l| row("broken most", study.limits[l].words.clone())));
+    }
+    Block { title: "As made", rows }
+}
+
+fn limits(study: &Study, d: &DesignResult) -> Block {
+    let one = |(limit, ratio): (&crate::input::LimitSpec, &f64)| {
+        let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
+        let value = limit.of.unit.shown(ratio * limit.limit);
+        let used = format!("{verdict}: {}{}, {:.1} % of it", significant(value, 4), limit.of.unit.suffix(), 100.0 * ratio);
+        row(&limit.words, used)
+    };
+    Block { title: "Limits, in the conditions of the study", rows: study.limits.iter().zip(&d.limits).map(one).collect() }
+}
+
+fn assumptions(sheet: &Sheet) -> Vec<String> {
+    let mut list = vec!["The inertia of what is sheared is left out; sections are rectangular, without fillets; the hub that carries the ring is another part.".to_owned()];
+    if let Some(s) = &sheet.substance {
+        let assumed: Vec<&str> = s.assumed().collect();
+        if !assumed.is_empty() {
+            list.push(format!("Of {} these numbers are assumptions of its table: {}.", s.name, assumed.join(", ")));
+        }
+        if let Some(kraus) = &s.amplitude {
+            let (storage, loss) = kraus.factors(sheet.strain.max(1e-6));
+            list.push(format!(
+                "The modulus is that at a strain of {} %; at {} % it would be {} times as large, the loss modulus {} times (Payne effect).",
+                significant(100.0 * kraus.reference, 3),
+                significant(100.0 * sheet.strain, 3),
+                significant(storage, 3),
+                significant(loss, 3)
+            ));
+        }
+    }
+    list
+}

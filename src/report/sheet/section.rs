@@ -1,0 +1,89 @@
+//! The section of a damper, to scale, with its dimensions: what lies above its axis.
+
+use super::page::Page;
+use crate::absorber::Sheared;
+use crate::analysis::Sheet;
+use crate::text::order_sheets::mm;
+
+/// A rectangle of the section: from and to along the axis, inner and outer radius, m, and its hatching.
+struct Body {
+    axial: (f64, f64),
+    radial: (f64, f64),
+    fill: &'static str,
+}
+
+const STEEL: &str = "#d5dbe3";
+const RUBBER: &str = "#4a4a4a";
+const OIL: &str = "#f2d9a0";
+const HOUSING: &str = "#b9c4d3";
+
+/// What is drawn of a shape.
+fn bodies(sheet: &Sheet, sheared: Sheared) -> Vec<Body> {
+    let p = &sheet.parts;
+    let [inner, outer] = p.ring;
+    let half = 0.5 * p.width;
+    let ring_half = 0.5 * p.ring_width;
+    let mut list = Vec::new();
+    if sheared == Sheared::Oil {
+        let outside = 0.5 * p.outer_diameter;
+        list.push(Body { axial: (-half, half), radial: (0.5 * p.bore, outside), fill: HOUSING });
+        let wall = outside - outer - p.sheared_length;
+        let chamber = half - wall;
+        list.push(Body { axial: (-chamber, chamber), radial: (inner - p.sheared_length, outer + p.sheared_length), fill: OIL });
+        list.push(Body { axial: (-ring_half, ring_half), radial: (inner, outer), fill: STEEL });
+        return list;
+    }
+    match sheet.kind {
+        "sleeve" => {
+            let length = 0.5 * p.sheared_length;
+            list.push(Body { axial: (-half, half), radial: (inner, outer), fill: STEEL });
+            list.push(Body { axial: (-length, length), radial: (0.5 * p.bore, inner), fill: RUBBER });
+        }
+        _ => {
+            let thickness = (p.width - p.ring_width).max(0.0);
+            let faces = if thickness > 1.5 * p.sheared_length { 2.0 } else { 1.0 };
+            let each = thickness / faces;
+            let left = if faces > 1.5 { -half + each } else { -half };
+            list.push(Body { axial: (left, left + p.ring_width), radial: (inner, outer), fill: STEEL });
+            list.push(Body { axial: (left + p.ring_width, left + p.ring_width + each), radial: (inner, outer), fill: RUBBER });
+            if faces > 1.5 {
+                list.push(Body { axial: (-half, left), radial: (inner, outer), fill: RUBBER });
+            }
+        }
+    }
+    list
+}
+
+/// Draws it into a box of the page: x, y, width, height, units of the page.
+pub(super) fn draw(page: &mut Page, sheet: &Sheet, sheared: Sheared, (x, y, width, height): (f64, f64, f64, f64)) {
+    let p = &sheet.parts;
+    let (outside, clear) = (0.5 * p.outer_diameter, 0.5 * p.bore);
+    // the axis below, room for dimensions round it
+    let margin = 70.0;
+    let scale = ((width - 2.0 * margin) / p.width).min((height - 60.0) / outside);
+    let (centre, axis) = (x + 0.5 * width, y + height - 22.0);
+    let at = |axial: f64, radius: f64| (centre + scale * axial, axis - scale * radius);
+    for body in bodies(sheet, sheared) {
+        let (left, top) = at(body.axial.0, body.radial.1);
+        let (right, bottom) = at(body.axial.1, body.radial.0);
+        page.rectangle((left, top, right - left, bottom - top), body.fill);
+    }
+    let (start, end) = (at(-0.5 * p.width, 0.0), at(0.5 * p.width, 0.0));
+    page.line((start.0 - 40.0, start.1), (end.0 + 40.0, end.1), "6 3 1.5 3");
+    // width above, diameters at the sides
+    let (left, right) = (at(-0.5 * p.width, outside), at(0.5 * p.width, outside));
+    page.dimension((left.0, left.1 - 12.0), (right.0, right.1 - 12.0), &mm(p.width));
+    let of_radius = |page: &mut Page, radius: f64, shift: f64, words: &str| {
+        let top = at(0.5 * p.width, radius);
+        let foot = at(0.5 * p.width, 0.0);
+        page.line((top.0, top.1), (foot.0 + shift, top.1), "");
+        page.dimension((foot.0 + shift, foot.1), (foot.0 + shift, top.1), words);
+    };
+    of_radius(page, clear, 16.0, &format!("⌀ {}", mm(2.0 * clear)));
+    of_radius(page, outside, 44.0, &format!("⌀ {}", mm(p.outer_diameter)));
+    let ring = at(-0.5 * p.width, p.ring[0]);
+    let foot = at(-0.5 * p.width, 0.0);
+    page.line(ring, (foot.0 - 16.0, ring.1), "");
+    page.dimension((foot.0 - 16.0, foot.1), (foot.0 - 16.0, ring.1), &format!("⌀ {}", mm(2.0 * p.ring[0])));
+    page.text((x, y + height), 9.0, &format!("Section above the axis, scale 1 : {:.2}", 96.0 / 0.0254 / scale), false);
+}

@@ -1,0 +1,205 @@
+//! Which compound, which oil, which step of a dimension: each is searched for itself, but those that cannot be best.
+//!
+//! What cannot be best is known from a search without limits, which costs less: no design of it is better than that finds, as far as searches find the best; so what is not below the best that holds all limits is left
+//! out. The lowest of them comes first.
+
+use super::evaluation_plan::EvaluationPlan;
+use super::families::{self, Choice};
+use super::searches::Searches;
+use super::{Progress, RunError};
+use crate::absorber::closed_forms::EngineMode;
+use crate::absorber::{Declaration, Substance};
+use crate::input::{AbsorberSpec, OptimiseSpec, Study};
+use crate::objective::PeakFinder;
+use crate::optimise::starts::NamedPoint;
+use crate::optimise::{LoadCase, Optimum, Problem, Space, search};
+use crate::response::ResponseError;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Starts of each search.
+const MOST_STARTS: usize = 3;
+/// A bound that is above the best by less than this share says nothing.
+const CERTAIN: f64 = 1e-6;
+
+/// One of the compounds, oils and steps that a type may have.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Alternative {
+    substance: Option<Arc<Substance>>,
+    steps: Vec<(&'static str, f64)>,
+}
+
+/// What a search found of a compound or oil, at the steps of dimensions.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct CompoundResult {
+    /// The type.
+    pub kind: &'static str,
+    /// The compound or oil, where the study names some.
+    pub name: Option<String>,
+    /// Steps of dimensions by their keys.
+    pub steps: Vec<(&'static str, f64)>,
+    /// The study's first objective at its best, SI; of what was left out, what it cannot be below.
+    pub value: f64,
+    /// Whether that design holds all limits.
+    pub holds: bool,
+    /// Whether it was left out: `value` is a bound.
+    pub left_out: bool,
+    /// Whether it was taken.
+    pub chosen: bool,
+}
+
+fn alternatives(spec: &AbsorberSpec, kind: &'static Declaration) -> Vec<Alternative> {
+    let choices = spec.materials.iter().find(|m| m.0 == kind).map_or(&[][..], |m| &m.1.choices);
+    let mut list: Vec<Alternative> = if choices.is_empty() {
+        vec![Alternative::default()]
+    } else {
+        choices.iter().map(|s| Alternative { substance: Some(s.clone()), steps: Vec::new() }).collect()
+    };
+    for (key, values) in spec.steps.iter().filter(|s| kind.index(s.0).is_some()) {
+        let with = |a: &Alternative| {
+            let one = |x: &f64| Alternative { steps: a.steps.iter().copied().chain([(*key, *x)]).collect(), ..a.clone() };
+            values.iter().map(one).collect::<Vec<_>>()
+        };
+        list = list.iter().flat_map(with).collect();
+    }
+    list
+}
+
+/// A family of one type with one alternative of it.
+fn narrowed(spec: &AbsorberSpec, kind: &'static Declaration, alternative: &Alternative) -> AbsorberSpec {
+    let mut own = spec.clone();
+    if let (Some(substance), Some(material)) = (&alternative.substance, own.materials.iter_mut().find(|m| m.0 == kind)) {
+        material.1.choices = vec![substance.clone()];
+    }
+    for (key, values) in &mut own.steps {
+        if let Some(step) = alternative.steps.iter().find(|s| s.0 == *key) {
+            *values = vec![step.1];
+        }
+    }
+    own
+}
+
+/// Whether a study names compounds, oils or steps of dimensions.
+#[doc(hidden)]
+pub fn are_named(spec: &OptimiseSpec) -> bool {
+    spec.absorbers.iter().any(|a| !a.steps.is_empty() || a.materials.iter().any(|m| !m.1.choices.is_empty()))
+}
+
+/// How many alternatives a study has to be searched for more than one of a type; none where there is nothing to choose.
+#[doc(hidden)]
+pub fn asked(spec: &OptimiseSpec) -> usize {
+    let [absorber] = spec.absorbers.as_slice() else { return 0 };
+    absorber.types.iter().map(|t| alternatives(absorber, t).len()).filter(|n| *n > 1).sum()
+}
+
+/// Whether what cannot be best is left out.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Leave {
+    /// Yes.
+    Hopeless,
+    /// No: all are searched.
+    Nothing,
+}
+
+/// What the searches of a study share.
+pub(super) struct Of<'a> {
+    pub finders: &'a [PeakFinder<'a>],
+    pub load_cases: &'a [LoadCase<'a>],
+    pub modes: &'a [Vec<EngineMode>],
+    pub wanted: &'a EvaluationPlan<'a>,
+    pub progress: &'a dyn Progress,
+}
+
+/// The study with one compound or oil, and one step of each dimension, of every type, and what was found of the others; `None` where there is nothing to choose.
+///
+/// # Errors
+/// [`RunError`] where none of the starts of one has a finite response.
+pub(super) fn chosen(study: &Study, of: &Of, leave: Leave) -> Result<Option<(OptimiseSpec, Vec<CompoundResult>)>, RunError> {
+    let Some(spec) = study.optimise.as_ref().filter(|s| asked(s) > 0) else { return Ok(None) };
+    of.progress.stage("compounds and oils", asked(spec));
+    let searches = Searches::new(study, (of.finders, of.load_cases), of.modes, of.wanted, of.progress);
+    let (mut absorber, mut rows) = (spec.absorbers[0].clone(), Vec::new());
+    // a type's own steps and compounds are chosen by its main size
+    for kind in &spec.absorbers[0].types {
+        let list = alternatives(&spec.absorbers[0], kind);
+        if list.len() < 2 {
+            continue;
+        }
+        let (best, found) =
+            best_of(&searches, spec, (kind, &list), leave).map_err(|error| RunError { what: format!("optimum_{}", kind.name), error })?;
+        let own = narrowed(&absorber, kind, &list[best]);
+        absorber = AbsorberSpec { types: absorber.types.clone(), ..own };
+        rows.extend(found);
+    }
+    Ok(Some((OptimiseSpec { absorbers: vec![absorber], ..spec.clone() }, rows)))
+}
+
+/// The best of the alternatives of a type, and what was found of each.
+fn best_of(
+    searches: &Searches,
+    spec: &OptimiseSpec,
+    (kind, list): (&'static Declaration, &[Alternative]),
+    leave: Leave,
+) -> Result<(usize, Vec<CompoundResult>), ResponseError> {
+    let absorber = &spec.absorbers[0];
+    let space = |alternative: &Alternative| {
+        let own = OptimiseSpec { absorbers: vec![narrowed(absorber, kind, alternative)], ..spec.clone() };
+        let choice = Choice { types: vec![kind], rings: vec![families::main_ring(absorber)] };
+        let space = families::family(&own, &choice, searches.modes);
+        let mut starts = searches.starts(&own, &space);
+        // the middle, the best of many that tables tell of, and others up to a few: the one that is taken is searched from all
+        let last = starts.pop();
+        starts.truncate(MOST_STARTS - 1);
+        starts.extend(last);
+        (starts, space)
+    };
+    let spaces: Vec<(Vec<NamedPoint>, Space)> = list.par_iter().map(space).collect();
+    let step = || searches.progress.step();
+    let search = |i: usize| {
+        let problem = searches.problem(spaces[i].1.clone(), 0);
+        let silent = || {};
+        let found = search::optimise(&problem, &spaces[i].0, search::Finish::Distinct, &silent);
+        step();
+        found
+    };
+    let mut rows: Vec<CompoundResult> = list
+        .iter()
+        .map(|a| CompoundResult {
+            kind: kind.name,
+            name: a.substance.as_ref().map(|s| s.name.clone()),
+            steps: a.steps.clone(),
+            value: f64::INFINITY,
+            holds: false,
+            left_out: false,
+            chosen: false,
+        })
+        .collect();
+    let put = |row: &mut CompoundResult, found: &Optimum| (row.value, row.holds) = (found.value(), found.outcome.rows.hold());
+    let least = |i: &usize| -> Result<(usize, f64), ResponseError> {
+        let relaxed = Problem { limits: &[], ..searches.problem(spaces[*i].1.clone(), 0) };
+        Ok((*i, search::optimise(&relaxed, &spaces[*i].0, search::Finish::Distinct, &|| {})?.value()))
+    };
+    let all: Vec<usize> = (0..list.len()).collect();
+    let has_limits = !searches.limits.is_empty();
+    let mut bounded: Vec<(usize, f64)> = match leave {
+        Leave::Hopeless if has_limits => all.par_iter().map(least).collect::<Result<_, ResponseError>>()?,
+        _ => all.iter().map(|i| (*i, 0.0)).collect(),
+    };
+    bounded.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut best = bounded[0].0;
+    let is_better = |a: &CompoundResult, b: &CompoundResult| (!a.holds, a.value) < (!b.holds, b.value);
+    for (i, least) in bounded {
+        if rows[best].holds && least > rows[best].value * (1.0 + CERTAIN) {
+            (rows[i].value, rows[i].left_out) = (least, true);
+            step();
+            continue;
+        }
+        put(&mut rows[i], &search(i)?);
+        if i == best || is_better(&rows[i], &rows[best]) {
+            best = i;
+        }
+    }
+    rows[best].chosen = true;
+    Ok((best, rows))
+}

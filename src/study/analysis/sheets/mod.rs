@@ -1,0 +1,198 @@
+//! What a damper is ordered by: dimensions, masses, stiffness at the frequency that counts, strain, heat, and how many of those that are made hold the limits.
+
+mod acceptance;
+mod holding;
+
+pub use acceptance::{Band, Measured};
+pub use holding::Holding;
+
+use super::heat::HeatOfDesign;
+use super::required_material::{OnHeldHub, at_own_frequency};
+use super::{DesignResult, Progress};
+use crate::absorber::substance::Outside;
+use crate::absorber::{Law, Operating, Parts, Sheared, Substance, construction};
+use crate::input::Study;
+use crate::objective::{Condition, PeakFinder, mass};
+use crate::optimise::{LoadCase, Tolerances};
+use crate::response::ResponseError;
+use crate::units::{HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// A damper by its dimensions, as it is ordered, SI.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct Sheet {
+    /// Name of the design.
+    pub design: String,
+    /// Index of the absorber.
+    pub absorber: usize,
+    /// Type.
+    pub kind: &'static str,
+    /// The compound or oil.
+    #[serde(skip)]
+    pub substance: Option<Arc<Substance>>,
+    /// Values of its dimensions by their keys.
+    pub dimensions: Vec<(&'static str, f64)>,
+    /// What they come to.
+    #[serde(skip)]
+    pub parts: Parts<f64>,
+    /// Inertia of the ring, kg m².
+    pub ring_inertia: f64,
+    /// Of all of it, kg.
+    pub mass: f64,
+    /// Of what is sheared, kg.
+    pub sheared_mass: f64,
+    /// Stiffness at no frequency, N m/rad, of rubber.
+    pub static_stiffness: Option<f64>,
+    /// Damping at low frequency, N m s/rad, of oil.
+    pub damping: Option<f64>,
+    /// The ring on its held hub at the reference of its material.
+    #[serde(skip)]
+    pub on_held_hub: Option<OnHeldHub>,
+    /// In each condition of the study: at the frequency of the largest order at the peak of the twist.
+    pub at_peak: Vec<AtPeak>,
+    /// Largest shear strain while all cylinders fire.
+    pub strain: f64,
+    /// Largest amplitude of shear stress in what is sheared, Pa, where it is largest: that of its bond.
+    pub stress: f64,
+    /// Largest mean power, W.
+    pub power: f64,
+    /// Largest temperature that is reached from cold, °C, where it is told what cools it; infinite where it overheats.
+    pub celsius: Option<f64>,
+    /// What is outside of where the numbers of its compound or oil hold.
+    #[serde(skip)]
+    pub outside: Vec<Outside>,
+    /// How many of those that are made hold all limits.
+    pub holding: Option<Holding>,
+    /// The number that a maker measures, and within what every damper holds all limits.
+    pub acceptance: Option<Band>,
+}
+
+/// The dynamic stiffness that counts in a condition.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct AtPeak {
+    /// The condition.
+    pub condition: Condition,
+    /// Frequency of the largest order at the peak, Hz.
+    pub frequency_hz: f64,
+    /// Real part of S, N m/rad.
+    pub stiffness: f64,
+    /// Imaginary over real part.
+    pub loss_factor: f64,
+}
+
+/// Every design that is shown with a damper by its dimensions.
+///
+/// # Errors
+/// [`ResponseError::Unbounded`] where nothing damps a resonance, with the design.
+pub(super) fn sheets<'d>(
+    study: &Study,
+    (finder, cases): (&PeakFinder, &[LoadCase]),
+    (shown, heat): (&[&'d DesignResult], &[HeatOfDesign]),
+    progress: &dyn Progress,
+) -> Result<Vec<Sheet>, (&'d DesignResult, ResponseError)> {
+    let with: Vec<(&&DesignResult, usize)> = shown.iter().filter_map(|d| Some((d, first(d)?))).collect();
+    if with.is_empty() {
+        return Ok(Vec::new());
+    }
+    progress.stage("order sheets", with.len());
+    let one = |(d, absorber): &(&&'d DesignResult, usize)| {
+        let found = sheet(study, (finder, cases), (d, *absorber), heat).map_err(|error| (**d, error));
+        progress.step();
+        found
+    };
+    with.par_iter().map(one).collect()
+}
+
+/// The first damper by its dimensions of a design.
+fn first(d: &DesignResult) -> Option<usize> {
+    d.absorbers.iter().position(|m| m.absorber.law().is_some_and(|law| law.parts().is_some()))
+}
+
+fn sheet(
+    study: &Study,
+    (finder, cases): (&PeakFinder, &[LoadCase]),
+    (d, absorber): (&DesignResult, usize),
+    heat: &[HeatOfDesign],
+) -> Result<Sheet, ResponseError> {
+    let mounted = &d.absorbers[absorber];
+    let law = mounted.absorber.law().expect("a damper by its dimensions has a law");
+    let parts = *law.parts().expect("a damper by its dimensions has parts");
+    let shape = construction::shape(law.declaration()).expect("a damper by its dimensions has a shape");
+    let substance = law.material().and_then(|m| m.substance.clone());
+    let values = law.values();
+    let dimensions: Vec<(&'static str, f64)> =
+        shape.declaration.parameters.iter().map(|p| p.key).zip(values.iter().copied()).take(shape.material().start).collect();
+    let at_peak = at_peaks(study, finder, (d, absorber));
+    let load = d.loads[absorber];
+    let strain = parts.strain_per_twist * load.ring_twist;
+    let dynamic = at_peak.iter().find(|p| p.condition == Condition::Firing);
+    // stress is the modulus times the strain
+    let modulus = dynamic.map_or(0.0, |p| p.stiffness * (1.0 + p.loss_factor * p.loss_factor).sqrt() / parts.factor);
+    let mass = mass(law.as_ref(), &parts);
+    let celsius = heat.iter().find(|h| h.design == d.name && h.absorber == absorber).map(|h| {
+        let reached = |p: &super::HeatAt| p.cold_start().map_or(f64::INFINITY, |b| b.celsius);
+        h.points.iter().map(reached).fold(f64::NEG_INFINITY, f64::max)
+    });
+    let temperatures = [study.temperatures.cold, study.temperatures.hot, celsius.filter(|c| c.is_finite())];
+    let temperatures: Vec<f64> = temperatures.into_iter().flatten().collect();
+    let outside = substance
+        .as_ref()
+        .map_or_else(Vec::new, |s| s.valid.outside(dynamic.map_or(s.valid.frequency_hz.0, |p| p.frequency_hz), &temperatures, strain));
+    let scatter = study.robust.as_ref().map_or_else(Vec::new, |r| r.scatter());
+    let tolerances = Tolerances::scattered_of(&d.absorbers, &scatter);
+    let is_made = tolerances.edges() > 0 && !study.limits.is_empty();
+    let seed = study.optimise.as_ref().map_or(1, |o| o.seed);
+    let sampling = study.robust.as_ref().and_then(|r| r.sampling).filter(|_| is_made);
+    let holding = sampling.map(|s| holding::holding(study, cases, &d.absorbers, (&tolerances, s, seed)));
+    let acceptance = if is_made { acceptance::acceptance(study, cases, (&d.absorbers, absorber), (&scatter, seed)) } else { None };
+    Ok(Sheet {
+        design: d.name.clone(),
+        absorber,
+        kind: shape.declaration.name,
+        dimensions,
+        ring_inertia: law.ring_inertia(),
+        sheared_mass: mass - parts.ring_mass - parts.hub_mass,
+        mass,
+        static_stiffness: (shape.sheared == Sheared::Rubber).then(|| stiffness_at(law.as_ref(), 0.0).0),
+        damping: (shape.sheared == Sheared::Oil).then(|| damping(law.as_ref())),
+        on_held_hub: at_own_frequency(&mounted.absorber),
+        at_peak,
+        strain,
+        stress: modulus * strain,
+        power: load.power,
+        celsius,
+        outside,
+        holding,
+        acceptance,
+        parts,
+        substance,
+    })
+}
+
+/// Real part and loss factor of a law at a frequency, rad/s.
+fn stiffness_at(law: &dyn Law, omega: f64) -> (f64, f64) {
+    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
+    (s.re, if s.re == 0.0 { 0.0 } else { s.im / s.re })
+}
+
+/// Damping at low frequency, N m s/rad: Im S/omega where omega is small.
+fn damping(law: &dyn Law) -> f64 {
+    const LOW: f64 = 1e-6;
+    law.dynamic_stiffness(Operating { omega: LOW, shaft_speed: LOW }).im / LOW
+}
+
+/// The dynamic stiffness at the peak of the reported twist, while all cylinders fire and in each state of the material.
+fn at_peaks(study: &Study, finder: &PeakFinder, (d, absorber): (&DesignResult, usize)) -> Vec<AtPeak> {
+    let of = |condition: Condition, peak: &crate::objective::Peak| -> Option<AtPeak> {
+        let design = condition.absorbers(&d.absorbers);
+        let law = design[absorber].absorber.law()?;
+        let omega = finder.system.excitation.orders[peak.order].omega(peak.speed_rpm);
+        let s = law.dynamic_stiffness(Operating { omega, shaft_speed: peak.speed_rpm * RAD_PER_S_PER_RPM });
+        let loss_factor = if s.re == 0.0 { f64::INFINITY } else { s.im / s.re };
+        Some(AtPeak { condition, frequency_hz: omega * HZ_PER_RAD_PER_S, stiffness: s.re, loss_factor })
+    };
+    let states = study.conditions.iter().filter(|c| c.material().is_some());
+    let in_state = states.filter_map(|c| of(*c, d.conditions.iter().find(|r| r.condition == *c)?.twist.as_ref()?));
+    d.twist.as_ref().and_then(|p| of(Condition::Firing, p)).into_iter().chain(in_state).collect()
+}

@@ -1,0 +1,95 @@
+//! Measures of absorbers by their dimensions.
+
+use super::context::Context;
+use super::names::{Bound, Names, Resolved, spec};
+use crate::absorber::construction::shape;
+use crate::input::error::{At, Check};
+use crate::input::measure::UnitOf;
+use crate::input::schema::measure::{RawCost, RawEnvelope, RawMass, RawOwnStrain, RawVolume};
+use crate::objective::{Over, Price, Property, Within};
+use crate::response::Quantity;
+use crate::units::M_PER_MM;
+
+/// Rings of absorbers by their dimensions; a mistake where a type or design has none.
+fn rings(check: &mut Check, named: Option<&At<i64>>, (word, at): (&str, &At<impl Sized>), of: Context) -> Option<Vec<Quantity>> {
+    let rings = of.rings(check, named)?;
+    let has = |q: &Quantity| matches!(q, Quantity::RingTwist(i) if of.dimensioned.get(*i).is_some_and(|d| *d));
+    if !rings.iter().any(has) {
+        let known: Vec<&str> = crate::absorber::SHAPES.iter().map(|s| s.declaration.name).collect();
+        check.wrong(
+            at,
+            format!("found the {word} of absorbers without dimensions, expected that of a type by its dimensions: {}", known.join(", ")),
+        );
+        return None;
+    }
+    Some(rings)
+}
+
+pub(super) fn strain<'r>(check: &mut Check, s: &'r RawOwnStrain, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(Some(&s.absorber)));
+    let names = Names { key: "strain", column: "own_strain_percent", word: "own_strain", what: "shear strain", place };
+    let rings = rings(check, Some(&s.absorber), ("shear strain", &s.absorber), of)?;
+    let parts = (rings, Over::Strain, of.within(check, s.within()));
+    Some(Resolved { spec: spec(names, parts, UnitOf::Percent), bound: Bound::Most(s.max_percent.as_ref()) })
+}
+
+pub(super) fn mass<'r>(check: &mut Check, m: &'r RawMass, at: &At<impl Sized>, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(m.absorber.as_ref()));
+    let names = Names { key: "mass", column: "mass_kg", word: "mass", what: "mass", place };
+    let parts = (rings(check, m.absorber.as_ref(), ("mass", at), of)?, Over::Property(Property::Mass), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Mass), bound: Bound::Most(m.max_kg.as_ref()) })
+}
+
+pub(super) fn volume<'r>(check: &mut Check, v: &'r RawVolume, at: &At<impl Sized>, of: Context) -> Option<Resolved<'r>> {
+    let place = format!("of {}", Context::ring_words(v.absorber.as_ref()));
+    let names = Names { key: "volume", column: "volume_l", word: "volume", what: "volume", place };
+    let parts = (rings(check, v.absorber.as_ref(), ("volume", at), of)?, Over::Property(Property::Volume), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Volume), bound: Bound::Most(v.max_l.as_ref()) })
+}
+
+pub(super) fn cost<'r>(check: &mut Check, c: &'r RawCost, at: &At<impl Sized>, of: Context) -> Option<Resolved<'r>> {
+    let mut number = |x: Option<&At<f64>>| x.map_or(0.0, |x| check.not_negative(x));
+    let price = Price {
+        fixed: number(c.fixed.as_ref()),
+        ring: number(Some(&c.ring_per_kg)),
+        housing: number(c.housing_per_kg.as_ref()),
+        diameter: number(c.per_mm_of_diameter.as_ref()) / M_PER_MM,
+    };
+    let place = format!("of {}", Context::ring_words(c.absorber.as_ref()));
+    let names = Names { key: "cost", column: "cost", word: "cost", what: "cost", place };
+    let parts = (rings(check, c.absorber.as_ref(), ("cost", at), of)?, Over::Property(Property::Cost(price)), Within::default());
+    Some(Resolved { spec: spec(names, parts, UnitOf::Currency), bound: Bound::Most(c.max.as_ref()) })
+}
+
+/// A limit for each size that is given.
+pub(super) fn envelope<'r>(check: &mut Check, e: &'r RawEnvelope, of: Context) -> Vec<Resolved<'r>> {
+    let Some(rings) = rings(check, Some(&e.absorber), ("envelope", &e.absorber), of) else { return Vec::new() };
+    let place = format!("of {}", Context::ring_words(Some(&e.absorber)));
+    let one = |(what, column, word): (&'static str, &'static str, &'static str), property, unit, bound| {
+        let names = Names { key: word, column, word, what, place: place.clone() };
+        Resolved { spec: spec(names, (rings.clone(), Over::Property(property), Within::default()), unit), bound }
+    };
+    let mut list = Vec::new();
+    if let Some(most) = &e.outer_diameter_mm {
+        let of = ("outer diameter", "outer_diameter_mm", "outer_diameter");
+        list.push(one(of, Property::OuterDiameter, UnitOf::Length, Bound::Most(Some(most))));
+    }
+    if let Some(most) = &e.width_mm {
+        list.push(one(("width", "width_mm", "width"), Property::Width, UnitOf::Length, Bound::Most(Some(most))));
+    }
+    if let Some(least) = &e.bore_mm {
+        list.push(one(("bore", "bore_mm", "bore"), Property::Bore, UnitOf::Bore, Bound::Least(Some(least))));
+    }
+    if list.is_empty() {
+        check.wrong(&e.absorber, "found an envelope without a size, expected `outer_diameter_mm`, `width_mm` or `bore_mm`");
+    }
+    list
+}
+
+/// Of each absorber whether all that is optimised there, or a design that has it, is given by its dimensions.
+pub(super) fn dimensioned(designs: &[&super::super::DesignSpec], optimise: Option<&super::super::OptimiseSpec>, count: usize) -> Vec<bool> {
+    let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).is_some_and(|a| a.types.iter().any(|t| shape(t).is_some()));
+    let given =
+        |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).any(|m| m.absorber.law().is_some_and(|l| l.parts().is_some()));
+    (0..count).map(|i| searched(i) || given(i)).collect()
+}

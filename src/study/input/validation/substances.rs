@@ -1,0 +1,228 @@
+//! Compounds and oils by their names: those that hartog carries, and those of a study's own files.
+
+use super::material_states::{kraus, law, strain_life};
+use super::named::file;
+use crate::absorber::{Sheared, Substance, Valid};
+use crate::input::error::{At, Check, InputError, Source};
+use crate::input::schema::material_states::RawAmplitude;
+use crate::input::schema::substance::{RawOil, RawRubber, RawSubstances, RawValid};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+/// The tables that hartog carries, by their files.
+const CARRIED: [(&str, &str); 2] = [
+    ("studies/materials/rubber.toml", include_str!("../../../../studies/materials/rubber.toml")),
+    ("studies/materials/silicone_oils.toml", include_str!("../../../../studies/materials/silicone_oils.toml")),
+];
+
+/// m²/s per mm²/s.
+const M2_PER_MM2: f64 = 1e-6;
+
+/// Compounds and oils that a study can name.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Substances(Vec<Arc<Substance>>);
+
+impl Substances {
+    /// One by its name; a mistake with what exists of its kind where there is none.
+    pub(super) fn find(&self, check: &mut Check, name: &At<String>, sheared: Sheared) -> Option<Arc<Substance>> {
+        let found = self.0.iter().find(|s| s.name == *name.get_ref());
+        if let Some(found) = found.filter(|s| s.sheared == sheared) {
+            return Some(found.clone());
+        }
+        let (kind, other) = match sheared {
+            Sheared::Rubber => ("a compound of rubber", "an oil"),
+            Sheared::Oil => ("an oil", "a compound of rubber"),
+        };
+        let names: Vec<&str> = self.0.iter().filter(|s| s.sheared == sheared).map(|s| s.name.as_str()).collect();
+        let is = if found.is_some() { format!(", {other}") } else { String::new() };
+        check.wrong_with_help(name, format!("found `{}`{is}, expected {kind}", name.get_ref()), format!("there are {}", names.join(", ")));
+        None
+    }
+}
+
+/// Those that hartog carries.
+fn carried() -> &'static Vec<Arc<Substance>> {
+    static LIST: OnceLock<Vec<Arc<Substance>>> = OnceLock::new();
+    LIST.get_or_init(|| {
+        let read =
+            |(path, text): (&str, &str)| of_file(&Source::new(Path::new(path), text)).expect("the tables that hartog carries are right");
+        CARRIED.into_iter().flat_map(read).collect()
+    })
+}
+
+/// Those that hartog carries, and those of a study's own files.
+pub(super) fn substances(check: &mut Check, files: &[At<String>], folder: &Path) -> Substances {
+    let mut all = carried().clone();
+    for name in files {
+        let Some(path) = file(check, name, folder, "a table of compounds and oils") else { continue };
+        match Source::read(&path).and_then(|source| of_file(&source)) {
+            Ok(own) => {
+                for substance in own {
+                    if all.iter().any(|s| s.name == substance.name) {
+                        check.wrong(
+                            name,
+                            format!("found `{}` in it, which another table has, too, expected different names", substance.name),
+                        );
+                    }
+                    all.push(substance);
+                }
+            }
+            Err(mut error) => check.mistakes.append(&mut error.mistakes),
+        }
+    }
+    Substances(all)
+}
+
+/// Checks a file of compounds and oils.
+fn of_file(source: &Source) -> Result<Vec<Arc<Substance>>, InputError> {
+    let raw: RawSubstances = source.parse()?;
+    let mut check = Check::new(source);
+    let mut list: Vec<(Substance, &At<String>)> = Vec::new();
+    raw.rubber.values().for_each(|family| list.extend(of_rubber(&mut check, family)));
+    raw.oil.values().for_each(|family| list.extend(of_oil(&mut check, family)));
+    for (i, (substance, name)) in list.iter().enumerate() {
+        if list[..i].iter().any(|other| other.0.name == substance.name) {
+            check.wrong(*name, format!("found `{}` a second time, expected different names", substance.name));
+        }
+    }
+    if check.mistakes.is_empty() {
+        Ok(list.into_iter().map(|(substance, _)| Arc::new(substance)).collect())
+    } else {
+        Err(InputError::sorted(check.mistakes))
+    }
+}
+
+fn of_rubber<'r>(check: &mut Check, raw: &'r RawRubber) -> Vec<(Substance, &'r At<String>)> {
+    let glass_ratio = check.within(&raw.glass_ratio, 1.01.., "more than 1");
+    let exponent = check.within(&raw.fractional_exponent, 0.05..=1.0, "a value from 0.05 to 1");
+    let relaxation_time = check.positive(&raw.relaxation_time_s);
+    let temperature = law(check, raw.temperature.get_ref());
+    let limit = check.within(&raw.limit_c, -100.0..=400.0, "a temperature from -100 to 400 °C");
+    let life = raw.life.as_ref().map(|l| strain_life(check, l.get_ref()));
+    let price = check.not_negative(&raw.price_per_kg);
+    let valid = valid(check, raw.valid.get_ref());
+    let keys = [
+        "relaxed_modulus_mpa",
+        "glass_ratio",
+        "fractional_exponent",
+        "relaxation_time_s",
+        "temperature",
+        "density_kg_m3",
+        "limit_c",
+        "valid",
+    ];
+    let sources = sources(check, &raw.sources, &keys, &raw.about);
+    let mut one = |grade: &'r crate::input::schema::substance::RawCompound| {
+        let modulus = check.positive(&grade.relaxed_modulus_mpa);
+        let substance = Substance {
+            name: grade.name.get_ref().clone(),
+            about: raw.about.get_ref().clone(),
+            sheared: Sheared::Rubber,
+            grade: check.within(&grade.hardness_shore_a, 20.0..=95.0, "a hardness from 20 to 95 Shore A"),
+            values: vec![
+                ("relaxed_modulus_mpa", modulus),
+                ("glass_ratio", glass_ratio),
+                ("relaxation_time_s", relaxation_time),
+                ("fractional_exponent", exponent),
+            ],
+            temperature,
+            amplitude: grade.strain.as_ref().map(|s| {
+                let RawAmplitude::Kraus(raw) = s.get_ref();
+                kraus(check, raw)
+            }),
+            life,
+            density: check.within(&grade.density_kg_m3, 500.0..=3000.0, "a density from 500 to 3000 kg/m³"),
+            conductivity: check.positive(&grade.conductivity_w_per_m_k),
+            limit,
+            price,
+            valid,
+            sources: sources.clone(),
+        };
+        (substance, &grade.name)
+    };
+    raw.grade.get_ref().iter().map(&mut one).collect()
+}
+
+fn of_oil<'r>(check: &mut Check, raw: &'r RawOil) -> Vec<(Substance, &'r At<String>)> {
+    let transition = check.within(&raw.transition_exponent, 0.05..=1.0, "a value from 0.05 to 1");
+    let flow_index = check.within(&raw.flow_index, 0.0..=0.95, "a value from 0 to 0.95");
+    let temperature = law(check, raw.temperature.get_ref());
+    let density = check.within(&raw.density_kg_m3, 500.0..=3000.0, "a density from 500 to 3000 kg/m³");
+    let conductivity = check.positive(&raw.conductivity_w_per_m_k);
+    let limit = check.within(&raw.limit_c, -100.0..=400.0, "a temperature from -100 to 400 °C");
+    let keys = [
+        "viscosity_mm2_per_s",
+        "relaxation_time_s",
+        "transition_exponent",
+        "flow_index",
+        "temperature",
+        "density_kg_m3",
+        "limit_c",
+        "valid",
+    ];
+    let sources = sources(check, &raw.sources, &keys, &raw.about);
+    let mut one = |grade: &'r crate::input::schema::substance::RawGrade| {
+        let viscosity = check.positive(&grade.viscosity_mm2_per_s);
+        let substance = Substance {
+            name: grade.name.get_ref().clone(),
+            about: raw.about.get_ref().clone(),
+            sheared: Sheared::Oil,
+            grade: viscosity,
+            values: vec![
+                ("viscosity_pa_s", viscosity * M2_PER_MM2 * density),
+                ("relaxation_time_s", check.positive(&grade.relaxation_time_s)),
+                ("transition_exponent", transition),
+                ("flow_index", flow_index),
+            ],
+            temperature,
+            amplitude: None,
+            life: None,
+            density,
+            conductivity,
+            limit,
+            price: check.not_negative(&grade.price_per_kg),
+            valid: valid(check, grade.valid.get_ref()),
+            sources: sources.clone(),
+        };
+        (substance, &grade.name)
+    };
+    raw.grade.get_ref().iter().map(&mut one).collect()
+}
+
+/// Where numbers hold.
+fn valid(check: &mut Check, raw: &RawValid) -> Valid {
+    let mut pair = |list: &At<Vec<At<f64>>>, least: f64| {
+        let numbers: Vec<f64> = list.get_ref().iter().map(|x| check.within(x, least.., &format!("a number from {least}"))).collect();
+        match numbers[..] {
+            [low, high] if low < high => (low, high),
+            _ => {
+                check.wrong(list, "expected the least and the most, the least first");
+                (0.0, 1.0)
+            }
+        }
+    };
+    Valid { frequency_hz: pair(&raw.frequency_hz, 0.0), celsius: pair(&raw.temperature_c, -100.0), strain: pair(&raw.strain, 0.0) }
+}
+
+/// Roles that a number may have.
+const ROLES: [&str; 3] = ["published: ", "fitted: ", "assumed: "];
+
+/// Sources of numbers, one for each that decides a result.
+fn sources(check: &mut Check, raw: &BTreeMap<String, At<String>>, keys: &[&str], at: &At<String>) -> Vec<(String, String)> {
+    for words in raw.values() {
+        if ROLES.iter().all(|role| !words.get_ref().starts_with(role)) {
+            check.wrong(
+                words,
+                format!(
+                    "found a source without its role, expected it after one of {}",
+                    ROLES.map(|r| format!("`{}`", r.trim_end())).join(", ")
+                ),
+            );
+        }
+    }
+    if let Some(key) = keys.iter().find(|k| !raw.contains_key(**k)) {
+        check.wrong(at, format!("found no source of `{key}`, expected its role and source under `sources`"));
+    }
+    raw.iter().map(|(key, words)| (key.clone(), words.get_ref().clone())).collect()
+}

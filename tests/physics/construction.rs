@@ -20,7 +20,15 @@ fn values(kind: &Declaration) -> Vec<f64> {
 fn integral(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let n = 2000;
     let x = |i: usize| low + (high - low) * i as f64 / n as f64;
-    let weight = |i: usize| if i == 0 || i == n { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+    let weight = |i: usize| {
+        if i == 0 || i == n {
+            1.0
+        } else if i % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
     (0..=n).map(|i| weight(i) * f(x(i))).sum::<f64>() * (high - low) / (3.0 * n as f64)
 }
 
@@ -118,16 +126,19 @@ fn gradients_by_dimensions() {
     let finder = PeakFinder::new(&system, &grid, &method, true);
     let price = Price { fixed: 10.0, ring: 3.0, housing: 5.0, diameter: 50.0 };
     let ring = || vec![Quantity::RingTwist(0)];
-    let mut measures: Vec<Measure> = [Property::Mass, Property::Volume, Property::Cost(price), Property::OuterDiameter, Property::Width, Property::Bore]
-        .map(|p| Measure::new(ring(), Over::Property(p)))
-        .to_vec();
+    let mut measures: Vec<Measure> =
+        [Property::Mass, Property::Volume, Property::Cost(price), Property::OuterDiameter, Property::Width, Property::Bore]
+            .map(|p| Measure::new(ring(), Over::Property(p)))
+            .to_vec();
     measures.extend([Over::Synthesis, Over::Orders].map(|over| Measure::new(vec![s.twist], over)));
     measures.push(Measure::new(vec![Quantity::ShaftTorque(2)], Over::Synthesis));
     measures.extend([Over::Strain, Over::Power, Over::Synthesis].map(|over| Measure::new(ring(), over)));
     let pulley = s.chain.find("pulley").expect("a pulley");
     for shape in SHAPES {
         let (kind, values) = (shape.declaration, values(shape.declaration));
-        let design = |values: &[f64]| vec![Mounted { on: Host::Station(pulley), hub_inertia: 0.001, absorber: Absorber::Ring((kind.build)(values)) }];
+        let design = |values: &[f64]| {
+            vec![Mounted { on: Host::Station(pulley), hub_inertia: 0.001, absorber: Absorber::Ring((kind.build)(values)) }]
+        };
         for measure in &measures {
             let peak = |v: &[f64]| finder.peak(&design(v), measure, &mut Work::default()).expect("damped");
             // oil has no strain that counts
@@ -145,7 +156,13 @@ fn gradients_by_dimensions() {
                 let step = 1e-4;
                 let difference = (moved(step) - moved(-step)) / (2.0 * step);
                 let found = gradient.get(p).copied().unwrap_or(0.0) * x;
-                assert_close(found, difference, 2e-4, 4e-6 * own.value, &format!("{}, {:?}, {}", kind.name, measure.over, kind.parameters[p].key));
+                assert_close(
+                    found,
+                    difference,
+                    2e-4,
+                    4e-6 * own.value,
+                    &format!("{}, {:?}, {}", kind.name, measure.over, kind.parameters[p].key),
+                );
             }
         }
     }

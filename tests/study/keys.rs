@@ -103,6 +103,7 @@ fn shipped_files_are_accepted() {
         }
     };
     [files("studies"), files("studies/engines")].concat().iter().for_each(|path| accept(kind(path), path));
+    files("studies/materials").iter().for_each(|path| accept(FileKind::Compounds, path));
     let bad = |name: &str| root().join("tests/bad_input").join(name);
     for (kind, name) in [(FileKind::Material, "material.toml"), (FileKind::Sizing, "sizing.toml"), (FileKind::Study, "study.toml")] {
         accept(kind, &bad(name));

@@ -8,6 +8,7 @@ mod certificates;
 mod choice;
 mod comparison;
 mod conditions;
+mod construction;
 mod crank_by_matrices;
 mod crank_models;
 mod crank_sizing;

@@ -1,9 +1,9 @@
 //! A law at an amplitude of strain.
 
-use super::construction::{Number, Parts};
 use super::dynamic_stiffness::Operating;
 use super::law::{Declaration, Law};
 use super::material::Material;
+use super::parts::{Number, Parts};
 use crate::numerics::C64;
 use std::sync::Arc;
 

@@ -2,12 +2,12 @@
 //! of optimisers come from the declaration; the response methods ask for S and its derivatives, and know no types.
 
 use super::closed_forms::EngineMode;
-use super::construction::{Number, Parts};
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::material::Material;
 use super::material_state::State;
 use super::parameter::{Follows, Parameter, STIFFNESS};
+use super::parts::{Number, Parts};
 use crate::numerics::C64;
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -1,9 +1,8 @@
 //! A compound or an oil by its name: the numbers of its law, where they hold, and what else an order needs.
 
-use super::construction::Sheared;
 use super::kraus::Kraus;
-use super::law::Declaration;
 use super::life::StrainLife;
+use super::parts::Sheared;
 use super::temperature::TemperatureLaw;
 
 /// A compound of rubber, or a grade of silicone oil.
@@ -63,11 +62,6 @@ pub enum Outside {
 }
 
 impl Substance {
-    /// Whether a type has its law.
-    pub fn is_of(&self, declaration: &Declaration) -> bool {
-        self.values.iter().all(|(key, _)| declaration.index(key).is_some())
-    }
-
     /// Its value of a parameter.
     pub fn value(&self, key: &str) -> Option<f64> {
         self.values.iter().find(|v| v.0 == key).map(|v| v.1)

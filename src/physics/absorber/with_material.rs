@@ -1,12 +1,12 @@
 //! A law with its material: in each state of that, the parameters are those of the reference state times a factor.
 
-use super::construction::{Number, Parts};
 use super::cooling::{Cooling, ToAir};
 use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::law::{ByFactor, Declaration, Law};
 use super::material::{Material, Thermal};
 use super::material_state::State;
+use super::parts::{Number, Parts};
 use crate::numerics::C64;
 use std::sync::Arc;
 

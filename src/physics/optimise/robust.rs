@@ -44,8 +44,7 @@ pub enum Scatter {
 }
 
 /// Young's modulus of rubber by its hardness but for a factor \[Gent 1958\]: (56 + 7.62336 S)/(254 - 2.54 S).
-#[doc(hidden)]
-pub fn modulus_of_hardness(shore_a: f64) -> f64 {
+fn modulus_of_hardness(shore_a: f64) -> f64 {
     (56.0 + 7.623_36 * shore_a) / (254.0 - 2.54 * shore_a)
 }
 

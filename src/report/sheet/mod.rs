@@ -1,5 +1,6 @@
 //! `order_<design>.html`, `.pdf` and `.json`: a damper on one page of A4, as it is ordered.
 
+mod canvas;
 mod page;
 mod section;
 
@@ -7,7 +8,6 @@ use super::files::{Folder, WriteError};
 use super::plot::canvas::written_page;
 use crate::analysis::{Results, Sheet};
 use crate::input::Study;
-use page::Page;
 use serde_json::json;
 
 /// Writes them all; none without a damper by its dimensions.
@@ -20,7 +20,7 @@ pub(super) fn write(study: &Study, results: &Results, folder: &Folder) -> Result
 
 fn one(study: &Study, results: &Results, sheet: &Sheet, folder: &Folder) -> Result<(), WriteError> {
     let name = format!("order_{}", sheet.design);
-    let svg = Page::of(study, results, sheet).svg();
+    let svg = page::of(study, results, sheet);
     let html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{name}</title>\n<style>@page {{ size: A4; margin: 0 }} body {{ margin: 0; background: #fff }} svg {{ display: block; width: 210mm; height: 297mm; margin: 0 auto }}</style></head>\n<body>\n{svg}\n</body></html>\n"
     );

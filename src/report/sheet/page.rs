@@ -1,5 +1,6 @@
 //! The page: what stands on it, and where.
 
+use super::canvas::Canvas;
 use super::section;
 use crate::absorber::{Sheared, TYPES, construction};
 use crate::analysis::{DesignResult, Results, Sheet};
@@ -7,7 +8,6 @@ use crate::input::Study;
 use crate::objective::{Condition, holds};
 use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
 use crate::text::table::significant;
-use std::fmt::Write;
 
 /// Units of the page: those of CSS.
 pub(super) const UNITS_PER_INCH: f32 = 96.0;
@@ -20,15 +20,6 @@ const EDGE: f64 = 45.0;
 const LINE: f64 = 14.0;
 /// Letters of a sentence in a line of the whole width.
 const LETTERS: usize = 118;
-
-/// What is drawn so far.
-pub(super) struct Page {
-    svg: String,
-}
-
-fn escaped(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
 
 /// A sentence in lines of at most so many letters.
 fn wrapped(words: &str, letters: usize) -> Vec<String> {
@@ -53,145 +44,79 @@ struct Block {
     rows: Vec<(String, String)>,
 }
 
-impl Page {
-    /// Of a damper.
-    pub fn of(study: &Study, results: &Results, sheet: &Sheet) -> Self {
-        let mut page = Self { svg: String::new() };
-        let design = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == sheet.design);
-        let declared = TYPES.into_iter().find(|t| t.name == sheet.kind);
-        let sheared = declared.and_then(construction::shape).map_or(Sheared::Rubber, |s| s.sheared);
-        let mut y = EDGE + 14.0;
-        page.text((EDGE, y), 18.0, &format!("Torsional vibration damper for {}", study.engine.name), true);
-        y += 18.0;
-        page.text(
-            (EDGE, y),
-            10.0,
-            &format!("Design {} of study {}; hartog {}", sheet.design, study.name, env!("CARGO_PKG_VERSION")),
-            false,
-        );
-        y += 20.0;
-        for line in wrapped(&sentence(study, results, sheet), LETTERS) {
-            page.text((EDGE, y), 11.0, &line, true);
-            y += 15.0;
-        }
-        for line in outside(sheet) {
-            page.text((EDGE, y), 10.0, &format!("OUTSIDE: {line}"), true);
-            y += LINE;
-        }
-        y += 6.0;
-        let half = 0.5 * (WIDTH - 2.0 * EDGE);
-        section::draw(&mut page, sheet, sheared, (EDGE, y, half - 10.0, 330.0));
-        let mut right = y + 6.0;
-        for block in [dimensions(sheet), parts(sheet, sheared)] {
-            right = page.block((EDGE + half + 10.0, right), half - 10.0, &block);
-        }
-        y = right.max(y + 345.0) + 4.0;
-        let mut columns = [y, y];
-        let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet)];
-        for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
-            let column = i % 2;
-            let x = EDGE + column as f64 * (half + 10.0);
-            columns[column] = page.block((x, columns[column]), half - 10.0, block);
-        }
-        y = columns[0].max(columns[1]);
-        if let Some(d) = design {
-            y = page.block((EDGE, y), WIDTH - 2.0 * EDGE, &limits(study, d));
-        }
-        page.text((EDGE, y + 10.0), 11.0, "Assumptions", true);
-        y += 24.0;
-        for line in assumptions(sheet).iter().flat_map(|a| wrapped(a, 135)) {
-            if y < HEIGHT - EDGE - 70.0 {
-                page.text((EDGE, y), 9.0, &line, false);
-                y += 12.0;
-            }
-        }
-        page.title_block();
-        page
+/// The page of a damper.
+pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
+    let mut page = Canvas::default();
+    let design = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == sheet.design);
+    let declared = TYPES.into_iter().find(|t| t.name == sheet.kind);
+    let sheared = declared.and_then(construction::shape).map_or(Sheared::Rubber, |s| s.sheared);
+    let mut y = EDGE + 14.0;
+    page.text((EDGE, y), 18.0, &format!("Torsional vibration damper for {}", study.engine.name), true);
+    y += 18.0;
+    page.text((EDGE, y), 10.0, &format!("Design {} of study {}; hartog {}", sheet.design, study.name, env!("CARGO_PKG_VERSION")), false);
+    y += 20.0;
+    for line in wrapped(&sentence(study, results, sheet), LETTERS) {
+        page.text((EDGE, y), 11.0, &line, true);
+        y += 15.0;
     }
-
-    /// The whole picture.
-    pub fn svg(self) -> String {
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"DejaVu Sans\">\n<rect x=\"0\" y=\"0\" width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#ffffff\"/>\n{}</svg>",
-            self.svg
-        )
+    for line in outside(sheet) {
+        page.text((EDGE, y), 10.0, &format!("OUTSIDE: {line}"), true);
+        y += LINE;
     }
-
-    pub fn text(&mut self, (x, y): (f64, f64), size: f64, words: &str, strong: bool) {
-        self.anchored((x, y), size, words, (strong, "start"));
+    y += 6.0;
+    let half = 0.5 * (WIDTH - 2.0 * EDGE);
+    section::draw(&mut page, sheet, sheared, (EDGE, y, half - 10.0, 330.0));
+    let mut right = y + 6.0;
+    for block in [dimensions(sheet), parts(sheet, sheared)] {
+        right = put_block(&mut page, (EDGE + half + 10.0, right), half - 10.0, &block);
     }
-
-    fn anchored(&mut self, (x, y): (f64, f64), size: f64, words: &str, (strong, anchor): (bool, &str)) {
-        // the built-in font has one weight: what is strong has a colour
-        let fill = if strong { "#0b3d75" } else { "#1a1a1a" };
-        let _ = writeln!(
-            self.svg,
-            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{fill}\">{}</text>",
-            escaped(words)
-        );
+    y = right.max(y + 345.0) + 4.0;
+    let mut columns = [y, y];
+    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet)];
+    for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
+        let column = i % 2;
+        let x = EDGE + column as f64 * (half + 10.0);
+        columns[column] = put_block(&mut page, (x, columns[column]), half - 10.0, block);
     }
-
-    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), dashes: &str) {
-        let dashed = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
-        let _ = writeln!(
-            self.svg,
-            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\" stroke=\"#000000\" stroke-width=\"0.6\"{dashed}/>",
-            from.0, from.1, to.0, to.1
-        );
+    y = columns[0].max(columns[1]);
+    if let Some(d) = design {
+        y = put_block(&mut page, (EDGE, y), WIDTH - 2.0 * EDGE, &limits(study, d));
     }
-
-    pub fn rectangle(&mut self, (x, y, width, height): (f64, f64, f64, f64), fill: &str) {
-        let _ = writeln!(
-            self.svg,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{fill}\" stroke=\"#000000\" stroke-width=\"0.8\"/>"
-        );
-    }
-
-    /// A dimension between two points, level or upright, with its number beside it.
-    pub fn dimension(&mut self, from: (f64, f64), to: (f64, f64), words: &str) {
-        self.line(from, to, "");
-        let level = (from.1 - to.1).abs() < 0.5;
-        for (x, y) in [from, to] {
-            let (dx, dy) = if level { (0.0, 4.0) } else { (4.0, 0.0) };
-            self.line((x - dx, y - dy), (x + dx, y + dy), "");
-        }
-        let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
-        if level {
-            self.anchored((middle.0, middle.1 - 4.0), 9.0, words, (false, "middle"));
-        } else {
-            let (x, y) = (middle.0 - 3.0, middle.1);
-            let _ = writeln!(
-                self.svg,
-                "<text transform=\"translate({x:.1} {y:.1}) rotate(-90)\" font-size=\"9\" text-anchor=\"middle\" fill=\"#000000\">{}</text>",
-                escaped(words)
-            );
+    page.text((EDGE, y + 10.0), 11.0, "Assumptions", true);
+    y += 24.0;
+    for line in assumptions(sheet).iter().flat_map(|a| wrapped(a, 135)) {
+        if y < HEIGHT - EDGE - 70.0 {
+            page.text((EDGE, y), 9.0, &line, false);
+            y += 12.0;
         }
     }
+    title_block(&mut page);
+    page.svg((WIDTH, HEIGHT))
+}
 
-    /// A table; returns where it ends.
-    fn block(&mut self, (x, mut y): (f64, f64), width: f64, block: &Block) -> f64 {
-        y += 10.0;
-        self.text((x, y), 11.0, block.title, true);
-        y += 4.0;
-        self.line((x, y), (x + width, y), "");
-        y += 12.0;
-        for (name, value) in &block.rows {
-            self.text((x, y), 9.5, name, false);
-            self.anchored((x + width, y), 9.5, value, (false, "end"));
-            y += LINE - 1.0;
-        }
-        y + 4.0
+/// A table; returns where it ends.
+fn put_block(page: &mut Canvas, (x, mut y): (f64, f64), width: f64, block: &Block) -> f64 {
+    y += 10.0;
+    page.text((x, y), 11.0, block.title, true);
+    y += 4.0;
+    page.line((x, y), (x + width, y), "");
+    y += 12.0;
+    for (name, value) in &block.rows {
+        page.text((x, y), 9.5, name, false);
+        page.anchored((x + width, y), 9.5, value, (false, "end"));
+        y += LINE - 1.0;
     }
+    y + 4.0
+}
 
-    /// Boxes that the maker fills in.
-    fn title_block(&mut self) {
-        let names = ["Drawn", "Checked", "Date", "Drawing number", "Revision", "Maker"];
-        let (top, each) = (HEIGHT - EDGE - 40.0, (WIDTH - 2.0 * EDGE) / names.len() as f64);
-        for (i, name) in names.iter().enumerate() {
-            let x = EDGE + i as f64 * each;
-            self.rectangle((x, top, each, 40.0), "#ffffff");
-            self.text((x + 4.0, top + 11.0), 8.0, name, false);
-        }
+/// Boxes that the maker fills in.
+fn title_block(page: &mut Canvas) {
+    let names = ["Drawn", "Checked", "Date", "Drawing number", "Revision", "Maker"];
+    let (top, each) = (HEIGHT - EDGE - 40.0, (WIDTH - 2.0 * EDGE) / names.len() as f64);
+    for (i, name) in names.iter().enumerate() {
+        let x = EDGE + i as f64 * each;
+        page.rectangle((x, top, each, 40.0), "#ffffff");
+        page.text((x + 4.0, top + 11.0), 8.0, name, false);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The section of a damper, to scale, with its dimensions: what lies above its axis.
 
-use super::page::Page;
+use super::canvas::Canvas;
 use crate::absorber::Sheared;
 use crate::analysis::Sheet;
 use crate::text::order_sheets::mm;
@@ -55,7 +55,7 @@ fn bodies(sheet: &Sheet, sheared: Sheared) -> Vec<Body> {
 }
 
 /// Draws it into a box of the page: x, y, width, height, units of the page.
-pub(super) fn draw(page: &mut Page, sheet: &Sheet, sheared: Sheared, (x, y, width, height): (f64, f64, f64, f64)) {
+pub(super) fn draw(page: &mut Canvas, sheet: &Sheet, sheared: Sheared, (x, y, width, height): (f64, f64, f64, f64)) {
     let p = &sheet.parts;
     let (outside, clear) = (0.5 * p.outer_diameter, 0.5 * p.bore);
     // the axis below, room for dimensions round it
@@ -73,7 +73,7 @@ pub(super) fn draw(page: &mut Page, sheet: &Sheet, sheared: Sheared, (x, y, widt
     // width above, diameters at the sides
     let (left, right) = (at(-0.5 * p.width, outside), at(0.5 * p.width, outside));
     page.dimension((left.0, left.1 - 12.0), (right.0, right.1 - 12.0), &mm(p.width));
-    let of_radius = |page: &mut Page, radius: f64, shift: f64, words: &str| {
+    let of_radius = |page: &mut Canvas, radius: f64, shift: f64, words: &str| {
         let top = at(0.5 * p.width, radius);
         let foot = at(0.5 * p.width, 0.0);
         page.line((top.0, top.1), (foot.0 + shift, top.1), "");

@@ -5,7 +5,9 @@
 
 use super::evaluation_plan::EvaluationPlan;
 use super::families::{self, Choice};
+use super::results::CompoundResult;
 use super::searches::Searches;
+use super::timing::Clock;
 use super::{Progress, RunError};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Substance};
@@ -13,7 +15,7 @@ use crate::input::{AbsorberSpec, OptimiseSpec, Study};
 use crate::objective::PeakFinder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{LoadCase, Optimum, Problem, Space, search};
-use crate::response::ResponseError;
+use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -27,25 +29,6 @@ const CERTAIN: f64 = 1e-6;
 struct Alternative {
     substance: Option<Arc<Substance>>,
     steps: Vec<(&'static str, f64)>,
-}
-
-/// What a search found of a compound or oil, at the steps of dimensions.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-pub struct CompoundResult {
-    /// The type.
-    pub kind: &'static str,
-    /// The compound or oil, where the study names some.
-    pub name: Option<String>,
-    /// Steps of dimensions by their keys.
-    pub steps: Vec<(&'static str, f64)>,
-    /// The study's first objective at its best, SI; of what was left out, what it cannot be below.
-    pub value: f64,
-    /// Whether that design holds all limits.
-    pub holds: bool,
-    /// Whether it was left out: `value` is a bound.
-    pub left_out: bool,
-    /// Whether it was taken.
-    pub chosen: bool,
 }
 
 fn alternatives(spec: &AbsorberSpec, kind: &'static Declaration) -> Vec<Alternative> {
@@ -66,7 +49,7 @@ fn alternatives(spec: &AbsorberSpec, kind: &'static Declaration) -> Vec<Alternat
 }
 
 /// A family of one type with one alternative of it.
-fn narrowed(spec: &AbsorberSpec, kind: &'static Declaration, alternative: &Alternative) -> AbsorberSpec {
+fn with(spec: &AbsorberSpec, kind: &'static Declaration, alternative: &Alternative) -> AbsorberSpec {
     let mut own = spec.clone();
     if let (Some(substance), Some(material)) = (&alternative.substance, own.materials.iter_mut().find(|m| m.0 == kind)) {
         material.1.choices = vec![substance.clone()];
@@ -92,30 +75,23 @@ pub fn asked(spec: &OptimiseSpec) -> usize {
     absorber.types.iter().map(|t| alternatives(absorber, t).len()).filter(|n| *n > 1).sum()
 }
 
-/// Whether what cannot be best is left out.
-#[doc(hidden)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Leave {
-    /// Yes.
-    Hopeless,
-    /// No: all are searched.
-    Nothing,
-}
+/// Finders, load cases, modes and what is wanted of a study.
+type Engine<'a> = (&'a [PeakFinder<'a>], &'a [LoadCase<'a>], &'a [Vec<EngineMode>], &'a EvaluationPlan<'a>);
 
 /// What the searches of a study share.
-pub(super) struct Of<'a> {
-    pub finders: &'a [PeakFinder<'a>],
-    pub load_cases: &'a [LoadCase<'a>],
-    pub modes: &'a [Vec<EngineMode>],
-    pub wanted: &'a EvaluationPlan<'a>,
-    pub progress: &'a dyn Progress,
+struct Of<'a> {
+    finders: &'a [PeakFinder<'a>],
+    load_cases: &'a [LoadCase<'a>],
+    modes: &'a [Vec<EngineMode>],
+    wanted: &'a EvaluationPlan<'a>,
+    progress: &'a dyn Progress,
 }
 
 /// The study with one compound or oil, and one step of each dimension, of every type, and what was found of the others; `None` where there is nothing to choose.
 ///
 /// # Errors
 /// [`RunError`] where none of the starts of one has a finite response.
-pub(super) fn chosen(study: &Study, of: &Of, leave: Leave) -> Result<Option<(OptimiseSpec, Vec<CompoundResult>)>, RunError> {
+fn chosen(study: &Study, of: &Of) -> Result<Option<(OptimiseSpec, Vec<CompoundResult>)>, RunError> {
     let Some(spec) = study.optimise.as_ref().filter(|s| asked(s) > 0) else { return Ok(None) };
     of.progress.stage("compounds and oils", asked(spec));
     let searches = Searches::new(study, (of.finders, of.load_cases), of.modes, of.wanted, of.progress);
@@ -127,8 +103,8 @@ pub(super) fn chosen(study: &Study, of: &Of, leave: Leave) -> Result<Option<(Opt
             continue;
         }
         let (best, found) =
-            best_of(&searches, spec, (kind, &list), leave).map_err(|error| RunError { what: format!("optimum_{}", kind.name), error })?;
-        let own = narrowed(&absorber, kind, &list[best]);
+            best_of(&searches, spec, (kind, &list)).map_err(|error| RunError { what: format!("optimum_{}", kind.name), error })?;
+        let own = with(&absorber, kind, &list[best]);
         absorber = AbsorberSpec { types: absorber.types.clone(), ..own };
         rows.extend(found);
     }
@@ -140,11 +116,10 @@ fn best_of(
     searches: &Searches,
     spec: &OptimiseSpec,
     (kind, list): (&'static Declaration, &[Alternative]),
-    leave: Leave,
 ) -> Result<(usize, Vec<CompoundResult>), ResponseError> {
     let absorber = &spec.absorbers[0];
     let space = |alternative: &Alternative| {
-        let own = OptimiseSpec { absorbers: vec![narrowed(absorber, kind, alternative)], ..spec.clone() };
+        let own = OptimiseSpec { absorbers: vec![with(absorber, kind, alternative)], ..spec.clone() };
         let choice = Choice { types: vec![kind], rings: vec![families::main_ring(absorber)] };
         let space = families::family(&own, &choice, searches.modes);
         let mut starts = searches.starts(&own, &space);
@@ -182,9 +157,10 @@ fn best_of(
     };
     let all: Vec<usize> = (0..list.len()).collect();
     let has_limits = !searches.limits.is_empty();
-    let mut bounded: Vec<(usize, f64)> = match leave {
-        Leave::Hopeless if has_limits => all.par_iter().map(least).collect::<Result<_, ResponseError>>()?,
-        _ => all.iter().map(|i| (*i, 0.0)).collect(),
+    let mut bounded: Vec<(usize, f64)> = if has_limits && !spec.search_all {
+        all.par_iter().map(least).collect::<Result<_, ResponseError>>()?
+    } else {
+        all.iter().map(|i| (*i, 0.0)).collect()
     };
     bounded.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut best = bounded[0].0;
@@ -202,4 +178,17 @@ fn best_of(
     }
     rows[best].chosen = true;
     Ok((best, rows))
+}
+
+/// The study with one of the compounds, oils and steps that it chooses from, and what was found of each; itself where it chooses from nothing.
+pub(super) fn narrowed<'a>(
+    study: &Study,
+    (finders, load_cases, modes, wanted): Engine<'a>,
+    progress: &dyn Progress,
+    clock: &mut Clock,
+) -> Result<(Option<Study>, Vec<CompoundResult>), RunError> {
+    let of = Of { finders, load_cases, modes, wanted, progress };
+    let Some((spec, rows)) = chosen(study, &of)? else { return Ok((None, Vec::new())) };
+    clock.lap("compounds", Work::default());
+    Ok((Some(Study { optimise: Some(spec), ..study.clone() }), rows))
 }

@@ -2,7 +2,6 @@
 
 use super::calibrate::Calibration;
 use super::catalogue::Ranked;
-use super::compounds::CompoundResult;
 use super::crank_diagram::Diagram;
 use super::crank_models::ByModel;
 use super::duty::DutyOfDesign;
@@ -110,6 +109,25 @@ pub struct FrontResult {
     pub front: Front,
     /// Values of the study's other objectives at each point.
     pub others: Vec<Vec<f64>>,
+}
+
+/// What a search found of a compound or oil, at the steps of dimensions.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct CompoundResult {
+    /// The type.
+    pub kind: &'static str,
+    /// The compound or oil, where the study names some.
+    pub name: Option<String>,
+    /// Steps of dimensions by their keys.
+    pub steps: Vec<(&'static str, f64)>,
+    /// The study's first objective at its best, SI; of what was left out, what it cannot be below.
+    pub value: f64,
+    /// Whether that design holds all limits.
+    pub holds: bool,
+    /// Whether it was left out: `value` is a bound.
+    pub left_out: bool,
+    /// Whether it was taken.
+    pub chosen: bool,
 }
 
 /// A design beside a front.

@@ -2,7 +2,7 @@
 
 use super::catalogue;
 use super::catalogue_retuning::with_retuned;
-use super::compounds::{self, CompoundResult, Leave, Of};
+use super::compounds;
 use super::crank_diagram::{self, Diagram};
 use super::crank_models;
 use super::duty::{self, DutyOfDesign};
@@ -12,7 +12,6 @@ use super::evaluation_plan::EvaluationPlan;
 use super::heat::{self, HeatOfDesign};
 use super::large_twist::{self, LargeTwistOfDesign};
 use super::margins::{self, MarginSweep};
-use super::method_selection::{self, Choice, Strategy};
 use super::model_check::highest_frequency_hz;
 use super::on_joints;
 use super::results::{OptimumResult, Results};
@@ -22,6 +21,7 @@ use super::sheets::{self, Sheet};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
 use super::systems::{appearing, engines_in, systems};
+use super::tables_for_searches::with_tables;
 use super::timing::{Clock, Timing};
 use super::torsion_case::{self, CaseOfDesign};
 use super::web_stress::{WebsOfDesign, web_stress};
@@ -31,8 +31,7 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
-use crate::input::{DesignSpec, MeasureSpec, ResponseMethod, Study};
-use crate::objective::surrogate::Surrogate;
+use crate::input::{DesignSpec, ResponseMethod, Study};
 use crate::objective::{Condition, Measure, Over, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
@@ -113,16 +112,11 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     };
     let finders: Vec<PeakFinder> = systems.iter().zip(&methods).enumerate().map(finder).collect();
     let modes = modes(study, &systems[0]);
-    let choices = choices(study, &modes, &finders[0], progress);
-    let finders: Vec<PeakFinder> = finders.into_iter().map(|finder| surrogates(study, &choices, finder)).collect();
-    if !choices.is_empty() {
-        clock.lap("choice", Work::default());
-    }
+    let (choices, finders) = with_tables(study, &modes, finders, progress, &mut clock);
     let measures = margins::measures(study);
     let wanted = EvaluationPlan::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
-    let of = Of { finders: &finders, load_cases: &load_cases, modes: &modes, wanted: &wanted, progress };
-    let (narrowed, compounds) = chosen(study, &of, &mut clock)?;
+    let (narrowed, compounds) = compounds::narrowed(study, (&finders, &load_cases, &modes, &wanted), progress, &mut clock)?;
     let study = narrowed.as_ref().unwrap_or(study);
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
     let best = with_retuned(study, best, (&finders, &load_cases), progress)?;
@@ -181,13 +175,6 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         timing: clock.timing,
         system: systems.swap_remove(0),
     })
-}
-
-/// The study with one of the compounds, oils and steps that it chooses from, and what was found of each; itself where it chooses from nothing.
-fn chosen(study: &Study, of: &Of, clock: &mut Clock) -> Result<(Option<Study>, Vec<CompoundResult>), RunError> {
-    let Some((spec, rows)) = compounds::chosen(study, of, Leave::Hopeless)? else { return Ok((None, Vec::new())) };
-    clock.lap("compounds", Work::default());
-    Ok((Some(Study { optimise: Some(spec), ..study.clone() }), rows))
 }
 
 /// What only a flexible crank has.
@@ -380,29 +367,4 @@ fn method<'a>(study: &Study, system: &'a System, grid: &'a Grid) -> Method<'a> {
         }
         _ => Method::Receptance(Receptance::new(system, grid, study.hub, &unique)),
     }
-}
-
-/// What searches by each objective of the study are to evaluate designs by; nothing where that is not `auto`, or where there is nothing to search or to choose.
-fn choices(study: &Study, modes: &[Vec<EngineMode>], finder: &PeakFinder, progress: &dyn Progress) -> Vec<Choice> {
-    match finder.method {
-        Method::Receptance(r) if study.method == ResponseMethod::Auto && study.refine_peaks && study.optimise.is_some() => {
-            let objectives: Vec<_> = study.objectives().collect();
-            progress.stage("choice of the method", objectives.len());
-            let choose = |o: &&MeasureSpec| method_selection::choose(study, &o.measure, modes, finder, r);
-            objectives.par_iter().map(choose).inspect(|_| progress.step()).collect()
-        }
-        _ => Vec::new(),
-    }
-}
-
-/// A finder that searches may ask for surrogate peaks, as chosen.
-fn surrogates<'a>(study: &Study, choices: &[Choice], finder: PeakFinder<'a>) -> PeakFinder<'a> {
-    let Method::Receptance(r) = finder.method else { return finder };
-    choices.iter().zip(study.objectives()).fold(finder, |finder, (choice, objective)| match choice.chosen.strategy {
-        Strategy::Tables(stride) => {
-            let surrogate = Surrogate::of(r, &objective.measure, finder.margin, stride);
-            finder.with_surrogate(surrogate, study.tolerance)
-        }
-        Strategy::Exact => finder,
-    })
 }

@@ -1,11 +1,12 @@
 //! A ring bonded to the hub by flat discs of rubber on one of its faces or on both.
 
 use super::law::build;
-use super::{FACES, M_PER_MM, MODULUS, Number, OUTER_DIAMETER, Parts, RING_DENSITY, RING_WALL, Shape, Sheared, annulus, dimension, polar};
+use super::shape::{FACES, M_PER_MM, MODULUS, OUTER_DIAMETER, RING_DENSITY, RING_WALL, Shape, annulus, dimension, polar};
 use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
+use crate::absorber::parts::{MOST, Number, Parts, Sheared};
 use crate::numerics::dual::Dual;
 
 /// A ring bonded by flat discs of rubber.
@@ -31,7 +32,7 @@ pub static DISC: Declaration = Declaration {
 pub(super) static SHAPE: Shape = Shape { declaration: &DISC, sheared: Sheared::Rubber, dimensions: 6, parts };
 
 /// The discs are as wide as the ring; the flanges of the hub are not part of the width.
-fn parts(d: &[Number; super::MOST]) -> Parts<Number> {
+fn parts(d: &[Number; MOST]) -> Parts<Number> {
     let [inertia, diameter, wall, thickness, faces, density, ..] = *d;
     let outer = diameter * (0.5 * M_PER_MM);
     let inner = outer - wall * M_PER_MM;

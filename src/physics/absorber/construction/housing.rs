@@ -1,11 +1,12 @@
 //! A ring in silicone oil in its housing, which is bolted to the crank: oil at both faces, at the rim and at the bore of the ring.
 
 use super::law::build;
-use super::{M_PER_MM, Number, OUTER_DIAMETER, Parts, RING_DENSITY, RING_WALL, Shape, Sheared, annulus, dimension, polar, sleeve_factor};
+use super::shape::{M_PER_MM, OUTER_DIAMETER, RING_DENSITY, RING_WALL, Shape, annulus, dimension, polar, sleeve_factor};
 use crate::absorber::carreau::{FLOW_INDEX, TRANSITION};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Follows, Parameter, RING_INERTIA, Range, of_material};
+use crate::absorber::parts::{MOST, Number, Parts, Sheared};
 
 /// A ring in silicone oil in its housing.
 pub static HOUSING: Declaration = Declaration {
@@ -42,7 +43,7 @@ pub static HOUSING: Declaration = Declaration {
 
 pub(super) static SHAPE: Shape = Shape { declaration: &HOUSING, sheared: Sheared::Oil, dimensions: 8, parts };
 
-fn parts(d: &[Number; super::MOST]) -> Parts<Number> {
+fn parts(d: &[Number; MOST]) -> Parts<Number> {
     let [inertia, diameter, wall, ring_wall, radial, axial, density, housing_density] = *d;
     let outside = diameter * (0.5 * M_PER_MM);
     let (wall, radial, axial) = (wall * M_PER_MM, radial * M_PER_MM, axial * M_PER_MM);

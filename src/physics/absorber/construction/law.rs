@@ -1,8 +1,9 @@
 //! The law of a damper by its dimensions: that of its compound or oil, as stiff or as viscous as the drawing makes it.
 
-use super::{Number, Parts, Shape, Sheared};
+use super::shape::Shape;
 use crate::absorber::dynamic_stiffness::Operating;
 use crate::absorber::law::{ByFactor, Declaration, Law};
+use crate::absorber::parts::{Number, Parts, Sheared};
 use crate::absorber::{Carreau, FractionalZener};
 use crate::numerics::{C64, ImaginaryPower};
 use crate::units::PA_PER_MPA;

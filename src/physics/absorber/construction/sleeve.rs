@@ -1,13 +1,12 @@
 //! A ring on a sleeve of rubber: pressed or bonded between hub and ring.
 
 use super::law::build;
-use super::{
-    M_PER_MM, MODULUS, Number, OUTER_DIAMETER, Parts, RING_DENSITY, RING_WALL, Shape, Sheared, annulus, dimension, polar, sleeve_factor,
-};
+use super::shape::{M_PER_MM, MODULUS, OUTER_DIAMETER, RING_DENSITY, RING_WALL, Shape, annulus, dimension, polar, sleeve_factor};
 use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
+use crate::absorber::parts::{MOST, Number, Parts, Sheared};
 use crate::numerics::dual::Dual;
 
 /// A ring on a sleeve of rubber.
@@ -32,7 +31,7 @@ pub static SLEEVE: Declaration = Declaration {
 
 pub(super) static SHAPE: Shape = Shape { declaration: &SLEEVE, sheared: Sheared::Rubber, dimensions: 6, parts };
 
-fn parts(d: &[Number; super::MOST]) -> Parts<Number> {
+fn parts(d: &[Number; MOST]) -> Parts<Number> {
     let [inertia, diameter, wall, thickness, share, density, ..] = *d;
     let outer = diameter * (0.5 * M_PER_MM);
     let inner = outer - wall * M_PER_MM;

@@ -1,11 +1,12 @@
 //! A ring bonded to the hub by discs of rubber whose thickness grows with the radius: the strain is the same everywhere.
 
 use super::law::build;
-use super::{FACES, M_PER_MM, MODULUS, Number, OUTER_DIAMETER, Parts, RING_DENSITY, RING_WALL, Shape, Sheared, annulus, dimension, polar};
+use super::shape::{FACES, M_PER_MM, MODULUS, OUTER_DIAMETER, RING_DENSITY, RING_WALL, Shape, annulus, dimension, polar};
 use crate::absorber::fractional_zener::{EXPONENT, GLASS_RATIO};
 use crate::absorber::law::Declaration;
 use crate::absorber::maxwell::RELAXATION_TIME;
 use crate::absorber::parameter::{Parameter, RING_INERTIA, Range};
+use crate::absorber::parts::{MOST, Number, Parts, Sheared};
 use crate::numerics::dual::Dual;
 use std::f64::consts::TAU;
 
@@ -32,7 +33,7 @@ pub static WEDGE: Declaration = Declaration {
 pub(super) static SHAPE: Shape = Shape { declaration: &WEDGE, sheared: Sheared::Rubber, dimensions: 6, parts };
 
 /// The ring is taken as flat: its width is that of its inertia over a rectangular section; the flanges of the hub are not part of the width.
-fn parts(d: &[Number; super::MOST]) -> Parts<Number> {
+fn parts(d: &[Number; MOST]) -> Parts<Number> {
     let [inertia, diameter, wall, slope, faces, density, ..] = *d;
     let outer = diameter * (0.5 * M_PER_MM);
     let inner = outer - wall * M_PER_MM;

@@ -1,10 +1,9 @@
 //! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound, or the damping of an oil at low speed. Within the band
 //! every damper holds all limits, however the rest of it scatters.
 
-use super::damping;
 use super::holding::worst;
 use crate::absorber::mounted::with_law;
-use crate::absorber::{Law, Mounted, Sheared, construction};
+use crate::absorber::{Deviation, Law, Mounted, Operating, Sheared, construction};
 use crate::drivetrain::natural;
 use crate::input::Study;
 use crate::objective::holds;
@@ -75,9 +74,8 @@ pub(super) fn acceptance(
     let holds_at = |measured: f64, points: &[Vec<f64>]| {
         points.par_iter().all(|p| {
             let made = tolerances.at(p);
-            let deviated = made.of(design);
-            let Some(own) = with_number((&deviated, index), of, measured) else { return false };
-            holds(worst(study, cases, &own).0)
+            let Some(own) = with_number((design, index), &made, of, measured) else { return false };
+            holds(worst(study, cases, &own, &made).0)
         })
     };
     let some = points(RANDOM, seed);
@@ -120,19 +118,21 @@ fn number(of: Measured, law: &dyn Law) -> Option<f64> {
     }
 }
 
-/// A design whose damper has this number: its modulus or its viscosity, with the relaxation time that is tied to it, is another one.
-fn with_number((design, index): (&[Mounted], usize), of: Measured, measured: f64) -> Option<Vec<Mounted>> {
-    let law = design[index].absorber.law()?;
+/// A design whose damper has this number where it is made so: its modulus or its viscosity, with the relaxation time that is tied to it, is another one.
+fn with_number((design, index): (&[Mounted], usize), made: &Deviation, of: Measured, measured: f64) -> Option<Vec<Mounted>> {
+    let deviated = made.of(design);
+    let law = deviated[index].absorber.law()?;
     let factor = match of {
         // S is proportional to the modulus: at the frequency asked for it has to carry the ring
         Measured::FrequencyHz => {
             let omega = measured / HZ_PER_RAD_PER_S;
-            let s = law.dynamic_stiffness(crate::absorber::Operating { omega, shaft_speed: omega });
+            let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
             law.ring_inertia() * omega * omega / s.re
         }
         Measured::DampingNMSPerRad => measured / damping(law.as_ref()),
     };
     let shape = construction::shape(law.declaration())?;
+    // its values are those that are drawn
     let mut values = law.values();
     let strength = shape.material().start;
     values[strength] *= factor;
@@ -141,4 +141,10 @@ fn with_number((design, index): (&[Mounted], usize), of: Measured, measured: f64
     }
     let changed = |law: &Arc<dyn Law>| law.rebuilt(&values);
     (factor.is_finite() && factor > 0.0).then(|| with_law(design, index, changed))
+}
+
+/// Damping at low frequency, N m s/rad: Im S/omega where omega is small.
+pub(super) fn damping(law: &dyn Law) -> f64 {
+    const LOW: f64 = 1e-6;
+    law.dynamic_stiffness(Operating { omega: LOW, shaft_speed: LOW }).im / LOW
 }

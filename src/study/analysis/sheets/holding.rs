@@ -3,12 +3,11 @@
 //! Random dampers, distributed as the study says. Where next to none of a normal distribution fails, as many are drawn evenly over the whole box beside them, each counted by the density of the normal one: what fails
 //! lies near its corners, which the normal distribution rarely reaches (importance sampling).
 
-use crate::absorber::Mounted;
+use crate::absorber::{Deviation, Mounted};
 use crate::input::{LimitSpec, Sampling, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::holds;
-use crate::optimise::{LoadCase, Tolerances, largest};
-use crate::response::Work;
+use crate::optimise::{LoadCase, Tolerances, robust};
 use rand::SeedableRng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
@@ -35,9 +34,9 @@ const FEW: f64 = 0.02;
 /// Standard deviations of a normal distribution to each side within a tolerance.
 const WITHIN: f64 = 3.0;
 
-/// Largest ratio of a limited measure to its limit over some load cases, and the limit it is of; infinite where nothing damps a resonance.
-pub(super) fn worst(study: &Study, cases: &[LoadCase], design: &[Mounted]) -> (f64, usize) {
-    let ratio = |l: &LimitSpec| largest(cases.iter(), design, &l.of.measure, &mut Work::default()).map_or(f64::INFINITY, |v| v / l.limit);
+/// Largest ratio of a limited measure to its limit over some load cases with a deviation, and the limit it is of; infinite where nothing damps a resonance.
+pub(super) fn worst(study: &Study, cases: &[LoadCase], design: &[Mounted], deviation: &Deviation) -> (f64, usize) {
+    let ratio = |l: &LimitSpec| robust::deviated(cases, design, deviation, &l.of.measure) / l.limit;
     study.limits.iter().map(ratio).enumerate().fold((0.0, 0), |m, (i, r)| if r > m.0 { (r, i) } else { m })
 }
 
@@ -51,7 +50,7 @@ pub(super) fn holding(
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
         let points: Vec<Vec<f64>> = (0..sampling.samples).map(|_| tolerances.sample(normal, &mut generator)).collect();
         let judged = |p: Vec<f64>| {
-            let (ratio, limit) = worst(study, cases, &tolerances.at(&p).of(design));
+            let (ratio, limit) = worst(study, cases, design, &tolerances.at(&p));
             (p, (!holds(ratio)).then_some(limit))
         };
         points.into_par_iter().map(judged).collect()
@@ -101,5 +100,8 @@ fn wilson(successes: f64, n: f64) -> (f64, f64) {
     let (p, z2) = (successes / n, TWO_SIDED_95 * TWO_SIDED_95);
     let (centre, half) = (p + z2 / (2.0 * n), TWO_SIDED_95 * (p * (1.0 - p) / n + z2 / (4.0 * n * n)).sqrt());
     let below = 1.0 + z2 / n;
-    (((centre - half) / below).max(0.0), ((centre + half) / below).min(1.0))
+    // at an end rounding is no share
+    let low = if successes == 0.0 { 0.0 } else { (centre - half) / below };
+    let high = if successes == n { 1.0 } else { (centre + half) / below };
+    (low, high)
 }

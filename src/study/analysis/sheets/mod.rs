@@ -3,6 +3,7 @@
 mod acceptance;
 mod holding;
 
+use acceptance::damping;
 pub use acceptance::{Band, Measured};
 pub use holding::Holding;
 
@@ -174,12 +175,6 @@ fn sheet(
 fn stiffness_at(law: &dyn Law, omega: f64) -> (f64, f64) {
     let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
     (s.re, if s.re == 0.0 { 0.0 } else { s.im / s.re })
-}
-
-/// Damping at low frequency, N m s/rad: Im S/omega where omega is small.
-fn damping(law: &dyn Law) -> f64 {
-    const LOW: f64 = 1e-6;
-    law.dynamic_stiffness(Operating { omega: LOW, shaft_speed: LOW }).im / LOW
 }
 
 /// The dynamic stiffness at the peak of the reported twist, while all cylinders fire and in each state of the material.

@@ -8,7 +8,7 @@ use super::sizing::RawSizing;
 use super::study::RawStudy;
 use super::substance::RawSubstances;
 use crate::absorber::closed_forms::EngineMode;
-use crate::absorber::construction::shape;
+use crate::absorber::construction::{SHAPES, shape};
 use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Parameter, Range, Surroundings, TYPES};
 use schemars::generate::SchemaSettings;
@@ -169,8 +169,14 @@ fn bounds(p: &Parameter) -> Value {
     }
     let one = |key: &str, inner: Value| json!({ "type": "object", "properties": { key: inner }, "required": [key], "additionalProperties": false });
     let pair = json!({ "type": "array", "description": "Two bounds.", "items": item, "minItems": 2, "maxItems": 2 });
-    let choices = [one("fixed", item), one("between", pair)];
-    json!({ "description": about("Value or bounds"), "oneOf": choices, "examples": [{ "fixed": typical(p) }] })
+    // of dimensions the best of some steps may be taken
+    let is_dimension = SHAPES.iter().any(|s| s.declaration.parameters[..s.material().start].iter().any(|d| d.key == p.key));
+    let steps =
+        json!({ "type": "array", "description": "Steps, of which the best is taken.", "items": item, "minItems": 1, "uniqueItems": true });
+    let steps = is_dimension.then(|| one("each", steps));
+    let what = if is_dimension { "Value, bounds or steps" } else { "Value or bounds" };
+    let choices: Vec<Value> = [one("fixed", item), one("between", pair)].into_iter().chain(steps).collect();
+    json!({ "description": about(what), "oneOf": choices, "examples": [{ "fixed": typical(p) }] })
 }
 
 impl JsonSchema for RawType {

@@ -11,6 +11,7 @@ mod keyword;
 pub mod material;
 pub mod material_states;
 pub mod measure;
+pub mod measure_of_construction;
 pub mod published;
 pub mod range;
 pub mod robust;

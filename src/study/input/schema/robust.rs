@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("anyOf" = [{ "required": ["tolerance"] }, { "required": ["process"] }]))]
 pub(crate) struct RawRobust {
     /// By the key of a parameter its tolerance as a share, from 1e-6 to 0.9: 0.1 is 10 % more or less.
     #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": parameter_keys() },

@@ -47,7 +47,8 @@ pub(crate) struct RawRubber {
     /// Where its numbers hold.
     pub valid: At<RawValid>,
     /// By the key of each number its role (published, fitted, assumed) and source.
-    #[schemars(extend("examples" = [{"limit_c": "assumed: engineering estimate"}]))]
+    #[schemars(extend("additionalProperties" = { "type": "string", "description": "Role and source of the number of this key.", "examples": ["assumed: engineering estimate"] },
+        "examples" = [{"limit_c": "assumed: engineering estimate"}]))]
     pub sources: BTreeMap<String, At<String>>,
     /// Its compounds.
     #[schemars(extend("minItems" = 1))]
@@ -103,7 +104,8 @@ pub(crate) struct RawOil {
     #[schemars(extend("minimum" = -100, "maximum" = 400, "examples" = [150]))]
     pub limit_c: At<f64>,
     /// By the key of each number its role (published, fitted, assumed) and source.
-    #[schemars(extend("examples" = [{"limit_c": "assumed: engineering estimate"}]))]
+    #[schemars(extend("additionalProperties" = { "type": "string", "description": "Role and source of the number of this key.", "examples": ["assumed: engineering estimate"] },
+        "examples" = [{"limit_c": "assumed: engineering estimate"}]))]
     pub sources: BTreeMap<String, At<String>>,
     /// Its grades.
     #[schemars(extend("minItems" = 1))]

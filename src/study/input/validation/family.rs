@@ -59,6 +59,18 @@ impl AbsorberSpec {
     }
 }
 
+impl AbsorberSpec {
+    /// Most compounds and oils, with the steps of dimensions, of one type.
+    pub(super) fn alternatives(&self) -> usize {
+        let of = |t: &&'static Declaration| {
+            let named = self.materials.iter().find(|m| m.0 == *t).map_or(1, |m| m.1.choices.len().max(1));
+            let steps = self.steps.iter().filter(|s| t.index(s.0).is_some()).map(|s| s.1.len());
+            steps.fold(named, usize::saturating_mul)
+        };
+        self.types.iter().map(of).max().unwrap_or(0)
+    }
+}
+
 /// Lower and upper bound; the lower one may be zero only where `from_zero`.
 pub(super) fn ordered(check: &mut Check, pair: &At<Vec<At<f64>>>, from_zero: bool) -> (f64, f64) {
     let [low, high] = pair.get_ref().as_slice() else {
@@ -103,7 +115,7 @@ pub(super) fn family(
     let whole_chain = matches!(raw.engine_inertia, RawEngineInertia::WholeChain);
     let size = size(check, raw, station.map(|s| (s, whole_chain)), (chain, modes));
     let materials = materials(check, &raw.material, (&types, None), known);
-    let bounds = bounds_of(check, raw, &types, &materials);
+    let bounds = bounds_of(check, raw, &types);
     let steps = steps(check, raw, &types);
     rooms(check, raw, (&types, &size), (&bounds, &steps));
     Some(AbsorberSpec { on: place?.0, hub_inertia, types, size, bounds, steps, materials, temperatures, whole_chain })
@@ -197,12 +209,7 @@ fn pair_of(check: &mut Check, range: &RawRange) -> Option<(f64, f64)> {
 }
 
 /// Bounds as given, for all types that have the parameter.
-fn bounds_of(
-    check: &mut Check,
-    raw: &RawOptimised,
-    types: &[&'static Declaration],
-    materials: &[(&'static Declaration, MaterialSpec)],
-) -> Vec<(&'static str, (f64, f64))> {
+fn bounds_of(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) -> Vec<(&'static str, (f64, f64))> {
     let mut bounds = Vec::new();
     for (key, range) in &raw.bounds {
         if matches!(range, RawRange::Each(_)) && is_dimension(types, key) {
@@ -231,7 +238,8 @@ fn bounds_of(
     }
     for t in types {
         let of_table = |key: &str| {
-            materials.iter().any(|m| m.0 == *t && m.1.choices.iter().all(|s| s.value(key).is_some()) && !m.1.choices.is_empty())
+            let named = raw.material.get(t.name).is_some_and(|m| m.get_ref().of.is_some());
+            named && shape(t).zip(t.index(key)).is_some_and(|(s, i)| s.material().contains(&i))
         };
         let given = |key: &str| of_material(t, key) || of_table(key) || raw.bounds.iter().any(|b| b.0 == key);
         for p in t.parameters.iter().filter(|p| p.material && !given(p.key)) {
@@ -277,12 +285,7 @@ fn steps(check: &mut Check, raw: &RawOptimised, types: &[&'static Declaration]) 
 }
 
 /// Whether each type by its dimensions has room for what it is made of, wherever its bounds lie: its bore is smallest where the outer diameter is least and all else is most.
-fn rooms(
-    check: &mut Check,
-    raw: &RawOptimised,
-    (types, size): (&[&'static Declaration], &Size),
-    (bounds, steps): (&[Bounds], &[Steps]),
-) {
+fn rooms(check: &mut Check, raw: &RawOptimised, (types, size): (&[&'static Declaration], &Size), (bounds, steps): (&[Bounds], &[Steps])) {
     let largest_ring = match size {
         Size::Each(list) => list.iter().copied().fold(0.0, f64::max),
         Size::Between(_, most) => *most,

@@ -1,29 +1,18 @@
 //! States of an absorber's material: what temperature and age make of its parameters.
 
-use super::substances::Substances;
-use crate::absorber::construction::shape;
+pub(crate) use super::material_laws::Temperatures;
+use super::material_laws::{celsius, cooling, kraus, law, strain_life};
+use super::substances::{Substances, named, reaches};
 use crate::absorber::parameter::STIFFNESS;
 use crate::absorber::{
-    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, SHAPES, State, StrainLife, Substance, TYPES, TemperatureLaw,
-    Thermal, ToAir,
+    Cooling, Declaration, Factors, Follows, Geometry, Kraus, Material, Range, State, StrainLife, Substance, TYPES, TemperatureLaw, Thermal,
 };
 use crate::input::error::{At, Check};
 use crate::input::schema::absorber::RawType;
-use crate::input::schema::material_states::{
-    RawAmplitude, RawCooling, RawGeometry, RawKraus, RawLife, RawMaterialStates, RawTemperatureLaw, RawTemperatures, RawToAir,
-};
+use crate::input::schema::material_states::{RawAmplitude, RawGeometry, RawLife, RawMaterialStates, RawTemperatureLaw, RawTemperatures};
 use crate::input::schema::study::{RawCondition, RawStudy};
-use crate::units::{KELVIN_AT_0_C, M_PER_MM};
+use crate::units::M_PER_MM;
 use std::sync::Arc;
-
-/// Temperatures of the conditions `cold` and `hot`, °C.
-#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
-pub struct Temperatures {
-    /// Of `cold`.
-    pub cold: Option<f64>,
-    /// Of `hot`.
-    pub hot: Option<f64>,
-}
 
 /// What a study says of the material of an absorber.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -55,16 +44,9 @@ pub(crate) struct Known<'a> {
     pub substances: &'a Substances,
 }
 
-/// Temperatures above absolute zero that anything is made for, °C.
-const SENSIBLE: std::ops::RangeInclusive<f64> = -100.0..=400.0;
-
 /// No material changes more than this with temperature.
 const LEAST_FACTOR: f64 = 1e-15;
 const MOST_FACTOR: f64 = 1e15;
-
-fn celsius(check: &mut Check, raw: &At<f64>) -> f64 {
-    check.within(raw, SENSIBLE, "a temperature from -100 to 400 °C")
-}
 
 /// The temperatures of a study's conditions.
 pub(super) fn of_conditions(check: &mut Check, study: &RawStudy) -> Temperatures {
@@ -176,46 +158,6 @@ pub(super) fn material(
     MaterialSpec { temperature: law, ageing, cooling, geometry, amplitude, life, properties: Vec::new(), choices }
 }
 
-/// Compounds or oils by their names.
-fn named(check: &mut Check, raw: &RawMaterialStates, declaration: &Declaration, substances: &Substances) -> Vec<Arc<Substance>> {
-    let Some(at) = &raw.of else { return Vec::new() };
-    let Some(shape) = shape(declaration) else {
-        let known: Vec<&str> = SHAPES.iter().map(|s| s.declaration.name).collect();
-        check.wrong(
-            at,
-            format!("found a compound or oil of `{}`, expected one of a type by its dimensions: {}", declaration.name, known.join(", ")),
-        );
-        return Vec::new();
-    };
-    if at.get_ref().is_empty() {
-        check.wrong(at, "found an empty list, expected at least one compound or oil");
-    }
-    if let Some(law) = &raw.temperature {
-        check.wrong(law, "found a law of temperature beside `of`, whose table has it, expected one of them");
-    }
-    let mut list: Vec<Arc<Substance>> = Vec::new();
-    for name in at.get_ref() {
-        let Some(found) = substances.find(check, name, shape.sheared) else { continue };
-        if list.iter().any(|s| s.name == found.name) {
-            check.wrong(name, format!("found `{}` a second time, expected each once", found.name));
-        }
-        list.push(found);
-    }
-    list
-}
-
-/// Whether a compound or oil holds at the temperatures of the study's conditions.
-fn reaches(check: &mut Check, raw: &RawMaterialStates, substance: &Substance, temperatures: Temperatures) {
-    let Some(name) = raw.of.iter().flat_map(|l| l.get_ref()).find(|n| *n.get_ref() == substance.name) else { return };
-    let (low, high) = substance.valid.celsius;
-    for celsius in [temperatures.cold, temperatures.hot].into_iter().flatten().filter(|t| !(low..=high).contains(t)) {
-        check.wrong(
-            name,
-            format!("found `{}` at {celsius} °C, expected temperatures from {low} to {high} °C, at which its numbers hold", substance.name),
-        );
-    }
-}
-
 /// Types whose law follows temperature by its relaxation times, as shifts of frequency are meant.
 fn shifted() -> String {
     let by_frequency = |t: &&Declaration| t.parameters.iter().any(|p| p.follows != Follows::Nothing) && !t.stiffness_follows();
@@ -272,31 +214,6 @@ fn aged_key(check: &mut Check, key: &str, at: &At<f64>, declaration: &'static De
         check.wrong(at, format!("found a factor on `{key}`, expected one on {}", known.join(", ")));
     }
     found
-}
-
-pub(super) fn law(check: &mut Check, raw: &RawTemperatureLaw) -> TemperatureLaw {
-    match raw {
-        RawTemperatureLaw::Wlf(w) => {
-            TemperatureLaw::Wlf { c1: check.positive(&w.c1), c2: check.positive(&w.c2_k), reference: celsius(check, &w.reference_c) }
-        }
-        RawTemperatureLaw::Arrhenius(a) => TemperatureLaw::Arrhenius {
-            activation: 1e3 * check.within(&a.activation_kj_per_mol, 1.0..=500.0, "an activation energy from 1 to 500 kJ/mol"),
-            reference: celsius(check, &a.reference_c),
-        },
-        RawTemperatureLaw::Exponential(e) => {
-            let ends: Vec<f64> = e.between_c.get_ref().iter().map(|t| celsius(check, t)).collect();
-            let between = match ends[..] {
-                [low, high] if low < high => (low, high),
-                _ => {
-                    check.wrong(&e.between_c, "expected the lowest and the highest temperature that the factor was measured at");
-                    (-KELVIN_AT_0_C, f64::INFINITY)
-                }
-            };
-            let per_k = check.within(&e.per_k, 0.0..=0.5, "a share per kelvin from 0 to 0.5");
-            TemperatureLaw::Exponential { per_k, reference: celsius(check, &e.reference_c), between }
-        }
-        RawTemperatureLaw::SiliconeOil(o) => TemperatureLaw::SiliconeOil { reference: celsius(check, &o.reference_c) },
-    }
 }
 
 /// What is sheared, in m.
@@ -360,18 +277,6 @@ fn amplitude(check: &mut Check, at: &At<RawAmplitude>, (declaration, geometry): 
     kraus(check, raw)
 }
 
-/// The law of Kraus.
-pub(super) fn kraus(check: &mut Check, raw: &RawKraus) -> Kraus {
-    let of_strain = "a shear strain from 1e-6 to 10, 0.05 for 5 %";
-    Kraus {
-        storage_ratio: check.within(&raw.storage_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
-        loss_ratio: check.within(&raw.loss_ratio, 1.0..=100.0, "a ratio from 1 to 100"),
-        strain: check.within(&raw.critical_strain, 1e-6..=10.0, of_strain),
-        exponent: check.within(&raw.exponent, 0.1..=2.0, "an exponent from 0.1 to 2"),
-        reference: check.within(&raw.reference_strain, 1e-6..=10.0, of_strain),
-    }
-}
-
 /// Cycles of the strain that the geometry tells.
 fn life(check: &mut Check, at: &At<RawLife>, geometry: Option<Geometry>) -> StrainLife {
     let raw = at.get_ref();
@@ -382,76 +287,6 @@ fn life(check: &mut Check, at: &At<RawLife>, geometry: Option<Geometry>) -> Stra
         );
     }
     strain_life(check, raw)
-}
-
-/// Cycles of strain that a material bears.
-pub(super) fn strain_life(check: &mut Check, raw: &RawLife) -> StrainLife {
-    StrainLife {
-        strain: check.within(&raw.reference_strain, 1e-6..=10.0, "a shear strain from 1e-6 to 10, 0.05 for 5 %"),
-        cycles: check.within(&raw.reference_cycles, 1.0..=1e20, "a number of cycles from 1 to 1e20"),
-        exponent: check.within(&raw.exponent, 1.0..=30.0, "an exponent from 1 to 30"),
-    }
-}
-
-/// What cools an absorber whose material follows temperature by a law.
-fn cooling(
-    check: &mut Check,
-    at: &At<RawCooling>,
-    (laws, limits): (&[TemperatureLaw], &[f64]),
-    declaration: &Declaration,
-) -> Option<Cooling> {
-    let raw = at.get_ref();
-    if laws.is_empty() {
-        check.wrong(at, "found `cooling` of a material of which nothing says how it follows temperature, expected `temperature` beside it");
-        return None;
-    }
-    let to_air = match &raw.to_air {
-        RawToAir::WPerK(g) => ToAir::Given(check.positive(g)),
-        RawToAir::Disc(disc) => {
-            let [diameter, width] = [&disc.diameter_mm, &disc.width_mm].map(|x| M_PER_MM * check.positive(x));
-            ToAir::Disc { radius: 0.5 * diameter, width }
-        }
-        RawToAir::OwnDisc(own) => {
-            if !own.get_ref() {
-                check.wrong(own, "found false, expected true, or another kind of `to_air`");
-            }
-            if shape(declaration).is_none() {
-                check.wrong(
-                    own,
-                    format!(
-                        "found the disc of `{}`, expected `disc = {{ diameter_mm = …, width_mm = … }}`: it has no dimensions",
-                        declaration.name
-                    ),
-                );
-            }
-            ToAir::Own { radius: 0.0, width: 0.0 }
-        }
-    };
-    let [air, hub] = [&raw.air_c, &raw.hub_c].map(|t| celsius(check, t));
-    let given = raw.limit_c.as_ref().map(|t| celsius(check, t));
-    if given.is_none() && limits.is_empty() {
-        check.wrong(at, "found `cooling` without `limit_c`, expected the temperature that the material bears");
-        return None;
-    }
-    // of several compounds each has its own
-    let limit = given.unwrap_or_else(|| limits.iter().copied().fold(f64::NEG_INFINITY, f64::max));
-    let least = given.unwrap_or_else(|| limits.iter().copied().fold(f64::INFINITY, f64::min));
-    if least <= air.max(hub) {
-        let limit = least;
-        check.wrong(
-            raw.limit_c.as_ref().unwrap_or(&raw.hub_c),
-            format!("found a limit of {limit} °C, expected more than the {} °C round the absorber", air.max(hub)),
-        );
-    }
-    let places = [(air, &raw.air_c), (hub, &raw.hub_c)].into_iter().chain(given.zip(raw.limit_c.as_ref()));
-    for ((t, at), law) in places.flat_map(|p| laws.iter().map(move |law| (p, law))) {
-        let (low, high) = law.range();
-        if !(low..=high).contains(&t) {
-            let words = format!("found {t} °C outside the range of the material's law of temperature, {low:.1} to {high} °C");
-            check.wrong_with_help(at, words, "a law says nothing of temperatures beyond its range (`between_c` of `temperature.exponential`): a lower temperature here, or a law that was measured farther");
-        }
-    }
-    Some(Cooling { air, hub, to_air, to_hub: check.not_negative(&raw.to_hub_w_per_k), limit })
 }
 
 impl MaterialSpec {

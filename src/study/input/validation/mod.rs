@@ -17,6 +17,7 @@ mod imported;
 mod inputs;
 mod load;
 pub(super) mod material;
+mod material_laws;
 mod material_states;
 mod measures;
 mod named;
@@ -43,7 +44,7 @@ pub use family::{AbsorberSpec, Size};
 pub use flexible_model::FlexibleModel;
 pub use inputs::Input;
 pub use load::DutyPoint;
-use material_states::Known;
+use material_states::{Known, Temperatures};
 use measures::{Context, Judged};
 pub use parts::PartsError;
 use ranges::MOST_POINTS;
@@ -252,16 +253,27 @@ fn conditions(check: &mut Check, study: &RawStudy, engine: &Engine, optimise: Op
     all
 }
 
+/// Given designs, catalogues, and what is optimised.
+fn absorbers_of(
+    files: &Files,
+    check: &mut Check,
+    base: &Base,
+    (modes, temperatures): (&Modes, Temperatures),
+) -> (Vec<DesignSpec>, Vec<CatalogueSpec>, Option<OptimiseSpec>) {
+    let (study, folder) = (files.study, folder_of(files.path));
+    let known = Known { temperatures, substances: &substances::substances(check, &study.compounds, folder) };
+    let designs = absorbers::resolve(check, study, base.reaches(files.path, modes, known));
+    let catalogues = catalogue::resolve(check, study, (&base.chain, folder), &designs, known);
+    let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, modes), known);
+    (designs, catalogues, optimise)
+}
+
 /// Everything of a study but its engine and ranges.
 fn rest(files: &Files, check: &mut Check, in_engine: &mut Check, base: Base) -> Option<Study> {
     let study = files.study;
     let modes = Modes::new(&base.chain);
     let temperatures = material_states::of_conditions(check, study);
-    let substances = substances::substances(check, &study.compounds, folder_of(files.path));
-    let known = Known { temperatures, substances: &substances };
-    let designs = absorbers::resolve(check, study, base.reaches(files.path, &modes, known));
-    let catalogues = catalogue::resolve(check, study, (&base.chain, folder_of(files.path)), &designs, known);
-    let optimise = optimise::resolve(check, study, &base.engine, (&base.chain, &modes), known);
+    let (designs, catalogues, optimise) = absorbers_of(files, check, &base, (&modes, temperatures));
     let given: Vec<&DesignSpec> = designs.iter().chain(catalogues.iter().flat_map(|c| &c.designs)).collect();
     let hub = hub(given.iter().copied(), optimise.as_ref());
     let fatigue = judge(files, check, in_engine, &base);

@@ -8,6 +8,7 @@ use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
 use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
+use crate::input::schema::absorber::RawOptimised;
 use crate::input::schema::measure::RawMeasure;
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::numerics::elementary::Elementary;
@@ -30,6 +31,9 @@ pub struct OptimiseSpec {
     pub conditions: Vec<Condition>,
     /// Whether it is searched in operation, too, where there are no limits.
     pub in_operation: bool,
+    /// Whether compounds, oils and steps that cannot be best are searched, too.
+    #[doc(hidden)]
+    pub search_all: bool,
 }
 
 impl OptimiseSpec {
@@ -137,6 +141,7 @@ pub(crate) fn resolve(
     if optima > MOST_OPTIMA {
         check.wrong(&raw.absorber, format!("found {optima} combinations of types and sizes, expected at most {MOST_OPTIMA}"));
     }
+    alternatives(check, list, absorbers.iter().flatten());
     let conditions = raw.conditions.as_ref().map_or_else(|| vec![Condition::Firing], |c| conditions(check, c, engine));
     if let Some(list) = &raw.conditions
         && !conditions.iter().any(|c| c.has_absorbers())
@@ -145,7 +150,41 @@ pub(crate) fn resolve(
         check.wrong(list, format!("found no condition in which an absorber works, expected one of {} among them", working.join(", ")));
     }
     let in_operation = raw.in_operation.as_ref().is_some_and(|o| *o.get_ref());
-    Some(OptimiseSpec { seed, random_starts, absorbers: absorbers.into_iter().collect::<Option<_>>()?, conditions, in_operation })
+    Some(OptimiseSpec {
+        seed,
+        random_starts,
+        absorbers: absorbers.into_iter().collect::<Option<_>>()?,
+        conditions,
+        in_operation,
+        search_all: false,
+    })
+}
+
+/// Most compounds and oils, with the steps of dimensions, of one type.
+const MOST_ALTERNATIVES: usize = 200;
+
+/// Compounds, oils and steps are chosen for one absorber at a time.
+fn alternatives<'s>(check: &mut Check, list: &[RawOptimised], specs: impl Iterator<Item = &'s AbsorberSpec>) {
+    let most = specs.map(AbsorberSpec::alternatives).max().unwrap_or(0);
+    let Some(at) = list.iter().flat_map(|a| a.material.values()).find(|m| m.get_ref().of.as_ref().is_some_and(|o| o.get_ref().len() > 1))
+    else {
+        if let Some(raw) = list.first().filter(|_| most > MOST_ALTERNATIVES || most > 1 && list.len() > 1) {
+            check.wrong(
+                &raw.types,
+                format!("found {most} steps of dimensions, expected at most {MOST_ALTERNATIVES}, and steps of one absorber alone"),
+            );
+        }
+        return;
+    };
+    if list.len() > 1 {
+        check.wrong(
+            at,
+            "found several compounds or oils beside another absorber, expected one each: they are chosen for one absorber alone",
+        );
+    }
+    if most > MOST_ALTERNATIVES {
+        check.wrong(at, format!("found {most} combinations of compounds or oils and steps, expected at most {MOST_ALTERNATIVES}"));
+    }
 }
 
 /// Limits are judged in operation: a search that leaves it out may find what does not hold them there.

@@ -1,10 +1,11 @@
 //! Compounds and oils by their names: those that hartog carries, and those of a study's own files.
 
-use super::material_states::{kraus, law, strain_life};
+use super::material_laws::{Temperatures, kraus, law, strain_life};
 use super::named::file;
-use crate::absorber::{Sheared, Substance, Valid};
+use crate::absorber::construction::shape;
+use crate::absorber::{Declaration, SHAPES, Sheared, Substance, Valid};
 use crate::input::error::{At, Check, InputError, Source};
-use crate::input::schema::material_states::RawAmplitude;
+use crate::input::schema::material_states::{RawAmplitude, RawMaterialStates};
 use crate::input::schema::substance::{RawOil, RawRubber, RawSubstances, RawValid};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -225,4 +226,44 @@ fn sources(check: &mut Check, raw: &BTreeMap<String, At<String>>, keys: &[&str],
         check.wrong(at, format!("found no source of `{key}`, expected its role and source under `sources`"));
     }
     raw.iter().map(|(key, words)| (key.clone(), words.get_ref().clone())).collect()
+}
+
+/// Compounds or oils by their names.
+pub(super) fn named(check: &mut Check, raw: &RawMaterialStates, declaration: &Declaration, substances: &Substances) -> Vec<Arc<Substance>> {
+    let Some(at) = &raw.of else { return Vec::new() };
+    let Some(shape) = shape(declaration) else {
+        let known: Vec<&str> = SHAPES.iter().map(|s| s.declaration.name).collect();
+        check.wrong(
+            at,
+            format!("found a compound or oil of `{}`, expected one of a type by its dimensions: {}", declaration.name, known.join(", ")),
+        );
+        return Vec::new();
+    };
+    if at.get_ref().is_empty() {
+        check.wrong(at, "found an empty list, expected at least one compound or oil");
+    }
+    if let Some(law) = &raw.temperature {
+        check.wrong(law, "found a law of temperature beside `of`, whose table has it, expected one of them");
+    }
+    let mut list: Vec<Arc<Substance>> = Vec::new();
+    for name in at.get_ref() {
+        let Some(found) = substances.find(check, name, shape.sheared) else { continue };
+        if list.iter().any(|s| s.name == found.name) {
+            check.wrong(name, format!("found `{}` a second time, expected each once", found.name));
+        }
+        list.push(found);
+    }
+    list
+}
+
+/// Whether a compound or oil holds at the temperatures of the study's conditions.
+pub(super) fn reaches(check: &mut Check, raw: &RawMaterialStates, substance: &Substance, temperatures: Temperatures) {
+    let Some(name) = raw.of.iter().flat_map(|l| l.get_ref()).find(|n| *n.get_ref() == substance.name) else { return };
+    let (low, high) = substance.valid.celsius;
+    for celsius in [temperatures.cold, temperatures.hot].into_iter().flatten().filter(|t| !(low..=high).contains(t)) {
+        check.wrong(
+            name,
+            format!("found `{}` at {celsius} °C, expected temperatures from {low} to {high} °C, at which its numbers hold", substance.name),
+        );
+    }
 }

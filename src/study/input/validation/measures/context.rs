@@ -1,5 +1,6 @@
 //! What measures are resolved against.
 
+use crate::absorber::construction::shape;
 use crate::absorber::{Cooling, Declaration, Mounted};
 use crate::crankshaft::FatigueSpec;
 use crate::drivetrain::Chain;
@@ -64,7 +65,7 @@ pub(crate) struct Context<'a> {
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
     /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub dimensioned: &'a [bool],
+    pub(in crate::input::validation) dimensioned: &'a [bool],
     /// Whether a catalogue has rows that could not be read, and no other design was.
     pub unread: bool,
     /// Whether the study has a duty.
@@ -125,9 +126,12 @@ impl<'a> Context<'a> {
     }
 
     /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub fn dimensioned(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+    pub(in crate::input::validation) fn dimensioned(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
-        super::of_construction::dimensioned(designs, optimise, count)
+        let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).is_some_and(|a| a.types.iter().any(|t| shape(t).is_some()));
+        let drawn = |m: &Mounted| m.absorber.law().is_some_and(|l| l.parts().is_some());
+        let given = |i: usize| designs.iter().filter_map(|d| d.absorbers.get(i)).any(drawn);
+        (0..count).map(|i| searched(i) || given(i)).collect()
     }
 
     pub(super) fn shaft(&self, check: &mut Check, name: &At<String>) -> Option<usize> {

@@ -11,9 +11,8 @@ pub(crate) use context::{Context, Judged, default_twist};
 use crate::drivetrain::Chain;
 use crate::input::error::{At, Check};
 use crate::input::measure::{CombinedSpec, LimitSpec, MeasureSpec, UnitOf};
-use crate::input::schema::measure::{
-    RawInertia, RawLossFactor, RawMargin, RawMass, RawMeasure, RawPower, RawRingTwist, RawTorque, RawVolume,
-};
+use crate::input::schema::measure::{RawInertia, RawLossFactor, RawMargin, RawMeasure, RawPower, RawRingTwist, RawTorque};
+use crate::input::schema::measure_of_construction::{RawMass, RawVolume};
 use crate::input::schema::study::RawStudy;
 use crate::objective::condition::Burning;
 use crate::objective::{Condition, Over, Property, Within};
@@ -93,8 +92,6 @@ pub(super) fn twist_spec(chain: &Chain, hub: usize) -> MeasureSpec {
 
 /// Words that need no more keys, for `of`.
 const BY_WORD: [&str; 10] = [
-    "mass",
-    "volume",
     "peak_twist",
     "vibratory_torque",
     "ring_twist",
@@ -103,6 +100,8 @@ const BY_WORD: [&str; 10] = [
     "ring_inertia",
     "total_inertia",
     "margin",
+    "mass",
+    "volume",
 ];
 
 /// A measure by its word: that of the study's objectives or limits, or of all shafts, rings or locations.

@@ -2,10 +2,10 @@
 
 use super::context::Context;
 use super::names::{Bound, Names, Resolved, spec};
-use crate::absorber::construction::shape;
 use crate::input::error::{At, Check};
 use crate::input::measure::UnitOf;
-use crate::input::schema::measure::{RawCost, RawEnvelope, RawMass, RawOwnStrain, RawVolume};
+use crate::input::schema::measure::RawOwnStrain;
+use crate::input::schema::measure_of_construction::{RawCost, RawEnvelope, RawMass, RawVolume};
 use crate::objective::{Over, Price, Property, Within};
 use crate::response::Quantity;
 use crate::units::M_PER_MM;
@@ -84,12 +84,4 @@ pub(super) fn envelope<'r>(check: &mut Check, e: &'r RawEnvelope, of: Context) -
         check.wrong(&e.absorber, "found an envelope without a size, expected `outer_diameter_mm`, `width_mm` or `bore_mm`");
     }
     list
-}
-
-/// Of each absorber whether all that is optimised there, or a design that has it, is given by its dimensions.
-pub(super) fn dimensioned(designs: &[&super::super::DesignSpec], optimise: Option<&super::super::OptimiseSpec>, count: usize) -> Vec<bool> {
-    let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).is_some_and(|a| a.types.iter().any(|t| shape(t).is_some()));
-    let given =
-        |i: usize| designs.iter().filter_map(move |d| d.absorbers.get(i)).any(|m| m.absorber.law().is_some_and(|l| l.parts().is_some()));
-    (0..count).map(|i| searched(i) || given(i)).collect()
 }

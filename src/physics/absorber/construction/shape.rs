@@ -1,0 +1,78 @@
+//! A damper by its dimensions: what its shapes have in common.
+
+use crate::absorber::law::Declaration;
+use crate::absorber::parameter::{Parameter, Range, of_material};
+use crate::absorber::parts::{MOST, Number, Parts, Sheared};
+use crate::numerics::dual::Dual;
+
+/// A damper by its dimensions.
+#[derive(Debug)]
+pub struct Shape {
+    /// The type.
+    pub declaration: &'static Declaration,
+    /// What is sheared.
+    pub sheared: Sheared,
+    /// How many of its parameters are dimensions, the inertia of the ring among them: the first ones.
+    pub(super) dimensions: usize,
+    /// What the dimensions come to: kg m², then as they are declared.
+    pub(super) parts: fn(&[Number; MOST]) -> Parts<Number>,
+}
+
+impl Shape {
+    /// What the values of its parameters come to.
+    pub fn parts_of(&self, values: &[f64]) -> Parts<f64> {
+        (self.parts)(&variables(values, self.dimensions)).map(|x| x.value)
+    }
+
+    /// Indices of the parameters that are properties of its compound or oil.
+    #[doc(hidden)]
+    pub fn material(&self) -> std::ops::Range<usize> {
+        self.dimensions..self.declaration.parameters.len()
+    }
+
+    /// The same with the derivatives by its dimensions.
+    pub(super) fn with_derivatives(&self, values: &[f64]) -> Parts<Number> {
+        (self.parts)(&variables(values, self.dimensions))
+    }
+}
+
+fn variables(values: &[f64], dimensions: usize) -> [Number; MOST] {
+    Dual::variables(std::array::from_fn(|i| if i < dimensions { values[i] } else { 0.0 }))
+}
+
+pub(super) const M_PER_MM: f64 = 1e-3;
+
+/// A dimension: a study gives it, or its bounds.
+pub(super) const fn dimension(names: (&'static str, &'static str, &'static str), range: Range) -> Parameter {
+    of_material(names, range, |_| (1.0, 1.0), |_| 1.0)
+}
+
+pub(super) const OUTER_DIAMETER: Parameter = dimension(("outer_diameter_mm", "D/mm", "Outer diameter."), Range::Positive);
+pub(super) const RING_WALL: Parameter = dimension(("ring_wall_mm", "wall/mm", "Radial height of the ring's section."), Range::Positive);
+pub(super) const RING_DENSITY: Parameter = dimension(
+    ("ring_density_kg_m3", "rho/kg/m³", "Density of the ring: 7850 of steel, 7200 of cast iron."),
+    Range::Within(500.0, 25_000.0),
+);
+pub(super) const FACES: Parameter =
+    dimension(("faces", "faces", "How many faces of the ring are bonded: 1 or 2."), Range::Within(1.0, 2.0));
+pub(super) const MODULUS: Parameter = of_material(
+    ("relaxed_modulus_mpa", "Gr/MPa", "Shear modulus of the compound at low frequency."),
+    Range::Positive,
+    |_| (0.1, 10.0),
+    |_| 1.0,
+);
+
+/// Volume of a ring per length, m².
+pub(super) fn annulus(inner: Number, outer: Number) -> Number {
+    (outer.powi(2) - inner.powi(2)) * std::f64::consts::PI
+}
+
+/// Polar second moment of its section, m⁴.
+pub(super) fn polar(inner: Number, outer: Number) -> Number {
+    (outer.powi(4) - inner.powi(4)) * std::f64::consts::FRAC_PI_2
+}
+
+/// B of a sleeve of some length, m³: 4 pi L r1² r2²/(r2² - r1²).
+pub(super) fn sleeve_factor(inner: Number, outer: Number, length: Number) -> Number {
+    length * inner.powi(2) * outer.powi(2) / (outer.powi(2) - inner.powi(2)) * (4.0 * std::f64::consts::PI)
+}

@@ -154,7 +154,9 @@ impl<'a> Characteristic<'a> {
     /// Eigenvalues without damping, each law at a frequency that is typical of it: starts.
     fn undamped(&self) -> Option<Vec<C64>> {
         let spring_of = |law: &dyn Law| at_frequency(law, typical(self.basis, law, self.order, ROUGHLY), self.order);
-        if let [Mounted { on: Host::Station(_), absorber: Absorber::Ring(law), hub_inertia: 0.0, .. }] = self.design {
+        if let [own @ Mounted { on: Host::Station(_), absorber: Absorber::Ring(law), .. }] = self.design
+            && own.hub() == 0.0
+        {
             let k = spring_of(law.as_ref()).stiffness;
             if k > 0.0 && k.is_finite() {
                 // a ring of coordinate sqrt(J) angle has no stiffness of its own, the modes theirs, and the spring is k v v'
@@ -337,9 +339,9 @@ impl<'a> Characteristic<'a> {
                 Absorber::Ring(law) => {
                     let spring = springs[index];
                     let link = if damped { spring.stiffness + s * spring.damping } else { spring.stiffness.into() };
-                    (Load::inertia(law.ring_inertia(), s) + further).behind(link) + Load::inertia(mounted.hub_inertia, s)
+                    (Load::inertia(law.ring_inertia(), s) + further).behind(link) + Load::inertia(mounted.hub(), s)
                 }
-                Absorber::Locked { ring_inertia } => further + Load::inertia(mounted.hub_inertia + ring_inertia, s),
+                Absorber::Locked { ring_inertia } => further + Load::inertia(mounted.hub() + ring_inertia, s),
             }
         });
         all.fold(Load::NONE, Add::add)

@@ -209,14 +209,14 @@ impl Basis {
         for (index, mounted) in design.iter().enumerate() {
             let hub = self.motion(design, mounted.on, n);
             let Absorber::Ring(law) = &mounted.absorber else {
-                m.ger(mounted.hub_inertia + mounted.absorber.ring_inertia(), &hub, &hub, 1.0);
+                m.ger(mounted.hub() + mounted.absorber.ring_inertia(), &hub, &hub, 1.0);
                 continue;
             };
             let ring = kept + coordinate(design, index);
             let mut twist = -&hub;
             twist[ring] = 1.0;
             m[(ring, ring)] += law.ring_inertia();
-            m.ger(mounted.hub_inertia, &hub, &hub, 1.0);
+            m.ger(mounted.hub(), &hub, &hub, 1.0);
             let spring = spring(law.as_ref());
             k.ger(spring.stiffness, &twist, &twist, 1.0);
             c.ger(spring.damping, &twist, &twist, 1.0);

@@ -143,7 +143,8 @@ impl Condition {
 
     /// The absorbers of a design in this condition; in operation those of the reference, as their state is another one at every speed. What sat on a lost ring is lost with it.
     pub fn absorbers(self, design: &[Mounted]) -> Vec<Mounted> {
-        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked { ring_inertia }, ..m.clone() };
+        // a housing stays
+        let locked = |m: &Mounted, ring_inertia| Mounted { absorber: Absorber::Locked { ring_inertia }, hub_inertia: m.hub(), ..m.clone() };
         let lost = |m: &Mounted| match m.on {
             Host::Station(_) => locked(m, 0.0),
             Host::Ring(_) => Mounted { hub_inertia: 0.0, ..locked(m, 0.0) },

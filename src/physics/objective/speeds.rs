@@ -174,7 +174,7 @@ impl Resonances {
     /// Eigenvalues of a design: a few modes tell whether any resonance is narrow; where one is, it must be known to a fraction of its width, and
     /// all modes are taken.
     fn eigenvalues(&self, (system, grid): (&System, &Grid), design: &[Mounted], order: f64, within: (f64, f64)) -> Vec<C64> {
-        let heavy = design.iter().any(|m| m.hub_inertia > 0.0);
+        let heavy = design.iter().any(|m| m.hub() > 0.0);
         let first = if heavy { &self.full } else { &self.basis }.screened(design, order, within).unwrap_or_default();
         let (low, high) = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let narrow = |s: &C64| {

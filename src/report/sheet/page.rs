@@ -160,12 +160,12 @@ fn parts(sheet: &Sheet, sheared: Sheared) -> Block {
     match sheared {
         Sheared::Rubber => {
             rows.push(row("Compound", name));
-            rows.extend(sheet.substance.as_ref().map(|s| row("Hardness", format!("{} Shore A", significant(s.grade, 3)))));
+            rows.extend(sheet.substance.as_ref().map(|s| row("Hardness", format!("{} Shore A", s.grade))));
             rows.push(row("Rubber", kg(sheet.sheared_mass)));
         }
         Sheared::Oil => {
             rows.push(row("Oil", name));
-            rows.extend(sheet.substance.as_ref().map(|s| row("Viscosity at 25 °C", format!("{} mm²/s", significant(s.grade, 7)))));
+            rows.extend(sheet.substance.as_ref().map(|s| row("Viscosity at 25 °C", format!("{} mm²/s", s.grade))));
             rows.push(row("Volume of oil", format!("{} l ({})", significant(p.sheared_volume * 1e3, 4), kg(sheet.sheared_mass))));
         }
     }

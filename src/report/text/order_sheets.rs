@@ -20,8 +20,8 @@ fn sheared(sheet: &Sheet) -> Sheared {
 /// A compound or an oil by its name as it is said: "EPDM 60", "silicone 100 000".
 fn named(sheet: &Sheet) -> String {
     match (&sheet.substance, sheared(sheet)) {
-        (Some(s), Sheared::Rubber) => format!("{} ({} Shore A)", s.name, significant(s.grade, 3)),
-        (Some(s), Sheared::Oil) => format!("{} ({} mm²/s)", s.name, significant(s.grade, 7)),
+        (Some(s), Sheared::Rubber) => format!("{} ({} Shore A)", s.name, s.grade),
+        (Some(s), Sheared::Oil) => format!("{} ({} mm²/s)", s.name, s.grade),
         (None, Sheared::Rubber) => "rubber".to_owned(),
         (None, Sheared::Oil) => "silicone oil".to_owned(),
     }
@@ -96,7 +96,8 @@ pub(crate) fn sentence(study: &Study, results: &Results, sheet: &Sheet) -> Strin
     let mut parts = vec![format!("{}, {}, ring {} kg: {judged}{none}", named(sheet), sizes(sheet), significant(sheet.parts.ring_mass, 3))];
     parts.push(format!("{} W", significant(sheet.power, 3)));
     parts.extend(sheet.celsius.map(|c| if c.is_finite() { format!("{} °C", significant(c, 3)) } else { "overheats".to_owned() }));
-    parts.push(format!("strain {} %", significant(100.0 * sheet.strain, 3)));
+    let what = if sheared(sheet) == Sheared::Oil { "shear of the oil" } else { "strain" };
+    parts.push(format!("{what} {} %", significant(100.0 * sheet.strain, 3)));
     let broken: Vec<&str> = study.limits.iter().zip(&d.limits).filter(|(_, r)| !holds(**r)).map(|(l, _)| l.words.as_str()).collect();
     if !study.limits.is_empty() {
         parts.push(if broken.is_empty() { "holds all limits".to_owned() } else { format!("FAILS {}", broken.join("; ")) });

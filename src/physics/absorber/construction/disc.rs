@@ -17,7 +17,7 @@ pub static DISC: Declaration = Declaration {
         RING_INERTIA,
         OUTER_DIAMETER,
         RING_WALL,
-        dimension(("rubber_thickness_mm", "t/mm", "Axial thickness of each disc of rubber."), Range::Positive),
+        dimension(("rubber_thickness_mm", "t/mm", "Axial thickness of each disc of rubber."), Range::Positive, (|_| (7.2, 8.8), |_| 8.0)),
         FACES,
         RING_DENSITY,
         MODULUS,

@@ -15,14 +15,19 @@ pub static HOUSING: Declaration = Declaration {
     parameters: &[
         RING_INERTIA,
         Parameter { about: "Outer diameter of the housing.", ..OUTER_DIAMETER },
-        dimension(("housing_wall_mm", "s/mm", "Thickness of the housing's walls."), Range::Positive),
+        dimension(("housing_wall_mm", "s/mm", "Thickness of the housing's walls."), Range::Positive, (|_| (4.5, 5.5), |_| 5.0)),
         RING_WALL,
-        dimension(("radial_gap_mm", "gap_r/mm", "Gap at the rim and at the bore of the ring."), Range::Positive),
-        dimension(("axial_gap_mm", "gap_a/mm", "Gap at each face of the ring."), Range::Positive),
+        dimension(
+            ("radial_gap_mm", "gap_r/mm", "Gap at the rim and at the bore of the ring."),
+            Range::Positive,
+            (|_| (0.45, 0.55), |_| 0.5),
+        ),
+        dimension(("axial_gap_mm", "gap_a/mm", "Gap at each face of the ring."), Range::Positive, (|_| (0.36, 0.44), |_| 0.4)),
         RING_DENSITY,
         dimension(
             ("housing_density_kg_m3", "rho_h/kg/m³", "Density of the housing: 7850 of steel, 7200 of cast iron."),
             Range::Within(500.0, 25_000.0),
+            (|_| (7065.0, 8635.0), |_| 7850.0),
         ),
         Parameter {
             follows: Follows::Factor,

@@ -1,7 +1,7 @@
 //! A damper by its dimensions: what its shapes have in common.
 
 use crate::absorber::law::Declaration;
-use crate::absorber::parameter::{Parameter, Range, of_material};
+use crate::absorber::parameter::{Parameter, Range, Surroundings, of_material};
 use crate::absorber::parts::{MOST, Number, Parts, Sheared};
 use crate::numerics::dual::Dual;
 
@@ -42,19 +42,26 @@ fn variables(values: &[f64], dimensions: usize) -> [Number; MOST] {
 
 pub(super) const M_PER_MM: f64 = 1e-3;
 
-/// A dimension: a study gives it, or its bounds.
-pub(super) const fn dimension(names: (&'static str, &'static str, &'static str), range: Range) -> Parameter {
-    of_material(names, range, |_| (1.0, 1.0), |_| 1.0)
+/// A dimension: a study gives it, or its bounds; the typical ones make a damper for a truck's engine.
+pub(super) const fn dimension(
+    names: (&'static str, &'static str, &'static str),
+    range: Range,
+    typical: (fn(&Surroundings) -> (f64, f64), fn(&Surroundings) -> f64),
+) -> Parameter {
+    of_material(names, range, typical.0, typical.1)
 }
 
-pub(super) const OUTER_DIAMETER: Parameter = dimension(("outer_diameter_mm", "D/mm", "Outer diameter."), Range::Positive);
-pub(super) const RING_WALL: Parameter = dimension(("ring_wall_mm", "wall/mm", "Radial height of the ring's section."), Range::Positive);
+pub(super) const OUTER_DIAMETER: Parameter =
+    dimension(("outer_diameter_mm", "D/mm", "Outer diameter."), Range::Positive, (|_| (225.0, 275.0), |_| 250.0));
+pub(super) const RING_WALL: Parameter =
+    dimension(("ring_wall_mm", "wall/mm", "Radial height of the ring's section."), Range::Positive, (|_| (18.0, 22.0), |_| 20.0));
 pub(super) const RING_DENSITY: Parameter = dimension(
     ("ring_density_kg_m3", "rho/kg/m³", "Density of the ring: 7850 of steel, 7200 of cast iron."),
     Range::Within(500.0, 25_000.0),
+    (|_| (7065.0, 8635.0), |_| 7850.0),
 );
 pub(super) const FACES: Parameter =
-    dimension(("faces", "faces", "How many faces of the ring are bonded: 1 or 2."), Range::Within(1.0, 2.0));
+    dimension(("faces", "faces", "How many faces of the ring are bonded: 1 or 2."), Range::Within(1.0, 2.0), (|_| (1.0, 2.0), |_| 1.0));
 pub(super) const MODULUS: Parameter = of_material(
     ("relaxed_modulus_mpa", "Gr/MPa", "Shear modulus of the compound at low frequency."),
     Range::Positive,

@@ -18,7 +18,11 @@ pub static WEDGE: Declaration = Declaration {
         RING_INERTIA,
         OUTER_DIAMETER,
         RING_WALL,
-        dimension(("thickness_over_radius", "kappa", "Axial thickness of the rubber over the radius."), Range::Within(1e-3, 1.0)),
+        dimension(
+            ("thickness_over_radius", "kappa", "Axial thickness of the rubber over the radius."),
+            Range::Within(1e-3, 1.0),
+            (|_| (0.072, 0.088), |_| 0.08),
+        ),
         FACES,
         RING_DENSITY,
         MODULUS,

@@ -65,7 +65,7 @@ pub(crate) struct Context<'a> {
     /// Of each absorber whether every type that is optimised and every design says how many cycles of strain it bears.
     pub lives: &'a [bool],
     /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub(in crate::input::validation) dimensioned: &'a [bool],
+    pub by_dimensions: &'a [bool],
     /// Whether a catalogue has rows that could not be read, and no other design was.
     pub unread: bool,
     /// Whether the study has a duty.
@@ -126,7 +126,7 @@ impl<'a> Context<'a> {
     }
 
     /// Of each absorber whether some type or design of it is given by its dimensions.
-    pub(in crate::input::validation) fn dimensioned(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
+    pub fn by_dimensions(designs: &[&DesignSpec], optimise: Option<&OptimiseSpec>) -> Vec<bool> {
         let count = Self::absorbers(designs.iter().map(|d| d.absorbers.len()), optimise);
         let searched = |i: usize| optimise.and_then(|o| o.absorbers.get(i)).is_some_and(|a| a.types.iter().any(|t| shape(t).is_some()));
         let drawn = |m: &Mounted| m.absorber.law().is_some_and(|l| l.parts().is_some());

@@ -13,7 +13,7 @@ use crate::units::M_PER_MM;
 /// Rings of absorbers by their dimensions; a mistake where a type or design has none.
 fn rings(check: &mut Check, named: Option<&At<i64>>, (word, at): (&str, &At<impl Sized>), of: Context) -> Option<Vec<Quantity>> {
     let rings = of.rings(check, named)?;
-    let has = |q: &Quantity| matches!(q, Quantity::RingTwist(i) if of.dimensioned.get(*i).is_some_and(|d| *d));
+    let has = |q: &Quantity| matches!(q, Quantity::RingTwist(i) if of.by_dimensions.get(*i).is_some_and(|d| *d));
     if !rings.iter().any(has) {
         let known: Vec<&str> = crate::absorber::SHAPES.iter().map(|s| s.declaration.name).collect();
         check.wrong(

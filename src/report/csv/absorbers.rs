@@ -1,6 +1,7 @@
 //! `absorbers.csv`: a row an absorber of every design.
 
 use super::table::{Table, number, optional};
+use crate::absorber::construction::shape;
 use crate::absorber::{Host, Mounted, Parameter, TYPES};
 use crate::analysis::{DesignResult, Results};
 use crate::drivetrain::natural;
@@ -11,7 +12,8 @@ use crate::units::{DEG_PER_RAD, HZ_PER_RAD_PER_S, PA_PER_MPA};
 fn parameters<'a>(designs: impl Iterator<Item = &'a DesignResult>) -> Vec<&'static Parameter> {
     let used = designs.flat_map(|d| &d.absorbers).filter_map(|m| m.absorber.declaration());
     let mut list: Vec<&Parameter> = Vec::new();
-    for p in TYPES.into_iter().chain(used).flat_map(|t| t.parameters) {
+    // dimensions where a design has them
+    for p in TYPES.into_iter().filter(|t| shape(t).is_none()).chain(used).flat_map(|t| t.parameters) {
         if list.iter().all(|known| known.key != p.key) {
             list.push(p);
         }

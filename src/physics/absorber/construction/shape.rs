@@ -42,12 +42,11 @@ fn variables(values: &[f64], dimensions: usize) -> [Number; MOST] {
 
 pub(super) const M_PER_MM: f64 = 1e-3;
 
+/// Bounds and a typical value.
+type Typical = (fn(&Surroundings) -> (f64, f64), fn(&Surroundings) -> f64);
+
 /// A dimension: a study gives it, or its bounds; the typical ones make a damper for a truck's engine.
-pub(super) const fn dimension(
-    names: (&'static str, &'static str, &'static str),
-    range: Range,
-    typical: (fn(&Surroundings) -> (f64, f64), fn(&Surroundings) -> f64),
-) -> Parameter {
+pub(super) const fn dimension(names: (&'static str, &'static str, &'static str), range: Range, typical: Typical) -> Parameter {
     of_material(names, range, typical.0, typical.1)
 }
 

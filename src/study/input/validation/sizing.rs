@@ -4,6 +4,7 @@ use super::engine::{layout, pressure};
 use super::fatigue::{reliability, surface};
 use super::named::{folder_of, table};
 use super::ranges;
+use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, TYPES, types};
 use crate::drivetrain::throw_stiffness::ThrowFormula;
 use crate::engine::{Layout, Pressure};
@@ -158,9 +159,11 @@ fn study(check: &mut Check, path: &Path, raw: &RawSizing) -> Option<SizingStudy>
 }
 
 fn kind(check: &mut Check, raw: &At<String>) -> Option<&'static Declaration> {
-    let found = types::find(raw.get_ref());
+    // a crank that is not sized yet leaves no room to draw a damper for
+    let is_ideal = |t: &&'static Declaration| shape(t).is_none();
+    let found = types::find(raw.get_ref()).filter(is_ideal);
     if found.is_none() {
-        let known: Vec<String> = TYPES.iter().map(|t| format!("`{}`", t.name)).collect();
+        let known: Vec<String> = TYPES.into_iter().filter(is_ideal).map(|t| format!("`{}`", t.name)).collect();
         check.wrong(raw, format!("found the type `{}`, expected one of {}", raw.get_ref(), known.join(", ")));
     }
     found

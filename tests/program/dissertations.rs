@@ -164,7 +164,7 @@ fn every_figure_is_drawn_or_excused() {
     fs::write(&steel, "tensile_strength_mpa = 1100\nbending_fatigue_limit_mpa = 720\ntorsion_fatigue_limit_mpa = 415\n").expect("written");
     hartog().arg("fatigue").arg(&table).arg("--material").arg(&steel).args(["--point", "p2", "--out"]).arg(out("fatigue")).assert().code(0);
     let all = figures();
-    assert_eq!((all.len(), all.iter().filter(|f| f.1.is_empty()).count()), (277, 140));
+    assert_eq!((all.len(), all.iter().filter(|f| f.1.is_empty()).count()), (277, 142));
     let mut last = (String::new(), 0);
     for (number, file, panel) in all {
         // 35 is printed twice; 10-6 is in an annex

@@ -6,7 +6,9 @@ use crate::absorber::{Sheared, TYPES, construction};
 use crate::analysis::{DesignResult, Results, Sheet};
 use crate::input::Study;
 use crate::objective::{Condition, holds};
+use crate::optimise::Scatter;
 use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
+use crate::text::scattered;
 use crate::text::table::significant;
 
 /// Units of the page: those of CSS.
@@ -72,7 +74,7 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     y = right.max(y + 345.0) + 4.0;
     let mut columns = [y, y];
-    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet)];
+    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet, sheared)];
     for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
         let column = i % 2;
         let x = EDGE + column as f64 * (half + 10.0);
@@ -221,13 +223,18 @@ fn acceptance(study: &Study, sheet: &Sheet) -> Block {
     Block { title: "Acceptance test", rows }
 }
 
-fn made(study: &Study, sheet: &Sheet) -> Block {
+fn made(study: &Study, sheet: &Sheet, sheared: Sheared) -> Block {
     let mut rows = Vec::new();
     if let Some(spec) = &study.robust {
-        rows.extend(crate::text::tolerances(spec).split(", ").map(|t| row("Tolerance", t.to_owned())));
+        let own = |s: &&Scatter| match s {
+            Scatter::Share(key, _) | Scatter::Amount(key, _) => sheet.dimensions.iter().any(|d| d.0 == *key),
+            Scatter::Hardness(_) => sheared == Sheared::Rubber,
+            Scatter::Viscosity(_) => sheared == Sheared::Oil,
+        };
+        rows.extend(spec.scatter().iter().filter(own).map(|s| row("Tolerance", scattered(s))));
     }
     if let Some(h) = &sheet.holding {
-        rows.push(row("Yield: all limits hold", holding(h)));
+        rows.push(row("Yield: limits hold, but those on sizes", holding(h)));
         rows.extend(h.broken.map(|l| row("broken most", study.limits[l].words.clone())));
     }
     Block { title: "As made", rows }
@@ -244,7 +251,10 @@ fn limits(study: &Study, d: &DesignResult) -> Block {
 }
 
 fn assumptions(sheet: &Sheet) -> Vec<String> {
-    let mut list = vec!["The inertia of what is sheared is left out; sections are rectangular, without fillets; the hub that carries the ring is another part.".to_owned()];
+    let mut list = vec![
+        "The inertia of what is sheared is left out; sections are rectangular, without fillets; the hub that carries it is another part."
+            .to_owned(),
+    ];
     if let Some(s) = &sheet.substance {
         let assumed: Vec<&str> = s.assumed().collect();
         if !assumed.is_empty() {

@@ -33,20 +33,24 @@ pub(super) fn during(design: &[Mounted], case: &RowCase) -> String {
     condition + &deviated
 }
 
-/// Tolerances by their keys.
-#[doc(hidden)]
-pub fn tolerances(spec: &RobustSpec) -> String {
-    let one = |(key, share): &(&str, f64)| {
+/// One of the tolerances by its key.
+pub(crate) fn scattered(s: &Scatter) -> String {
+    let share = |key: &str, share: f64| {
         let percent = format!("{:.2}", 100.0 * share);
         format!("{key} ±{} %", percent.trim_end_matches('0').trim_end_matches('.'))
     };
-    let scatter = |s: &Scatter| match s {
-        Scatter::Share(key, share) => one(&(*key, *share)),
+    match s {
+        Scatter::Share(key, own) => share(key, *own),
         Scatter::Amount(key, amount) => format!("{key} ±{amount}"),
         Scatter::Hardness(amount) => format!("hardness ±{amount} Shore A"),
-        Scatter::Viscosity(share) => one(&("viscosity", *share)),
-    };
-    spec.scatter().iter().map(scatter).collect::<Vec<_>>().join(", ")
+        Scatter::Viscosity(own) => share("viscosity", *own),
+    }
+}
+
+/// Tolerances by their keys.
+#[doc(hidden)]
+pub fn tolerances(spec: &RobustSpec) -> String {
+    spec.scatter().iter().map(scattered).collect::<Vec<_>>().join(", ")
 }
 
 /// A row a design with nominal and worst value; empty where the study has no tolerances.

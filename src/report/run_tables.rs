@@ -35,7 +35,7 @@ pub(super) const RUN_TABLES: [RunTable; 26] = [
     },
     RunTable {
         stem: "compounds",
-        about: "compounds, oils and steps of dimensions that a study chooses from, one row each: the objective at the best that was found of it; of those that were left out a bound, below which no design of them was found with less asked of it",
+        about: "compounds, oils and steps of dimensions that a study chooses from, one row each: the objective at the best that was found of it; of those that were left out the best that was found without limits",
         asked: |s| s.optimise.as_ref().is_some_and(compounds::are_named),
         write: csv::compounds,
     },

@@ -5,7 +5,7 @@ use crate::analysis::Results;
 use crate::files::{Folder, WriteError};
 use crate::input::Study;
 
-/// `compounds.csv`: a row a compound or oil at the steps of dimensions, with the objective at its best; of what was left out, what it cannot be below. None where the study chooses from nothing.
+/// `compounds.csv`: a row a compound or oil at the steps of dimensions, with the objective at its best; of what was left out, the best that was found without limits. None where the study chooses from nothing.
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -24,7 +24,7 @@ pub fn compounds(study: &Study, results: &Results, folder: &Folder) -> Result<()
             study.objective.key.to_owned(),
             optional(Some(unit.shown(r.value)).filter(|v| v.is_finite())),
             unit.symbol().to_owned(),
-            if r.left_out { "bound" } else { "optimum" }.to_owned(),
+            if r.left_out { "without_limits" } else { "optimum" }.to_owned(),
             if r.left_out { String::new() } else { r.holds.to_string() },
             r.chosen.to_string(),
         ]);

@@ -120,11 +120,11 @@ pub struct CompoundResult {
     pub name: Option<String>,
     /// Steps of dimensions by their keys.
     pub steps: Vec<(&'static str, f64)>,
-    /// The study's first objective at its best, SI; of what was left out, what it cannot be below.
+    /// The study's first objective at its best, SI; of what was left out, the best that was found without limits.
     pub value: f64,
     /// Whether that design holds all limits.
     pub holds: bool,
-    /// Whether it was left out: `value` is a bound.
+    /// Whether it was left out: `value` is without limits.
     pub left_out: bool,
     /// Whether it was taken.
     pub chosen: bool,

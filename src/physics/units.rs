@@ -52,8 +52,10 @@ pub const DEG_PER_REV: f64 = 360.0;
 pub const KELVIN_AT_0_C: f64 = 273.15;
 
 /// Ends of keys with their units, the longest first.
-const SUFFIXES: [(&str, &str); 34] = [
+const SUFFIXES: [(&str, &str); 38] = [
     ("n_m_s_per_rad", "N m s/rad"),
+    ("mm2_per_s", "mm²/s"),
+    ("w_per_m_k", "W/(m K)"),
     ("n_m_per_rad", "N m/rad"),
     ("mpa_per_deg", "MPa/°"),
     ("rad_per_s2", "rad/s²"),
@@ -61,6 +63,7 @@ const SUFFIXES: [(&str, &str); 34] = [
     ("kj_per_mol", "kJ/mol"),
     ("per_rad2", "1/rad²"),
     ("w_per_m2", "W/m²"),
+    ("shore_a", "Shore A"),
     ("w_per_k", "W/K"),
     ("n_per_m", "N/m"),
     ("percent", "%"),
@@ -68,6 +71,7 @@ const SUFFIXES: [(&str, &str); 34] = [
     ("kg_m3", "kg/m³"),
     ("per_k", "1/K"),
     ("per_s", "1/s"),
+    ("per_kg", "1/kg"),
     ("kg_m", "kg m"),
     ("n_m", "N m"),
     ("cm3", "cm³"),

@@ -77,10 +77,10 @@ impl Substance {
 impl Valid {
     /// What of a use is outside of it; strains below the least are none: the law is then that of small ones.
     #[doc(hidden)]
-    pub fn outside(&self, frequency_hz: f64, celsius: &[f64], strain: f64) -> Vec<Outside> {
+    pub fn outside(&self, frequencies_hz: &[f64], celsius: &[f64], strain: f64) -> Vec<Outside> {
         let within = |x: f64, (low, high): (f64, f64)| (low..=high).contains(&x);
         let mut list = Vec::new();
-        list.extend((!within(frequency_hz, self.frequency_hz)).then_some(Outside::Frequency(frequency_hz)));
+        list.extend(frequencies_hz.iter().copied().filter(|f| !within(*f, self.frequency_hz)).map(Outside::Frequency));
         list.extend(celsius.iter().copied().filter(|t| !within(*t, self.celsius)).map(Outside::Temperature));
         list.extend((strain > self.strain.1).then_some(Outside::Strain(strain)));
         list

@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::section;
-use crate::absorber::{Sheared, TYPES, construction};
+use crate::absorber::Sheared;
 use crate::analysis::{DesignResult, Results, Sheet};
 use crate::input::Study;
 use crate::objective::{Condition, holds};
@@ -10,6 +10,7 @@ use crate::optimise::Scatter;
 use crate::text::order_sheets::{accepted, holding, megapascal, outside, sentence};
 use crate::text::scattered;
 use crate::text::table::significant;
+use crate::units::of_key;
 
 /// Units of the page: those of CSS.
 pub(super) const UNITS_PER_INCH: f32 = 96.0;
@@ -20,6 +21,8 @@ const HEIGHT: f64 = 1122.5;
 const EDGE: f64 = 45.0;
 /// Height of a line of text.
 const LINE: f64 = 14.0;
+/// Limits that have room.
+const MOST_LIMITS: usize = 12;
 /// Letters of a sentence in a line of the whole width.
 const LETTERS: usize = 118;
 
@@ -27,14 +30,10 @@ const LETTERS: usize = 118;
 fn wrapped(words: &str, letters: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in words.split(' ') {
-        let last = lines.last_mut().expect("a line");
-        if !last.is_empty() && last.chars().count() + 1 + word.chars().count() > letters {
-            lines.push(word.to_owned());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
+        match lines.last_mut() {
+            Some(last) if last.is_empty() => last.push_str(word),
+            Some(last) if last.chars().count() + 1 + word.chars().count() <= letters => *last += &format!(" {word}"),
+            _ => lines.push(word.to_owned()),
         }
     }
     lines
@@ -50,8 +49,7 @@ struct Block {
 pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     let mut page = Canvas::default();
     let design = results.designs.iter().chain(results.optima.iter().map(|o| &o.design)).find(|d| d.name == sheet.design);
-    let declared = TYPES.into_iter().find(|t| t.name == sheet.kind);
-    let sheared = declared.and_then(construction::shape).map_or(Sheared::Rubber, |s| s.sheared);
+    let sheared = sheet.shape.sheared;
     let mut y = EDGE + 14.0;
     page.text((EDGE, y), 18.0, &format!("Torsional vibration damper for {}", study.engine.name), true);
     y += 18.0;
@@ -67,14 +65,14 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     y += 6.0;
     let half = 0.5 * (WIDTH - 2.0 * EDGE);
-    section::draw(&mut page, sheet, sheared, (EDGE, y, half - 10.0, 330.0));
+    section::draw(&mut page, sheet, (EDGE, y, half - 10.0, 330.0));
     let mut right = y + 6.0;
     for block in [dimensions(sheet), parts(sheet, sheared)] {
         right = put_block(&mut page, (EDGE + half + 10.0, right), half - 10.0, &block);
     }
     y = right.max(y + 345.0) + 4.0;
     let mut columns = [y, y];
-    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(study, sheet), made(study, sheet, sheared)];
+    let blocks = [stiffness(sheet, sheared), loads(sheet), acceptance(sheet), made(study, sheet, sheared)];
     for (i, block) in blocks.iter().filter(|b| !b.rows.is_empty()).enumerate() {
         let column = i % 2;
         let x = EDGE + column as f64 * (half + 10.0);
@@ -86,11 +84,12 @@ pub(super) fn of(study: &Study, results: &Results, sheet: &Sheet) -> String {
     }
     page.text((EDGE, y + 10.0), 11.0, "Assumptions", true);
     y += 24.0;
-    for line in assumptions(sheet).iter().flat_map(|a| wrapped(a, 135)) {
-        if y < HEIGHT - EDGE - 70.0 {
-            page.text((EDGE, y), 9.0, &line, false);
-            y += 12.0;
-        }
+    let lines: Vec<String> = assumptions(sheet).iter().flat_map(|a| wrapped(a, 135)).collect();
+    let room = ((HEIGHT - EDGE - 58.0 - y) / 12.0).max(1.0) as usize;
+    for (i, line) in lines.iter().enumerate().take(room) {
+        let cut = i + 1 == room && lines.len() > room;
+        page.text((EDGE, y), 9.0, if cut { "… and more: the .json beside this page has all sources" } else { line }, false);
+        y += 12.0;
     }
     title_block(&mut page);
     page.svg((WIDTH, HEIGHT))
@@ -127,19 +126,11 @@ fn row(name: &str, value: String) -> (String, String) {
 }
 
 fn dimensions(sheet: &Sheet) -> Block {
-    let declared = TYPES.into_iter().find(|t| t.name == sheet.kind).map_or(&[][..], |t| t.parameters);
+    let declared = sheet.shape.declaration.parameters;
     let one = |(key, value): &(&'static str, f64)| {
         let about = declared.iter().find(|p| p.key == *key).map_or(*key, |p| p.about.trim_end_matches('.'));
         let about = about.split(':').next().unwrap_or(about);
-        let unit = if key.ends_with("_mm") {
-            " mm"
-        } else if key.ends_with("_kg_m3") {
-            " kg/m³"
-        } else if key.ends_with("_kg_m2") {
-            " kg m²"
-        } else {
-            ""
-        };
+        let unit = of_key(key).map_or_else(String::new, |unit| format!(" {unit}"));
         row(about, format!("{}{unit}", significant(*value, 5)))
     };
     let p = &sheet.parts;
@@ -197,9 +188,9 @@ fn loads(sheet: &Sheet) -> Block {
     // both faces and the rim
     let surface = 2.0 * std::f64::consts::PI * radius * (radius + p.width);
     let mut rows = vec![
-        row("Largest shear strain", format!("{} %", significant(100.0 * sheet.strain, 3))),
-        row("Largest shear stress at the bond", format!("{} MPa", megapascal(sheet.stress))),
-        row("Largest heat", format!("{} W", significant(sheet.power, 4))),
+        row("Largest shear strain, worst of the conditions", format!("{} %", significant(100.0 * sheet.strain, 3))),
+        row("Shear stress of it at the stiffest", format!("{} MPa", megapascal(sheet.stress))),
+        row("Largest heat, worst of the conditions", format!("{} W", significant(sheet.power, 4))),
         row("Over its own surface", format!("{} W/m²", significant(sheet.power / surface, 4))),
     ];
     rows.extend(sheet.celsius.map(|c| {
@@ -209,7 +200,7 @@ fn loads(sheet: &Sheet) -> Block {
     Block { title: "Strain and heat", rows }
 }
 
-fn acceptance(study: &Study, sheet: &Sheet) -> Block {
+fn acceptance(sheet: &Sheet) -> Block {
     let Some(band) = &sheet.acceptance else { return Block { title: "Acceptance test", rows: Vec::new() } };
     let what = match band.of {
         crate::analysis::sheets::Measured::FrequencyHz => "Own frequency of the ring, hub held, at the reference",
@@ -217,9 +208,6 @@ fn acceptance(study: &Study, sheet: &Sheet) -> Block {
     };
     let mut rows = vec![row(what, String::new()), row("accepted", accepted(band)), row("as drawn", significant(band.drawn, 5))];
     rows.extend(sheet.substance.as_ref().map(|s| row("at", format!("{} °C", significant(s.temperature.reference(), 3)))));
-    if study.limits.is_empty() {
-        rows.clear();
-    }
     Block { title: "Acceptance test", rows }
 }
 
@@ -243,11 +231,22 @@ fn made(study: &Study, sheet: &Sheet, sheared: Sheared) -> Block {
 fn limits(study: &Study, d: &DesignResult) -> Block {
     let one = |(limit, ratio): (&crate::input::LimitSpec, &f64)| {
         let verdict = if holds(*ratio) { "holds" } else { "FAILS" };
-        let value = limit.of.unit.shown(ratio * limit.limit);
-        let used = format!("{verdict}: {}{}, {:.1} % of it", significant(value, 4), limit.of.unit.suffix(), 100.0 * ratio);
+        let used = match (ratio.is_finite(), limit.of.measure.within.factors.is_empty()) {
+            (false, _) => format!("{verdict}: no value"),
+            (true, false) => format!("{verdict}: {:.1} % used", 100.0 * ratio),
+            (true, true) => {
+                let value = limit.of.unit.shown(ratio * limit.limit);
+                format!("{verdict}: {}{}, {:.1} % used", significant(value, 4), limit.of.unit.suffix(), 100.0 * ratio)
+            }
+        };
         row(&limit.words, used)
     };
-    Block { title: "Limits, in the conditions of the study", rows: study.limits.iter().zip(&d.limits).map(one).collect() }
+    let mut rows: Vec<_> = study.limits.iter().zip(&d.limits).map(one).collect();
+    if rows.len() > MOST_LIMITS {
+        let more = rows.split_off(MOST_LIMITS).len();
+        rows.push(row(&format!("and {more} more, in limits.csv"), String::new()));
+    }
+    Block { title: "Limits, in the conditions of the study", rows }
 }
 
 fn assumptions(sheet: &Sheet) -> Vec<String> {

@@ -1,11 +1,11 @@
 //! The section of a damper, to scale, with its dimensions: what lies above its axis.
 
 use super::canvas::Canvas;
-use crate::absorber::Sheared;
+use crate::absorber::{SLEEVE, Sheared};
 use crate::analysis::Sheet;
 use crate::text::order_sheets::mm;
 
-/// A rectangle of the section: from and to along the axis, inner and outer radius, m, and its hatching.
+/// A rectangle of the section: from and to along the axis, inner and outer radius, m, and its colour.
 struct Body {
     axial: (f64, f64),
     radial: (f64, f64),
@@ -18,13 +18,13 @@ const OIL: &str = "#f2d9a0";
 const HOUSING: &str = "#b9c4d3";
 
 /// What is drawn of a shape.
-fn bodies(sheet: &Sheet, sheared: Sheared) -> Vec<Body> {
+fn bodies(sheet: &Sheet) -> Vec<Body> {
     let p = &sheet.parts;
     let [inner, outer] = p.ring;
     let half = 0.5 * p.width;
     let ring_half = 0.5 * p.ring_width;
     let mut list = Vec::new();
-    if sheared == Sheared::Oil {
+    if sheet.shape.sheared == Sheared::Oil {
         let outside = 0.5 * p.outer_diameter;
         list.push(Body { axial: (-half, half), radial: (0.5 * p.bore, outside), fill: HOUSING });
         let wall = outside - outer - p.sheared_length;
@@ -33,8 +33,8 @@ fn bodies(sheet: &Sheet, sheared: Sheared) -> Vec<Body> {
         list.push(Body { axial: (-ring_half, ring_half), radial: (inner, outer), fill: STEEL });
         return list;
     }
-    match sheet.kind {
-        "sleeve" => {
+    match sheet.shape.declaration {
+        kind if kind == &SLEEVE => {
             let length = 0.5 * p.sheared_length;
             list.push(Body { axial: (-half, half), radial: (inner, outer), fill: STEEL });
             list.push(Body { axial: (-length, length), radial: (0.5 * p.bore, inner), fill: RUBBER });
@@ -55,7 +55,7 @@ fn bodies(sheet: &Sheet, sheared: Sheared) -> Vec<Body> {
 }
 
 /// Draws it into a box of the page: x, y, width, height, units of the page.
-pub(super) fn draw(page: &mut Canvas, sheet: &Sheet, sheared: Sheared, (x, y, width, height): (f64, f64, f64, f64)) {
+pub(super) fn draw(page: &mut Canvas, sheet: &Sheet, (x, y, width, height): (f64, f64, f64, f64)) {
     let p = &sheet.parts;
     let (outside, clear) = (0.5 * p.outer_diameter, 0.5 * p.bore);
     // the axis below, room for dimensions round it
@@ -63,7 +63,7 @@ pub(super) fn draw(page: &mut Canvas, sheet: &Sheet, sheared: Sheared, (x, y, wi
     let scale = ((width - 2.0 * margin) / p.width).min((height - 60.0) / outside);
     let (centre, axis) = (x + 0.5 * width, y + height - 22.0);
     let at = |axial: f64, radius: f64| (centre + scale * axial, axis - scale * radius);
-    for body in bodies(sheet, sheared) {
+    for body in bodies(sheet) {
         let (left, top) = at(body.axial.0, body.radial.1);
         let (right, bottom) = at(body.axial.1, body.radial.0);
         page.rectangle((left, top, right - left, bottom - top), body.fill);

@@ -2,24 +2,17 @@
 
 use super::judged::value_of;
 use super::table::significant;
-use crate::absorber::construction::shape;
 use crate::absorber::substance::Outside;
-use crate::absorber::{Sheared, TYPES};
+use crate::absorber::{HOUSING, SLEEVE, Sheared};
 use crate::analysis::sheets::{Band, Holding, Measured};
 use crate::analysis::{Results, Sheet};
 use crate::input::Study;
 use crate::objective::holds;
 use crate::units::{M_PER_MM, PA_PER_MPA};
 
-/// What is sheared in it.
-fn sheared(sheet: &Sheet) -> Sheared {
-    let declared = TYPES.into_iter().find(|t| t.name == sheet.kind);
-    declared.and_then(shape).map_or(Sheared::Rubber, |s| s.sheared)
-}
-
-/// A compound or an oil by its name as it is said: "EPDM 60", "silicone 100 000".
+/// A compound or an oil by its name, with its grade.
 fn named(sheet: &Sheet) -> String {
-    match (&sheet.substance, sheared(sheet)) {
+    match (&sheet.substance, sheet.shape.sheared) {
         (Some(s), Sheared::Rubber) => format!("{} ({} Shore A)", s.name, s.grade),
         (Some(s), Sheared::Oil) => format!("{} ({} mm²/s)", s.name, s.grade),
         (None, Sheared::Rubber) => "rubber".to_owned(),
@@ -39,20 +32,20 @@ fn dimension(sheet: &Sheet, key: &str) -> f64 {
 /// Its sizes: "sleeve 152 x 6.5 x 48 mm" by mean diameter, thickness and length.
 fn sizes(sheet: &Sheet) -> String {
     let p = &sheet.parts;
-    match sheet.kind {
-        "sleeve" => {
+    match sheet.shape.declaration {
+        kind if kind == &SLEEVE => {
             let thickness = dimension(sheet, "rubber_thickness_mm");
             let mean = p.bore / M_PER_MM + thickness;
             format!("sleeve {} x {} x {} mm", significant(mean, 4), significant(thickness, 3), mm(p.sheared_length))
         }
-        "housing" => format!(
+        kind if kind == &HOUSING => format!(
             "housing {} x {} mm, gaps {} and {} mm",
             mm(p.outer_diameter),
             mm(p.width),
             significant(dimension(sheet, "radial_gap_mm"), 3),
             significant(dimension(sheet, "axial_gap_mm"), 3)
         ),
-        kind => format!("{kind} {} x {} x {} mm", mm(2.0 * p.ring[0]), mm(2.0 * p.ring[1]), mm(p.sheared_length)),
+        _ => format!("{} {} x {} x {} mm", sheet.kind, mm(2.0 * p.ring[0]), mm(2.0 * p.ring[1]), mm(p.sheared_length)),
     }
 }
 
@@ -69,7 +62,15 @@ pub(crate) fn accepted(band: &Band) -> String {
         Measured::DampingNMSPerRad => "N m s/rad",
     };
     match band.between {
-        Some((low, high)) => format!("{} to {} {unit}", significant(low, 4), significant(high, 4)),
+        Some((low, high)) => {
+            let farther = match band.open {
+                (false, false) => "",
+                (true, false) => " (less was not looked at)",
+                (false, true) => " (more was not looked at)",
+                (true, true) => " (beyond it was not looked at)",
+            };
+            format!("{} to {} {unit}{farther}", significant(low, 4), significant(high, 4))
+        }
         None => format!("none: {} {unit} as drawn does not hold all limits with the scatter of the rest", significant(band.drawn, 4)),
     }
 }
@@ -96,7 +97,7 @@ pub(crate) fn sentence(study: &Study, results: &Results, sheet: &Sheet) -> Strin
     let mut parts = vec![format!("{}, {}, ring {} kg: {judged}{none}", named(sheet), sizes(sheet), significant(sheet.parts.ring_mass, 3))];
     parts.push(format!("{} W", significant(sheet.power, 3)));
     parts.extend(sheet.celsius.map(|c| if c.is_finite() { format!("{} °C", significant(c, 3)) } else { "overheats".to_owned() }));
-    let what = if sheared(sheet) == Sheared::Oil { "shear of the oil" } else { "strain" };
+    let what = if sheet.shape.sheared == Sheared::Oil { "shear of the oil" } else { "strain" };
     parts.push(format!("{what} {} %", significant(100.0 * sheet.strain, 3)));
     let broken: Vec<&str> = study.limits.iter().zip(&d.limits).filter(|(_, r)| !holds(**r)).map(|(l, _)| l.words.as_str()).collect();
     if !study.limits.is_empty() {

@@ -33,6 +33,8 @@ pub struct Band {
     pub drawn: f64,
     /// The least and the most that are accepted; nothing where the design as drawn does not hold all limits with the scatter of the rest.
     pub between: Option<(f64, f64)>,
+    /// Whether the band may go on below and above: farther than half of the number as drawn is not looked at.
+    pub open: (bool, bool),
 }
 
 /// Largest change of the number that is looked at, each way.
@@ -80,7 +82,7 @@ pub(super) fn acceptance(
     };
     let some = points(RANDOM, seed);
     if !holds_at(drawn, &some) {
-        return Some(Band { of, drawn, between: None });
+        return Some(Band { of, drawn, between: None, open: (false, false) });
     }
     let end = |sign: f64| {
         let at = |share: f64| drawn * (1.0 + sign * share);
@@ -107,7 +109,9 @@ pub(super) fn acceptance(
         }
         at(below)
     };
-    Some(Band { of, drawn, between: Some((end(-1.0), end(1.0))) })
+    let (low, high) = (end(-1.0), end(1.0));
+    let is_end = |x: f64| ((x / drawn - 1.0).abs() - FARTHEST).abs() < 1e-9;
+    Some(Band { of, drawn, between: Some((low, high)), open: (is_end(low), is_end(high)) })
 }
 
 /// What is measured of a law.

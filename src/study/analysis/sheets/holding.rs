@@ -31,6 +31,8 @@ pub struct Holding {
 const TWO_SIDED_95: f64 = 1.959_964;
 /// A smaller share of failures than this is drawn by importance.
 const FEW: f64 = 0.02;
+/// Of fewer failures than these an estimate by importance has no variance to speak of.
+const LEAST: usize = 20;
 /// Standard deviations of a normal distribution to each side within a tolerance.
 const WITHIN: f64 = 3.0;
 
@@ -64,22 +66,21 @@ pub(super) fn holding(
         let count = |limit: usize| drawn.iter().filter(|d| d.1 == Some(limit)).count();
         (0..study.limits.len()).filter(|l| count(*l) > 0).max_by_key(|l| count(*l))
     };
+    let plain = || {
+        let (share, between) = (1.0 - fails / n, wilson(n - fails, n));
+        Holding { share, between, samples: sampling.samples, by_importance: false, broken: most(&drawn) }
+    };
     if !sampling.normal || fails >= FEW * n {
-        let (low, high) = wilson(n - fails, n);
-        return Holding {
-            share: 1.0 - fails / n,
-            between: (low, high),
-            samples: sampling.samples,
-            by_importance: false,
-            broken: most(&drawn),
-        };
+        return plain();
     }
     let even = failing(false, seed.wrapping_add(1));
+    if even.iter().filter(|e| e.1.is_some()).count() < LEAST {
+        return plain();
+    }
     let weights: Vec<f64> = even.iter().map(|(p, failed)| if failed.is_some() { density(p) } else { 0.0 }).collect();
     let mean = weights.iter().sum::<f64>() / n;
     let variance = weights.iter().map(|w| (w - mean) * (w - mean)).sum::<f64>() / (n * (n - 1.0));
-    // where nothing failed at all the rule of three says how many may
-    let half = if mean == 0.0 { WITHIN / n } else { TWO_SIDED_95 * variance.sqrt() };
+    let half = TWO_SIDED_95 * variance.sqrt();
     Holding {
         share: 1.0 - mean,
         between: ((1.0 - mean - half).max(0.0), (1.0 - mean + half).min(1.0)),

@@ -11,11 +11,12 @@ use super::heat::HeatOfDesign;
 use super::required_material::{OnHeldHub, at_own_frequency};
 use super::{DesignResult, Progress};
 use crate::absorber::substance::Outside;
-use crate::absorber::{Law, Operating, Parts, Sheared, Substance, construction};
+use crate::absorber::{Law, Mounted, Operating, Parts, Shape, Sheared, Substance, construction};
 use crate::input::Study;
-use crate::objective::{Condition, PeakFinder, mass};
-use crate::optimise::{LoadCase, Tolerances};
-use crate::response::ResponseError;
+use crate::numerics::elementary::Elementary;
+use crate::objective::{Condition, Measure, Over, PeakFinder, mass};
+use crate::optimise::{LoadCase, Tolerances, largest};
+use crate::response::{Quantity, ResponseError, Work};
 use crate::units::{HZ_PER_RAD_PER_S, RAD_PER_S_PER_RPM};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -29,6 +30,9 @@ pub struct Sheet {
     pub absorber: usize,
     /// Type.
     pub kind: &'static str,
+    /// The same.
+    #[serde(skip)]
+    pub shape: &'static Shape,
     /// The compound or oil.
     #[serde(skip)]
     pub substance: Option<Arc<Substance>>,
@@ -52,11 +56,11 @@ pub struct Sheet {
     pub on_held_hub: Option<OnHeldHub>,
     /// In each condition of the study: at the frequency of the largest order at the peak of the twist.
     pub at_peak: Vec<AtPeak>,
-    /// Largest shear strain while all cylinders fire.
+    /// Largest shear strain in the conditions that a design is to hold in.
     pub strain: f64,
-    /// Largest amplitude of shear stress in what is sheared, Pa, where it is largest: that of its bond.
+    /// Shear stress of that strain, Pa, where it is largest, with the largest modulus of `at_peak`.
     pub stress: f64,
-    /// Largest mean power, W.
+    /// Largest mean power in the same conditions, W.
     pub power: f64,
     /// Largest temperature that is reached from cold, °C, where it is told what cools it; infinite where it overheats.
     pub celsius: Option<f64>,
@@ -78,6 +82,8 @@ pub struct AtPeak {
     pub frequency_hz: f64,
     /// Real part of S, N m/rad.
     pub stiffness: f64,
+    /// Imaginary part, N m/rad.
+    pub loss_stiffness: f64,
     /// Imaginary over real part.
     pub loss_factor: f64,
 }
@@ -92,57 +98,65 @@ pub(super) fn sheets<'d>(
     (shown, heat): (&[&'d DesignResult], &[HeatOfDesign]),
     progress: &dyn Progress,
 ) -> Result<Vec<Sheet>, (&'d DesignResult, ResponseError)> {
-    let with: Vec<(&&DesignResult, usize)> = shown.iter().filter_map(|d| Some((d, first(d)?))).collect();
+    let with: Vec<(&&DesignResult, Found)> = shown.iter().filter_map(|d| Some((d, first(d)?))).collect();
     if with.is_empty() {
         return Ok(Vec::new());
     }
     progress.stage("order sheets", with.len());
-    let one = |(d, absorber): &(&&'d DesignResult, usize)| {
-        let found = sheet(study, (finder, cases), (d, *absorber), heat).map_err(|error| (**d, error));
+    let one = |(d, found): &(&&'d DesignResult, Found)| {
+        let made = sheet(study, (finder, cases), (d, *found), heat).map_err(|error| (**d, error));
         progress.step();
-        found
+        made
     };
     with.par_iter().map(one).collect()
 }
 
+/// A damper by its dimensions: its index, its law, what it comes to, and its shape.
+type Found<'a> = (usize, &'a Arc<dyn Law>, &'a Parts<f64>, &'static Shape);
+
 /// The first damper by its dimensions of a design.
-fn first(d: &DesignResult) -> Option<usize> {
-    d.absorbers.iter().position(|m| m.absorber.law().is_some_and(|law| law.parts().is_some()))
+fn first(d: &DesignResult) -> Option<Found<'_>> {
+    let found = |(i, m): (usize, &'_ Mounted)| -> Option<usize> {
+        let law = m.absorber.law()?;
+        law.parts().zip(construction::shape(law.declaration())).map(|_| i)
+    };
+    let index = d.absorbers.iter().enumerate().find_map(found)?;
+    let law = d.absorbers[index].absorber.law()?;
+    Some((index, law, law.parts()?, construction::shape(law.declaration())?))
 }
 
 fn sheet(
     study: &Study,
     (finder, cases): (&PeakFinder, &[LoadCase]),
-    (d, absorber): (&DesignResult, usize),
+    (d, (absorber, law, parts, shape)): (&DesignResult, Found),
     heat: &[HeatOfDesign],
 ) -> Result<Sheet, ResponseError> {
     let mounted = &d.absorbers[absorber];
-    let law = mounted.absorber.law().expect("a damper by its dimensions has a law");
-    let parts = *law.parts().expect("a damper by its dimensions has parts");
-    let shape = construction::shape(law.declaration()).expect("a damper by its dimensions has a shape");
     let substance = law.material().and_then(|m| m.substance.clone());
     let values = law.values();
     let dimensions: Vec<(&'static str, f64)> =
         shape.declaration.parameters.iter().map(|p| p.key).zip(values.iter().copied()).take(shape.material().start).collect();
     let at_peak = at_peaks(study, finder, (d, absorber));
-    let load = d.loads[absorber];
-    let strain = parts.strain_per_twist * load.ring_twist;
-    let dynamic = at_peak.iter().find(|p| p.condition == Condition::Firing);
-    // stress is the modulus times the strain
-    let modulus = dynamic.map_or(0.0, |p| p.stiffness * (1.0 + p.loss_factor * p.loss_factor).sqrt() / parts.factor);
-    let mass = mass(law.as_ref(), &parts);
+    // the worst of the conditions, which all have the same dimensions
+    let worst = |over: Over| {
+        let measure = Measure::new(vec![Quantity::RingTwist(absorber)], over);
+        largest(cases.iter(), &d.absorbers, &measure, &mut Work::default())
+    };
+    let (strain, power) = (parts.strain_per_twist * worst(Over::Synthesis)?, worst(Over::Power)?);
+    let modulus_of = |p: &AtPeak| p.stiffness.hypotenuse(p.loss_stiffness) / parts.factor;
+    let modulus = at_peak.iter().map(modulus_of).fold(0.0, f64::max);
+    let mass = mass(law.as_ref(), parts);
     let celsius = heat.iter().find(|h| h.design == d.name && h.absorber == absorber).map(|h| {
         let reached = |p: &super::HeatAt| p.cold_start().map_or(f64::INFINITY, |b| b.celsius);
         h.points.iter().map(reached).fold(f64::NEG_INFINITY, f64::max)
     });
     let temperatures = [study.temperatures.cold, study.temperatures.hot, celsius.filter(|c| c.is_finite())];
     let temperatures: Vec<f64> = temperatures.into_iter().flatten().collect();
-    let outside = substance
-        .as_ref()
-        .map_or_else(Vec::new, |s| s.valid.outside(dynamic.map_or(s.valid.frequency_hz.0, |p| p.frequency_hz), &temperatures, strain));
+    let frequencies: Vec<f64> = at_peak.iter().map(|p| p.frequency_hz).collect();
+    let outside = substance.as_ref().map_or_else(Vec::new, |s| s.valid.outside(&frequencies, &temperatures, strain));
     let scatter = study.robust.as_ref().map_or_else(Vec::new, |r| r.scatter());
     let tolerances = Tolerances::scattered_of(&d.absorbers, &scatter);
-    let is_made = tolerances.edges() > 0 && !study.limits.is_empty();
+    let is_made = tolerances.edges() > 0 && study.limits.iter().any(|l| !l.of.measure.is_inertia());
     let seed = study.optimise.as_ref().map_or(1, |o| o.seed);
     let sampling = study.robust.as_ref().and_then(|r| r.sampling).filter(|_| is_made);
     let holding = sampling.map(|s| holding::holding(study, cases, &d.absorbers, (&tolerances, s, seed)));
@@ -151,30 +165,30 @@ fn sheet(
         design: d.name.clone(),
         absorber,
         kind: shape.declaration.name,
+        shape,
         dimensions,
         ring_inertia: law.ring_inertia(),
         sheared_mass: mass - parts.ring_mass - parts.hub_mass,
         mass,
-        static_stiffness: (shape.sheared == Sheared::Rubber).then(|| stiffness_at(law.as_ref(), 0.0).0),
+        static_stiffness: (shape.sheared == Sheared::Rubber).then(|| static_stiffness(law.as_ref())),
         damping: (shape.sheared == Sheared::Oil).then(|| damping(law.as_ref())),
         on_held_hub: at_own_frequency(&mounted.absorber),
         at_peak,
         strain,
         stress: modulus * strain,
-        power: load.power,
+        power,
         celsius,
         outside,
         holding,
         acceptance,
-        parts,
+        parts: *parts,
         substance,
     })
 }
 
-/// Real part and loss factor of a law at a frequency, rad/s.
-fn stiffness_at(law: &dyn Law, omega: f64) -> (f64, f64) {
-    let s = law.dynamic_stiffness(Operating { omega, shaft_speed: omega });
-    (s.re, if s.re == 0.0 { 0.0 } else { s.im / s.re })
+/// Real part of S at no frequency, N m/rad.
+fn static_stiffness(law: &dyn Law) -> f64 {
+    law.dynamic_stiffness(Operating { omega: 0.0, shaft_speed: 0.0 }).re
 }
 
 /// The dynamic stiffness at the peak of the reported twist, while all cylinders fire and in each state of the material.
@@ -185,7 +199,7 @@ fn at_peaks(study: &Study, finder: &PeakFinder, (d, absorber): (&DesignResult, u
         let omega = finder.system.excitation.orders[peak.order].omega(peak.speed_rpm);
         let s = law.dynamic_stiffness(Operating { omega, shaft_speed: peak.speed_rpm * RAD_PER_S_PER_RPM });
         let loss_factor = if s.re == 0.0 { f64::INFINITY } else { s.im / s.re };
-        Some(AtPeak { condition, frequency_hz: omega * HZ_PER_RAD_PER_S, stiffness: s.re, loss_factor })
+        Some(AtPeak { condition, frequency_hz: omega * HZ_PER_RAD_PER_S, stiffness: s.re, loss_stiffness: s.im, loss_factor })
     };
     let states = study.conditions.iter().filter(|c| c.material().is_some());
     let in_state = states.filter_map(|c| of(*c, d.conditions.iter().find(|r| r.condition == *c)?.twist.as_ref()?));

@@ -19,6 +19,7 @@ mod names_of_commands;
 mod page;
 mod parquet;
 pub mod plot;
+mod price_words;
 mod reason;
 #[doc(hidden)]
 pub mod results_json;

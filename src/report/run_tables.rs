@@ -20,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 26] = [
+pub(super) const RUN_TABLES: [RunTable; 27] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -38,6 +38,12 @@ pub(super) const RUN_TABLES: [RunTable; 26] = [
         about: "compounds, oils and steps of dimensions that a study chooses from, one row each: the objective at the best that was found of it; of those that were left out the best that was found without limits",
         asked: |s| s.optimise.as_ref().is_some_and(compounds::are_named),
         write: csv::compounds,
+    },
+    RunTable {
+        stem: "prices",
+        about: "what each condition, limit and bound costs, one row each for the optimum of each type: the objective with all that is asked, and of the optimum that was found without it; and with half of the ring",
+        asked: |s| s.optimise.as_ref().is_some_and(|o| o.prices),
+        write: csv::prices,
     },
     RunTable {
         stem: "order_peaks",

@@ -1,9 +1,11 @@
-//! What one per cent more of a limit or a bound brings, where several hold an optimum at once.
+//! What limits, bounds and conditions cost: one per cent more of one where several hold an optimum at once, and each left out in turn.
 
 use crate::limits::{TwoMasses, What, with};
-use crate::support::assert_close;
-use hartog::analysis::{self, OptimumResult, Silent};
+use crate::support::{assert_close, variant};
+use hartog::Study;
+use hartog::analysis::{self, Change, OptimumResult, Silent};
 use hartog::input::Size;
+use hartog::objective::Condition;
 
 /// Law: where a bound and limits hold an optimum at once, one per cent more of one of them alone brings what a search finds: nothing. With the largest ring at a limit on its inertia the multiplier was shared out between
 /// both, and each part told as the price of one; so it was between a limit that is written twice.
@@ -30,4 +32,39 @@ fn prices_of_what_holds_together() {
     assert_close(of_bound(&found(0.1, &[])).expect("on it"), cost, 1e-3, 0.0, "the bound");
     let twice = found(0.2, &[0.1, 0.1]);
     assert!(twice.prices.iter().all(|p| *p < 1e-6), "{:?}", twice.prices);
+}
+
+/// Independent: what a condition, a limit, a bound and half the ring cost is what two files say, with it and without it. Costs of what is asked are never negative.
+#[test]
+fn what_is_asked_costs_what_it_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = |change: (&str, &str)| {
+        let path = variant(folder.path(), "villalva_i6_prices", &[change]);
+        Study::read(&path).unwrap_or_else(|e| panic!("{e}")).run().expect("damped")
+    };
+    let asked = found(("prices = true", "prices = true"));
+    let own = asked.optima[0].optimum.value();
+    let held = "conditions = [\"firing\", \"cold\", \"hot\"]\nprices = true";
+    let limit = "dissipated_power = { max_w = 300 }";
+    type Is<'a> = &'a dyn Fn(&Change) -> bool;
+    let changes: [(Is, (&str, &str)); 5] = [
+        (&|c| *c == Change::WithoutCondition(Condition::Cold), (held, "conditions = [\"firing\", \"hot\"]")),
+        (&|c| *c == Change::WithoutCondition(Condition::Hot), (held, "conditions = [\"firing\", \"cold\"]")),
+        (&|c| *c == Change::WithoutLimit(0), (limit, "dissipated_power = { max_w = 1e6 }")),
+        (
+            &|c| matches!(c, Change::WithoutBound { key: "loss_factor", .. }),
+            ("loss_factor.between = [0.05, 0.18]", "loss_factor.between = [0.05, 2]"),
+        ),
+        (&|c| *c == Change::HalfTheRing, ("fixed = 0.076", "fixed = 0.038")),
+    ];
+    for (is_of, change) in changes {
+        let price = asked.prices.iter().find(|p| is_of(&p.change)).unwrap_or_else(|| panic!("{change:?}: {:?}", asked.prices));
+        let other = found(change).optima[0].optimum.value();
+        assert_close(price.changed, other, 1e-6, 0.0, change.1);
+        let cost = if price.change == Change::HalfTheRing { other / own - 1.0 } else { own / other - 1.0 };
+        assert_close(price.cost().expect("limits hold"), cost, 1e-5, 1e-7, change.1);
+        assert!(cost > 1e-4, "{} costs {cost}", change.1);
+    }
+    assert!(asked.prices.iter().all(|p| p.cost().is_some_and(|c| c >= 0.0)), "{:?}", asked.prices);
+    assert_eq!(asked.prices.len(), 3 + 2 + 1 + 1, "conditions, limits, a bound, half the ring");
 }

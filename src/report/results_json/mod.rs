@@ -12,6 +12,7 @@ use crate::absorber::{Host, Mounted};
 use crate::analysis::{DesignResult, FrontResult, OptimumResult, Results, TradeoffResult};
 use crate::input::{FrontSpec, InputFile, MeasureSpec, Placeholder, Study};
 use crate::objective::{HELD, holds};
+use crate::price_words::{change, costs};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -154,6 +155,19 @@ struct Optimum {
     evaluations: u64,
     /// Of each limit: per cent of the objective that one per cent more of it would bring.
     limit_multipliers: Vec<f64>,
+    /// What each condition, limit and bound costs, as in `prices.csv`; absent where the study does not ask for it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    prices: Vec<Price>,
+}
+
+/// The optimum without something that is asked of it.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Price {
+    change: String,
+    value_after: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cost_percent: Option<f64>,
+    limits_hold_after: bool,
 }
 
 /// A front of a family of designs.
@@ -224,7 +238,7 @@ fn record(study: &Study, inputs: &[InputFile], results: &Results) -> Record {
         limits_hold: results.limits_hold(),
         chain_frequencies_hz: study.modes.frequencies_hz(),
         designs: given.chain(found).collect(),
-        optima: results.optima.iter().map(|o| optimum(study, o)).collect(),
+        optima: results.optima.iter().map(|o| optimum(study, results, o)).collect(),
         fronts: over_inertia.chain(results.tradeoffs.iter().flat_map(|t| of_pair(study, results, t))).collect(),
     }
 }
@@ -266,7 +280,13 @@ fn absorbers(results: &Results, design: &[Mounted]) -> Vec<Absorber> {
     design.iter().map(absorber).collect()
 }
 
-fn optimum(study: &Study, o: &OptimumResult) -> Optimum {
+fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> Optimum {
+    let price = |p: &crate::analysis::Price| Price {
+        change: change(study, p),
+        value_after: study.objective.unit.shown(p.changed),
+        cost_percent: costs(study, p),
+        limits_hold_after: p.changed_holds,
+    };
     let (found, objective) = (&o.optimum, study.objective_of(o.objective));
     Optimum {
         design: o.design.name.clone(),
@@ -279,6 +299,7 @@ fn optimum(study: &Study, o: &OptimumResult) -> Optimum {
         other_optima: found.others.iter().map(|l| objective.unit.shown(l.value)).filter(|v| v.is_finite()).collect(),
         evaluations: found.stages.all().evaluations,
         limit_multipliers: o.prices.clone(),
+        prices: results.prices.iter().filter(|p| p.design == o.design.name).map(price).collect(),
     }
 }
 

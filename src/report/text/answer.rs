@@ -7,6 +7,7 @@ use super::judged::{sentence, value_of};
 use super::limits::{barred, broken_within_tolerances, limits, not_judged, of_given};
 use super::margin::below_acceptable;
 use super::order_sheets;
+use super::prices;
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
@@ -103,6 +104,7 @@ fn found(study: &Study, results: &Results) -> String {
                 put("  the study has no limits".into());
             }
             fewer(limits(study, results, o)).into_iter().for_each(&mut put);
+            prices::line(study, results, o).into_iter().for_each(&mut put);
             let broken = not_judged(study, &o.design);
             broken.into_iter().for_each(|words| put(format!("  {words}; an optimum holds its limits in the `conditions` of [optimise]")));
             broken_within_tolerances(study, results, &o.design).into_iter().for_each(|words| put(format!("  {words}")));

@@ -25,6 +25,7 @@ mod materials;
 mod model;
 pub(crate) mod order_sheets;
 mod plausibility;
+mod prices;
 pub mod publications;
 mod robust;
 mod run;

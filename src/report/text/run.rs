@@ -6,6 +6,7 @@ use super::judged::{sentence, value_of};
 use super::limits::{barred, limits};
 use super::margin::factor;
 use super::materials::temperatures;
+use super::prices;
 use super::robust::during;
 use super::table::{dash, keyed, significant};
 use super::verdict::{clause, of_design};
@@ -116,6 +117,7 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     parameters(o).into_iter().for_each(&mut put);
     certificate(objective, o, value_of).into_iter().for_each(&mut put);
     limits(study, results, o).into_iter().for_each(&mut put);
+    prices::line(study, results, o).into_iter().for_each(&mut put);
     text
 }
 

@@ -40,6 +40,7 @@ pub mod model_check;
 pub mod on_joints;
 #[doc(hidden)]
 pub mod plausibility;
+mod prices;
 pub mod progress;
 #[doc(hidden)]
 pub mod reciprocating;
@@ -91,7 +92,7 @@ pub use on_joints::{AtSpeedOnJoints, FoundOnJoints, OnJointsOfDesign};
 pub use progress::{Error, Progress, RunError, Silent};
 pub use required_material::MadeOf;
 pub use required_material::over_states;
-pub use results::{Beside, CompoundResult, FrontResult, OptimumResult, Results, RowCase, TradeoffResult};
+pub use results::{Beside, Change, CompoundResult, FrontResult, OptimumResult, Price, Results, RowCase, TradeoffResult};
 pub use robust::{Percentile, RobustOfDesign, Worst};
 pub use run::run;
 pub use sensitivities::Sensitivity;

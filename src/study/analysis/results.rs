@@ -130,6 +130,56 @@ pub struct CompoundResult {
     pub chosen: bool,
 }
 
+/// What is another one than the study asks for.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Change {
+    /// A condition is left out.
+    WithoutCondition(Condition),
+    /// A limit is left out, by its index.
+    WithoutLimit(usize),
+    /// A bound that the optimum lies on is where hartog puts it without the study.
+    WithoutBound {
+        /// Index of the absorber.
+        absorber: usize,
+        /// Key of the parameter.
+        key: &'static str,
+        /// The bound of the study.
+        bound: f64,
+        /// The other one.
+        instead: f64,
+    },
+    /// Every ring has half of its inertia, or of the most that it may have.
+    HalfTheRing,
+}
+
+/// The optimum of a study that is changed.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Price {
+    /// Name of the optimum.
+    pub design: String,
+    /// What is changed.
+    pub change: Change,
+    /// The study's first objective of the optimum, SI.
+    pub own: f64,
+    /// The same of the optimum that was found after the change.
+    pub changed: f64,
+    /// Whether the optimum holds all limits.
+    pub own_holds: bool,
+    /// Whether that after the change holds all that are left.
+    pub changed_holds: bool,
+    /// The compound or oil of that one, of several that the study names.
+    pub compound: Option<String>,
+}
+
+impl Price {
+    /// What is asked costs so much of the objective: its ratio with it to that without it, less one; of half the ring the ratio of that to the whole one. `None` where one of them breaks limits.
+    pub fn cost(&self) -> Option<f64> {
+        let (with, without) = if self.change == Change::HalfTheRing { (self.changed, self.own) } else { (self.own, self.changed) };
+        (self.own_holds && self.changed_holds).then_some(with / without - 1.0)
+    }
+}
+
 /// A design beside a front.
 #[derive(Debug, Clone, serde::Serialize)]
 pub struct Beside {
@@ -173,6 +223,8 @@ pub struct Results {
     pub choices: Vec<Choice>,
     /// Compounds, oils and steps of dimensions that were chosen from.
     pub compounds: Vec<CompoundResult>,
+    /// What is asked of optima, and what it costs, where the study wants that.
+    pub prices: Vec<Price>,
     /// Absorbers of catalogues, the best first.
     pub catalogue: Vec<Ranked>,
     /// Given designs, and the best of catalogues.

@@ -20,19 +20,19 @@ use super::searches::Searches;
 use super::sheets::{self, Sheet};
 use super::strain::{self, StrainOfDesign};
 use super::sweeps::{self, Asked, Sweeps};
-use super::systems::{appearing, engines_in, systems};
+use super::systems::{appearing, load_cases, systems};
 use super::tables_for_searches::with_tables;
 use super::timing::{Clock, Timing};
 use super::torsion_case::{self, CaseOfDesign};
 use super::web_stress::{WebsOfDesign, web_stress};
-use super::{Progress, RunError, Silent, calibrate, families, timing_probe};
+use super::{Progress, RunError, Silent, calibrate, families, prices, timing_probe};
 use crate::absorber::Mounted;
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::mounted::{is_tree, station_of};
 use crate::crankshaft::Margin;
 use crate::drivetrain::System;
 use crate::input::{DesignSpec, ResponseMethod, Study};
-use crate::objective::{Condition, Measure, Over, PeakFinder};
+use crate::objective::{Measure, Over, PeakFinder};
 use crate::optimise::LoadCase;
 use crate::response::{Direct, Grid, JointReceptance, Method, Quantity, Receptance, Response, ResponseError, Work};
 use rayon::prelude::*;
@@ -99,8 +99,7 @@ impl Study {
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock::start();
     let mut systems = systems(study, study.excitation(), progress);
-    let kinks: &[f64] = if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] };
-    let grid = Grid::new(&study.speeds_rpm, kinks);
+    let grid = Grid::new(&study.speeds_rpm, if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] });
     clock.lap("excitation", Work::default());
     let methods = methods(study, &systems, &grid, progress, &mut clock);
     let margin = crank(study, &systems[0], &grid, progress, &mut clock);
@@ -117,13 +116,13 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let wanted = EvaluationPlan::new(study, &measures);
     let load_cases: Vec<LoadCase> = wanted.held.iter().flat_map(|c| load_cases(*c, &finders)).collect();
     let (narrowed, compounds) = compounds::narrowed(study, (&finders, &load_cases, &modes, &wanted), progress, &mut clock)?;
-    let study = narrowed.as_ref().unwrap_or(study);
+    let (asked, study) = (study, narrowed.as_ref().unwrap_or(study));
     let (catalogue, best) = catalogue::ranked(study, &finders, &wanted, progress)?;
     let best = with_retuned(study, best, (&finders, &load_cases), progress)?;
     let mut designs = designs(study.designs.iter().chain(&best), &finders, &wanted, progress, &mut clock)?;
     let searches = Searches::new(study, (&finders, &load_cases), &modes, &wanted, progress);
     let mut optima = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.optima(o, &mut clock))?;
-    super::searches::show_best_size(&mut optima);
+    let prices = prices::prices(asked, (&finders, &modes), &optima, (progress, &mut clock))?;
     let bare = searches.bare();
     let fronts = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.fronts(o, &optima, &mut clock))?;
     let tradeoffs = study.optimise.as_ref().map_or_else(|| Ok(Vec::new()), |o| searches.tradeoffs(o, &optima, &mut clock))?;
@@ -147,6 +146,7 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         method,
         choices,
         compounds,
+        prices,
         catalogue,
         designs,
         optima,
@@ -336,13 +336,6 @@ fn over_speed(
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
     let sheets = sheets::sheets(study, (firing, load_cases), (shown, &heat), progress).map_err(|(d, error)| of_design(d, error))?;
     Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust, sheets })
-}
-
-/// A condition as load cases of a design problem: one for each cylinder that may misfire.
-fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
-    let load_case =
-        |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder, deviation: None };
-    engines_in(condition, finders).map(load_case).collect()
 }
 
 /// The study's method; receptances are tabulated for what is searched.

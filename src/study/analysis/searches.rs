@@ -152,7 +152,8 @@ impl<'a> Searches<'a> {
         self.progress.stage("optima", families.iter().map(|f| f.0.len()).sum());
         let step = || self.progress.step();
         let one = |(starts, sought)| self.optimum(spec, sought, starts, &step);
-        let found = families.into_par_iter().map(one).collect::<Result<Vec<OptimumResult>, RunError>>()?;
+        let mut found = families.into_par_iter().map(one).collect::<Result<Vec<OptimumResult>, RunError>>()?;
+        show_best_size(&mut found);
         let mut work = Work::default();
         for stages in found.iter().map(|o| o.optimum.stages) {
             work += stages.all();
@@ -161,6 +162,14 @@ impl<'a> Searches<'a> {
             clock.lap("optima", work);
         }
         Ok(found)
+    }
+
+    /// That of the main size of the first types, sought from a design, too.
+    pub(super) fn optimum_from(&self, spec: &OptimiseSpec, design: &[Mounted]) -> Result<Option<OptimumResult>, RunError> {
+        let Some(sought) = self.sought(spec).into_iter().next() else { return Ok(None) };
+        let space = &sought.family.space;
+        let starts = self.starts(spec, space).into_iter().chain([("known".to_owned(), space.point_of(design))]).collect();
+        self.optimum(spec, sought, starts, &|| {}).map(Some)
     }
 
     /// One of them.
@@ -331,7 +340,7 @@ impl<'a> Searches<'a> {
 }
 
 /// Shows the best size of those that a study lists, too, where it is not the first: what answers its question has curves, margins and conditions.
-pub(super) fn show_best_size(optima: &mut [OptimumResult]) {
+fn show_best_size(optima: &mut [OptimumResult]) {
     let asked = optima.iter_mut().filter(|o| o.objective == 0 && !o.robust);
     let order = |o: &OptimumResult| (!o.design.within_limits(), o.design.objective.unwrap_or(f64::INFINITY));
     let lower = |a: &OptimumResult, b: &OptimumResult| {

@@ -8,6 +8,7 @@ use crate::input::Study;
 use crate::numerics::C64;
 use crate::objective::condition::Burning;
 use crate::objective::{Condition, PeakFinder};
+use crate::optimise::LoadCase;
 
 /// A sum of torques below this share of one of them is rounding.
 const SILENT: f64 = 1e-9;
@@ -39,6 +40,13 @@ pub(crate) fn systems(study: &Study, excitation: Excitation, progress: &dyn Prog
 /// The engines of a condition among all of a study.
 pub(crate) fn engines_in<'a, 'f>(condition: Condition, finders: &'f [PeakFinder<'a>]) -> impl Iterator<Item = &'f PeakFinder<'a>> {
     finders.iter().filter(move |f| condition.is_with(f.system.excitation.units))
+}
+
+/// A condition as load cases of a design problem: one for each cylinder that may misfire.
+pub(super) fn load_cases<'a>(condition: Condition, finders: &'a [PeakFinder<'a>]) -> Vec<LoadCase<'a>> {
+    let load_case =
+        |finder: &'a PeakFinder<'a>| LoadCase { condition, cylinder: finder.system.excitation.units.misfiring(), finder, deviation: None };
+    engines_in(condition, finders).map(load_case).collect()
 }
 
 /// Orders whose torques of all throws together cancel while every cylinder fires, and do not with the first one that misfires.

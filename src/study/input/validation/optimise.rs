@@ -31,6 +31,8 @@ pub struct OptimiseSpec {
     pub conditions: Vec<Condition>,
     /// Whether it is searched in operation, too, where there are no limits.
     pub in_operation: bool,
+    /// Whether optima are sought without each condition, limit and bound in turn.
+    pub prices: bool,
     /// Whether compounds, oils and steps that cannot be best are searched, too.
     #[doc(hidden)]
     pub search_all: bool,
@@ -156,6 +158,7 @@ pub(crate) fn resolve(
         absorbers: absorbers.into_iter().collect::<Option<_>>()?,
         conditions,
         in_operation,
+        prices: raw.prices.unwrap_or(false),
         search_all: false,
     })
 }

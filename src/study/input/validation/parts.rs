@@ -143,6 +143,7 @@ impl Study {
             absorbers: vec![absorber],
             conditions: vec![Condition::Firing],
             in_operation: false,
+            prices: false,
             search_all: false,
         };
         (self.hub, self.twist, self.objective) = (station, default_twist(&self.chain, station), twist_spec(&self.chain, station));

@@ -1,0 +1,47 @@
+//! What each condition, limit and bound of a study costs, in words.
+
+use super::table::significant;
+use crate::analysis::{Change, OptimumResult, Price, Results};
+use crate::input::Study;
+use crate::price_words::costs;
+
+/// A smaller cost, per cent of the objective, is that of a search's tolerance.
+const NOTHING: f64 = 1e-3;
+
+/// What is asked, in words.
+fn asked(study: &Study, p: &Price) -> String {
+    match p.change {
+        Change::WithoutCondition(c) => format!("condition {}", c.name().replace('_', " ")),
+        Change::WithoutLimit(i) => study.limits[i].words.clone(),
+        Change::WithoutBound { key, bound, instead, .. } => {
+            format!("{key} {} {}", if instead > bound { "at most" } else { "at least" }, significant(bound, 4))
+        }
+        Change::HalfTheRing => "half the ring".to_owned(),
+    }
+}
+
+/// What is asked and what it costs, with the compound or oil of the other optimum where it is another one.
+fn clause(study: &Study, p: &Price, own_compound: Option<&str>) -> String {
+    let cost = match (costs(study, p), p.own_holds, p.changed_holds) {
+        (Some(c), ..) => format!("{}{} %", if c > 0.0 { "+" } else { "" }, significant(c, 3)),
+        (None, true, _) => "breaks limits".to_owned(),
+        (None, false, true) => "without it all limits hold".to_owned(),
+        (None, false, false) => "without it limits are broken, too".to_owned(),
+    };
+    let other = p.compound.as_deref().filter(|c| own_compound.is_some_and(|own| own != *c));
+    format!("{} {cost}{}", asked(study, p), other.map_or_else(String::new, |c| format!(" (then {c})")))
+}
+
+/// What is asked of an optimum and what each of it costs, the dearest first, in a line; `None` where the study does not ask for that.
+pub(super) fn line(study: &Study, results: &Results, o: &OptimumResult) -> Option<String> {
+    let mut own: Vec<&Price> = results.prices.iter().filter(|p| p.design == o.design.name).collect();
+    let cost = |p: &Price| p.cost().unwrap_or(f64::INFINITY);
+    own.sort_by(|a, b| cost(b).total_cmp(&cost(a)));
+    let (free, dear): (Vec<&Price>, Vec<&Price>) = own.into_iter().partition(|p| costs(study, p).is_some_and(|c| c.abs() < NOTHING));
+    let compound = o.design.absorbers.iter().find_map(|m| Some(m.absorber.law()?.material()?.substance.as_ref()?.name.clone()));
+    let mut words: Vec<String> = dear.iter().map(|p| clause(study, p, compound.as_deref())).collect();
+    if !free.is_empty() {
+        words.push(format!("nothing: {}", free.iter().map(|p| asked(study, p)).collect::<Vec<_>>().join(", ")));
+    }
+    (!words.is_empty()).then(|| format!("  costs: {}", words.join("; ")))
+}

@@ -20,7 +20,7 @@ pub(super) struct RunTable {
 }
 
 /// All of them, in the order in which the page shows them.
-pub(super) const RUN_TABLES: [RunTable; 27] = [
+pub(super) const RUN_TABLES: [RunTable; 28] = [
     RunTable {
         stem: "designs",
         about: "one row for each design, optima included: values, natural frequencies (f1_hz and so on: those of the damped motion of chain and absorbers, a rubber or oil being the spring and damper that it is at the frequency of the motion; overdamped motions, and designs with a law that depends on the speed, have none), peak twist, largest order, shaft torque, heat, ring twist",
@@ -124,6 +124,12 @@ pub(super) const RUN_TABLES: [RunTable; 27] = [
         write: |_, r, f| csv::large_twist(r, f),
     },
     RunTable { stem: "robust", about: "designs within the tolerances of the study", asked: |s| s.robust.is_some(), write: csv::robust },
+    RunTable {
+        stem: "allocation",
+        about: "tolerances that each design can bear under the limits of the study, one row each: as given and as it bears them, what they cost, and what the others gain where it is nil",
+        asked: |s| s.robust.as_ref().is_some_and(|r| r.allocate.is_some()),
+        write: csv::allocation,
+    },
     RunTable {
         stem: "limits",
         about: "one row for each limit of every design: value, whether it holds, and what one per cent more of it would bring",

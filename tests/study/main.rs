@@ -1,6 +1,7 @@
 //! What a study asks for: inputs, conditions, limits, margins, searches, sizing, and what is found. "Equals itself" and "equals the literature" are told apart in each test's first line.
 #![expect(clippy::disallowed_methods, reason = "tests hold results against the elementary functions of the standard library")]
 
+mod allocation;
 mod answers;
 mod calibration;
 mod catalogue;

@@ -1,6 +1,7 @@
 //! Optimisation: the problem and its variables, starts, gradient-free search, sequential quadratic minimax, and the front over ring inertia.
 
 mod adaptive_levels;
+pub mod allocation;
 pub mod checkpoint;
 #[doc(hidden)]
 pub mod conflict;

@@ -43,6 +43,24 @@ pub enum Scatter {
     Viscosity(f64),
 }
 
+impl Scatter {
+    /// So many times as much.
+    pub fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Share(key, share) => Self::Share(key, share * factor),
+            Self::Amount(key, amount) => Self::Amount(key, amount * factor),
+            Self::Hardness(amount) => Self::Hardness(amount * factor),
+            Self::Viscosity(share) => Self::Viscosity(share * factor),
+        }
+    }
+
+    /// Share, or amount in the unit of its key.
+    pub fn width(self) -> f64 {
+        let (Self::Share(_, x) | Self::Amount(_, x) | Self::Hardness(x) | Self::Viscosity(x)) = self;
+        x
+    }
+}
+
 /// Young's modulus of rubber by its hardness but for a factor \[Gent 1958\]: (56 + 7.62336 S)/(254 - 2.54 S).
 fn modulus_of_hardness(shore_a: f64) -> f64 {
     (56.0 + 7.623_36 * shore_a) / (254.0 - 2.54 * shore_a)

@@ -2,6 +2,7 @@
 //! significant digits and phases to 1e-4 degrees; what does not apply is empty.
 
 mod absorbers;
+mod allocation;
 mod barred;
 mod catalogue;
 pub mod chart;
@@ -37,6 +38,7 @@ mod values;
 mod webs;
 
 pub use absorbers::absorbers;
+pub use allocation::allocation;
 pub use barred::barred;
 pub use catalogue::catalogue;
 pub(crate) use classification::classification;

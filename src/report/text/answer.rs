@@ -1,5 +1,6 @@
 //! The answer of a run on one screen: which absorber, how much it saves, whether it is proved, whether it holds its limits, and the designs beside it.
 
+use super::allocation;
 use super::catalogue::best_of_catalogues;
 use super::designs::{designs, narrow};
 use super::flexible::by_models;
@@ -108,6 +109,7 @@ fn found(study: &Study, results: &Results) -> String {
             let broken = not_judged(study, &o.design);
             broken.into_iter().for_each(|words| put(format!("  {words}; an optimum holds its limits in the `conditions` of [optimise]")));
             broken_within_tolerances(study, results, &o.design).into_iter().for_each(|words| put(format!("  {words}")));
+            allocation::line(study, results, &o.design.name).into_iter().for_each(&mut put);
             by_models(results, &o.design).into_iter().for_each(&mut put);
             about(results, &o.design).into_iter().for_each(&mut put);
         }
@@ -132,6 +134,7 @@ fn found(study: &Study, results: &Results) -> String {
         let held = if robust.limits_hold() { "" } else { ", which breaks limits" };
         put(format!("Within the tolerances: {}{held}", named(&robust.design)));
         sheet(&robust.design).into_iter().for_each(&mut put);
+        allocation::line(study, results, &robust.design.name).into_iter().for_each(&mut put);
         let worse = results.verdicts(robust).into_iter().filter(|v| matches!(v, Verdict::WorseThanNone { .. }));
         worse.for_each(|v| put(format!("  verdict: {}", clause(&v, study.objective_of(robust.objective), &robust.design.absorbers))));
     }

@@ -27,6 +27,7 @@ pub fn whole(study: &Study, fitted: Option<&Calibration>, results: &Results) -> 
         super::large_twist(study, results),
         super::conditions(study, results),
         super::robust(study, results),
+        super::allocation::allocation(study, results),
     ];
     let optima = results.optima.iter().filter(|o| o.main).map(|o| super::optimum(study, results, o));
     let rest = sections.into_iter().filter(|section| !section.is_empty()).chain(optima).chain([super::summary(study, results)]);

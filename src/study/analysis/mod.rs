@@ -1,5 +1,6 @@
 //! Whole studies: calibration, designs evaluated, optima and fronts found, margins.
 
+pub mod allocation;
 pub mod amplitude;
 pub mod barred;
 pub mod bearings;
@@ -33,6 +34,7 @@ mod jumps;
 pub mod large_twist;
 mod large_twist_measures;
 mod life;
+mod limits_within;
 mod looked_over;
 pub mod margins;
 pub mod method_selection;
@@ -74,6 +76,7 @@ mod web_stress;
 
 pub use crate::response::operation::MOST_STRAIN;
 pub use crate::response::operation::{Balance, Rule};
+pub use allocation::{Allocated, AllocationOfDesign};
 pub use barred::{BarredRange, Objection, RuleStress, StillBroken};
 pub use calibrate::{Calibrated, Calibration, calibrate};
 pub use catalogue::Ranked;

@@ -1,5 +1,6 @@
 //! Everything a study gives.
 
+use super::allocation::AllocationOfDesign;
 use super::calibrate::Calibration;
 use super::catalogue::Ranked;
 use super::crank_diagram::Diagram;
@@ -265,6 +266,8 @@ pub struct Results {
     pub large_twist: Vec<LargeTwistOfDesign>,
     /// The same designs within the tolerances of the study, where it has some.
     pub robust: Vec<RobustOfDesign>,
+    /// The tolerances that the same designs can bear, where the study asks for that.
+    pub allocation: Vec<AllocationOfDesign>,
     /// Dampers by their dimensions, as they are ordered.
     pub sheets: Vec<Sheet>,
     /// Orders that a misfire brings into the torque of the whole engine, where the study looks at one.

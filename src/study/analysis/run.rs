@@ -1,5 +1,6 @@
 //! The main job: evaluate the designs of a study, optimise, follow the front.
 
+use super::allocation::{self, AllocationOfDesign};
 use super::catalogue;
 use super::catalogue_retuning::with_retuned;
 use super::compounds;
@@ -129,12 +130,11 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
     let shown: Vec<&DesignResult> = designs.iter().chain(optima.iter().filter(|o| o.main).map(|o| &o.design)).collect();
     let response = || over_speed(study, (&finders, &load_cases), (&shown, &optima), progress);
     let (response, probe) = rayon::join(response, || probe(study, &finders[0], &shown, &measures));
-    let OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust, sheets } =
-        response?;
+    let over = response?;
     clock.lap("response", Work::default());
     clock.timing.extend(probe?);
-    let flexible = on_flexible(study, (&finders[0], &margins), (&designs, &optima, &shown), progress, &mut clock)?;
-    large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &large_twist, &study.limits);
+    let flexible = on_flexible(study, (&finders[0], &over.margins), (&designs, &optima, &shown), progress, &mut clock)?;
+    large_twist::judge(designs.iter_mut().chain(optima.iter_mut().map(|o| &mut o.design)), &over.large_twist, &study.limits);
     let forced_floor = evaluate::forced_floor(study, &finders[0]);
     let (appearing, method) = (appearing(&systems), methods[0].name());
     drop(load_cases);
@@ -154,23 +154,24 @@ pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> 
         tradeoffs,
         forced_floor,
         bare,
-        sweeps,
-        sweeps_of_sizes,
+        sweeps: over.sweeps,
+        sweeps_of_sizes: over.sweeps_of_sizes,
         margin,
-        margins,
-        diagram,
-        duty,
-        heat,
-        simplest,
-        strain,
-        large_twist,
-        robust,
-        sheets,
+        margins: over.margins,
+        diagram: over.diagram,
+        duty: over.duty,
+        heat: over.heat,
+        simplest: over.simplest,
+        strain: over.strain,
+        large_twist: over.large_twist,
+        robust: over.robust,
+        allocation: over.allocation,
+        sheets: over.sheets,
         appearing,
         crank_models: flexible.crank_models,
         joints: flexible.joints,
         webs: flexible.webs,
-        torsion_cases,
+        torsion_cases: over.torsion_cases,
         crank_difference: None,
         timing: clock.timing,
         system: systems.swap_remove(0),
@@ -290,6 +291,7 @@ struct OverSpeed {
     strain: Vec<StrainOfDesign>,
     large_twist: Vec<LargeTwistOfDesign>,
     robust: Vec<RobustOfDesign>,
+    allocation: Vec<AllocationOfDesign>,
     sheets: Vec<Sheet>,
 }
 
@@ -334,8 +336,23 @@ fn over_speed(
     let strain = strain::strain(study, firing, shown).map_err(|(d, error)| of_design(d, error))?;
     let torsion_cases = torsion_case::by_case(study, firing, shown)?;
     let robust = robust::robust(study, (firing, load_cases), shown, progress).map_err(|(d, error)| of_design(d, error))?;
+    let allocation = allocation::allocations(study, load_cases, shown, progress);
     let sheets = sheets::sheets(study, (firing, load_cases), (shown, &heat), progress).map_err(|(d, error)| of_design(d, error))?;
-    Ok(OverSpeed { sweeps, sweeps_of_sizes, margins, diagram, torsion_cases, duty, heat, simplest, strain, large_twist, robust, sheets })
+    Ok(OverSpeed {
+        sweeps,
+        sweeps_of_sizes,
+        margins,
+        diagram,
+        torsion_cases,
+        duty,
+        heat,
+        simplest,
+        strain,
+        large_twist,
+        robust,
+        allocation,
+        sheets,
+    })
 }
 
 /// The study's method; receptances are tabulated for what is searched.

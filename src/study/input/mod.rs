@@ -25,12 +25,12 @@ pub use letters::is_hidden;
 pub use measure::{CombinedSpec, LimitOfRule, LimitSpec, MeasureSpec, UnitOf};
 pub use published::Published;
 pub use schema::json::FileKind;
-pub use validation::RETUNED;
 pub use validation::{
-    AbsorberSpec, CalibrateSpec, CatalogueSpec, CrankModel, DesignSpec, DutyPoint, FlexibleModel, FreeInput, FrontSpec, Input,
-    OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,
+    AbsorberSpec, AllocateSpec, CalibrateSpec, CatalogueSpec, CrankModel, DesignSpec, DutyPoint, FlexibleModel, FreeInput, FrontSpec,
+    Input, OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,
     SizingStudy, Study,
 };
+pub use validation::{RETUNED, scatter_key};
 pub use wording::closest;
 
 use error::Source;

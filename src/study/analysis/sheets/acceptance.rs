@@ -1,9 +1,9 @@
 //! The acceptance test: a maker measures one number of each damper, the frequency of the ring on its held hub at the reference temperature of a compound, or the damping of an oil at low speed. Within the band
 //! every damper holds all limits, however the rest of it scatters.
 
-use super::holding::worst;
 use crate::absorber::mounted::with_law;
 use crate::absorber::{Deviation, Law, Mounted, Operating, Sheared, construction};
+use crate::analysis::limits_within::worst;
 use crate::drivetrain::natural;
 use crate::input::Study;
 use crate::objective::holds;

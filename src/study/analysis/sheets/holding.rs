@@ -3,11 +3,12 @@
 //! Limits on sizes and masses are those of the drawing, and not among them. Random dampers, distributed as the study says. Where next to none of a normal distribution fails, as many are drawn evenly over the whole box beside them, each counted by the density of the normal one: what fails
 //! lies near its corners, which the normal distribution rarely reaches (importance sampling).
 
-use crate::absorber::{Deviation, Mounted};
-use crate::input::{LimitSpec, Sampling, Study};
+use crate::absorber::Mounted;
+use crate::analysis::limits_within::worst;
+use crate::input::{Sampling, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::holds;
-use crate::optimise::{LoadCase, Tolerances, robust};
+use crate::optimise::{LoadCase, Tolerances};
 use rand::SeedableRng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
@@ -36,14 +37,7 @@ const LEAST: usize = 20;
 /// Standard deviations of a normal distribution to each side within a tolerance.
 const WITHIN: f64 = 3.0;
 
-/// Largest ratio of a limited measure, but of sizes and masses, to its limit over some load cases with a deviation, and the limit it is of; infinite where nothing damps a resonance.
-pub(super) fn worst(study: &Study, cases: &[LoadCase], design: &[Mounted], deviation: &Deviation) -> (f64, usize) {
-    let ratio = |l: &LimitSpec| robust::deviated(cases, design, deviation, &l.of.measure) / l.limit;
-    // sizes and masses are those of the drawing, with tolerances of their own there
-    let judged = study.limits.iter().enumerate().filter(|l| !l.1.of.measure.is_inertia());
-    judged.map(|(i, l)| (i, ratio(l))).fold((0.0, 0), |m, (i, r)| if r > m.0 { (r, i) } else { m })
-}
-
+/// Of a design, with tolerances and draws of the study.
 pub(super) fn holding(
     study: &Study,
     cases: &[LoadCase],

@@ -27,6 +27,33 @@ pub(crate) struct RawRobust {
     /// Random designs within the tolerances, beside the exact worst case.
     #[schemars(extend("examples" = [{"percentile": 95, "samples": 1000, "distribution": "uniform"}]))]
     pub sampling: Option<RawSampling>,
+    /// Asks for the tolerances that each design can bear under the limits of the study; `{}` for the widest that keep their ratio, within which all limits hold.
+    #[schemars(extend("examples" = [{"cost": {"rubber_thickness_mm": 3, "hardness_shore_a": 5}}]))]
+    pub allocate: Option<At<RawAllocate>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawAllocate {
+    /// Per cent of the random designs of `sampling` that are to hold all limits; without it all within the tolerances are.
+    #[schemars(extend("minimum" = 50, "maximum" = 99.9, "examples" = [99]))]
+    pub yield_percent: Option<At<f64>>,
+    /// What each tolerance costs as wide as it is given, in any currency, by its key: half as wide it costs twice as much. With it the cheapest are found.
+    #[schemars(extend("minProperties" = 1, "propertyNames" = { "enum": scattered_keys() },
+        "additionalProperties" = { "type": "number", "exclusiveMinimum": 0, "description": "Cost of the tolerance of this key.", "examples": [3] },
+        "examples" = [{"rubber_thickness_mm": 3, "hardness_shore_a": 5}]))]
+    pub cost: Option<At<BTreeMap<String, At<f64>>>>,
+}
+
+/// Keys of all that scatters.
+fn scattered_keys() -> Vec<&'static str> {
+    let mut keys = parameter_keys();
+    for key in process_keys() {
+        if !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    keys
 }
 
 /// Keys of what a process scatters: dimensions, and what of a compound or oil does.

@@ -5,7 +5,7 @@ use super::optimise::OptimiseSpec;
 use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, Sheared};
 use crate::input::error::{At, Check};
-use crate::input::schema::robust::{HARDNESS, RawDistribution, RawRobust, VISCOSITY, process_keys};
+use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, VISCOSITY, process_keys};
 use crate::optimise::{Scatter, Tolerances};
 
 /// Tolerances of a study.
@@ -19,6 +19,17 @@ pub struct RobustSpec {
     pub search: bool,
     /// Random designs.
     pub sampling: Option<Sampling>,
+    /// Whether the tolerances that designs can bear are sought.
+    pub allocate: Option<AllocateSpec>,
+}
+
+/// The tolerances that designs can bear.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AllocateSpec {
+    /// The share of random designs that is to hold all limits; without it all within the tolerances are.
+    pub holding: Option<(f64, Sampling)>,
+    /// What each of [`RobustSpec::scatter`] costs as wide as it is given; without it all keep their ratio.
+    pub costs: Option<Vec<f64>>,
 }
 
 impl RobustSpec {
@@ -49,7 +60,7 @@ pub(super) fn resolve(
     check: &mut Check,
     raw: &At<RawRobust>,
     optimise: Option<&OptimiseSpec>,
-    designs: &[&DesignSpec],
+    (designs, has_limits): (&[&DesignSpec], bool),
 ) -> Option<RobustSpec> {
     let (place, raw) = (raw, raw.get_ref());
     let lists = types_of(optimise, designs);
@@ -108,7 +119,59 @@ pub(super) fn resolve(
             normal: matches!(s.distribution, RawDistribution::Normal),
         }
     });
-    (!shares.is_empty() || !process.is_empty()).then_some(RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling })
+    let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, allocate: None };
+    let allocate = raw.allocate.as_ref().and_then(|a| allocate(check, a, (&spec, has_limits)));
+    (!spec.shares.is_empty() || !spec.process.is_empty()).then_some(RobustSpec { allocate, ..spec })
+}
+
+/// Key of one of the tolerances.
+#[doc(hidden)]
+pub fn scatter_key(s: &Scatter) -> &'static str {
+    match s {
+        Scatter::Share(key, _) | Scatter::Amount(key, _) => key,
+        Scatter::Hardness(_) => HARDNESS,
+        Scatter::Viscosity(_) => VISCOSITY,
+    }
+}
+
+fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, has_limits): (&RobustSpec, bool)) -> Option<AllocateSpec> {
+    if !has_limits {
+        check.wrong(raw, "found `allocate` without a limit, expected a [[constraint]] for tolerances to hold");
+    }
+    let keys: Vec<&str> = spec.scatter().iter().map(scatter_key).collect();
+    let raw = raw.get_ref();
+    let holding = raw.yield_percent.as_ref().and_then(|percent| {
+        let share = 0.01 * check.within(percent, 50.0..=99.9, "per cent of the designs from 50 to 99.9");
+        let Some(sampling) = spec.sampling else {
+            check.wrong(percent, "found `yield_percent` without `sampling`, expected the random designs that it is a share of");
+            return None;
+        };
+        let needed = (BEYOND / (1.0 - share)).ceil() as usize;
+        if sampling.samples < needed {
+            check.wrong(
+                percent,
+                format!(
+                    "found {} random designs for {} per cent, expected at least {needed} in `sampling`: ten of them beyond",
+                    sampling.samples,
+                    percent.get_ref()
+                ),
+            );
+        }
+        Some((share, sampling))
+    });
+    let costs = raw.cost.as_ref().map(|costs| {
+        for (key, cost) in costs.get_ref() {
+            if !keys.contains(&key.as_str()) {
+                check.wrong(cost, format!("found the cost of `{key}`, which has no tolerance here, expected one of {}", keys.join(", ")));
+            }
+        }
+        let missing: Vec<&str> = keys.iter().copied().filter(|key| !costs.get_ref().contains_key(*key)).collect();
+        if !missing.is_empty() {
+            check.wrong(costs, format!("found no cost of {}, expected one for every tolerance", missing.join(", ")));
+        }
+        keys.iter().map(|key| costs.get_ref().get(*key).map_or(1.0, |c| check.positive(c))).collect()
+    });
+    Some(AllocateSpec { holding, costs })
 }
 
 /// What a process scatters.

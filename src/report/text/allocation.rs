@@ -1,0 +1,61 @@
+//! The tolerances that designs can bear, in words.
+
+use super::robust::scattered;
+use super::table::significant;
+use crate::analysis::{AllocationOfDesign, Results};
+use crate::input::Study;
+use crate::optimise::Scatter;
+
+/// What the tolerances are found for.
+fn asked(study: &Study) -> Option<String> {
+    let spec = study.robust.as_ref()?.allocate.as_ref()?;
+    let kind = if spec.costs.is_some() { "cheapest tolerances" } else { "widest tolerances of the given ratio" };
+    let until = match spec.holding {
+        Some((share, s)) => format!("with which {} % of {} random designs hold all limits", significant(100.0 * share, 4), s.samples),
+        None => "within which all limits hold".to_owned(),
+    };
+    Some(format!("{kind} {until}"))
+}
+
+/// Those of a design.
+fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
+    let spec = study.robust.as_ref()?;
+    let (scatter, costs) = (spec.scatter(), spec.allocate.as_ref()?.costs.as_ref());
+    let limit = study.limits.get(d.limit.0).map_or("", |l| l.words.as_str());
+    if d.tolerances.is_empty() {
+        return Some(format!("none: {} % of {limit} is used as drawn", significant(100.0 * d.limit.1, 4)));
+    }
+    let one = |t: &crate::analysis::Allocated| {
+        let own = scatter[t.of];
+        let farther = if t.at_most { ", not looked at any wider" } else { "" };
+        let unit = if matches!(own, Scatter::Share(..) | Scatter::Viscosity(_)) { 100.0 } else { 1.0 };
+        let rounded = |x: f64| significant(x, 4).parse().unwrap_or(x);
+        let given = unit * own.width();
+        let shown = rounded(given * t.factor) / given;
+        let given = rounded(given);
+        format!("{} (given ±{given}{farther})", scattered(&own.times(shown)))
+    };
+    let mut words: Vec<String> = d.tolerances.iter().map(one).collect();
+    if let Some(costs) = costs {
+        let given: f64 = d.tolerances.iter().map(|t| costs[t.of]).sum();
+        let own: f64 = d.tolerances.iter().map(|t| costs[t.of] / t.factor).sum();
+        words.push(format!("cost {} (as given {})", significant(own, 4), significant(given, 4)));
+    }
+    Some(format!("{}; {limit} decides", words.join(", ")))
+}
+
+/// A line for a design; `None` where the study does not ask for it.
+pub(super) fn line(study: &Study, results: &Results, design: &str) -> Option<String> {
+    let d = results.allocation.iter().find(|d| d.design == design)?;
+    Some(format!("  {}: {}", asked(study)?, of_design(study, d)?))
+}
+
+/// All of them; empty where the study does not ask for it.
+#[doc(hidden)]
+pub fn allocation(study: &Study, results: &Results) -> String {
+    let Some(asked) = asked(study).filter(|_| !results.allocation.is_empty()) else { return String::new() };
+    let line = |d: &AllocationOfDesign| Some(format!("  {}: {}\n", d.design, of_design(study, d)?));
+    let lines: String = results.allocation.iter().filter_map(line).collect();
+    let first: String = asked.chars().take(1).flat_map(char::to_uppercase).collect();
+    format!("{first}{}:\n{lines}", &asked[1..])
+}

@@ -6,7 +6,7 @@ use hartog::absorber::Absorber;
 use hartog::analysis::Results;
 
 /// The six with a search of a sleeve or a housing, fewer speeds, one condition.
-fn six(types: &str, more: &str) -> Study {
+pub fn six(types: &str, more: &str) -> Study {
     let folder = tempfile::tempdir().expect("a folder");
     let path = variant(folder.path(), "order_i6", &[]);
     let text = std::fs::read_to_string(&path).expect("study");
@@ -18,7 +18,7 @@ fn six(types: &str, more: &str) -> Study {
     Study::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-const SLEEVE: &str = "types = [\"sleeve\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\nouter_diameter_mm.fixed = 270\nring_wall_mm.fixed = 20\nring_density_kg_m3.fixed = 7200\nlength_over_width.fixed = 0.9\n";
+pub const SLEEVE: &str = "types = [\"sleeve\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\nouter_diameter_mm.fixed = 270\nring_wall_mm.fixed = 20\nring_density_kg_m3.fixed = 7200\nlength_over_width.fixed = 0.9\n";
 
 /// Law: where both can express the same, a search by dimensions ends where the search by stiffness does, to 1e-8: the thickness of a sleeve of one compound against the stiffness of its law, ring held.
 #[test]

@@ -44,3 +44,4 @@ mod strain;
 mod support;
 mod unit_load_bounds;
 mod units_of_keys;
+mod yields;

@@ -3,6 +3,7 @@
 
 mod allocation;
 mod answers;
+mod buildable;
 mod calibration;
 mod catalogue;
 mod certificates;

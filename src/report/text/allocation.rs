@@ -28,12 +28,12 @@ fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
     let one = |t: &crate::analysis::Allocated| {
         let own = scatter[t.of];
         let farther = if t.at_most { ", not looked at any wider" } else { "" };
-        let unit = if matches!(own, Scatter::Share(..) | Scatter::Viscosity(_)) { 100.0 } else { 1.0 };
+        let (unit, percent) = if matches!(own, Scatter::Share(..) | Scatter::Viscosity(_)) { (100.0, " %") } else { (1.0, "") };
         let rounded = |x: f64| significant(x, 4).parse().unwrap_or(x);
         let given = unit * own.width();
         let shown = rounded(given * t.factor) / given;
         let given = rounded(given);
-        format!("{} (given ±{given}{farther})", scattered(&own.times(shown)))
+        format!("{} (given ±{given}{percent}{farther})", scattered(&own.times(shown)))
     };
     let mut words: Vec<String> = d.tolerances.iter().map(one).collect();
     if let Some(costs) = costs {
@@ -41,7 +41,12 @@ fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
         let own: f64 = d.tolerances.iter().map(|t| costs[t.of] / t.factor).sum();
         words.push(format!("cost {} (as given {})", significant(own, 4), significant(given, 4)));
     }
-    Some(format!("{}; {limit} decides", words.join(", ")))
+    let decides = match spec.allocate.as_ref()?.holding {
+        _ if d.tolerances.iter().all(|t| t.at_most) => "no limit decides".to_owned(),
+        None => format!("{limit} decides"),
+        Some(_) => format!("at the worst of them {} % of {limit}", significant(100.0 * d.limit.1, 4)),
+    };
+    Some(format!("{}; {decides}", words.join(", ")))
 }
 
 /// A line for a design; `None` where the study does not ask for it.

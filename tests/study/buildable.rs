@@ -99,7 +99,7 @@ fn engines(seeds: std::ops::Range<u64>) -> (usize, usize) {
 
 /// Law: of 300 random engines every optimum is of what can be had and is known, or says that it is not.
 #[test]
-#[ignore = "forty minutes"]
+#[ignore = "two hours"]
 fn what_cannot_be_had_is_named_for_300_engines() {
     let from = std::env::var("HARTOG_FIRST_SEED").ok().and_then(|s| s.parse().ok()).unwrap_or(0);
     let count = std::env::var("HARTOG_STUDIES").ok().and_then(|s| s.parse().ok()).unwrap_or(300);

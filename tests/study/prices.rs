@@ -68,3 +68,81 @@ fn what_is_asked_costs_what_it_says() {
     assert!(asked.prices.iter().all(|p| p.cost().is_some_and(|c| c >= 0.0)), "{:?}", asked.prices);
     assert_eq!(asked.prices.len(), 3 + 2 + 1 + 1, "conditions, limits, a bound, half the ring");
 }
+
+/// The same where the search does not steer what counts: a condition in which the damper does not work decides the judged value, and is priced by it.
+#[test]
+fn costs_are_of_what_is_judged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let found = |name: &str, changes: &[(&str, &str)]| {
+        let path = variant(folder.path(), name, changes);
+        Study::read(&path).unwrap_or_else(|e| panic!("{e}")).run().expect("damped")
+    };
+    let locked = found(
+        "villalva_i6_prices",
+        &[
+            ("\"cold\", \"hot\"]\nprices", "\"absorber_locked\"]\nprices"),
+            ("\"firing\", \"cold\", \"hot\"]", "\"firing\", \"absorber_locked\"]"),
+        ],
+    );
+    let price = locked.prices.iter().find(|p| p.change == Change::WithoutCondition(Condition::AbsorberLocked)).expect("priced");
+    assert_close(price.own, locked.optima[0].design.objective.expect("a value"), 1e-12, 0.0, "as judged");
+    let free = found(
+        "villalva_i6_prices",
+        &[
+            ("conditions = [\"firing\", \"cold\", \"hot\"]", "conditions = [\"firing\"]"),
+            ("temperatures = { cold_c = -20, hot_c = 90 }", ""),
+        ],
+    );
+    assert_close(price.changed, free.optima[0].optimum.value(), 1e-6, 0.0, "without it");
+    assert!(price.cost().is_some_and(|c| c > 0.3), "{price:?}");
+}
+
+/// Law: a limit that is never reached costs nothing, though limits are why the search looks at the state of operation; a bound on a property of the material has its price.
+#[test]
+fn a_limit_that_is_never_reached_costs_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = variant(folder.path(), "villalva_i6_materials", &[("step = 20", "step = 100"), ("order_limit = 12", "order_limit = 6")]);
+    let text = std::fs::read_to_string(&path).expect("study");
+    let text = text
+        .replace("conditions = [\"cold\", \"firing\", \"hot\"]", "random_starts = 0\nprices = true")
+        .replace("\"fractional_zener\", \"carreau\", \"spring_pack\"", "\"carreau\"")
+        .replace("[optimise]", "[[constraint]]\nacceleration = { station = \"pulley\", max_rad_per_s2 = 1e6 }\n[optimise]");
+    let (head, tail) = text.split_once("[optimise.absorber.material.fractional_zener]").expect("materials");
+    let oil = tail.split_once("[optimise.absorber.material.carreau]").expect("oil").1.split_once("# leaf springs").expect("springs").0;
+    std::fs::write(&path, format!("{head}[optimise.absorber.material.carreau]{oil}")).expect("written");
+    let results = Study::read(&path).unwrap_or_else(|e| panic!("{e}")).run().expect("damped");
+    let cost = |is: &dyn Fn(&Change) -> bool| results.prices.iter().find(|p| is(&p.change)).and_then(hartog::analysis::Price::cost);
+    assert_close(cost(&|c| *c == Change::WithoutLimit(0)).expect("priced"), 0.0, 0.0, 1e-7, "the limit");
+    let bound = cost(&|c| matches!(c, Change::WithoutBound { key: "relaxation_time_s", .. }));
+    assert!(bound.is_some_and(|c| c > 1e-3), "{:?}", results.prices);
+}
+
+/// Of a margin a cost is a loss: per cent by which it is smaller with the limit, as the page, the table and `results.json` show it.
+#[test]
+fn costs_of_a_margin_are_losses() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = variant(
+        folder.path(),
+        "villalva_i6_goals",
+        &[("step = 20", "step = 100"), ("order_limit = 12", "order_limit = 6"), ("max_w = 150", "max_w = 25")],
+    );
+    let text = std::fs::read_to_string(&path).expect("study");
+    let (head, tail) = text.split_once("[[objective]]").expect("objectives");
+    let tail = tail.split_once("[[constraint]]").expect("limits").1;
+    let own = tail.split_once("[optimise]").expect("a search").0;
+    let search = "[optimise]\nrandom_starts = 0\nprices = true\n[[optimise.absorber]]\non.station = \"pulley\"\ntypes = [\"tuned\"]\nsize.ring_inertia_kg_m2.fixed = 0.076\n";
+    std::fs::write(&path, format!("{head}[[objective]]\nmargin = {{}}\n[[constraint]]{own}{search}")).expect("written");
+    let study = Study::read(&path).unwrap_or_else(|e| panic!("{e}"));
+    let results = study.run().expect("damped");
+    let told: serde_json::Value = serde_json::from_str(&hartog::report::results_json::text(&study, &[], &results)).expect("json");
+    let optimum = &told["optima"][0];
+    let own = optimum["value"].as_f64().expect("a margin");
+    for (change, is_limit) in [("without limit mean over the duty", true), ("half the ring", false)] {
+        let prices = optimum["prices"].as_array().expect("prices");
+        let price = prices.iter().find(|p| p["change"].as_str().is_some_and(|c| c.starts_with(change))).expect("priced");
+        let other = price["value_after"].as_f64().expect("a margin");
+        let lost = if is_limit { 1.0 - own / other } else { 1.0 - other / own };
+        assert!(lost > 1e-3, "{change}: {own} {other}");
+        assert_close(price["cost_percent"].as_f64().expect("priced"), 100.0 * lost, 1e-6, 0.0, change);
+    }
+}

@@ -27,6 +27,11 @@ const MOST_INSIDE: usize = 24;
 const RANDOM: usize = 16;
 const SEARCHED: usize = 3;
 const ROUNDS: usize = 6;
+/// A box is wide where a parameter may fall below this share of what is drawn: narrow ridges have room in it. Random deviations per edge of those, many on edges of the box and the others by equal ratios; the best so many are
+/// searched from.
+const WIDE: f64 = 0.5;
+const RANDOM_WIDE: usize = 96;
+const SEARCHED_WIDE: usize = 12;
 /// Share of the reach at which it is looked whether the value falls from an end.
 const INWARD: f64 = 0.05;
 
@@ -78,6 +83,29 @@ enum By {
     Amount(f64),
     /// The first factor at x = 1, the second at x = -1, by powers between.
     Factors(f64, f64),
+}
+
+impl By {
+    /// The smallest factor on a parameter, where that is known.
+    fn least(self) -> f64 {
+        match self {
+            Self::Share(share) => 1.0 - share,
+            Self::Amount(_) => 1.0,
+            Self::Factors(up, down) => up.min(down),
+        }
+    }
+
+    /// A random point of the edge: an end of it in a third of all, else by equal ratios of the factor below what is drawn and evenly above.
+    fn by_ratio(self, generator: &mut impl Rng) -> f64 {
+        let (which, x): (f64, f64) = (generator.random(), generator.random());
+        match self {
+            _ if which < 0.25 => -1.0,
+            _ if which < 0.33 => 1.0,
+            Self::Share(share) if share > 0.0 && which < 0.8 => (((1.0 - share).logarithm() * x).exponential() - 1.0) / share,
+            _ if which < 0.8 => -x,
+            _ => x,
+        }
+    }
 }
 
 /// Shares and amounts by which parameters of the absorbers of a design may deviate.
@@ -177,13 +205,17 @@ impl Tolerances {
     /// The highest values over the box that a search of it finds, and where: corners, the middle of every edge's range, and random points, the best followed along one edge after the other.
     fn highest(&self, value: impl Fn(&[f64]) -> f64 + Sync, seed: u64) -> Vec<(Vec<f64>, f64)> {
         let d = self.edges();
+        let is_wide = self.edges.iter().any(|e| e.2.least() < WIDE);
         let mut generator = Xoshiro256PlusPlus::seed_from_u64(seed);
         let mut points = self.corners();
         points.push(vec![0.0; d]);
         points.extend((0..RANDOM * d).map(|_| (0..d).map(|_| generator.random_range(-1.0..=1.0)).collect::<Vec<f64>>()));
+        if is_wide {
+            points.extend((0..RANDOM_WIDE * d).map(|_| self.edges.iter().map(|e| e.2.by_ratio(&mut generator)).collect::<Vec<f64>>()));
+        }
         let mut valued: Vec<(Vec<f64>, f64)> = points.into_par_iter().map(|p| (value(&p), p)).map(|(v, p)| (p, v)).collect();
         valued.sort_by(|a, b| b.1.total_cmp(&a.1));
-        valued.truncate(SEARCHED);
+        valued.truncate(if is_wide { SEARCHED_WIDE } else { SEARCHED });
         valued.par_iter_mut().for_each(|(point, own)| {
             let mut reach = 1.0;
             for _ in 0..ROUNDS {
@@ -207,7 +239,8 @@ impl Tolerances {
                         (point[i], *own) = (x, found);
                     }
                 }
-                if *own <= before * (1.0 + WORSE) {
+                // beside a narrow ridge only a short reach finds more
+                if !is_wide && *own <= before * (1.0 + WORSE) {
                     break;
                 }
                 reach *= 0.5;

@@ -5,6 +5,7 @@ use crate::analysis::Results;
 use crate::files::{Folder, WriteError};
 use crate::input::{Study, scatter_key};
 use crate::optimise::Scatter;
+use crate::units::of_key;
 
 /// `allocation.csv`: a row a tolerance of a design: as the study gives it and as the design bears it, in the unit of its key; one without a tolerance where a design bears none. None where the study does not ask for it.
 ///
@@ -13,8 +14,8 @@ use crate::optimise::Scatter;
 pub fn allocation(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
     let Some(spec) = study.robust.as_ref().filter(|_| !results.allocation.is_empty()) else { return Ok(()) };
     let (scatter, costs) = (spec.scatter(), spec.allocate.as_ref().and_then(|a| a.costs.as_ref()));
-    let columns = ["design", "tolerance", "given", "allocated", "factor", "at_most", "cost_given", "cost", "others_gain_percent"];
-    let columns: Vec<&str> = columns.into_iter().chain(["limit", "limit_used_percent"]).collect();
+    let columns = ["design", "tolerance", "unit", "given", "allocated", "factor", "at_most", "cost_given", "cost", "others_gain_percent"];
+    let columns: Vec<&str> = columns.into_iter().chain(["limit", "limit_used_percent", "settled"]).collect();
     let mut table = Table::new(&columns);
     for d in &results.allocation {
         let limit = study.limits.get(d.limit.0).map_or_else(String::new, |l| l.words.clone());
@@ -26,6 +27,11 @@ pub fn allocation(study: &Study, results: &Results, folder: &Folder) -> Result<(
             table.row([
                 d.design.clone(),
                 scatter_key(s).to_owned(),
+                match s {
+                    Scatter::Share(..) => "share",
+                    _ => of_key(scatter_key(s)).unwrap_or_default(),
+                }
+                .to_owned(),
                 number(width),
                 number(width * t.factor),
                 number(t.factor),
@@ -35,11 +41,12 @@ pub fn allocation(study: &Study, results: &Results, folder: &Folder) -> Result<(
                 optional(gain),
                 limit.clone(),
                 used.clone(),
+                d.settled.to_string(),
             ]);
         }
         if d.tolerances.is_empty() {
-            let empty = (1..9).map(|_| String::new());
-            table.row([d.design.clone()].into_iter().chain(empty).chain([limit, used]));
+            let empty = (1..10).map(|_| String::new());
+            table.row([d.design.clone()].into_iter().chain(empty).chain([limit, used, String::new()]));
         }
     }
     table.save(folder, "allocation.csv")

@@ -1,9 +1,8 @@
 //! The tolerances that designs can bear, in words.
 
-use super::robust::scattered;
 use super::table::significant;
 use crate::analysis::{AllocationOfDesign, Results};
-use crate::input::Study;
+use crate::input::{Study, scatter_key};
 use crate::optimise::Scatter;
 
 /// What the tolerances are found for.
@@ -12,9 +11,9 @@ fn asked(study: &Study) -> Option<String> {
     let kind = if spec.costs.is_some() { "cheapest tolerances" } else { "widest tolerances of the given ratio" };
     let until = match spec.holding {
         Some((share, s)) => format!("with which {} % of {} random designs hold all limits", significant(100.0 * share, 4), s.samples),
-        None => "within which all limits hold".to_owned(),
+        None => "within which no limit was found to be broken".to_owned(),
     };
-    Some(format!("{kind} {until}"))
+    Some(format!("{kind} {until}, at the reference of the materials"))
 }
 
 /// Those of a design.
@@ -28,12 +27,7 @@ fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
     let one = |t: &crate::analysis::Allocated| {
         let own = scatter[t.of];
         let farther = if t.at_most { ", not looked at any wider" } else { "" };
-        let (unit, percent) = if matches!(own, Scatter::Share(..) | Scatter::Viscosity(_)) { (100.0, " %") } else { (1.0, "") };
-        let rounded = |x: f64| significant(x, 4).parse().unwrap_or(x);
-        let given = unit * own.width();
-        let shown = rounded(given * t.factor) / given;
-        let given = rounded(given);
-        format!("{} (given ±{given}{percent}{farther})", scattered(&own.times(shown)))
+        format!("{} ±{}{farther} (given ±{})", scatter_key(&own), width(own.times(t.factor)), width(own))
     };
     let mut words: Vec<String> = d.tolerances.iter().map(one).collect();
     if let Some(costs) = costs {
@@ -41,12 +35,17 @@ fn of_design(study: &Study, d: &AllocationOfDesign) -> Option<String> {
         let own: f64 = d.tolerances.iter().map(|t| costs[t.of] / t.factor).sum();
         words.push(format!("cost {} (as given {})", significant(own, 4), significant(given, 4)));
     }
-    let decides = match spec.allocate.as_ref()?.holding {
-        _ if d.tolerances.iter().all(|t| t.at_most) => "no limit decides".to_owned(),
-        None => format!("{limit} decides"),
-        Some(_) => format!("at the worst of them {} % of {limit}", significant(100.0 * d.limit.1, 4)),
-    };
-    Some(format!("{}; {decides}", words.join(", ")))
+    let decides = if d.tolerances.iter().all(|t| t.at_most) { "no limit decides".to_owned() } else { format!("{limit} decides") };
+    let settled = if d.settled { "" } else { "; NOT SETTLED: a worse deviation was found in every round" };
+    Some(format!("{}; {decides}{settled}", words.join(", ")))
+}
+
+/// A tolerance in the unit of its key.
+fn width(s: Scatter) -> String {
+    match s {
+        Scatter::Share(..) | Scatter::Viscosity(_) => format!("{} %", significant(100.0 * s.width(), 4)),
+        Scatter::Amount(..) | Scatter::Hardness(_) => significant(s.width(), 4),
+    }
 }
 
 /// A line for a design; `None` where the study does not ask for it.

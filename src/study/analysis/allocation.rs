@@ -17,6 +17,8 @@ use std::convert::Infallible;
 /// Most times that a tolerance becomes as wide as it is given, and most of a value that it comes to.
 const MOST_TIMES: f64 = 10.0;
 const MOST_SHARE: f64 = 0.9;
+/// Boxes that are searched, as shares of the one that is asked about.
+const PARTS: [f64; 6] = [1.0, 0.8, 0.6, 0.4, 0.2, 0.1];
 /// Most times that a deviation inside the box is found to be worse, and the tolerances are sought anew.
 const MOST_ROUNDS: usize = 12;
 /// Precision of the logarithms of factors: of a worst case, and of a share of random designs, which is coarser by itself.
@@ -45,8 +47,10 @@ pub struct AllocationOfDesign {
     pub design: String,
     /// Its tolerances; none where it breaks a limit, or is on it, as drawn.
     pub tolerances: Vec<Allocated>,
-    /// The limit that is nearest to broken within them, or as drawn where there are none (an index), and how much of it is used.
+    /// The limit that is nearest to broken within them, of random designs by the one that the share ends at, or as drawn where there are none (an index), and how much of it is used.
     pub limit: (usize, f64),
+    /// Whether the last search of the box found nothing worse, where one was made.
+    pub settled: bool,
 }
 
 /// A design with what is scattered.
@@ -76,14 +80,31 @@ impl Of<'_> {
             let rows: Vec<Vec<f64>> = points.par_iter().map(|p| self.ratios(&tolerances.at(p))).collect();
             return rows.into_iter().flatten().map(Elementary::logarithm).collect();
         };
-        let largest = |p: &Vec<f64>| self.ratios(&tolerances.at(p)).into_iter().fold(0.0, f64::max);
-        let mut all: Vec<f64> = draws.par_iter().map(largest).collect();
-        all.sort_by(f64::total_cmp);
-        vec![all[*rank].logarithm()]
+        vec![self.at_rank(&tolerances, (*rank, draws)).0.logarithm()]
+    }
+
+    /// What of its limits the draw of a rank uses, and which limit.
+    fn at_rank(&self, tolerances: &Tolerances, (rank, draws): (usize, &[Vec<f64>])) -> (f64, usize) {
+        let largest = |p: &Vec<f64>| worst(self.study, self.cases, self.design, &tolerances.at(p));
+        let mut all: Vec<(f64, usize)> = draws.par_iter().map(largest).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all[rank]
+    }
+
+    /// The worst that searches of a box find, of several boxes on the way to it, too, each of which is a part of it: its point and its value.
+    fn worst(&self, factors: &[f64], seed: u64) -> (Vec<f64>, f64) {
+        let of_part = |part: f64| {
+            let scaled: Vec<f64> = factors.iter().map(|f| f * part).collect();
+            let tolerances = self.tolerances(&scaled);
+            let (point, value) = tolerances.worst(|p| worst(self.study, self.cases, self.design, &tolerances.at(p)).0, seed);
+            (point.iter().map(|x| x * part).collect::<Vec<f64>>(), value)
+        };
+        let all: Vec<(Vec<f64>, f64)> = PARTS.par_iter().map(|part| of_part(*part)).collect();
+        all.into_iter().fold((Vec::new(), 0.0), |m, f| if f.1 > m.1 { f } else { m })
     }
 
     /// Factors that all limits bear at some points of the box; of those that are zero in `free` no tolerance.
-    fn solved(&self, points: &[Vec<f64>], (costs, most): (Option<&[f64]>, &[f64]), free: &[bool]) -> Option<Vec<f64>> {
+    fn solved(&self, points: &[Vec<f64>], (costs, most): Asked, free: &[bool]) -> Option<Vec<f64>> {
         let own = |list: &[f64]| -> Vec<f64> { list.iter().zip(free).filter(|f| *f.1).map(|f| *f.0).collect() };
         let all = |some: &[f64]| -> Vec<f64> {
             let mut next = some.iter();
@@ -99,23 +120,29 @@ impl Of<'_> {
         Some(all(&found))
     }
 
-    /// The same at whatever points are found to be worse, which join them.
-    fn settled(&self, asked: (Option<&[f64]>, &[f64]), free: &[bool], (points, seed): (&mut Vec<Vec<f64>>, u64)) -> Option<Vec<f64>> {
+    /// The same at whatever points are found to be worse, which join them; whether nothing worse was found at last.
+    fn settled(&self, asked: Asked, free: &[bool], (points, seed): (&mut Vec<Vec<f64>>, u64)) -> Option<(Vec<f64>, bool)> {
         let mut found = self.solved(points, asked, free)?;
-        for _ in 0..if self.sampled.is_some() { 0 } else { MOST_ROUNDS } {
+        if self.sampled.is_some() {
+            return Some((found, true));
+        }
+        for _ in 0..MOST_ROUNDS {
             let tolerances = self.tolerances(&found);
-            let value = |p: &[f64]| worst(self.study, self.cases, self.design, &tolerances.at(p)).0;
-            let known = points.par_iter().map(|p| value(p)).reduce(|| 0.0, f64::max);
-            let (point, inside) = tolerances.worst(value, seed);
+            let value = |p: &Vec<f64>| worst(self.study, self.cases, self.design, &tolerances.at(p)).0;
+            let known = points.par_iter().map(value).reduce(|| 0.0, f64::max);
+            let (point, inside) = self.worst(&found, seed);
             if inside <= known.max(1.0) * (1.0 + WORSE) {
-                break;
+                return Some((found, true));
             }
             points.push(point);
             found = self.solved(points, asked, free)?;
         }
-        Some(found)
+        Some((found, false))
     }
 }
+
+/// Costs of tolerances, if the cheapest are sought, and the most that each may be.
+type Asked<'a> = (Option<&'a [f64]>, &'a [f64]);
 
 /// Every design with a parameter that has a tolerance; nothing where the study does not ask for it.
 pub(super) fn allocations(study: &Study, cases: &[LoadCase], shown: &[&DesignResult], progress: &dyn Progress) -> Vec<AllocationOfDesign> {
@@ -142,8 +169,10 @@ fn of_design(study: &Study, (cases, spec): (&[LoadCase], &AllocateSpec), d: &Des
     let scatter: Vec<Scatter> = indices.iter().map(|i| all[*i]).collect();
     let of = Of { study, cases, design: &d.absorbers, sampled: None, scatter };
     let given = of.tolerances(&vec![1.0; indices.len()]);
-    let (ratio, limit) = worst(study, cases, &d.absorbers, &given.at(&vec![0.0; given.edges()]));
-    let none = AllocationOfDesign { design: d.name.clone(), tolerances: Vec::new(), limit: (limit, ratio) };
+    // as it is judged: in operation, too
+    let judged = study.limits.iter().zip(&d.limits).enumerate().filter(|l| !l.1.0.of.measure.is_inertia());
+    let (limit, ratio) = judged.map(|(i, l)| (i, *l.1)).fold((0, 0.0), |m, l| if l.1 > m.1 { l } else { m });
+    let none = AllocationOfDesign { design: d.name.clone(), tolerances: Vec::new(), limit: (limit, ratio), settled: true };
     if !holds(ratio) {
         return Some(none);
     }
@@ -160,14 +189,14 @@ fn of_design(study: &Study, (cases, spec): (&[LoadCase], &AllocateSpec), d: &Des
     let mut points = given.corners();
     points.push(vec![0.0; given.edges()]);
     let every = vec![true; indices.len()];
-    let Some(factors) = of.settled(asked, &every, (&mut points, seed)) else { return Some(none) };
+    let Some((factors, settled)) = of.settled(asked, &every, (&mut points, seed)) else { return Some(none) };
     let alone = |i: usize| {
         let others: Vec<bool> = (0..indices.len()).map(|j| j != i).collect();
         let rest = |f: &[f64]| -> f64 {
             let sum = (0..f.len()).filter(|j| *j != i).map(|j| costs.as_ref().map_or(f[j], |c| c[j] / f[j]));
             sum.fold(0.0, |a, b| if costs.is_some() { a + b } else { f64::max(a, b) })
         };
-        let found = of.settled(asked, &others, (&mut points.clone(), seed))?;
+        let (found, _) = of.settled(asked, &others, (&mut points.clone(), seed))?;
         Some(if costs.is_some() { 1.0 - rest(&found) / rest(&factors) } else { rest(&found) / rest(&factors) })
     };
     let tolerance = |(i, f): (usize, &f64)| Allocated {
@@ -179,8 +208,11 @@ fn of_design(study: &Study, (cases, spec): (&[LoadCase], &AllocateSpec), d: &Des
     let tolerances: Vec<Allocated> = factors.iter().enumerate().map(tolerance).collect();
     let made = of.tolerances(&factors);
     let at = |p: &Vec<f64>| worst(study, cases, &d.absorbers, &made.at(p));
-    let reached = points.iter().map(at).fold((0.0, limit), |m, r| if r.0 > m.0 { r } else { m });
-    Some(AllocationOfDesign { tolerances, limit: (reached.1, reached.0), ..none })
+    let (used, limit) = match &of.sampled {
+        Some((rank, draws)) => of.at_rank(&made, (*rank, draws)),
+        None => points.iter().map(at).fold((0.0, limit), |m, r| if r.0 > m.0 { r } else { m }),
+    };
+    Some(AllocationOfDesign { tolerances, limit: (limit, used), settled, ..none })
 }
 
 /// How many times as wide as given a tolerance is looked at.

@@ -38,14 +38,14 @@ pub(super) fn prices(
     progress.stage("prices", asked.len());
     let one = |(o, change): &(&OptimumResult, Change)| {
         let name = &o.design.name;
-        let own = (o.optimum.value(), o.limits_hold());
+        let own = (judged(o), o.limits_hold());
         let sought = || again(study, (o, *change), engine);
         let found = remembered(progress.memory(), &("prices", name, change, own, &o.design.absorbers), sought);
         progress.step();
         let (value, holds, compound) = found.map_err(|error| RunError { what: name.clone(), error })?;
         // what was found with all that is asked is one of the designs without some of it
         let kept = *change != Change::HalfTheRing && own.1 && !(holds && value < own.0);
-        let (changed, changed_holds) = if kept { own } else { (value, holds) };
+        let ((changed, changed_holds), compound) = if kept { (own, None) } else { ((value, holds), compound) };
         Ok(Price { design: name.clone(), change: *change, own: own.0, changed, own_holds: own.1, changed_holds, compound })
     };
     let found = asked.par_iter().map(one).collect::<Result<Vec<_>, RunError>>()?;
@@ -53,6 +53,11 @@ pub(super) fn prices(
         clock.lap("prices", Work::default());
     }
     Ok(found)
+}
+
+/// What an optimum comes to in all conditions that it is to hold in, and in operation where that differs; infinite where it has no such value.
+fn judged(o: &OptimumResult) -> f64 {
+    o.design.objective.unwrap_or(f64::INFINITY)
 }
 
 /// Whether an optimum is of the first size of each absorber, and not only shown for being the best of several.
@@ -73,8 +78,10 @@ fn changes(study: &Study, spec: &OptimiseSpec, o: &OptimumResult, modes: &[Vec<E
 /// A bound of the study on a parameter, beyond which hartog would look without it.
 fn without_bound(spec: &OptimiseSpec, design: &[Mounted], on: &OnBound, modes: &[Vec<EngineMode>]) -> Option<Change> {
     let absorber = &spec.absorbers[on.absorber];
-    let parameter = design[on.absorber].absorber.declaration()?.parameters.get(on.parameter).filter(|_| on.parameter > 0)?;
-    absorber.bounds.iter().find(|b| b.0 == parameter.key)?;
+    let kind = design[on.absorber].absorber.declaration()?;
+    let parameter = kind.parameters.get(on.parameter).filter(|_| on.parameter > 0)?;
+    let of_material = absorber.materials.iter().filter(|m| m.0 == kind).flat_map(|m| &m.1.properties);
+    of_material.chain(&absorber.bounds).find(|b| b.0 == parameter.key)?;
     let surroundings = Surroundings { modes: &modes[on.absorber], ring_inertia: largest_ring(absorber) };
     let (low, high) = (parameter.bounds)(&surroundings);
     let (instead, is_farther) = if on.upper { (high, high > on.bound) } else { (low, low < on.bound) };
@@ -91,7 +98,9 @@ fn largest_ring(spec: &AbsorberSpec) -> f64 {
 /// The study after a change, of the types of an optimum alone.
 fn changed(study: &Study, spec: &OptimiseSpec, design: &[Mounted], change: Change) -> Study {
     let mut own = study.clone();
-    let mut spec = OptimiseSpec { prices: false, ..spec.clone() };
+    // limits are judged in operation: without the last of them the search still looks there
+    let in_operation = spec.in_operation || !study.limits.is_empty();
+    let mut spec = OptimiseSpec { prices: false, in_operation, ..spec.clone() };
     for (absorber, kind) in spec.absorbers.iter_mut().zip(kinds(design)) {
         absorber.types = vec![kind];
         if let Size::Each(list) = &mut absorber.size {
@@ -102,7 +111,9 @@ fn changed(study: &Study, spec: &OptimiseSpec, design: &[Mounted], change: Chang
         Change::WithoutCondition(c) => spec.conditions.retain(|own| *own != c),
         Change::WithoutLimit(i) => drop(own.limits.remove(i)),
         Change::WithoutBound { absorber, key, bound, instead } => {
-            for (_, (low, high)) in spec.absorbers[absorber].bounds.iter_mut().filter(|b| b.0 == key) {
+            let own = &mut spec.absorbers[absorber];
+            let of_material = own.materials.iter_mut().flat_map(|m| &mut m.1.properties);
+            for (_, (low, high)) in of_material.chain(&mut own.bounds).filter(|b| b.0 == key) {
                 *(if *high == bound { high } else { low }) = instead;
             }
         }
@@ -145,5 +156,5 @@ fn again(
     let Some(spec) = &other.optimise else { return Ok(nothing) };
     let Some(found) = searches.optimum_from(spec, &o.design.absorbers).map_err(|e| e.error)? else { return Ok(nothing) };
     let compound = rows.iter().find(|r| r.chosen).and_then(|r| r.name.clone());
-    Ok((found.optimum.value(), found.limits_hold(), compound))
+    Ok((judged(&found), found.limits_hold(), compound))
 }

@@ -161,7 +161,7 @@ pub struct Price {
     pub design: String,
     /// What is changed.
     pub change: Change,
-    /// The study's first objective of the optimum, SI.
+    /// The study's first objective of the optimum, the largest in the conditions that it is to hold in, SI; at small twist.
     pub own: f64,
     /// The same of the optimum that was found after the change.
     pub changed: f64,
@@ -174,10 +174,10 @@ pub struct Price {
 }
 
 impl Price {
-    /// What is asked costs so much of the objective: its ratio with it to that without it, less one; of half the ring the ratio of that to the whole one. `None` where one of them breaks limits.
+    /// What is asked costs so much of the objective: its ratio with it to that without it, less one; of half the ring the ratio of that to the whole one. `None` where one of them breaks limits or has no value.
     pub fn cost(&self) -> Option<f64> {
         let (with, without) = if self.change == Change::HalfTheRing { (self.changed, self.own) } else { (self.own, self.changed) };
-        (self.own_holds && self.changed_holds).then_some(with / without - 1.0)
+        Some(with / without - 1.0).filter(|c| self.own_holds && self.changed_holds && c.is_finite())
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) struct RawRobust {
     /// Random designs within the tolerances, beside the exact worst case.
     #[schemars(extend("examples" = [{"percentile": 95, "samples": 1000, "distribution": "uniform"}]))]
     pub sampling: Option<RawSampling>,
-    /// Asks for the tolerances that each design can bear under the limits of the study; `{}` for the widest that keep their ratio, within which all limits hold.
+    /// Asks for the tolerances that each design can bear under the limits of the study; `{}` for the widest that keep their ratio, within which no limit was found to be broken.
     #[schemars(extend("examples" = [{"cost": {"rubber_thickness_mm": 3, "hardness_shore_a": 5}}]))]
     pub allocate: Option<At<RawAllocate>>,
 }
@@ -35,7 +35,7 @@ pub(crate) struct RawRobust {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawAllocate {
-    /// Per cent of the random designs of `sampling` that are to hold all limits; without it all within the tolerances are.
+    /// Per cent of the random designs of `sampling` that are to hold all limits; without it every one within the tolerances, as far as it is searched.
     #[schemars(extend("minimum" = 50, "maximum" = 99.9, "examples" = [99]))]
     pub yield_percent: Option<At<f64>>,
     /// What each tolerance costs as wide as it is given, in any currency, by its key: half as wide it costs twice as much. With it the cheapest are found.

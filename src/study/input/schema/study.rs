@@ -210,7 +210,7 @@ pub(crate) struct RawOptimise {
     /// Whether the optimum is searched at the temperature and strain of operation, too, where a material says how these follow the motion. Without it that is so under limits only, as it takes longer, and under limits it cannot be left out; every design is reported in operation either way.
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub in_operation: Option<At<bool>>,
-    /// Whether it is told what each condition, limit and bound of the study costs: the optimum of each type is sought again without it, and with half of the ring, in as many searches.
+    /// Whether it is told what each condition, limit and bound (but of sizes and dimensions) of the study costs: the optimum of each type is sought again without it, and with half of the ring, in as many searches.
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub prices: Option<bool>,
     /// A family of absorbers; with several, all are in the design at once.

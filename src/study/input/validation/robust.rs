@@ -84,6 +84,9 @@ pub(super) fn resolve(
         check.wrong(place, "found [robust] without a tolerance, expected `tolerance` or `process`");
     }
     let process = process(check, raw, &types);
+    for (key, amount) in raw.process.iter().flat_map(|p| p.get_ref()).filter(|p| shares.iter().any(|s| s.0 == p.0)) {
+        check.wrong(amount, format!("found `{key}` under `process` and `tolerance`, expected it under one of them"));
+    }
     let scatters = |t: &&'static Declaration, s: &Scatter| {
         Tolerances::scattered(&[Some((t, None))], &[*s]).edges() > 0 || matches!(s, Scatter::Hardness(_))
     };
@@ -136,7 +139,10 @@ pub fn scatter_key(s: &Scatter) -> &'static str {
 
 fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, has_limits): (&RobustSpec, bool)) -> Option<AllocateSpec> {
     if !has_limits {
-        check.wrong(raw, "found `allocate` without a limit, expected a [[constraint]] for tolerances to hold");
+        check.wrong(
+            raw,
+            "found `allocate` without a limit, expected a [[constraint]] that is not on sizes and masses alone, for tolerances to hold",
+        );
     }
     let keys: Vec<&str> = spec.scatter().iter().map(scatter_key).collect();
     let raw = raw.get_ref();

@@ -5,6 +5,7 @@ use super::optimise::OptimiseSpec;
 use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, Sheared};
 use crate::input::error::{At, Check};
+use crate::input::measure::LimitSpec;
 use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, VISCOSITY, process_keys};
 use crate::optimise::{Scatter, Tolerances};
 
@@ -60,7 +61,7 @@ pub(super) fn resolve(
     check: &mut Check,
     raw: &At<RawRobust>,
     optimise: Option<&OptimiseSpec>,
-    (designs, has_limits): (&[&DesignSpec], bool),
+    (designs, limits): (&[&DesignSpec], &[LimitSpec]),
 ) -> Option<RobustSpec> {
     let (place, raw) = (raw, raw.get_ref());
     let lists = types_of(optimise, designs);
@@ -123,7 +124,7 @@ pub(super) fn resolve(
         }
     });
     let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, allocate: None };
-    let allocate = raw.allocate.as_ref().and_then(|a| allocate(check, a, (&spec, has_limits)));
+    let allocate = raw.allocate.as_ref().and_then(|a| allocate(check, a, (&spec, limits)));
     (!spec.shares.is_empty() || !spec.process.is_empty()).then_some(RobustSpec { allocate, ..spec })
 }
 
@@ -137,8 +138,8 @@ pub fn scatter_key(s: &Scatter) -> &'static str {
     }
 }
 
-fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, has_limits): (&RobustSpec, bool)) -> Option<AllocateSpec> {
-    if !has_limits {
+fn allocate(check: &mut Check, raw: &At<RawAllocate>, (spec, limits): (&RobustSpec, &[LimitSpec])) -> Option<AllocateSpec> {
+    if limits.iter().all(|l| l.of.measure.is_inertia()) {
         check.wrong(
             raw,
             "found `allocate` without a limit, expected a [[constraint]] that is not on sizes and masses alone, for tolerances to hold",

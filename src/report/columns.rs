@@ -12,7 +12,7 @@ pub(super) enum Kind {
 }
 
 /// Columns of words and names.
-const TEXT: [&str; 34] = [
+const TEXT: [&str; 35] = [
     "absorbers",
     "catalogue",
     "condition",
@@ -33,6 +33,7 @@ const TEXT: [&str; 34] = [
     "on_station",
     "panel",
     "parameter",
+    "proof",
     "quantity",
     "role",
     "rule",
@@ -51,7 +52,7 @@ const TEXT: [&str; 34] = [
 /// Ends of names of such columns.
 const TEXT_ENDS: [&str; 3] = ["_fillet", "_quantity", "_shaft"];
 const TRUTH: [&str; 7] = ["converged", "dominated", "held", "knee", "limited", "limits_hold", "stable"];
-const COUNT: [&str; 19] = [
+const COUNT: [&str; 20] = [
     "absorber",
     "designs_elsewhere",
     "designs_nearby",
@@ -64,6 +65,7 @@ const COUNT: [&str; 19] = [
     "other_optima",
     "place",
     "point",
+    "proof_boxes",
     "receptance_points",
     "round",
     "rounds",

@@ -9,6 +9,7 @@ use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
+use crate::numerics::taylor::Taylor;
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use hartog_kernel::kernel;
 use std::sync::Arc;
@@ -101,6 +102,12 @@ impl Law for Carreau {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        let power = values[2].times_number(C64::from(at.omega)).imaginary_power(&values[3])?;
+        let exponent = values[4].plus_number(C64::from(-1.0)).times(&values[3].inverse()?);
+        let falls = exponent.times(&power.plus_number(C64::from(1.0)).logarithm()?).exponential();
+        Some(values[1].times_number(C64::new(0.0, at.omega)).times(&falls))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (a, n) = (self.transition, self.flow_index);

@@ -8,6 +8,7 @@ use super::fractional_zener::{EXPONENT, start};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS};
+use crate::numerics::taylor::Taylor;
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use hartog_kernel::kernel;
 use std::sync::Arc;
@@ -75,6 +76,10 @@ impl Law for FractionalKelvin {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        let power = values[2].times_number(C64::from(at.omega)).imaginary_power(&values[3])?;
+        Some(values[1].times(&power.plus_number(C64::from(1.0))))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;

@@ -8,6 +8,7 @@ use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::elementary::ComplexElementary;
+use crate::numerics::taylor::Taylor;
 use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
 use hartog_kernel::kernel;
 use std::sync::Arc;
@@ -110,6 +111,13 @@ impl Law for FractionalZener {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        let power = values[3].times_number(C64::from(at.omega)).imaginary_power(&values[4])?;
+        // k (r + (1 - r)/(1 + z))
+        let glassy = values[2].times_number(C64::from(-1.0)).plus_number(C64::from(1.0));
+        let share = values[2].plus(&glassy.times(&power.plus_number(C64::from(1.0)).inverse()?));
+        Some(values[1].times(&share))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let x = at.omega * self.relaxation_time;

@@ -9,6 +9,7 @@ use super::material_state::State;
 use super::parameter::{Follows, Parameter, STIFFNESS};
 use super::parts::{Number, Parts};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -98,6 +99,16 @@ pub trait Law: Debug + Send + Sync {
     /// S at some points by the logarithm of the factor that temperature puts on the material ([`Parameter::follows`]), where what does not depend on it is worth computing once.
     fn followed_each<'s>(&'s self, _: &'s [Operating]) -> Option<ByFactor<'s>> {
         None
+    }
+
+    /// S where the declared parameters are anything that these models hold; `None` where the type has no enclosure, or where these are too wide for it.
+    fn over(&self, _values: &[Taylor], _at: Operating) -> Option<Taylor> {
+        None
+    }
+
+    /// The same of the inertia of the ring.
+    fn ring_over(&self, values: &[Taylor]) -> Taylor {
+        values[0]
     }
 
     /// Mean power dissipated at one frequency by a twist whose amplitude (rad, zero to peak) has this square, W: omega Im S |twist|²/2.

@@ -7,6 +7,7 @@ use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// Ring in an oil of one relaxation time.
@@ -69,6 +70,10 @@ impl Law for Maxwell {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        let below = values[2].times_number(C64::new(0.0, at.omega)).plus_number(C64::from(1.0));
+        Some(values[1].times_number(C64::new(0.0, at.omega)).times(&below.inverse()?))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let denominator = C64::new(1.0, at.omega * self.relaxation_time);

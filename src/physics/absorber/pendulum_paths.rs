@@ -18,6 +18,7 @@ use super::parameter::{DAMPING, RING_INERTIA};
 use super::pendulum::{CLOSED_FORMS, Pendulum, TUNING_ORDER};
 use crate::numerics::C64;
 use crate::numerics::elementary::Elementary;
+use crate::numerics::taylor::Taylor;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -124,6 +125,9 @@ impl Law for PathPendulum {
     }
     fn ring_inertia(&self) -> f64 {
         self.small.ring_inertia
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        self.small.over(values, at)
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         self.small.dynamic_stiffness(at)

@@ -7,6 +7,7 @@ use super::dynamic_stiffness::Operating;
 use super::law::{Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// A spring in series with a damper.
@@ -80,6 +81,16 @@ impl Law for Prony {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        // x²/(1 + x²) + i x/(1 + x²) = 1 - 1/(1 + i x)
+        let mut sum = Taylor::constant(C64::from(self.stiffness));
+        for b in self.branches.iter() {
+            let below = values[2].times_number(C64::new(0.0, at.omega * b.relaxation_time)).plus_number(C64::from(1.0));
+            let share = below.inverse()?.times_number(C64::from(-1.0)).plus_number(C64::from(1.0));
+            sum = sum.plus(&share.times_number(C64::from(b.stiffness)));
+        }
+        Some(values[1].times(&sum))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let by_time = |b: &Branch| {

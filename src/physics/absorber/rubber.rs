@@ -8,6 +8,8 @@ use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
 use crate::numerics::C64;
+use crate::numerics::I;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// Ring on rubber.
@@ -65,6 +67,9 @@ impl Law for Rubber {
     }
     fn dynamic_stiffness(&self, _: Operating) -> C64 {
         C64::new(self.stiffness, self.stiffness * self.loss_factor)
+    }
+    fn over(&self, values: &[Taylor], _: Operating) -> Option<Taylor> {
+        Some(values[1].times(&values[2].times_number(I).plus_number(C64::from(1.0))))
     }
     fn derivatives(&self, _: Operating) -> Vec<C64> {
         vec![C64::default(), C64::new(1.0, self.loss_factor), C64::new(0.0, self.stiffness)]

@@ -9,6 +9,7 @@ use super::dynamic_stiffness::Operating;
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use crate::units::HZ_PER_RAD_PER_S;
 use std::sync::Arc;
 
@@ -99,6 +100,13 @@ impl Law for SpringPack {
     }
     fn is_analytic(&self) -> bool {
         true
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        let [_, stiffness, kappa, ratio, reference] = values else { return None };
+        let ix = reference.inverse()?.times_number(C64::new(0.0, at.omega * HZ_PER_RAD_PER_S));
+        let q = ratio.plus_number(C64::from(-1.0));
+        let (sum, below) = (kappa.times(kappa).plus(&q.times(&q)), kappa.plus(&ix.times(&q)));
+        Some(stiffness.times(&sum.times(&ix).times(&below.inverse()?).plus_number(C64::from(1.0))))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (kappa, q) = (self.damping_factor, self.dynamic_ratio - 1.0);

@@ -5,6 +5,7 @@ use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{RING_INERTIA, STIFFNESS};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// Ring on a spring.
@@ -56,6 +57,9 @@ impl Law for Undamped {
     }
     fn dynamic_stiffness(&self, _: Operating) -> C64 {
         C64::from(self.stiffness)
+    }
+    fn over(&self, values: &[Taylor], _: Operating) -> Option<Taylor> {
+        Some(values[1])
     }
     fn derivatives(&self, _: Operating) -> Vec<C64> {
         vec![C64::default(), C64::from(1.0)]

@@ -5,6 +5,7 @@ use super::dynamic_stiffness::{Operating, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// Ring in a Newtonian fluid.
@@ -42,6 +43,9 @@ impl Law for Viscous {
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         C64::new(0.0, at.omega * self.damping)
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        Some(values[1].times_number(C64::new(0.0, at.omega)))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         vec![C64::default(), C64::new(0.0, at.omega)]

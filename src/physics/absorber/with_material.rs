@@ -8,6 +8,7 @@ use super::material::{Material, Thermal};
 use super::material_state::State;
 use super::parts::{Number, Parts};
 use crate::numerics::C64;
+use crate::numerics::taylor::Taylor;
 use std::sync::Arc;
 
 /// A law with its material: itself, as long as it is asked for no state of that.
@@ -68,6 +69,14 @@ impl Changed {
     }
 }
 
+impl Changed {
+    /// The parameters of the law as it is now, from those of the reference.
+    fn changed_over(&self, values: &[Taylor]) -> Vec<Taylor> {
+        let amount = |i: usize| C64::from(self.amounts.get(i).copied().unwrap_or(0.0));
+        values.iter().zip(&self.factors).enumerate().map(|(i, (v, f))| v.times_number(C64::from(*f)).plus_number(amount(i))).collect()
+    }
+}
+
 /// What a law that stands in for another one passes on.
 macro_rules! stands_in {
     ($values:ident, $now:ident) => {
@@ -115,6 +124,12 @@ impl Law for WithMaterial {
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.law.derivatives(at)
     }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        self.law.over(values, at)
+    }
+    fn ring_over(&self, values: &[Taylor]) -> Taylor {
+        self.law.ring_over(values)
+    }
     fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
         self.law.parts_by_dimensions()
     }
@@ -141,6 +156,12 @@ impl Law for Changed {
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.now.derivatives(at).into_iter().zip(&self.factors).map(|(d, f)| d * *f).collect()
+    }
+    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+        self.now.over(&self.changed_over(values), at)
+    }
+    fn ring_over(&self, values: &[Taylor]) -> Taylor {
+        self.now.ring_over(&self.changed_over(values))
     }
     fn parts_by_dimensions(&self) -> Option<Box<Parts<Number>>> {
         let by = |x: Number| x.rescaled(|i| self.factors.get(i).copied().unwrap_or(1.0));

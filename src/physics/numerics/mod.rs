@@ -37,6 +37,7 @@ pub(crate) mod simd_elementary;
 pub(crate) mod sparse;
 pub mod synthesis;
 pub mod table_lookup;
+pub mod taylor;
 mod tree;
 pub mod tridiagonal;
 

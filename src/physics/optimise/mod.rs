@@ -13,6 +13,8 @@ mod lower_elsewhere;
 pub mod minimax;
 mod operation;
 pub mod problem;
+#[doc(hidden)]
+pub mod proof;
 pub mod robust;
 pub mod search;
 #[doc(hidden)]
@@ -37,6 +39,7 @@ pub use load_case::LoadCase;
 pub use load_case::largest;
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
+pub use proof::{Effort, Proof, Reason, Verdict};
 pub use robust::{Scatter, Tolerances};
 pub use search::{LocalOptimum, Optimum, Stages, Start};
 pub use second_order::SecondOrder;

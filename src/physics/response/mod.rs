@@ -7,6 +7,8 @@ pub mod bodies;
 pub mod closed_form;
 pub mod dense;
 pub mod direct;
+#[doc(hidden)]
+pub mod enclosed;
 pub mod error;
 pub mod exponential;
 mod factored;

@@ -6,7 +6,7 @@ use crate::files::{Folder, WriteError};
 use crate::input::Study;
 
 /// `optima.csv`. `kkt_residual`: length of the steepest-descent step, in logarithms of the parameters; `smallest_curvature`: of the Lagrangian along the directions that first
-/// order leaves free, share of the objective per square of those.
+/// order leaves free, share of the objective per square of those. `lower_bound`: what no design within bounds and limits is proved to be below (of a margin: above).
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -33,6 +33,9 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "designs_nearby",
         "evaluations_search",
         "evaluations_minimax",
+        "proof",
+        "lower_bound",
+        "proof_boxes",
     ]);
     for o in &results.optima {
         let objective = study.objective_of(o.objective);
@@ -44,6 +47,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             (false, false, true) => "elsewhere",
             (false, false, false) => "start",
         };
+        let bound = o.proof.as_ref().and_then(|p| p.lower_bound).filter(|b| *b > 0.0);
         table.row([
             o.design.name.clone(),
             objective.key.to_owned(),
@@ -63,6 +67,9 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             o.nearby.designs.to_string(),
             (optimum.stages.seeds.evaluations + optimum.stages.search.evaluations).to_string(),
             optimum.stages.minimax.evaluations.to_string(),
+            o.proof.as_ref().map_or_else(String::new, |p| p.verdict.word().to_owned()),
+            optional(bound.map(|b| objective.unit.shown(b))),
+            o.proof.as_ref().map_or_else(String::new, |p| p.boxes.to_string()),
         ]);
     }
     table.save(folder, "optima.csv")

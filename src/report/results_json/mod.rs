@@ -1,6 +1,7 @@
 //! `results.json`: what a script wants of a run, with its schema.
 
 mod judged;
+mod proof;
 mod values;
 
 pub(crate) use judged::{judged, verdicts};
@@ -13,6 +14,7 @@ use crate::analysis::{DesignResult, FrontResult, OptimumResult, Results, Tradeof
 use crate::input::{FrontSpec, InputFile, MeasureSpec, Placeholder, Study};
 use crate::objective::{HELD, holds};
 use crate::price_words::{change, costs};
+use proof::Proof;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -155,6 +157,9 @@ struct Optimum {
     evaluations: u64,
     /// Of each limit: per cent of the objective that one per cent more of it would bring.
     limit_multipliers: Vec<f64>,
+    /// Absent where it was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<Proof>,
     /// What each condition, limit and bound costs, as in `prices.csv`; absent where the study does not ask for it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     prices: Vec<Price>,
@@ -299,6 +304,7 @@ fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> Optimum {
         other_optima: found.others.iter().map(|l| objective.unit.shown(l.value)).filter(|v| v.is_finite()).collect(),
         evaluations: found.stages.all().evaluations,
         limit_multipliers: o.prices.clone(),
+        proof: o.proof.as_ref().map(|p| Proof::new(objective, p)),
         prices: results.prices.iter().filter(|p| p.design == o.design.name).map(price).collect(),
     }
 }

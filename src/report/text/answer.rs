@@ -8,10 +8,10 @@ use super::judged::{sentence, value_of};
 use super::limits::{barred, broken_within_tolerances, limits, not_judged, of_given};
 use super::margin::below_acceptable;
 use super::order_sheets;
-use super::prices;
 use super::run::fronts;
 use super::verdict::{clause, of_design};
 use super::width::{is_wide, wrapped};
+use super::{prices, proof};
 use crate::absorber::{Host, Mounted};
 use crate::analysis::judged::{Basis, Judged};
 use crate::analysis::verdict::Verdict;
@@ -89,7 +89,9 @@ fn found(study: &Study, results: &Results) -> String {
     };
     match (results.best_optimum(false), results.best_given()) {
         (Some(o), given) => {
-            let nearest = if o.conflict.is_some() {
+            let nearest = if proof::is_impossible(o) {
+                "No design within the bounds holds all limits; nearest to them, by the limit that it is furthest beyond, is "
+            } else if o.conflict.is_some() {
                 "No design was found that holds all limits; nearest to them, by the limit that it is furthest beyond, is "
             } else {
                 ""
@@ -100,7 +102,7 @@ fn found(study: &Study, results: &Results) -> String {
                 None => parameters(study, &o.design).into_iter().for_each(&mut put),
             }
             put(format!("  {}", savings(study, results, &o.design, given)));
-            put(format!("  {}", certificate(o)));
+            put(format!("  {}", certificate(study, o)));
             if study.limits.is_empty() {
                 put("  the study has no limits".into());
             }
@@ -210,8 +212,8 @@ fn savings(study: &Study, results: &Results, d: &DesignResult, given: Option<&De
     if parts.is_empty() { "nothing to compare it with".into() } else { parts.join("; ") }
 }
 
-/// What was looked at and what that says, in a line: no proof.
-fn certificate(o: &OptimumResult) -> String {
+/// What is proved, what was looked at and what that says, in a line.
+fn certificate(study: &Study, o: &OptimumResult) -> String {
     let residual = o.optimum.outcome.kkt_residual;
     let first = if residual.is_finite() { format!("first-order residual {residual:.0e}") } else { "no first-order residual".into() };
     let unmet = if o.is_unfinished() { " (NOT CONVERGED)" } else { "" };
@@ -219,7 +221,8 @@ fn certificate(o: &OptimumResult) -> String {
     let elsewhere = if o.scan.designs > 0 { format!("{} designs elsewhere and ", o.scan.designs) } else { String::new() };
     let result = if o.scan.better || o.nearby.better { "led to it" } else { "are no better" };
     format!(
-        "not proved; {} of {} starts agree, {first}{unmet}, {elsewhere}{} near it {result}{survey}",
+        "{}; {} of {} starts agree, {first}{unmet}, {elsewhere}{} near it {result}{survey}",
+        proof::clause(study, o),
         o.optimum.agreeing(),
         o.optimum.starts.len(),
         o.nearby.designs

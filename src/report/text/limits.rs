@@ -1,6 +1,7 @@
 //! What the limits of a study come to for an optimum.
 
 use super::margin::factor;
+use super::proof::is_impossible;
 use super::table::significant;
 use crate::analysis::{BarredRange, DesignResult, OptimumResult, Results, StillBroken};
 use crate::input::{LimitSpec, Study, UnitOf};
@@ -41,7 +42,7 @@ pub(super) fn limits(study: &Study, results: &Results, o: &OptimumResult) -> Vec
         let beside = beside_a_jump(o, limit, *ratio).unwrap_or_default();
         lines.push(line((study, results), &o.design, i, (as_drawn, &format!("{costs}{beside}"))));
     }
-    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, (&o.design.limits, o.robust))));
+    lines.extend(o.conflict.iter().flat_map(|c| conflict(study, c, (&o.design.limits, o))));
     lines
 }
 
@@ -148,25 +149,20 @@ pub(super) fn barred(study: &Study, d: &DesignResult) -> Vec<String> {
 }
 
 /// Which limits were not held together, how near a design comes, which others it breaks, and what loosening one would take.
-fn conflict(study: &Study, c: &Conflict, (nearest, robust): (&[f64], bool)) -> Vec<String> {
-    let within = if robust { " within the tolerances" } else { "" };
+fn conflict(study: &Study, c: &Conflict, (nearest, o): (&[f64], &OptimumResult)) -> Vec<String> {
+    let no_design = if is_impossible(o) { "It is proved that no design of this family" } else { "No design of this family was found that" };
+    let within = if o.robust { " within the tolerances" } else { "" };
     let words = |i: usize| format!("`{}`", study.limits[i].words);
     let names: Vec<String> = c.parties.iter().map(|p| words(p.limit)).collect();
     let of = study.limits.len();
     let beyond = 100.0 * (c.ratio - 1.0);
     let mut lines = vec![match names.as_slice() {
         _ if of == 1 => {
-            format!(
-                "  No design of this family was found that holds this limit{within}: the nearest is {} % beyond it.",
-                significant(beyond, 4)
-            )
+            format!("  {no_design} holds this limit{within}: the nearest is {} % beyond it.", significant(beyond, 4))
         }
-        [one] => format!(
-            "  No design of this family was found that holds all of its {of} limits{within}: the nearest is {} % beyond {one}.",
-            significant(beyond, 4)
-        ),
+        [one] => format!("  {no_design} holds all of its {of} limits{within}: the nearest is {} % beyond {one}.", significant(beyond, 4)),
         _ => format!(
-            "  No design of this family was found that holds all of its {of} limits{within}. In conflict at the nearest design: {}. It is {} % beyond each of them.",
+            "  {no_design} holds all of its {of} limits{within}. In conflict at the nearest design: {}. It is {} % beyond each of them.",
             names.join(", "),
             significant(beyond, 4)
         ),

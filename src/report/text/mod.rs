@@ -27,6 +27,7 @@ mod model;
 pub(crate) mod order_sheets;
 mod plausibility;
 mod prices;
+mod proof;
 pub mod publications;
 mod robust;
 mod run;

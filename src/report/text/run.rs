@@ -6,10 +6,10 @@ use super::judged::{sentence, value_of};
 use super::limits::{barred, limits};
 use super::margin::factor;
 use super::materials::temperatures;
-use super::prices;
 use super::robust::during;
 use super::table::{dash, keyed, significant};
 use super::verdict::{clause, of_design};
+use super::{prices, proof};
 use crate::analysis::judged::Basis;
 use crate::analysis::method_selection::{Choice, Strategy};
 use crate::analysis::{DesignResult, Nature, OptimumResult, PeakKind, Results};
@@ -115,6 +115,9 @@ pub fn optimum(study: &Study, results: &Results, o: &OptimumResult) -> String {
     }
     active.into_iter().for_each(&mut put);
     parameters(o).into_iter().for_each(&mut put);
+    if o.proof.is_some() {
+        put(format!("  {}", proof::clause(study, o)));
+    }
     certificate(objective, o, value_of).into_iter().for_each(&mut put);
     limits(study, results, o).into_iter().for_each(&mut put);
     prices::line(study, results, o).into_iter().for_each(&mut put);

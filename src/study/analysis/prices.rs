@@ -12,9 +12,9 @@ use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Mounted, Surroundings};
 use crate::input::{AbsorberSpec, OptimiseSpec, Size, Study};
 use crate::objective::{Condition, PeakFinder};
-use crate::optimise::LoadCase;
 use crate::optimise::checkpoint::remembered;
 use crate::optimise::shadow_prices::OnBound;
+use crate::optimise::{Effort, LoadCase};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 
@@ -100,7 +100,8 @@ fn changed(study: &Study, spec: &OptimiseSpec, design: &[Mounted], change: Chang
     let mut own = study.clone();
     // limits are judged in operation: without the last of them the search still looks there
     let in_operation = spec.in_operation || !study.limits.is_empty();
-    let mut spec = OptimiseSpec { prices: false, in_operation, ..spec.clone() };
+    let prove = (Effort { boxes: 0, ..spec.prove.0 }, false);
+    let mut spec = OptimiseSpec { prices: false, in_operation, prove, ..spec.clone() };
     for (absorber, kind) in spec.absorbers.iter_mut().zip(kinds(design)) {
         absorber.types = vec![kind];
         if let Size::Each(list) = &mut absorber.size {

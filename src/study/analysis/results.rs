@@ -27,7 +27,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::{Condition, holds};
-use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Scan, SecondOrder, Stop, Survey, Tradeoff};
+use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Proof, Scan, SecondOrder, Stop, Survey, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -55,6 +55,9 @@ pub struct OptimumResult {
     pub survey: Option<Survey>,
     /// What random designs near it say of it.
     pub nearby: Nearby,
+    /// That no design within the bounds is better; `None` where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<Proof>,
     /// What second order says of it, where peaks keep their places that near.
     pub second_order: Option<SecondOrder>,
     /// Its measures by its parameters.

@@ -6,7 +6,7 @@ use super::families::{self, Family};
 use super::looked_over::{LookedOver, in_operation, looked_over};
 use super::results::{OptimumResult, RowCase};
 use super::sensitivities::sensitivities;
-use super::timing::Clock;
+use super::timing::{Clock, timed};
 use super::{Progress, RunError};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Deviation, Mounted};
@@ -18,11 +18,12 @@ use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Optimum, Problem, Remembers, Row, Slot, Space, Tolerances, largest, robust, search, second_order, shadow_prices,
-    starts,
+    Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, largest, proof, robust, search,
+    second_order, shadow_prices, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Frequencies to which designs elsewhere are tuned.
 const SCANNED: usize = 24;
@@ -56,6 +57,8 @@ pub struct Searches<'a> {
     pub(super) modes: &'a [Vec<EngineMode>],
     pub(super) wanted: &'a EvaluationPlan<'a>,
     pub(super) progress: &'a dyn Progress,
+    /// Time that proofs have taken, one after the other, ns.
+    proofs: AtomicU64,
 }
 
 /// A mean over the duty as the sum of its points: a largest value has kinks where other angles of the cycle take over, which each point has for itself.
@@ -80,7 +83,7 @@ impl<'a> Searches<'a> {
         let limits = study.limits.iter().map(LimitSpec::to_limit).collect();
         let combined = study.combined.iter().flat_map(|c| c.parts.iter().map(LimitSpec::to_limit)).collect();
         let duty = study.objectives().map(|o| terms(study, &o.measure)).collect();
-        Self { study, finders, load_cases, objectives, duty, combined, limits, modes, wanted, progress }
+        Self { study, finders, load_cases, objectives, duty, combined, limits, modes, wanted, progress, proofs: AtomicU64::new(0) }
     }
 
     /// What remembers searches, and of what they are.
@@ -160,6 +163,7 @@ impl<'a> Searches<'a> {
         }
         if !found.is_empty() {
             clock.lap("optima", work);
+            clock.beside("proofs", 1e-9 * self.proofs.load(Ordering::Relaxed) as f64, Work::default());
         }
         Ok(found)
     }
@@ -204,6 +208,8 @@ impl<'a> Searches<'a> {
         let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
+        let proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
+        let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
         let others = conflict.is_none() && within.is_none();
         let design = self.as_reported(&problem, (&mut optimum, others), &name)?;
         // of the nearest design nothing is an optimum but its violation
@@ -243,6 +249,7 @@ impl<'a> Searches<'a> {
             scan,
             survey,
             nearby,
+            proof,
             second_order,
             sensitivities,
             on_bounds,
@@ -250,6 +257,18 @@ impl<'a> Searches<'a> {
             robust: within.is_some(),
             reference,
         })
+    }
+
+    /// That no design is better than an optimum, where the study asks for that or it costs little; what a proof finds that is better takes its place.
+    fn proof(&self, (spec, main): (&OptimiseSpec, bool), problem: &Problem, (optimum, tolerant): (&mut Optimum, bool)) -> Option<Proof> {
+        let (effort, of_all) = spec.prove;
+        let is_asked = of_all || main && problem.space.slots.len() == 1;
+        if effort.boxes == 0 || !is_asked {
+            return None;
+        }
+        let (proof, seconds) = timed(|| if tolerant { Proof::none(Reason::Tolerances) } else { proof::settle(problem, optimum, effort) });
+        self.proofs.fetch_add((1e9 * seconds) as u64, Ordering::Relaxed);
+        Some(proof)
     }
 
     /// Limits are judged in operation, too: whether an optimum differs there, which then is sought anew. A design that is as good there is the best of both; within tolerances it is as drawn there.

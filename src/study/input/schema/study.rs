@@ -213,11 +213,25 @@ pub(crate) struct RawOptimise {
     /// Whether it is told what each condition, limit and bound (but of sizes and dimensions) of the study costs: the optimum of each type is sought again without it, and with half of the ring, in as many searches.
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub prices: Option<bool>,
+    /// How closely it is proved that no design within the bounds is better, and how much that may cost. Without it the optima of one absorber of the first size of each type are proved to a gap of 0.001; with it all.
+    #[schemars(extend("examples" = [{"gap": 1e-4, "boxes": 1_000_000}]))]
+    pub prove: Option<At<RawProve>>,
     /// A family of absorbers; with several, all are in the design at once.
     pub absorber: At<Vec<RawOptimised>>,
     /// Several objectives as one, in units of their targets.
     #[schemars(extend("examples" = [{"of": ["peak_twist", "margin"], "targets": [0.4, 2]}]))]
     pub combined: Option<At<RawCombined>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawProve {
+    /// Share of the optimum's value below which no design is to lie.
+    #[schemars(extend("minimum" = 1e-8, "maximum" = 0.5, "default" = 1e-3, "examples" = [1e-4]))]
+    pub gap: Option<At<f64>>,
+    /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
+    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000_000, "default" = 20_000, "examples" = [1_000_000]))]
+    pub boxes: Option<At<i64>>,
 }
 
 #[derive(Debug, Deserialize, JsonSchema)]

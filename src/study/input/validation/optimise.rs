@@ -10,10 +10,11 @@ use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
 use crate::input::schema::absorber::RawOptimised;
 use crate::input::schema::measure::RawMeasure;
-use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
+use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawProve, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
 use crate::objective::condition::Burning;
+use crate::optimise::Effort;
 
 /// More optima than this are a mistake in the file: each takes a search of its own.
 const MOST_OPTIMA: usize = 1000;
@@ -33,6 +34,8 @@ pub struct OptimiseSpec {
     pub in_operation: bool,
     /// Whether optima are sought without each condition, limit and bound in turn.
     pub prices: bool,
+    /// How closely optima are proved, and whether that is asked of all of them.
+    pub prove: (Effort, bool),
     /// Whether compounds, oils and steps that cannot be best are searched, too.
     #[doc(hidden)]
     pub search_all: bool,
@@ -159,8 +162,31 @@ pub(crate) fn resolve(
         conditions,
         in_operation,
         prices: raw.prices.unwrap_or(false),
+        prove: (effort(check, raw.prove.as_ref()), raw.prove.is_some()),
         search_all: false,
     })
+}
+
+/// What a proof costs and shows where a study says nothing of it.
+pub(super) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 20_000 };
+
+fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
+    let Some(raw) = raw.map(At::get_ref) else { return EFFORT };
+    let gap = raw.gap.as_ref().map_or(EFFORT.gap, |gap| {
+        let x = *gap.get_ref();
+        if !(1e-8..=0.5).contains(&x) {
+            check.wrong(gap, format!("found {x}, expected a gap from 1e-8 to 0.5, as a share of the optimum"));
+        }
+        x
+    });
+    let boxes = raw.boxes.as_ref().map_or(EFFORT.boxes as i64, |boxes| {
+        let x = *boxes.get_ref();
+        if !(0..=1_000_000_000).contains(&x) {
+            check.wrong(boxes, format!("found {x}, expected a whole number from 0 to 1000000000"));
+        }
+        x
+    });
+    Effort { gap, boxes: boxes.unsigned_abs() }
 }
 
 /// Most compounds and oils, with the steps of dimensions, of one type.

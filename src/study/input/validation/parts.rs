@@ -144,6 +144,7 @@ impl Study {
             conditions: vec![Condition::Firing],
             in_operation: false,
             prices: false,
+            prove: (super::optimise::EFFORT, false),
             search_all: false,
         };
         (self.hub, self.twist, self.objective) = (station, default_twist(&self.chain, station), twist_spec(&self.chain, station));

@@ -1,0 +1,230 @@
+//! What a proof asks of designs: measures of a problem at some speeds, as lower bounds over boxes.
+
+use super::Reason;
+use super::form::Form;
+use crate::absorber::{Host, Mounted};
+use crate::crankshaft::Torque;
+use crate::numerics::elementary::turn;
+use crate::numerics::synthesis::Extremes;
+use crate::numerics::taylor::{MOST, Taylor};
+use crate::numerics::{C64, ZERO};
+use crate::objective::measure::{HELD, Measure, Over};
+use crate::objective::{Condition, PeakFinder};
+use crate::optimise::problem::Role;
+use crate::optimise::{Problem, Row};
+use crate::response::Quantity;
+use crate::response::enclosed::{BaseAtSpeed, Enclosed};
+
+/// A load case with the absorbers of a design there: their laws are those of all designs of the family.
+pub(super) struct Case<'a> {
+    /// Index among the load cases of the problem.
+    pub index: usize,
+    finder: &'a PeakFinder<'a>,
+    absorbers: Vec<Mounted>,
+    stations: Vec<usize>,
+    /// What is asked here.
+    parts: Vec<Part<'a>>,
+    /// Their quantities, each once.
+    quantities: Vec<Quantity>,
+}
+
+/// A measure that must not reach a value.
+struct Part<'a> {
+    role: Role,
+    measure: &'a Measure,
+    most: f64,
+    /// Where its quantities stand in the list of the case.
+    quantities: Vec<usize>,
+}
+
+/// A load case at one speed.
+pub(super) struct AtSpeed {
+    /// Index of the case.
+    pub case: usize,
+    pub speed_rpm: f64,
+    base: BaseAtSpeed,
+}
+
+/// What a problem asks, in the load cases that have an enclosure. `target`: what an objective must not reach, in the unit of the problem; `None` where only limits count.
+pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<f64>) -> Result<Vec<Case<'a>>, Reason> {
+    let own = problem.space.design(point);
+    if problem.space.variables.is_empty() {
+        return Err(Reason::NothingFree);
+    }
+    if !problem.weights.is_empty() {
+        return Err(Reason::Sum);
+    }
+    if problem.space.variables.len() > MOST {
+        return Err(Reason::Parameters);
+    }
+    if own.len() > 2 || own.iter().any(|m| matches!(m.on, Host::Ring(_))) {
+        return Err(Reason::Absorbers);
+    }
+    if problem.load_cases.iter().any(|c| c.deviation.is_some()) {
+        return Err(Reason::Tolerances);
+    }
+    let objectives = problem.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l)).filter(|_| target.is_some());
+    let limits = problem.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));
+    let asked: Vec<_> = objectives.chain(limits).collect();
+    let mut cases = Vec::new();
+    for (index, case) in problem.steering() {
+        // in operation absorbers follow their motion; where they do not work nothing but their inertia counts
+        if case.condition == Condition::InOperation || !case.condition.has_absorbers() {
+            continue;
+        }
+        let mut stations: Vec<usize> = own.iter().filter_map(|m| if let Host::Station(s) = m.on { Some(s) } else { None }).collect();
+        stations.dedup();
+        let mut found = Case {
+            index,
+            finder: case.finder,
+            absorbers: case.absorbers_at_few_speeds(&own),
+            stations,
+            parts: Vec::new(),
+            quantities: Vec::new(),
+        };
+        for (role, limit) in &asked {
+            for (measure, unit) in limit.parts_in(case.condition).filter(|p| case.asks(p.0) && has_bound(p.0, case.finder)) {
+                let most = if role.is_limit() { unit * (1.0 + HELD) } else { unit * target.unwrap_or(f64::INFINITY) };
+                let mut place = |q: &Quantity| {
+                    found.quantities.iter().position(|known| known == q).unwrap_or_else(|| {
+                        found.quantities.push(*q);
+                        found.quantities.len() - 1
+                    })
+                };
+                let is_there = |q: &&Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= own.len());
+                let quantities = measure.quantities.iter().filter(is_there).map(&mut place).collect();
+                found.parts.push(Part { role: *role, measure, most, quantities });
+            }
+        }
+        cases.push(found);
+    }
+    let is_asked = |is_limit: bool| cases.iter().flat_map(|c| &c.parts).any(|p| p.role.is_limit() == is_limit);
+    if !is_asked(target.is_none()) {
+        return Err(Reason::Objective);
+    }
+    Ok(cases)
+}
+
+/// Whether a measure at a speed has a bound over a box: shares of strength by amplitude and mean are convex functions of the torque, those by its whole history are left out.
+fn has_bound(measure: &Measure, finder: &PeakFinder) -> bool {
+    match measure.over {
+        Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain => true,
+        Over::Margin(criterion) => finder.margin.is_some_and(|margin| !margin.is_multiaxial(criterion)),
+        Over::Temperature | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => false,
+    }
+}
+
+impl Case<'_> {
+    /// Speeds of its sweep, rpm.
+    pub fn speeds(&self) -> &[f64] {
+        &self.finder.grid.speed_rpm
+    }
+
+    /// The same at one speed; `None` where it resonates without damping there.
+    pub fn at(&self, case: usize, speed_rpm: f64) -> Option<AtSpeed> {
+        let base = BaseAtSpeed::new(&self.finder.direct, &self.stations, &self.quantities, speed_rpm)?;
+        Some(AtSpeed { case, speed_rpm, base })
+    }
+
+    /// Whether a row of a problem is of what is asked here.
+    pub fn asks(&self, row: &Row) -> bool {
+        row.load_case == self.index && self.parts.iter().any(|p| p.role == row.role && p.measure.over == row.peak.over)
+    }
+
+    /// Its absorbers over a box: values of all parameters, a row an absorber.
+    pub fn enclosed(&self, values: &[Vec<Taylor>]) -> Result<Vec<Enclosed>, Reason> {
+        let one = |(m, v): (&Mounted, &Vec<Taylor>)| Enclosed::of(m, v.clone(), &self.stations).ok_or(Reason::Law);
+        self.absorbers.iter().zip(values).map(one).collect()
+    }
+
+    /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response.
+    pub fn forms(&self, at: &AtSpeed, absorbers: &[Enclosed], forms: &mut Vec<Form>) -> Option<()> {
+        let (orders, none) = (at.base.orders(), [Taylor::constant(ZERO); 2]);
+        let mut phasors = vec![vec![none; orders]; self.quantities.len()];
+        at.base.phasors(absorbers, &self.quantities, |i, order, y| phasors[i][order] = y)?;
+        for part in self.parts.iter().filter(|p| p.measure.within.holds(at.speed_rpm)) {
+            let factor = part.measure.within.weight(at.speed_rpm) / part.most;
+            let mut put = |form: Form| {
+                if form.value.is_finite() {
+                    forms.push(Form { is_objective: !part.role.is_limit(), ..form.times(factor) });
+                }
+            };
+            if part.measure.over == Over::Power {
+                let all = part.quantities.iter().flat_map(|q| phasors[*q].iter().enumerate());
+                put(Form::of_products(all.map(|(n, [twist, moment])| (*moment, *twist, 0.5 * at.base.omega(n)))));
+                continue;
+            }
+            for q in &part.quantities {
+                let own = &phasors[*q];
+                let centres: Vec<C64> = own.iter().map(|y| y[0].centre).collect();
+                let weighted = |by: &dyn Fn(usize) -> C64| Form::of_sum(own.iter().enumerate().map(|(n, y)| (y[0], by(n))));
+                match part.measure.over {
+                    Over::Orders | Over::Order(_) => {
+                        let is_asked = |n: &usize| match part.measure.over {
+                            Over::Order(order) => self.finder.system.excitation.orders[*n] == order,
+                            _ => true,
+                        };
+                        let largest = (0..orders).filter(is_asked).max_by(|a, b| centres[*a].norm_sqr().total_cmp(&centres[*b].norm_sqr()));
+                        let Some(n) = largest.filter(|n| centres[*n] != ZERO) else { continue };
+                        put(Form::of_sum(std::iter::once((own[n][0], centres[n].conj() / centres[n].norm()))));
+                    }
+                    Over::Statistic(statistic) => put(weighted(&|n| centres[n].conj() * (statistic.0.slope)(&centres, n))),
+                    over => {
+                        let sum = Sum { own, centres: &centres, extremes: self.finder.synthesiser.extremes(&centres), finder: self.finder };
+                        let form = match (over, self.quantities[*q]) {
+                            (Over::Margin(criterion), Quantity::ShaftTorque(shaft)) => sum.used((criterion, shaft), at.speed_rpm),
+                            (Over::Strain, Quantity::RingTwist(i)) => {
+                                let law = self.absorbers[i].absorber.law();
+                                law.and_then(|law| law.strain_per_twist()).map(|by| sum.half_range().times(by))
+                            }
+                            (Over::Margin(_) | Over::Strain, _) => None,
+                            _ => Some(sum.half_range()),
+                        };
+                        form.into_iter().for_each(&mut put);
+                    }
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+/// A sum of orders over a box.
+struct Sum<'s> {
+    /// Of each order the first is what is added up.
+    own: &'s [[Taylor; 2]],
+    centres: &'s [C64],
+    /// Of the sum in the middle.
+    extremes: Extremes,
+    finder: &'s PeakFinder<'s>,
+}
+
+impl Sum<'_> {
+    /// A multiple of the sum at the angle of its maximum and one at that of its minimum, together.
+    fn at_extremes(&self, (of_max, of_min): (f64, f64)) -> Form {
+        let harmonics = self.finder.system.excitation.harmonics.iter().map(|h| f64::from(*h));
+        let by = harmonics.map(|h| of_max * turn(h * self.extremes.angle_max) + of_min * turn(h * self.extremes.angle_min));
+        Form::of_sum(self.own.iter().map(|y| y[0]).zip(by))
+    }
+
+    /// Half its range is at least half the difference between two angles.
+    fn half_range(&self) -> Form {
+        self.at_extremes((0.5, -0.5))
+    }
+
+    /// Share of the strength that is used at the location which is used most in the middle, at least: its tangent plane there, by half range and middle; these by maximum and minimum, of which the one is at least, the other
+    /// at most what it is at the angle. Where the mean counts more than the amplitude, by how far any angle may move.
+    fn used(&self, (criterion, shaft): (usize, usize), speed_rpm: f64) -> Option<Form> {
+        let torque = Torque { extremes: self.extremes, phasors: self.centres };
+        let used = self.finder.margin?.most_used(criterion, shaft, speed_rpm, &torque)?;
+        let (of_max, of_min) = (0.5 * (used.slopes.0 + used.slopes.1), 0.5 * (used.slopes.1 - used.slopes.0));
+        let moved: f64 = self.own.iter().map(|y| y[0].reach()).sum();
+        let mut form = self.at_extremes((of_max.max(0.0), of_min.min(0.0)));
+        form.value += used.value * (1.0 - TANGENT) - form.middle - moved * (of_min.max(0.0) - of_max.min(0.0));
+        form.middle = used.value;
+        Some(form)
+    }
+}
+
+/// Share of its value that a tangent plane may err by in floating-point numbers.
+const TANGENT: f64 = 1e-12;

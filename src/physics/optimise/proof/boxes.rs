@@ -1,0 +1,265 @@
+//! Branch and bound over the box of the free parameters: the box that says least is cut first.
+
+use super::asked::{self, AtSpeed, Case};
+use super::form::{Form, least_of_largest};
+use super::{Effort, Found, Proof, Ranges, Reason, Verdict};
+use crate::numerics::C64;
+use crate::numerics::taylor::{MOST, Taylor};
+use crate::optimise::{Optimum, Problem};
+use crate::response::Work;
+use rayon::prelude::*;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Speeds of a load case at which boxes are looked at from the beginning, besides those of the peaks of the optimum.
+const SPEEDS: usize = 24;
+/// Boxes that are cut together.
+const TOGETHER: usize = 64;
+/// Boxes of a round whose middle is evaluated.
+const EVALUATED: usize = 2;
+/// A design is better by more than this share, or it is the optimum again.
+const BETTER: f64 = 1e-6;
+/// Middles that look better than they are although no speed says so, at most: what they are worse by has no enclosure.
+const UNEXPLAINED: usize = 40;
+/// Of the speeds of a box, those that its halves are looked at first.
+const FIRST: usize = 12;
+
+/// A box, by the lower and upper end of each coordinate.
+type Bounds = Vec<(f64, f64)>;
+
+/// A box that is not excluded yet.
+struct Cell {
+    /// Of each coordinate.
+    bounds: Bounds,
+    /// What is asked is nowhere below this share of what excludes, by all forms and by those of objectives.
+    bound: f64,
+    of_objectives: f64,
+    /// The same in its middle.
+    middle: f64,
+    /// Speeds by how much they say of it.
+    speeds: Vec<u32>,
+    /// The coordinate along which it is cut.
+    along: usize,
+    /// For boxes that are level: the older first.
+    age: u64,
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Cell {}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cell {
+    /// The greatest is cut first: that with the lowest bound.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound).then(other.age.cmp(&self.age))
+    }
+}
+
+struct Search<'a> {
+    problem: &'a Problem<'a>,
+    cases: Vec<Case<'a>>,
+    speeds: Vec<AtSpeed>,
+}
+
+/// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.
+/// `boxes`: looked at so far, at most as many as the effort allows.
+pub(super) fn prove(problem: &Problem, optimum: &Optimum, effort: Effort, boxes: &mut u64, work: &mut Work) -> Found {
+    let none = |reason| Found::Proof(Proof::none(reason));
+    let holds = optimum.outcome.rows.hold();
+    let target = holds.then(|| optimum.value() * (1.0 - effort.gap));
+    let cases = match asked::cases(problem, &optimum.outcome.point, target) {
+        Ok(cases) => cases,
+        Err(reason) => return none(reason),
+    };
+    let mut search = Search { problem, cases, speeds: Vec::new() };
+    search.first_speeds(optimum);
+    match search.run(optimum.value(), target, (effort, boxes), work) {
+        Ok(found) => found,
+        Err(reason) => none(reason),
+    }
+}
+
+impl Search<'_> {
+    /// Those of the peaks of the optimum, and some of the range.
+    fn first_speeds(&mut self, optimum: &Optimum) {
+        let rows = optimum.outcome.rows.rows.iter();
+        let mut wanted: Vec<(usize, f64)> = Vec::new();
+        for row in rows {
+            wanted.extend(self.cases.iter().enumerate().filter(|(_, c)| c.asks(row)).map(|(i, _)| (i, row.peak.speed_rpm)));
+        }
+        for (i, case) in self.cases.iter().enumerate() {
+            let all = case.speeds();
+            let last = all.len() - 1;
+            wanted.extend((0..=SPEEDS).map(|k| (i, all[last * k / SPEEDS])));
+        }
+        for (case, speed) in wanted {
+            self.add(case, speed);
+        }
+    }
+
+    /// A speed joins; whether it is a new one.
+    fn add(&mut self, case: usize, speed_rpm: f64) -> bool {
+        if self.speeds.iter().any(|s| s.case == case && s.speed_rpm == speed_rpm) {
+            return false;
+        }
+        let found = self.cases[case].at(case, speed_rpm);
+        let is_new = found.is_some();
+        self.speeds.extend(found);
+        is_new
+    }
+
+    fn run(&mut self, value: f64, target: Option<f64>, (effort, boxes): (Effort, &mut u64), work: &mut Work) -> Result<Found, Reason> {
+        let whole = self.problem.space.bounds();
+        let mut unexplained = 0;
+        *boxes += 1;
+        let mut open = BinaryHeap::new();
+        open.extend(self.look_at(whole, None, 0)?);
+        let proof = |lower_bound, verdict| Ok(Found::Proof(Proof { lower_bound, verdict, ..Proof::none(Reason::NothingFree) }));
+        while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
+            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| open.pop()).collect();
+            let halves: Vec<(Bounds, &Cell)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell))).collect();
+            let age = *boxes;
+            let looked = |(i, (half, parent)): (usize, (Bounds, &Cell))| self.look_at(half, Some(parent), age + i as u64);
+            let found = halves.into_par_iter().enumerate().map(looked).collect::<Result<Vec<Option<Cell>>, Reason>>()?;
+            *boxes += 2 * cut.len() as u64;
+            let mut rest: Vec<Cell> = found.into_iter().flatten().collect();
+            rest.sort_by(|a, b| a.middle.total_cmp(&b.middle));
+            for cell in rest.iter().filter(|c| c.middle < 1.0).take(EVALUATED) {
+                let point = cell.middle_point();
+                if self.is_better(&point, (value, target), work) {
+                    return Ok(Found::Better(point));
+                }
+                if !self.learn(&point, target, work) {
+                    unexplained += 1;
+                }
+            }
+            open.extend(rest);
+        }
+        if open.is_empty() {
+            return match target {
+                Some(target) => proof(Some(target), Verdict::Proved),
+                None => proof(None, Verdict::Impossible),
+            };
+        }
+        let least = open.iter().map(|c| c.of_objectives).fold(1.0, f64::min).max(0.0);
+        let weakest = open.peek().map_or_else(Vec::new, |cell| self.ranges(cell));
+        proof(target.map(|target| target * least), Verdict::Open(weakest))
+    }
+
+    /// Whether the design at a point is better than the optimum, or holds the limits that it breaks.
+    fn is_better(&self, point: &[f64], (value, target): (f64, Option<f64>), work: &mut Work) -> bool {
+        let Ok((own, excess)) = self.problem.exactly(point, work) else { return false };
+        excess <= crate::objective::HELD && (target.is_none() || own < value * (1.0 - BETTER))
+    }
+
+    /// Speeds of the peaks of the design at a point that exclude it join; whether there were any new ones.
+    fn learn(&mut self, point: &[f64], target: Option<f64>, work: &mut Work) -> bool {
+        // without a finite response there is no peak, but a resonance between the speeds: smaller boxes will tell
+        let Ok(rows) = self.problem.rows(point, work) else { return false };
+        let mut all: Vec<_> = rows.rows.iter().filter(|r| target.is_some() || r.role.is_limit()).collect();
+        let over = |r: &crate::optimise::Row| if r.role.is_limit() { r.value } else { r.value / target.unwrap_or(f64::INFINITY) - 1.0 };
+        all.sort_by(|a, b| over(b).total_cmp(&over(a)));
+        let mut is_new = false;
+        for row in all.into_iter().filter(|r| over(r) >= 0.0).take(2) {
+            let cases: Vec<usize> = self.cases.iter().enumerate().filter(|(_, c)| c.asks(row)).map(|(i, _)| i).collect();
+            for case in cases {
+                is_new |= self.add(case, row.peak.speed_rpm);
+            }
+        }
+        is_new
+    }
+
+    /// A box, where it is not excluded.
+    fn look_at(&self, bounds: Bounds, parent: Option<&Cell>, age: u64) -> Result<Option<Cell>, Reason> {
+        let values = self.values(&bounds);
+        let absorbers = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, Reason>>()?;
+        let known: &[u32] = parent.map_or(&[], |p| &p.speeds);
+        let others = (0..self.speeds.len() as u32).filter(|s| !known.contains(s));
+        let mut forms: Vec<Form> = Vec::new();
+        let mut said: Vec<(f64, u32)> = Vec::new();
+        let mut bound = parent.map_or(f64::NEG_INFINITY, |p| p.bound);
+        for (i, s) in known.iter().copied().chain(others).enumerate() {
+            let (at, first) = (&self.speeds[s as usize], forms.len());
+            let found = self.cases[at.case].forms(at, &absorbers[at.case], &mut forms);
+            let most = |of: &dyn Fn(&Form) -> f64| forms[first..].iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+            bound = bound.max(most(&Form::least));
+            if bound >= 1.0 {
+                return Ok(None);
+            }
+            said.push((if found.is_some() { most(&|f: &Form| f.middle) } else { f64::NEG_INFINITY }, s));
+            if i + 1 == FIRST && known.len() > FIRST {
+                bound = bound.max(least_of_largest(&mut forms.clone()));
+                if bound >= 1.0 {
+                    return Ok(None);
+                }
+            }
+        }
+        bound = bound.max(least_of_largest(&mut forms));
+        if bound >= 1.0 {
+            return Ok(None);
+        }
+        let mut objectives: Vec<Form> = forms.iter().copied().filter(|f| f.is_objective).collect();
+        let of_objectives = least_of_largest(&mut objectives).max(parent.map_or(f64::NEG_INFINITY, |p| p.of_objectives));
+        said.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let middle = forms.iter().map(|f| f.middle).fold(f64::NEG_INFINITY, f64::max);
+        let along = along(&bounds, &forms);
+        let speeds = said.into_iter().map(|s| s.1).collect();
+        Ok(Some(Cell { bounds, bound, of_objectives, middle, speeds, along, age }))
+    }
+
+    /// Values of all parameters over a box.
+    fn values(&self, bounds: &[(f64, f64)]) -> Vec<Vec<Taylor>> {
+        let space = &self.problem.space;
+        let held = |x: &f64| Taylor::constant(C64::from(*x));
+        let mut values: Vec<Vec<Taylor>> = space.slots.iter().map(|s| s.values.iter().map(held).collect()).collect();
+        for (i, (v, (low, high))) in space.variables.iter().zip(bounds).enumerate() {
+            values[v.absorber][v.parameter] = Taylor::between(v.value(*low), v.value(*high), i);
+        }
+        values
+    }
+
+    fn ranges(&self, cell: &Cell) -> Ranges {
+        let space = &self.problem.space;
+        let key = |v: &crate::optimise::Variable| space.slots[v.absorber].declaration.parameters[v.parameter].key;
+        space.variables.iter().zip(&cell.bounds).map(|(v, b)| (key(v), v.value(b.0), v.value(b.1))).collect()
+    }
+}
+
+impl Cell {
+    fn middle_point(&self) -> Vec<f64> {
+        self.bounds.iter().map(|b| 0.5 * (b.0 + b.1)).collect()
+    }
+
+    /// Both halves along its longest side.
+    fn halves(&self) -> [Bounds; 2] {
+        let (low, high) = self.bounds[self.along];
+        let middle = 0.5 * (low + high);
+        [(low, middle), (middle, high)].map(|half| {
+            let mut bounds = self.bounds.clone();
+            bounds[self.along] = half;
+            bounds
+        })
+    }
+}
+
+/// The coordinate along which a box is cut: that which moves most of what is largest; of a box that nothing linear is known of, the longest.
+fn along(bounds: &[(f64, f64)], forms: &[Form]) -> usize {
+    let largest = forms.iter().reduce(|m, f| if f.middle > m.middle { f } else { m });
+    let spread = largest.map_or([0.0; MOST], |f| f.spread);
+    let longest = (0..bounds.len()).max_by(|a, b| (bounds[*a].1 - bounds[*a].0).total_cmp(&(bounds[*b].1 - bounds[*b].0))).unwrap_or(0);
+    let most = (0..bounds.len()).max_by(|a, b| spread[*a].total_cmp(&spread[*b])).unwrap_or(0);
+    if spread[most] > 0.0 && bounds[longest].1 - bounds[longest].0 < WIDE { most } else { longest }
+}
+
+/// Coordinates farther apart than this (a factor of e) are far apart.
+const WIDE: f64 = 1.0;

@@ -6,6 +6,7 @@ mod chains;
 mod construction;
 mod dual_mass;
 mod enclosing;
+mod enclosures;
 mod engines;
 mod examples;
 mod fatigue;

@@ -34,6 +34,7 @@ mod multiaxial_margin;
 mod one_order;
 mod prices;
 mod progress;
+mod proofs;
 mod publications;
 mod real_absorbers;
 mod robust;

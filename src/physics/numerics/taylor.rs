@@ -33,11 +33,6 @@ impl Taylor {
         Self { centre, slopes: [ZERO; MOST], rest: 0.0 }
     }
 
-    /// A number that is known to a share of its size.
-    pub fn known_to(centre: C64, share: f64) -> Self {
-        Self { rest: share * size(centre), ..Self::constant(centre) }
-    }
-
     /// A real variable between two values: that of this index.
     pub fn between(low: f64, high: f64, index: usize) -> Self {
         let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));

@@ -4,17 +4,19 @@
 //! absorber, H the receptance of the station and h the output per unit torque there, y = y0 - h n f with f = u0/(d + H n); of several absorbers on stations d_i f_i + sum H_ij n_j f_j = u0_i. The ring
 //! turns by -m f against its hub. For one absorber d + H n = c S + t is linear in S: n/(c S + t) is taken as one inverse.
 
-use super::direct::BasePoint;
 use super::factored::Factored;
 use super::{Direct, Quantity, Work};
 use crate::absorber::{Absorber, Host, Law, Mounted, Operating};
-use crate::numerics::C64;
+use crate::drivetrain::Chain;
 use crate::numerics::taylor::Taylor;
+use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
 use std::sync::Arc;
 
-/// Share of their size to which solutions of the base are trusted: rows are exchanged for the largest pivot, and the rest of a solution is at most some thousand roundings.
-pub const TRUSTED: f64 = 1e-12;
+/// Roundings that a solution of the base is trusted to, of each entry of its matrix: rows are exchanged for the largest pivot, so that it is that of a matrix with other last digits.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+/// Share of its size to which a solution is trusted where that is not known: of a flexible crank, and beside a shaft that is far stiffer than inertia.
+const TRUSTED: f64 = 1e-9;
 /// Where what a locked ring makes of the base cancels by more than this, n and the inverse are multiplied instead.
 const CANCELS: f64 = 1e-4;
 
@@ -73,7 +75,70 @@ impl Enclosed {
 #[derive(Debug)]
 pub struct BaseAtSpeed {
     at: Vec<Operating>,
-    points: Vec<BasePoint>,
+    points: Vec<Point>,
+}
+
+/// The base at one order, each number with what it may be off by.
+#[derive(Debug)]
+struct Point {
+    /// Angle of each station under the torque.
+    angles: Vec<Taylor>,
+    /// Angle of a station per unit torque at another one, row after row.
+    receptances: Vec<Vec<Taylor>>,
+    /// Of each quantity of the chain, its value under the torque and per unit torque at each station.
+    outputs: Vec<(Taylor, Vec<Taylor>)>,
+}
+
+impl Point {
+    /// `None` where the chain resonates without damping.
+    fn new(solver: &mut Factored, chain: &Chain, (stations, quantities): (&[usize], &[Quantity]), at: (usize, f64)) -> Option<Self> {
+        solver.solve(&[], at, &mut Work::default()).ok()?;
+        let omega = solver.omega;
+        let angles_of = |solver: &Factored, x: &[C64]| -> Vec<C64> { (0..chain.len()).map(|i| solver.angle(i, x)).collect() };
+        let unit = |solver: &Factored, station: usize| {
+            let x = solver.under_unit(station);
+            (angles_of(solver, &x), x)
+        };
+        let own = (angles_of(solver, &solver.x), solver.x.clone());
+        let units: Vec<_> = stations.iter().map(|s| unit(solver, *s)).collect();
+        let known = |y: C64, adjoint: &[C64], x: &[C64]| {
+            let doubt = solver.doubt(adjoint, x).map_or(TRUSTED * y.norm(), |d| ROUNDINGS * (d + y.norm()));
+            Taylor { rest: doubt, ..Taylor::constant(y) }
+        };
+        let angle = |i: usize, of: &[C64]| known(of[stations[i]], &units[i].0, of);
+        let all = 0..stations.len();
+        let output = |q: &Quantity| {
+            let Some(difference) = q.difference(chain) else {
+                return (Taylor::constant(ZERO), vec![Taylor::constant(ZERO); stations.len()]);
+            };
+            let from = unit(solver, difference.from).0;
+            let to = difference.to.map(|(to, gear)| (unit(solver, to).0, gear));
+            let factor = match q {
+                Quantity::ShaftTorque(shaft) => chain.shaft_stiffness(*shaft, omega).norm(),
+                q => q.of_angle(C64::from(1.0), omega).norm(),
+            };
+            let adjoint = |i: usize| (from[i] - to.as_ref().map_or(ZERO, |(to, gear)| to[i] * *gear)) * (difference.scale * factor);
+            let adjoint: Vec<C64> = (0..chain.len()).map(adjoint).collect();
+            // the difference of two angles loses digits of its own
+            let lost = |angles: &[C64]| {
+                let to = difference.to.map_or(0.0, |(to, gear)| gear.abs() * angles[to].norm());
+                ROUNDINGS * (difference.scale * factor).abs() * (angles[difference.from].norm() + to)
+            };
+            let value = |(angles, x): &(Vec<C64>, Vec<C64>)| {
+                let known = known(solver.output(*q, x), &adjoint, angles);
+                Taylor { rest: known.rest + solver.doubt(&adjoint, angles).map_or(0.0, |_| lost(angles)), ..known }
+            };
+            (value(&own), units.iter().map(value).collect())
+        };
+        let point = Self {
+            angles: all.clone().map(|i| angle(i, &own.0)).collect(),
+            receptances: all.clone().map(|i| all.clone().map(|j| angle(i, &units[j].0)).collect()).collect(),
+            outputs: quantities.iter().map(output).collect(),
+        };
+        let numbers = point.angles.iter().chain(point.receptances.iter().flatten());
+        let is_finite = numbers.chain(point.outputs.iter().flat_map(|(y, by)| std::iter::once(y).chain(by))).all(Taylor::is_finite);
+        is_finite.then_some(point)
+    }
 }
 
 impl BaseAtSpeed {
@@ -82,10 +147,7 @@ impl BaseAtSpeed {
         let (system, mut solver) = (direct.system, Factored::new(direct.system));
         let at = system.excitation.orders.iter();
         let at = at.map(|order| Operating { omega: order.omega(speed_rpm), shaft_speed: speed_rpm * RAD_PER_S_PER_RPM }).collect();
-        let point = |order| {
-            let found = direct.base(&mut solver, stations, quantities, order, speed_rpm, &mut Work::default());
-            found.ok().filter(BasePoint::is_finite)
-        };
+        let point = |order| Point::new(&mut solver, &system.chain, (stations, quantities), (order, speed_rpm));
         Some(Self { at, points: (0..system.orders()).map(point).collect::<Option<_>>()? })
     }
 
@@ -115,8 +177,8 @@ impl BaseAtSpeed {
                     Quantity::RingTwist(absorber) => [solved[*absorber].twist, solved[*absorber].moment],
                     _ => {
                         let (own, by) = &point.outputs[i];
-                        let held = |y: Taylor, (a, s): (&Enclosed, &Solved)| y.minus(&trusted(by[a.station]).times(&s.torque));
-                        [absorbers.iter().zip(&solved).fold(trusted(*own), held), none]
+                        let held = |y: Taylor, (a, s): (&Enclosed, &Solved)| y.minus(&by[a.station].times(&s.torque));
+                        [absorbers.iter().zip(&solved).fold(*own, held), none]
                     }
                 };
                 put(i, order, y);
@@ -124,10 +186,6 @@ impl BaseAtSpeed {
         }
         Some(())
     }
-}
-
-fn trusted(number: C64) -> Taylor {
-    Taylor::known_to(number, TRUSTED)
 }
 
 /// What an absorber does: the torque with which it holds its station back, N m, the twist of its ring, rad, and S times that, N m.
@@ -138,8 +196,8 @@ struct Solved {
 }
 
 /// One absorber: n/(c S + t) = a/c + (b m - a t/c)/(c S + t) with a = m + b, c = 1 + H a and t = m (1 + H b).
-fn alone(absorber: &Enclosed, at: Operating, point: &BasePoint) -> Option<Solved> {
-    let (angle, receptance) = (trusted(point.stations[absorber.station]), trusted(point.receptance[(absorber.station, absorber.station)]));
+fn alone(absorber: &Enclosed, at: Operating, point: &Point) -> Option<Solved> {
+    let (angle, receptance) = (point.angles[absorber.station], point.receptances[absorber.station][absorber.station]);
     let (own, hub) = (absorber.inertial(at), absorber.hub_inertial(at));
     let a = own.plus(&hub);
     let held = receptance.times(&a);
@@ -164,11 +222,11 @@ fn alone(absorber: &Enclosed, at: Operating, point: &BasePoint) -> Option<Solved
 }
 
 /// Two absorbers on stations, by Cramer's rule.
-fn both(absorbers: [&Enclosed; 2], at: Operating, point: &BasePoint) -> Option<Vec<Solved>> {
+fn both(absorbers: [&Enclosed; 2], at: Operating, point: &Point) -> Option<Vec<Solved>> {
     let [i, j] = absorbers.map(|a| a.station);
     let ([d1, n1, m1, s1], [d2, n2, m2, s2]) = (absorbers[0].fraction(at)?, absorbers[1].fraction(at)?);
-    let h = |a: usize, b: usize| trusted(point.receptance[(a, b)]);
-    let (u1, u2) = (trusted(point.stations[i]), trusted(point.stations[j]));
+    let h = |a: usize, b: usize| point.receptances[a][b];
+    let (u1, u2) = (point.angles[i], point.angles[j]);
     let (own1, own2) = (d1.plus(&h(i, i).times(&n1)), d2.plus(&h(j, j).times(&n2)));
     let (by2, by1) = (h(i, j).times(&n2), h(j, i).times(&n1));
     let inverse = own1.times(&own2).minus(&by1.times(&by2)).inverse()?;

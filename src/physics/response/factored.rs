@@ -301,6 +301,25 @@ impl<'a> Factored<'a> {
         self.scale[station] * x[self.place(station)]
     }
 
+    /// By how much rounding of the entries of the matrix changes an output whose value per unit torque at each station is `adjoint`, times as many roundings, where no absorber is on the chain: to first order the sum of
+    /// |adjoint_i| |entry_ij| |x_j|. `None` of a flexible crank and beside a stiff shaft, whose entries are others.
+    pub fn doubt(&self, adjoint: &[C64], x: &[C64]) -> Option<f64> {
+        let (chain, omega) = (&self.system.chain, self.omega);
+        if self.flexible.is_some() || self.stiff {
+            return None;
+        }
+        let at_station = |i: usize| {
+            let s = &chain.stations[i];
+            (s.stiffness_to_ground.abs() + omega * (s.damping_to_ground + omega * s.inertia)) * adjoint[i].norm() * x[i].norm()
+        };
+        let on_shaft = |i: usize| {
+            let (next, gear) = (chain.next(i), chain.gear(i).abs());
+            let both = |y: &[C64]| y[i].norm() + gear * y[next].norm();
+            chain.shaft_stiffness(i, omega).norm() * both(adjoint) * both(x)
+        };
+        Some((0..chain.len()).map(at_station).sum::<f64>() + (0..chain.len() - 1).map(on_shaft).sum::<f64>())
+    }
+
     /// Place of a station among the unknowns.
     fn place(&self, station: usize) -> usize {
         if self.stiff { ShaftTorques::place(station) } else { station }

@@ -25,6 +25,7 @@ mod peaks;
 mod pendulum_travel;
 mod planes;
 mod prony;
+mod proofs;
 mod responses;
 mod rotor;
 mod shaft;

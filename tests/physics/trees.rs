@@ -112,7 +112,7 @@ fn marine_steam_turbine() {
 }
 
 /// A random tree: each station leads to any later one, some behind gears; damped everywhere.
-fn random_tree(rng: &mut Xoshiro256PlusPlus, n: usize) -> Chain {
+pub fn random_tree(rng: &mut Xoshiro256PlusPlus, n: usize) -> Chain {
     let station = |i: usize, rng: &mut Xoshiro256PlusPlus| {
         let last = i + 1 == n;
         let geared = !last && rng.random_bool(0.3);

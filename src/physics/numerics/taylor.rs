@@ -7,7 +7,7 @@ use super::elementary::{ComplexElementary, Elementary};
 use super::{C64, ZERO};
 
 /// Free variables, at most.
-pub const MOST: usize = 5;
+pub const MOST: usize = 6;
 /// Share of its size that an operation may err by in floating-point numbers: sixteen units in the last place.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -46,7 +46,7 @@ impl Taylor {
     fn linear(&self) -> f64 {
         let g = &self.slopes;
         let pair = |a: C64, b: C64| (a + b).norm_sqr().max((a - b).norm_sqr()).sqrt();
-        pair(g[0], g[1]) + pair(g[2], g[3]) + g[4].norm()
+        pair(g[0], g[1]) + pair(g[2], g[3]) + pair(g[4], g[5])
     }
 
     /// Nothing of it is farther from the centre than this.

@@ -1,8 +1,8 @@
 //! Phasors of all designs of a box at one speed: the base is solved once, and absorbers whose parameters are Taylor models are put on it.
 //!
-//! A ring of inertia J on a law S (m = -omega² J, hub b = -omega² J_hub) loads its station with z = n/d, d = S + m, n = S m + b d. With u0 the angle of the station and y0 an output without
-//! absorber, H the receptance of the station and h the output per unit torque there, y = y0 - h n f with f = u0/(d + H n); of several absorbers on stations d_i f_i + sum H_ij n_j f_j = u0_i. The ring
-//! turns by -m f against its hub. For one absorber d + H n = c S + t is linear in S: n/(c S + t) is taken as one inverse.
+//! A ring of inertia J on a law S (m = -omega² J, hub b = -omega² J_hub) loads its station with z = n/d, d = S + m, n = S m + b d. With u the angle of the station and y an output without it,
+//! H the receptance of the station and h the output per unit torque there, the output with it is y - h n f with f = u/(d + H n), and the ring turns by -m f against its hub. d + H n = c S + t is
+//! linear in S, so that n/(c S + t) is taken as one inverse. Of several absorbers on stations each is put on what the ones before it leave.
 
 use super::factored::Factored;
 use super::{Direct, Quantity, Work};
@@ -11,6 +11,7 @@ use crate::drivetrain::Chain;
 use crate::numerics::taylor::Taylor;
 use crate::numerics::{C64, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Roundings that a solution of the base is trusted to, of each entry of its matrix: rows are exchanged for the largest pivot, so that it is that of a matrix with other last digits.
@@ -52,16 +53,6 @@ impl Enclosed {
         }
     }
 
-    /// d, n, m and S.
-    fn fraction(&self, at: Operating) -> Option<[Taylor; 4]> {
-        let (own, hub) = (self.inertial(at), self.hub_inertial(at));
-        let number = |x: f64| Taylor::constant(C64::from(x));
-        let Some(law) = &self.law else { return Some([number(1.0), own.plus(&hub), number(0.0), number(0.0)]) };
-        let s = law.over(&self.values, at)?;
-        let d = s.plus(&own);
-        Some([d, s.times(&own).plus(&hub.times(&d)), own, s])
-    }
-
     fn inertial(&self, at: Operating) -> Taylor {
         self.ring.times_number(C64::from(-at.omega * at.omega))
     }
@@ -78,15 +69,22 @@ pub struct BaseAtSpeed {
     points: Vec<Point>,
 }
 
+/// A quantity under the torque of an order, and per unit torque at each station.
+#[derive(Debug, Clone)]
+struct Output {
+    own: Taylor,
+    by: Vec<Taylor>,
+}
+
 /// The base at one order, each number with what it may be off by.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Point {
     /// Angle of each station under the torque.
     angles: Vec<Taylor>,
     /// Angle of a station per unit torque at another one, row after row.
     receptances: Vec<Vec<Taylor>>,
-    /// Of each quantity of the chain, its value under the torque and per unit torque at each station.
-    outputs: Vec<(Taylor, Vec<Taylor>)>,
+    /// Of each quantity of the chain.
+    outputs: Vec<Output>,
 }
 
 impl Point {
@@ -109,7 +107,7 @@ impl Point {
         let all = 0..stations.len();
         let output = |q: &Quantity| {
             let Some(difference) = q.difference(chain) else {
-                return (Taylor::constant(ZERO), vec![Taylor::constant(ZERO); stations.len()]);
+                return Output { own: Taylor::constant(ZERO), by: vec![Taylor::constant(ZERO); stations.len()] };
             };
             let from = unit(solver, difference.from).0;
             let to = difference.to.map(|(to, gear)| (unit(solver, to).0, gear));
@@ -128,7 +126,7 @@ impl Point {
                 let known = known(solver.output(*q, x), &adjoint, angles);
                 Taylor { rest: known.rest + solver.doubt(&adjoint, angles).map_or(0.0, |_| lost(angles)), ..known }
             };
-            (value(&own), units.iter().map(value).collect())
+            Output { own: value(&own), by: units.iter().map(value).collect() }
         };
         let point = Self {
             angles: all.clone().map(|i| angle(i, &own.0)).collect(),
@@ -136,13 +134,13 @@ impl Point {
             outputs: quantities.iter().map(output).collect(),
         };
         let numbers = point.angles.iter().chain(point.receptances.iter().flatten());
-        let is_finite = numbers.chain(point.outputs.iter().flat_map(|(y, by)| std::iter::once(y).chain(by))).all(Taylor::is_finite);
+        let is_finite = numbers.chain(point.outputs.iter().flat_map(|o| std::iter::once(&o.own).chain(&o.by))).all(Taylor::is_finite);
         is_finite.then_some(point)
     }
 }
 
 impl BaseAtSpeed {
-    /// With the receptances of some stations (at most two) and what quantities of the chain are; `None` where it resonates without damping.
+    /// With the receptances of some stations and what quantities of the chain are; `None` where it resonates without damping.
     pub fn new(direct: &Direct, stations: &[usize], quantities: &[Quantity], speed_rpm: f64) -> Option<Self> {
         let (system, mut solver) = (direct.system, Factored::new(direct.system));
         let at = system.excitation.orders.iter();
@@ -164,22 +162,33 @@ impl BaseAtSpeed {
     /// Phasors of the quantities that the base was made for, order after order: `put` is given the index of the quantity, the order, the phasor and, of the twist of a ring, the moment S times it.
     /// `None` where a design of the box may be without finite response.
     pub fn phasors(&self, absorbers: &[Enclosed], quantities: &[Quantity], mut put: impl FnMut(usize, usize, [Taylor; 2])) -> Option<()> {
+        let none = Taylor::constant(ZERO);
         for (order, (at, point)) in self.at.iter().zip(&self.points).enumerate() {
-            let solved = match absorbers {
-                [] => Vec::new(),
-                [one] => vec![alone(one, *at, point)?],
-                [one, two] => both([one, two], *at, point)?,
-                _ => return None,
+            let Some((last, others)) = absorbers.split_last() else {
+                point.outputs.iter().enumerate().for_each(|(i, output)| put(i, order, [output.own, none]));
+                continue;
             };
+            let mut base = Cow::Borrowed(point);
+            let mut twists: Vec<[Output; 2]> = Vec::with_capacity(others.len());
+            for (k, absorber) in others.iter().enumerate() {
+                let ring = Ring::on(absorber, *at, &base)?;
+                let stations: Vec<usize> = absorbers[k + 1..].iter().map(|a| a.station).collect();
+                twists.iter_mut().flatten().for_each(|output| *output = ring.held(output, &base, &stations));
+                twists.push(ring.twist(&base, &stations));
+                base = Cow::Owned(ring.put_on(&base, &stations));
+            }
+            // nothing is put on what the last one leaves
+            let ring = Ring::on(last, *at, &base)?;
+            let angle = &base.angles[last.station];
+            let torque = ring.share.times(angle);
+            let with_it = |output: &Output| output.own.minus(&torque.times(&output.by[last.station]));
             for (i, quantity) in quantities.iter().enumerate() {
-                let none = Taylor::constant(C64::from(0.0));
                 let y = match quantity {
-                    Quantity::RingTwist(absorber) => [solved[*absorber].twist, solved[*absorber].moment],
-                    _ => {
-                        let (own, by) = &point.outputs[i];
-                        let held = |y: Taylor, (a, s): (&Enclosed, &Solved)| y.minus(&by[a.station].times(&s.torque));
-                        [absorbers.iter().zip(&solved).fold(*own, held), none]
-                    }
+                    Quantity::RingTwist(absorber) => match twists.get(*absorber) {
+                        Some(twist) => twist.each_ref().map(with_it),
+                        None => [ring.twist.times(angle), ring.moment.times(angle)],
+                    },
+                    _ => [with_it(&base.outputs[i]), none],
                 };
                 put(i, order, y);
             }
@@ -188,53 +197,69 @@ impl BaseAtSpeed {
     }
 }
 
-/// What an absorber does: the torque with which it holds its station back, N m, the twist of its ring, rad, and S times that, N m.
-struct Solved {
-    torque: Taylor,
+/// A ring on a base: with u the angle of its station and H the receptance there, both without it, it holds the station back with the torque `share` u and twists by `twist` u.
+struct Ring {
+    station: usize,
+    share: Taylor,
     twist: Taylor,
+    /// S times the twist.
     moment: Taylor,
 }
 
-/// One absorber: n/(c S + t) = a/c + (b m - a t/c)/(c S + t) with a = m + b, c = 1 + H a and t = m (1 + H b).
-fn alone(absorber: &Enclosed, at: Operating, point: &Point) -> Option<Solved> {
-    let (angle, receptance) = (point.angles[absorber.station], point.receptances[absorber.station][absorber.station]);
-    let (own, hub) = (absorber.inertial(at), absorber.hub_inertial(at));
-    let a = own.plus(&hub);
-    let held = receptance.times(&a);
-    let c = held.plus_number(C64::from(1.0));
-    let Some(law) = &absorber.law else {
-        let torque = a.times(&angle).times(&c.inverse()?);
-        let none = Taylor::constant(C64::from(0.0));
-        return Some(Solved { torque, twist: none, moment: none });
-    };
-    let s = law.over(&absorber.values, at)?;
-    let t = own.times(&receptance.times(&hub).plus_number(C64::from(1.0)));
-    let inverse = c.times(&s).plus(&t).inverse()?;
-    let share = match c.inverse().filter(|_| c.centre.norm() > CANCELS * (1.0 + held.centre.norm())) {
-        Some(by) => {
-            let locked = a.times(&by);
-            locked.plus(&hub.times(&own).minus(&locked.times(&t)).times(&inverse))
-        }
-        None => s.times(&a).plus(&hub.times(&own)).times(&inverse),
-    };
-    let twist = own.times(&inverse).times(&angle).times_number(C64::from(-1.0));
-    Some(Solved { torque: share.times(&angle), twist, moment: s.times(&twist) })
-}
+impl Ring {
+    /// n/(c S + t) = a/c + (b m - a t/c)/(c S + t) with a = m + b, c = 1 + H a and t = m (1 + H b).
+    fn on(absorber: &Enclosed, at: Operating, base: &Point) -> Option<Self> {
+        let station = absorber.station;
+        let receptance = base.receptances[station][station];
+        let (own, hub) = (absorber.inertial(at), absorber.hub_inertial(at));
+        let a = own.plus(&hub);
+        let held = receptance.times(&a);
+        let c = held.plus_number(C64::from(1.0));
+        let Some(law) = &absorber.law else {
+            let none = Taylor::constant(ZERO);
+            return Some(Self { station, share: a.times(&c.inverse()?), twist: none, moment: none });
+        };
+        let s = law.over(&absorber.values, at)?;
+        let t = own.times(&receptance.times(&hub).plus_number(C64::from(1.0)));
+        let inverse = c.times(&s).plus(&t).inverse()?;
+        let share = match c.inverse().filter(|_| c.centre.norm() > CANCELS * (1.0 + held.centre.norm())) {
+            Some(by) => {
+                let locked = a.times(&by);
+                locked.plus(&hub.times(&own).minus(&locked.times(&t)).times(&inverse))
+            }
+            None => s.times(&a).plus(&hub.times(&own)).times(&inverse),
+        };
+        let twist = own.times(&inverse).times_number(C64::from(-1.0));
+        Some(Self { station, share, twist, moment: s.times(&twist) })
+    }
 
-/// Two absorbers on stations, by Cramer's rule.
-fn both(absorbers: [&Enclosed; 2], at: Operating, point: &Point) -> Option<Vec<Solved>> {
-    let [i, j] = absorbers.map(|a| a.station);
-    let ([d1, n1, m1, s1], [d2, n2, m2, s2]) = (absorbers[0].fraction(at)?, absorbers[1].fraction(at)?);
-    let h = |a: usize, b: usize| point.receptances[a][b];
-    let (u1, u2) = (point.angles[i], point.angles[j]);
-    let (own1, own2) = (d1.plus(&h(i, i).times(&n1)), d2.plus(&h(j, j).times(&n2)));
-    let (by2, by1) = (h(i, j).times(&n2), h(j, i).times(&n1));
-    let inverse = own1.times(&own2).minus(&by1.times(&by2)).inverse()?;
-    let f1 = u1.times(&own2).minus(&u2.times(&by2)).times(&inverse);
-    let f2 = u2.times(&own1).minus(&u1.times(&by1)).times(&inverse);
-    let solved = |[n, m, s]: [Taylor; 3], f: Taylor| {
-        let twist = m.times(&f).times_number(C64::from(-1.0));
-        Solved { torque: n.times(&f), twist, moment: s.times(&twist) }
-    };
-    Some(vec![solved([n1, m1, s1], f1), solved([n2, m2, s2], f2)])
+    /// An output of the base with the ring on it, per unit torque at some stations.
+    fn held(&self, output: &Output, base: &Point, stations: &[usize]) -> Output {
+        let torque = self.share.times(&output.by[self.station]);
+        let mut held = Output { own: output.own.minus(&torque.times(&base.angles[self.station])), by: output.by.clone() };
+        stations.iter().for_each(|k| held.by[*k] = output.by[*k].minus(&torque.times(&base.receptances[self.station][*k])));
+        held
+    }
+
+    /// Its own twist and moment.
+    fn twist(&self, base: &Point, stations: &[usize]) -> [Output; 2] {
+        [self.twist, self.moment].map(|factor| {
+            let mut by = vec![Taylor::constant(ZERO); base.angles.len()];
+            stations.iter().for_each(|k| by[*k] = factor.times(&base.receptances[self.station][*k]));
+            Output { own: factor.times(&base.angles[self.station]), by }
+        })
+    }
+
+    /// The base with the ring on it, as far as others on some stations ask for it.
+    fn put_on(&self, base: &Point, stations: &[usize]) -> Point {
+        let mut next = Point { outputs: base.outputs.iter().map(|o| self.held(o, base, stations)).collect(), ..base.clone() };
+        for i in stations {
+            let torque = self.share.times(&base.receptances[*i][self.station]);
+            next.angles[*i] = base.angles[*i].minus(&torque.times(&base.angles[self.station]));
+            stations.iter().for_each(|k| {
+                next.receptances[*i][*k] = base.receptances[*i][*k].minus(&torque.times(&base.receptances[self.station][*k]))
+            });
+        }
+        next
+    }
 }

@@ -57,7 +57,7 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
     if problem.space.variables.len() > MOST {
         return Err(Reason::Parameters);
     }
-    if own.len() > 2 || own.iter().any(|m| matches!(m.on, Host::Ring(_))) {
+    if own.iter().any(|m| matches!(m.on, Host::Ring(_))) {
         return Err(Reason::Absorbers);
     }
     if problem.load_cases.iter().any(|c| c.deviation.is_some()) {
@@ -140,6 +140,9 @@ impl Case<'_> {
     /// Lower bounds of what is asked at a speed over a box; `None` where a design of it may be without finite response.
     pub fn forms(&self, at: &AtSpeed, absorbers: &[Enclosed], forms: &mut Vec<Form>) -> Option<()> {
         let (orders, none) = (at.base.orders(), [Taylor::constant(ZERO); 2]);
+        if orders == 0 {
+            return Some(());
+        }
         let mut phasors = vec![vec![none; orders]; self.quantities.len()];
         at.base.phasors(absorbers, &self.quantities, |i, order, y| phasors[i][order] = y)?;
         for part in self.parts.iter().filter(|p| p.measure.within.holds(at.speed_rpm)) {

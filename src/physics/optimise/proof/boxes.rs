@@ -6,7 +6,7 @@ use super::{Effort, Found, Proof, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::optimise::{Optimum, Problem};
-use crate::response::Work;
+use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -21,8 +21,15 @@ const EVALUATED: usize = 2;
 const BETTER: f64 = 1e-6;
 /// Middles that look better than they are although no speed says so, at most: what they are worse by has no enclosure.
 const UNEXPLAINED: usize = 40;
-/// Of the speeds of a box, those that its halves are looked at first.
+/// Of a box that is narrower than this in every coordinate its middle tells what the box is.
+const NARROW: f64 = 0.05;
+/// Of the speeds of a box, those that say most of it: its halves are looked at there first.
 const FIRST: usize = 12;
+/// Then at those that have excluded most boxes so far, and at the last that have joined.
+const USEFUL: usize = 40;
+const NEWEST: usize = 12;
+/// Beside a resonance that nothing damps, speeds that differ from it by these shares.
+const BESIDE: [f64; 4] = [-0.01, -0.001, 0.001, 0.01];
 
 /// A box, by the lower and upper end of each coordinate.
 type Bounds = Vec<(f64, f64)>;
@@ -65,10 +72,21 @@ impl Ord for Cell {
     }
 }
 
+/// What is said of a box.
+enum Looked {
+    /// A speed excludes it; `None`: several together, or nothing is left to ask.
+    Excluded(Option<u32>),
+    Open(Cell),
+}
+
 struct Search<'a> {
     problem: &'a Problem<'a>,
     cases: Vec<Case<'a>>,
     speeds: Vec<AtSpeed>,
+    /// Boxes that each speed has excluded.
+    excluded: Vec<u64>,
+    /// Speeds that boxes are looked at, after their own.
+    useful: Vec<u32>,
 }
 
 /// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.
@@ -81,7 +99,7 @@ pub(super) fn prove(problem: &Problem, optimum: &Optimum, effort: Effort, boxes:
         Ok(cases) => cases,
         Err(reason) => return none(reason),
     };
-    let mut search = Search { problem, cases, speeds: Vec::new() };
+    let mut search = Search { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new() };
     search.first_speeds(optimum);
     match search.run(optimum.value(), target, (effort, boxes), work) {
         Ok(found) => found,
@@ -105,6 +123,19 @@ impl Search<'_> {
         for (case, speed) in wanted {
             self.add(case, speed);
         }
+        self.choose_useful();
+    }
+
+    /// Those that have excluded most, and the newest.
+    fn choose_useful(&mut self) {
+        let all = self.speeds.len() as u32;
+        let mut list: Vec<u32> = (0..all).collect();
+        list.sort_by(|a, b| self.excluded[*b as usize].cmp(&self.excluded[*a as usize]).then(a.cmp(b)));
+        list.truncate(USEFUL);
+        let newest = all.saturating_sub(NEWEST as u32)..all;
+        let more: Vec<u32> = newest.filter(|s| !list.contains(s)).collect();
+        list.extend(more);
+        self.useful = list;
     }
 
     /// A speed joins; whether it is a new one.
@@ -115,6 +146,7 @@ impl Search<'_> {
         let found = self.cases[case].at(case, speed_rpm);
         let is_new = found.is_some();
         self.speeds.extend(found);
+        self.excluded.resize(self.speeds.len(), 0);
         is_new
     }
 
@@ -123,26 +155,37 @@ impl Search<'_> {
         let mut unexplained = 0;
         *boxes += 1;
         let mut open = BinaryHeap::new();
-        open.extend(self.look_at(whole, None, 0)?);
+        if let Looked::Open(cell) = self.look_at(whole, None, 0)? {
+            open.push(cell);
+        }
         let proof = |lower_bound, verdict| Ok(Found::Proof(Proof { lower_bound, verdict, ..Proof::none(Reason::NothingFree) }));
         while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
             let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| open.pop()).collect();
             let halves: Vec<(Bounds, &Cell)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell))).collect();
             let age = *boxes;
             let looked = |(i, (half, parent)): (usize, (Bounds, &Cell))| self.look_at(half, Some(parent), age + i as u64);
-            let found = halves.into_par_iter().enumerate().map(looked).collect::<Result<Vec<Option<Cell>>, Reason>>()?;
+            let found = halves.into_par_iter().enumerate().map(looked).collect::<Result<Vec<Looked>, Reason>>()?;
             *boxes += 2 * cut.len() as u64;
-            let mut rest: Vec<Cell> = found.into_iter().flatten().collect();
+            let mut rest: Vec<Cell> = Vec::new();
+            for looked in found {
+                match looked {
+                    Looked::Excluded(Some(speed)) => self.excluded[speed as usize] += 1,
+                    Looked::Excluded(None) => {}
+                    Looked::Open(cell) => rest.push(cell),
+                }
+            }
             rest.sort_by(|a, b| a.middle.total_cmp(&b.middle));
             for cell in rest.iter().filter(|c| c.middle < 1.0).take(EVALUATED) {
                 let point = cell.middle_point();
                 if self.is_better(&point, (value, target), work) {
                     return Ok(Found::Better(point));
                 }
-                if !self.learn(&point, target, work) {
+                let is_narrow = cell.bounds.iter().all(|b| b.1 - b.0 < NARROW);
+                if !self.learn(&point, target, work) && is_narrow {
                     unexplained += 1;
                 }
             }
+            self.choose_useful();
             open.extend(rest);
         }
         if open.is_empty() {
@@ -164,8 +207,14 @@ impl Search<'_> {
 
     /// Speeds of the peaks of the design at a point that exclude it join; whether there were any new ones.
     fn learn(&mut self, point: &[f64], target: Option<f64>, work: &mut Work) -> bool {
-        // without a finite response there is no peak, but a resonance between the speeds: smaller boxes will tell
-        let Ok(rows) = self.problem.rows(point, work) else { return false };
+        let rows = match self.problem.rows(point, work) {
+            Ok(rows) => rows,
+            Err(ResponseError::Unbounded { speed_rpm, .. }) => {
+                let beside = BESIDE.map(|share| speed_rpm * (1.0 + share));
+                return (0..self.cases.len()).fold(false, |any, case| beside.iter().fold(any, |any, s| self.add(case, *s) || any));
+            }
+            Err(_) => return false,
+        };
         let mut all: Vec<_> = rows.rows.iter().filter(|r| target.is_some() || r.role.is_limit()).collect();
         let over = |r: &crate::optimise::Row| if r.role.is_limit() { r.value } else { r.value / target.unwrap_or(f64::INFINITY) - 1.0 };
         all.sort_by(|a, b| over(b).total_cmp(&over(a)));
@@ -179,12 +228,12 @@ impl Search<'_> {
         is_new
     }
 
-    /// A box, where it is not excluded.
-    fn look_at(&self, bounds: Bounds, parent: Option<&Cell>, age: u64) -> Result<Option<Cell>, Reason> {
+    /// What the speeds of the box it is half of, and then the most useful ones, say of a box.
+    fn look_at(&self, bounds: Bounds, parent: Option<&Cell>, age: u64) -> Result<Looked, Reason> {
         let values = self.values(&bounds);
         let absorbers = self.cases.iter().map(|c| c.enclosed(&values)).collect::<Result<Vec<_>, Reason>>()?;
         let known: &[u32] = parent.map_or(&[], |p| &p.speeds);
-        let others = (0..self.speeds.len() as u32).filter(|s| !known.contains(s));
+        let others = self.useful.iter().copied().filter(|s| !known.contains(s));
         let mut forms: Vec<Form> = Vec::new();
         let mut said: Vec<(f64, u32)> = Vec::new();
         let mut bound = parent.map_or(f64::NEG_INFINITY, |p| p.bound);
@@ -194,27 +243,28 @@ impl Search<'_> {
             let most = |of: &dyn Fn(&Form) -> f64| forms[first..].iter().map(of).fold(f64::NEG_INFINITY, f64::max);
             bound = bound.max(most(&Form::least));
             if bound >= 1.0 {
-                return Ok(None);
+                return Ok(Looked::Excluded(Some(s)));
             }
             said.push((if found.is_some() { most(&|f: &Form| f.middle) } else { f64::NEG_INFINITY }, s));
-            if i + 1 == FIRST && known.len() > FIRST {
+            if i + 1 == known.len() {
                 bound = bound.max(least_of_largest(&mut forms.clone()));
                 if bound >= 1.0 {
-                    return Ok(None);
+                    return Ok(Looked::Excluded(None));
                 }
             }
         }
         bound = bound.max(least_of_largest(&mut forms));
         if bound >= 1.0 {
-            return Ok(None);
+            return Ok(Looked::Excluded(None));
         }
         let mut objectives: Vec<Form> = forms.iter().copied().filter(|f| f.is_objective).collect();
         let of_objectives = least_of_largest(&mut objectives).max(parent.map_or(f64::NEG_INFINITY, |p| p.of_objectives));
         said.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let middle = forms.iter().map(|f| f.middle).fold(f64::NEG_INFINITY, f64::max);
-        let along = along(&bounds, &forms);
-        let speeds = said.into_iter().map(|s| s.1).collect();
-        Ok(Some(Cell { bounds, bound, of_objectives, middle, speeds, along, age }))
+        let unknown = said.iter().filter(|s| s.0 == f64::NEG_INFINITY).count();
+        let along = along(&bounds, if 2 * unknown > said.len() { &[] } else { &forms });
+        let speeds = said.into_iter().map(|s| s.1).take(FIRST).collect();
+        Ok(Looked::Open(Cell { bounds, bound, of_objectives, middle, speeds, along, age }))
     }
 
     /// Values of all parameters over a box.

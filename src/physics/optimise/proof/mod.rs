@@ -81,7 +81,7 @@ pub enum Reason {
     Law,
     /// More parameters are free than models have variables.
     Parameters,
-    /// Absorbers on rings, or more than two.
+    /// Absorbers on rings.
     Absorbers,
     /// Tolerances.
     Tolerances,
@@ -98,8 +98,8 @@ impl Reason {
             Self::Sum => "the objective is a sum",
             Self::Objective => "the objective has no enclosure",
             Self::Law => "the type of absorber has no enclosure",
-            Self::Parameters => "more than five parameters are free",
-            Self::Absorbers => "absorbers sit on rings, or are more than two",
+            Self::Parameters => "more than six parameters are free",
+            Self::Absorbers => "an absorber sits on a ring",
             Self::Tolerances => "within tolerances",
             Self::Unfinished => "a better design is known, from which the search does not go on",
             Self::NothingFree => "nothing is free",

@@ -1,0 +1,133 @@
+//! Proofs on random engines: nothing that is proved is contradicted by a design, and optima are proved or the reason is named.
+
+use crate::support::one_throw;
+use crate::trees::random_tree;
+use hartog::absorber::closed_forms::EngineMode;
+use hartog::absorber::{Declaration, Host, Material, Surroundings, TYPES};
+use hartog::drivetrain::System;
+use hartog::objective::{Condition, Measure, Over, PeakFinder};
+use hartog::optimise::proof::settle;
+use hartog::optimise::{Effort, LoadCase, Problem, Slot, Space, Variable, Verdict, search, starts};
+use hartog::response::{Direct, Grid, Method, Quantity, Work};
+use rand::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// What came of some engines.
+#[derive(Debug, Default, Clone, Copy)]
+struct Count {
+    proved: usize,
+    open: usize,
+    /// Optima that a proof refuted, and that the search mended.
+    refuted: usize,
+}
+
+/// A chain or tree of 3 to 60 stations under some orders, and an absorber of one type anywhere: all of its parameters but the ring between the bounds of the type (of a material: between half and twice typical values).
+fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let n = (3.0 * 20f64.powf(random.random_range(0.0..=1.0))).round() as usize;
+    let orders: Vec<(u32, f64)> =
+        [2, 4, 6, 10, 16, 24].iter().filter_map(|o| random.random_bool(0.5).then(|| (*o, random.random_range(10.0..300.0)))).collect();
+    let system = System::new(random_tree(&mut random, n), one_throw(if orders.is_empty() { &[(4, 100.0)] } else { &orders }));
+    let kinds: Vec<&'static Declaration> = TYPES
+        .into_iter()
+        .filter(|d| ["tuned", "viscous", "rubber", "maxwell", "fractional_kelvin", "spring_pack", "pendulum"].contains(&d.name))
+        .collect();
+    let kind = kinds[random.random_range(0..kinds.len())];
+    let station = random.random_range(0..n);
+    let omega: Vec<f64> = system.modes.elastic().map(|m| system.modes.omega[m]).filter(|w| *w > 1.0).take(3).collect();
+    let inertia = system.chain.stations[station].inertia;
+    let modes: Vec<EngineMode> = omega.iter().map(|omega| EngineMode { inertia, omega: *omega }).collect();
+    let surroundings = Surroundings { modes: &modes, ring_inertia: inertia * random.random_range(0.1..1.0) };
+    let mut space = Space { slots: Vec::new(), variables: Vec::new() };
+    let mut values = vec![surroundings.ring_inertia];
+    for (parameter, p) in kind.parameters.iter().enumerate().skip(1) {
+        let typical = (p.typical)(&surroundings);
+        let (lower, upper) = if p.material {
+            (0.5 * typical, (2.0 * typical).min(if p.key == "fractional_exponent" { 1.0 } else { f64::INFINITY }))
+        } else {
+            (p.bounds)(&surroundings)
+        };
+        space.variables.push(Variable {
+            absorber: 0,
+            parameter,
+            lower,
+            upper,
+            scale: (1e-3 * typical).min(if p.material { lower } else { f64::INFINITY }),
+        });
+        values.push(lower);
+    }
+    space.slots.push(Slot {
+        declaration: kind,
+        on: Host::Station(station),
+        hub_inertia: 0.0,
+        values,
+        material: Arc::new(Material::default()),
+    });
+    let speeds: Vec<f64> = (0..=100).map(|i| 400.0 + 30.0 * f64::from(i)).collect();
+    let grid = Grid::new(&speeds, &[]);
+    let method = Method::Direct(Direct::new(&system, &grid));
+    let finder = PeakFinder::new(&system, &grid, &method, true);
+    let load_cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let (from, to) = (random.random_range(0..n), random.random_range(0..n));
+    let quantity = Quantity::Twist { from, to: (from != to).then_some(to) };
+    let over = if random.random_bool(0.7) { Over::Synthesis } else { Over::Orders };
+    let objectives = [Measure::new(vec![quantity], over).in_si()];
+    let problem = Problem { load_cases: &load_cases, space, objectives: &objectives, weights: &[], limits: &[], memory: None };
+    let list = starts::starts(&problem.space, &[modes], 4, seed);
+    let Ok(mut optimum) = search::optimise(&problem, &list, search::Finish::Distinct, &|| {}) else { return Count::default() };
+    let proof = settle(&problem, &mut optimum, Effort { gap, boxes });
+    let bound = proof.lower_bound.unwrap_or(0.0);
+    let points = starts::random_points(&problem.space, &optimum.outcome.point, designs, seed + 1);
+    let mut near = Xoshiro256PlusPlus::seed_from_u64(seed + 2);
+    let bounds = problem.space.bounds();
+    let close = (0..designs).map(|_| {
+        let size = 10f64.powf(near.random_range(-3.0..0.0));
+        let moved = optimum.outcome.point.iter().zip(&bounds);
+        moved.map(|(w, (low, high))| (w + size * near.random_range(-1.0..1.0)).clamp(*low, *high)).collect::<Vec<f64>>()
+    });
+    let all: Vec<Vec<f64>> = points.into_iter().chain(close).collect();
+    let lowest =
+        all.par_iter().map(|w| problem.value(w, &mut Work::default()).map_or(f64::INFINITY, |v| v.0)).reduce(|| f64::INFINITY, f64::min);
+    assert!(lowest >= bound, "{seed}: {} on {n} stations: a design has {lowest}, proved was {bound}", kind.name);
+    assert!(optimum.value() >= bound, "{seed}");
+    if !matches!(proof.verdict, Verdict::Proved) {
+        println!(
+            "{seed}: {} with {} free on {n} stations, {over:?}: {proof:?} of {}",
+            kind.name,
+            problem.space.variables.len(),
+            optimum.value()
+        );
+    }
+    Count {
+        proved: usize::from(proof.verdict == Verdict::Proved),
+        open: usize::from(proof.verdict != Verdict::Proved),
+        refuted: usize::from(proof.better > 0),
+    }
+}
+
+fn engines(seeds: std::ops::Range<u64>, effort: (f64, u64, usize)) -> Count {
+    seeds.into_iter().map(|seed| random_engine(seed, effort)).fold(Count::default(), |all, own| Count {
+        proved: all.proved + own.proved,
+        open: all.open + own.open,
+        refuted: all.refuted + own.refuted,
+    })
+}
+
+/// Law: no design of a random engine is below what is proved; most optima are proved.
+#[test]
+fn nothing_contradicts_a_proof() {
+    let count = engines(0..10, (1e-3, 10_000, 100));
+    assert!(count.proved >= 8, "{count:?}");
+}
+
+/// The same of 200 engines and 2 x 10⁵ designs each.
+#[test]
+#[ignore = "an hour"]
+fn nothing_contradicts_the_proofs_of_200_engines() {
+    let designs = std::env::var("HARTOG_DESIGNS").ok().and_then(|s| s.parse().ok()).unwrap_or(100_000);
+    let count = engines(1000..1200, (1e-3, 200_000, designs));
+    println!("{count:?}");
+    assert!(count.proved > 150, "{count:?}");
+}

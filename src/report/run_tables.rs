@@ -162,7 +162,7 @@ pub(super) const RUN_TABLES: [RunTable; 28] = [
     },
     RunTable {
         stem: "optima",
-        about: "one row for each optimum: value, first- and second-order conditions, agreement of starts, other local optima, designs looked at elsewhere and near it",
+        about: "one row for each optimum: value, first- and second-order conditions, agreement of starts, other local optima, designs looked at elsewhere and near it, what is proved of it",
         asked: |s| s.optimise.is_some(),
         write: csv::optima,
     },

@@ -23,48 +23,63 @@ struct Count {
     refuted: usize,
 }
 
-/// A chain or tree of 3 to 60 stations under some orders, and an absorber of one type anywhere: all of its parameters but the ring between the bounds of the type (of a material: between half and twice typical values).
-fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
-    let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+/// A chain or tree of 3 to 60 stations under some orders.
+fn random_system(random: &mut Xoshiro256PlusPlus) -> System {
     let n = (3.0 * 20f64.powf(random.random_range(0.0..=1.0))).round() as usize;
-    let orders: Vec<(u32, f64)> =
-        [2, 4, 6, 10, 16, 24].iter().filter_map(|o| random.random_bool(0.5).then(|| (*o, random.random_range(10.0..300.0)))).collect();
-    let system = System::new(random_tree(&mut random, n), one_throw(if orders.is_empty() { &[(4, 100.0)] } else { &orders }));
-    let kinds: Vec<&'static Declaration> = TYPES
-        .into_iter()
-        .filter(|d| ["tuned", "viscous", "rubber", "maxwell", "fractional_kelvin", "spring_pack", "pendulum"].contains(&d.name))
-        .collect();
+    let mut orders = vec![(4, 100.0)];
+    for order in [2, 6, 10, 16, 24] {
+        if random.random_bool(0.5) {
+            orders.push((order, random.random_range(10.0..300.0)));
+        }
+    }
+    orders.sort_by_key(|o| o.0);
+    System::new(random_tree(random, n), one_throw(&orders))
+}
+
+/// One type of absorber anywhere: all of its parameters but the ring between the bounds of the type, of a material between half and twice typical values; with the modes it may be tuned to.
+fn random_space(system: &System, random: &mut Xoshiro256PlusPlus) -> (Space, Vec<EngineMode>) {
+    let named = ["tuned", "viscous", "rubber", "maxwell", "fractional_kelvin", "spring_pack", "pendulum"];
+    let kinds: Vec<&'static Declaration> = TYPES.into_iter().filter(|d| named.contains(&d.name)).collect();
     let kind = kinds[random.random_range(0..kinds.len())];
-    let station = random.random_range(0..n);
-    let omega: Vec<f64> = system.modes.elastic().map(|m| system.modes.omega[m]).filter(|w| *w > 1.0).take(3).collect();
+    let station = random.random_range(0..system.chain.len());
     let inertia = system.chain.stations[station].inertia;
-    let modes: Vec<EngineMode> = omega.iter().map(|omega| EngineMode { inertia, omega: *omega }).collect();
+    let omega = system.modes.elastic().map(|m| system.modes.omega[m]).filter(|w| *w > 1.0).take(3);
+    let modes: Vec<EngineMode> = omega.map(|omega| EngineMode { inertia, omega }).collect();
     let surroundings = Surroundings { modes: &modes, ring_inertia: inertia * random.random_range(0.1..1.0) };
     let mut space = Space { slots: Vec::new(), variables: Vec::new() };
     let mut values = vec![surroundings.ring_inertia];
     for (parameter, p) in kind.parameters.iter().enumerate().skip(1) {
         let typical = (p.typical)(&surroundings);
-        let (lower, upper) = if p.material {
-            (0.5 * typical, (2.0 * typical).min(if p.key == "fractional_exponent" { 1.0 } else { f64::INFINITY }))
-        } else {
-            (p.bounds)(&surroundings)
-        };
-        space.variables.push(Variable {
-            absorber: 0,
-            parameter,
-            lower,
-            upper,
-            scale: (1e-3 * typical).min(if p.material { lower } else { f64::INFINITY }),
-        });
+        let (lower, upper) = if p.material { (0.5 * typical, p.range.nearest(2.0 * typical)) } else { (p.bounds)(&surroundings) };
+        let scale = (1e-3 * typical).min(if p.material { lower } else { f64::INFINITY });
+        space.variables.push(Variable { absorber: 0, parameter, lower, upper, scale });
         values.push(lower);
     }
-    space.slots.push(Slot {
-        declaration: kind,
-        on: Host::Station(station),
-        hub_inertia: 0.0,
-        values,
-        material: Arc::new(Material::default()),
+    let on = Host::Station(station);
+    space.slots.push(Slot { declaration: kind, on, hub_inertia: 0.0, values, material: Arc::new(Material::default()) });
+    (space, modes)
+}
+
+/// The lowest value of a problem among random designs anywhere and as many near a point.
+fn lowest(problem: &Problem, point: &[f64], designs: usize, seed: u64) -> f64 {
+    let anywhere = starts::random_points(&problem.space, point, designs, seed);
+    let mut near = Xoshiro256PlusPlus::seed_from_u64(seed + 1);
+    let bounds = problem.space.bounds();
+    let close = (0..designs).map(|_| {
+        let size = 10f64.powf(near.random_range(-3.0..0.0));
+        let moved = point.iter().zip(&bounds);
+        moved.map(|(w, (low, high))| (w + size * near.random_range(-1.0..1.0)).clamp(*low, *high)).collect::<Vec<f64>>()
     });
+    let all: Vec<Vec<f64>> = anywhere.into_iter().chain(close).collect();
+    let value = |w: &Vec<f64>| problem.value(w, &mut Work::default()).map_or(f64::INFINITY, |v| v.0);
+    all.par_iter().map(value).reduce(|| f64::INFINITY, f64::min)
+}
+
+fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let system = random_system(&mut random);
+    let (space, modes) = random_space(&system, &mut random);
+    let (kind, n, free) = (space.slots[0].declaration.name, system.chain.len(), space.variables.len());
     let speeds: Vec<f64> = (0..=100).map(|i| 400.0 + 30.0 * f64::from(i)).collect();
     let grid = Grid::new(&speeds, &[]);
     let method = Method::Direct(Direct::new(&system, &grid));
@@ -79,32 +94,14 @@ fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
     let Ok(mut optimum) = search::optimise(&problem, &list, search::Finish::Distinct, &|| {}) else { return Count::default() };
     let proof = settle(&problem, &mut optimum, Effort { gap, boxes });
     let bound = proof.lower_bound.unwrap_or(0.0);
-    let points = starts::random_points(&problem.space, &optimum.outcome.point, designs, seed + 1);
-    let mut near = Xoshiro256PlusPlus::seed_from_u64(seed + 2);
-    let bounds = problem.space.bounds();
-    let close = (0..designs).map(|_| {
-        let size = 10f64.powf(near.random_range(-3.0..0.0));
-        let moved = optimum.outcome.point.iter().zip(&bounds);
-        moved.map(|(w, (low, high))| (w + size * near.random_range(-1.0..1.0)).clamp(*low, *high)).collect::<Vec<f64>>()
-    });
-    let all: Vec<Vec<f64>> = points.into_iter().chain(close).collect();
-    let lowest =
-        all.par_iter().map(|w| problem.value(w, &mut Work::default()).map_or(f64::INFINITY, |v| v.0)).reduce(|| f64::INFINITY, f64::min);
-    assert!(lowest >= bound, "{seed}: {} on {n} stations: a design has {lowest}, proved was {bound}", kind.name);
+    let lowest = lowest(&problem, &optimum.outcome.point, designs, seed + 1);
+    assert!(lowest >= bound, "{seed}: {kind} on {n} stations: a design has {lowest}, proved was {bound}");
     assert!(optimum.value() >= bound, "{seed}");
-    if !matches!(proof.verdict, Verdict::Proved) {
-        println!(
-            "{seed}: {} with {} free on {n} stations, {over:?}: {proof:?} of {}",
-            kind.name,
-            problem.space.variables.len(),
-            optimum.value()
-        );
+    let is_proved = proof.verdict == Verdict::Proved;
+    if !is_proved {
+        println!("{seed}: {kind} with {free} free on {n} stations, {over:?}: {proof:?} of {}", optimum.value());
     }
-    Count {
-        proved: usize::from(proof.verdict == Verdict::Proved),
-        open: usize::from(proof.verdict != Verdict::Proved),
-        refuted: usize::from(proof.better > 0),
-    }
+    Count { proved: usize::from(is_proved), open: usize::from(!is_proved), refuted: usize::from(proof.better > 0) }
 }
 
 fn engines(seeds: std::ops::Range<u64>, effort: (f64, u64, usize)) -> Count {

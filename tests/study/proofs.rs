@@ -109,3 +109,37 @@ fn shipped_engines_are_proved() {
         }
     }
 }
+
+/// Law: limits that no design holds are proved to conflict: the amplitude of Den Hartog's problem is nowhere below that of its optimum; one that is 1e-4 above it is held.
+#[test]
+fn impossible_limits_are_proved() {
+    let (masses, least) = (TwoMasses { damping_ratio: 0.0, ring: 0.1 }, h_infinity_peak(0.1) * 1e-4);
+    let asked = |share: f64| {
+        let mut s = with(masses, What::RingTwist, &[(What::Twist, share * least)]);
+        s.optimise.as_mut().expect("optimises").prove = (Effort { gap: 1e-3, boxes: 200_000 }, true);
+        s.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0)
+    };
+    let impossible = asked(1.0 - 1e-4);
+    assert_eq!(impossible.proof.expect("asked for").verdict, Verdict::Impossible);
+    assert!(impossible.conflict.is_some() && !impossible.design.within_limits());
+    let possible = asked(1.0 + 1e-4);
+    assert!(possible.design.within_limits());
+    assert_eq!(possible.proof.expect("asked for").verdict, Verdict::Proved);
+}
+
+/// Source: [Nishihara & Asami 2002]. Every point of the front over the mass ratio is proved to be the closed form.
+#[test]
+fn fronts_are_proved() {
+    let mut s = study("den_hartog");
+    let o = s.optimise.as_mut().expect("optimises");
+    (o.absorbers[0].types, o.prove) = (vec![&TUNED], (Effort { gap: 1e-5, boxes: 100_000 }, true));
+    let results = s.run().unwrap_or_else(|e| panic!("{e}"));
+    let points = &results.fronts[0].front.points;
+    assert_eq!(points.len(), 25);
+    for p in points {
+        let exact = 1e-4 * h_infinity_peak(p.design[0].absorber.ring_inertia());
+        let proof = p.proof.as_ref().expect("asked for");
+        let bound = proof.lower_bound.expect("a bound");
+        assert!(bound <= exact && bound >= exact * (1.0 - 1.1e-5), "{proof:?} against {exact}");
+    }
+}

@@ -1,7 +1,7 @@
 //! First-order Taylor models of complex functions over a box: y = centre + sum of slope_d x_d + rest, for every x_d from -1 to 1, with the rest in a disc \[Makino & Berz 2003\].
 //!
-//! Every operation keeps what it encloses: for all x of the box the result of exact arithmetic lies inside. Each adds [`ROUNDING`] of its size to the rest for that of its own floating-point
-//! numbers.
+//! Every operation keeps what it encloses: for all x of the box the result of exact arithmetic lies inside. Each adds sixteen units in the last place of its size to the rest for that of its own
+//! floating-point numbers.
 
 use super::elementary::{ComplexElementary, Elementary};
 use super::{C64, ZERO};
@@ -9,7 +9,7 @@ use super::{C64, ZERO};
 /// Free variables, at most.
 pub const MOST: usize = 6;
 /// Share of its size that an operation may err by in floating-point numbers: sixteen units in the last place.
-pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A function of some variables, each from -1 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,14 +78,14 @@ impl Taylor {
 
     /// A multiple.
     #[must_use]
-    pub fn times_number(&self, factor: C64) -> Self {
+    pub(crate) fn times_number(&self, factor: C64) -> Self {
         let slopes = self.slopes.map(|g| g * factor);
         Self { centre: self.centre * factor, slopes, rest: self.rest * factor.norm() }.rounded()
     }
 
     /// The same and a number.
     #[must_use]
-    pub fn plus_number(&self, number: C64) -> Self {
+    pub(crate) fn plus_number(&self, number: C64) -> Self {
         self.plus(&Self::constant(number))
     }
 
@@ -159,7 +159,7 @@ impl Taylor {
     }
 
     /// (i y)^a of itself, y > 0, on the principal branch; `None` where y may be zero.
-    pub fn imaginary_power(&self, exponent: &Self) -> Option<Self> {
+    pub(crate) fn imaginary_power(&self, exponent: &Self) -> Option<Self> {
         let logarithm = self.logarithm()?.plus_number(C64::new(0.0, std::f64::consts::FRAC_PI_2));
         Some(exponent.times(&logarithm).exponential())
     }

@@ -3,7 +3,7 @@
 use super::minimax::{self, Outcome};
 use super::search::{self, Finish, Recorder};
 use super::starts::Starts;
-use super::{Problem, Space};
+use super::{Problem, Proof, Space};
 use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
 use crate::response::{ResponseError, Work};
@@ -23,6 +23,9 @@ pub struct FrontPoint {
     pub kkt_residual: f64,
     /// Whether a lighter ring does as well, or a limit fails.
     pub dominated: bool,
+    /// That no design with its ring inertia is better, where that is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<Proof>,
 }
 
 /// A front and the work it took.
@@ -267,7 +270,7 @@ pub fn follow(
             lowest = lowest.min(value);
         }
         let design = follower.at(i).space.design(&o.point);
-        FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated }
+        FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated, proof: None }
     });
     Ok(Front { points: points.collect(), work })
 }

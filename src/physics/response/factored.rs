@@ -303,7 +303,7 @@ impl<'a> Factored<'a> {
 
     /// By how much rounding of the entries of the matrix changes an output whose value per unit torque at each station is `adjoint`, times as many roundings, where no absorber is on the chain: to first order the sum of
     /// |adjoint_i| |entry_ij| |x_j|. `None` of a flexible crank and beside a stiff shaft, whose entries are others.
-    pub fn doubt(&self, adjoint: &[C64], x: &[C64]) -> Option<f64> {
+    pub(super) fn doubt(&self, adjoint: &[C64], x: &[C64]) -> Option<f64> {
         let (chain, omega) = (&self.system.chain, self.omega);
         if self.flexible.is_some() || self.stiff {
             return None;

@@ -33,6 +33,11 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     }
     header.extend(&others);
     header.extend(study.more_objectives.iter().map(|o| o.column.as_str()));
+    let bound_column = format!("lower_bound_of_{}", study.objective.column);
+    let is_proved = study.optimise.as_ref().is_some_and(|o| o.prove.1);
+    if is_proved {
+        header.extend(["proof", &bound_column]);
+    }
     let mut table = Table::new(&header);
     for front in &results.fronts {
         for (point, values) in front.front.points.iter().zip(&front.others) {
@@ -49,6 +54,11 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             ];
             row.extend(others.iter().map(|key| optional(a.value(key))));
             row.extend(study.more_objectives.iter().zip(values).map(|(o, v)| number(in_unit_of(o, *v))));
+            if is_proved {
+                let proof = point.proof.as_ref();
+                row.push(proof.map_or_else(String::new, |p| p.verdict.word().to_owned()));
+                row.push(optional(proof.and_then(|p| p.lower_bound).filter(|b| *b > 0.0).map(|b| in_unit(study, b))));
+            }
             table.row(row);
         }
     }

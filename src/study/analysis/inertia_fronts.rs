@@ -10,7 +10,7 @@ use crate::absorber::{Declaration, Mounted};
 use crate::input::{FrontSpec, OptimiseSpec};
 use crate::objective::{Condition, HELD};
 use crate::optimise::front::KnownOptimum;
-use crate::optimise::{LoadCase, Problem, Space, front};
+use crate::optimise::{LoadCase, Problem, Space, front, proof};
 use crate::response::Work;
 use rayon::prelude::*;
 
@@ -60,8 +60,13 @@ impl<'a> Searches<'a> {
             let known = self.known_along(spec, &space, optima);
             let load_cases = self.load_cases_of(spec, &space);
             let problem = Problem { load_cases: &load_cases, ..self.problem(space, 0) };
-            let (front, seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
+            let (front, mut seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
             let mut front = front.map_err(failed)?;
+            if let (effort, true) = spec.prove
+                && effort.boxes > 0
+            {
+                seconds += timed(|| proof::settle_front(&problem, &mut front, effort)).1;
+            }
             front.points.par_iter_mut().for_each(|p| {
                 let excess = self.excess_as_reported(&p.design);
                 if excess > p.excess.max(HELD) {

@@ -210,8 +210,7 @@ impl<'a> Searches<'a> {
         let problem = Problem { load_cases: &scenarios, ..problem };
         let proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
-        let others = conflict.is_none() && within.is_none();
-        let design = self.as_reported(&problem, (&mut optimum, others), &name)?;
+        let design = self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), &name)?;
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
         let second_order = if conflict.is_some() || !first_order {

@@ -1,7 +1,7 @@
 //! What a proof asks of designs: measures of a problem at some speeds, as lower bounds over boxes.
 
-use super::Reason;
 use super::form::Form;
+use super::verdict::Reason;
 use crate::absorber::{Host, Mounted};
 use crate::crankshaft::Torque;
 use crate::numerics::elementary::turn;

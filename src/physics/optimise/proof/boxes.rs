@@ -2,10 +2,10 @@
 
 use super::asked::{self, AtSpeed, Case};
 use super::form::{Form, least_of_largest};
-use super::{Effort, Found, Proof, Ranges, Reason, Verdict};
+use super::verdict::{Effort, Found, Proof, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::taylor::{MOST, Taylor};
-use crate::optimise::{Optimum, Problem};
+use crate::optimise::{Outcome, Problem};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -91,17 +91,17 @@ struct Search<'a> {
 
 /// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.
 /// `boxes`: looked at so far, at most as many as the effort allows.
-pub(super) fn prove(problem: &Problem, optimum: &Optimum, effort: Effort, boxes: &mut u64, work: &mut Work) -> Found {
+pub(super) fn prove(problem: &Problem, optimum: &Outcome, effort: Effort, boxes: &mut u64, work: &mut Work) -> Found {
     let none = |reason| Found::Proof(Proof::none(reason));
-    let holds = optimum.outcome.rows.hold();
-    let target = holds.then(|| optimum.value() * (1.0 - effort.gap));
-    let cases = match asked::cases(problem, &optimum.outcome.point, target) {
+    let value = optimum.rows.objective();
+    let target = optimum.rows.hold().then_some(value * (1.0 - effort.gap));
+    let cases = match asked::cases(problem, &optimum.point, target) {
         Ok(cases) => cases,
         Err(reason) => return none(reason),
     };
     let mut search = Search { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new() };
     search.first_speeds(optimum);
-    match search.run(optimum.value(), target, (effort, boxes), work) {
+    match search.run(value, target, (effort, boxes), work) {
         Ok(found) => found,
         Err(reason) => none(reason),
     }
@@ -109,8 +109,8 @@ pub(super) fn prove(problem: &Problem, optimum: &Optimum, effort: Effort, boxes:
 
 impl Search<'_> {
     /// Those of the peaks of the optimum, and some of the range.
-    fn first_speeds(&mut self, optimum: &Optimum) {
-        let rows = optimum.outcome.rows.rows.iter();
+    fn first_speeds(&mut self, optimum: &Outcome) {
+        let rows = optimum.rows.rows.iter();
         let mut wanted: Vec<(usize, f64)> = Vec::new();
         for row in rows {
             wanted.extend(self.cases.iter().enumerate().filter(|(_, c)| c.asks(row)).map(|(i, _)| (i, row.peak.speed_rpm)));

@@ -22,7 +22,7 @@ pub(super) struct Form {
 
 impl Form {
     /// The real part of a sum of phasors times numbers.
-    pub fn of_sum(terms: impl Iterator<Item = (Taylor, C64)>) -> Self {
+    pub(super) fn of_sum(terms: impl Iterator<Item = (Taylor, C64)>) -> Self {
         let mut form = Self::default();
         for (y, by) in terms {
             let along = |z: C64| z.re * by.re - z.im * by.im;
@@ -39,7 +39,7 @@ impl Form {
     }
 
     /// The imaginary part of a sum of products with the conjugates of others, times numbers.
-    pub fn of_products(terms: impl Iterator<Item = (Taylor, Taylor, f64)>) -> Self {
+    pub(super) fn of_products(terms: impl Iterator<Item = (Taylor, Taylor, f64)>) -> Self {
         let mut form = Self::default();
         for (a, b, by) in terms {
             let (reach_a, reach_b) = (a.reach(), b.reach());
@@ -57,7 +57,7 @@ impl Form {
     }
 
     /// The same times a positive number.
-    pub fn times(mut self, factor: f64) -> Self {
+    pub(super) fn times(mut self, factor: f64) -> Self {
         self.value *= factor;
         self.middle *= factor;
         self.slopes.iter_mut().chain(&mut self.spread).for_each(|s| *s *= factor);
@@ -65,7 +65,7 @@ impl Form {
     }
 
     /// The least it is over the box.
-    pub fn least(&self) -> f64 {
+    pub(super) fn least(&self) -> f64 {
         self.value - self.slopes.iter().map(|s| s.abs()).sum::<f64>()
     }
 

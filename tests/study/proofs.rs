@@ -143,3 +143,24 @@ fn fronts_are_proved() {
         assert!(bound <= exact && bound >= exact * (1.0 - 1.1e-5), "{proof:?} against {exact}");
     }
 }
+
+/// Law: speeds beside the sweep say nothing. A lossless ring on a lossless mass, from 1000 to 1100 rpm: designs whose resonance lies just below the sweep are large there and small within it. By the closed form k = 13.23 N m/rad
+/// has 0.05561° and is a better design than the local optimum at 0.0593°; no bound is above it.
+#[test]
+fn speeds_beside_the_sweep_exclude_nothing() {
+    let folder = tempfile::tempdir().expect("writable");
+    let text = "engine = \"engines/den_hartog.toml\"\nspeed_rpm = { from = 1000, to = 1100, step = 25 }\norder_limit = 1\n[[objective]]\n\
+        peak_twist = { from = \"engine\", to = \"ground\" }\n[optimise]\nrandom_starts = 0\nprove = { gap = 1e-3, boxes = 20000 }\n\
+        [[optimise.absorber]]\non.station = \"engine\"\ntypes = [\"undamped\"]\nsize.ring_inertia_kg_m2.fixed = 0.001\nstiffness_n_m_per_rad.between = [1e-3, 13.6]\n";
+    let study = crate::support::variant(folder.path(), "den_hartog", &[]).with_file_name("own.toml");
+    std::fs::write(&study, text).expect("writable");
+    let found = Study::read(&study).unwrap_or_else(|e| panic!("{e}")).run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
+    let proof = found.proof.expect("asked for");
+    // |1/(k0 - w² - k J w²/(k - J w²))| of the two masses at both ends of the sweep
+    let amplitude = |rpm: f64| {
+        let w2 = (rpm * std::f64::consts::PI / 30.0).powi(2);
+        (1.0 / (1e4 - w2 - 13.23 * 1e-3 * w2 / (13.23 - 1e-3 * w2))).abs()
+    };
+    let known = f64::max(amplitude(1000.0), amplitude(1100.0));
+    assert!(proof.lower_bound.expect("a bound") <= known, "{proof:?} against {known}");
+}

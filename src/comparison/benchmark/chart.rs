@@ -4,6 +4,7 @@ use super::crank_ladder::{self, Ladder};
 use super::evolution::{self, Evolution};
 use super::laws::{self, LawCost};
 use super::margin_methods::{self, MarginCost};
+use super::proofs::{self, ProofCost};
 use super::scenarios::scenarios;
 use super::stability::{Cell, Scenario};
 use super::{energy, growth, model_accuracy, savings, speed_accuracy};
@@ -63,6 +64,8 @@ pub struct Chart<'a> {
     pub laws: Vec<LawCost>,
     /// NSGA-II beside its fronts.
     pub fronts: Vec<Evolution>,
+    /// Proofs of its optima.
+    pub proofs: Vec<ProofCost>,
     /// Models of the crank, where the study computes with a flexible one.
     pub ladder: Option<Ladder>,
     /// What is the same for all studies.
@@ -77,7 +80,7 @@ impl<'a> Chart<'a> {
     pub fn measure(study: &Study, common: &'a Common, progress: &dyn Progress) -> Result<Self, RunError> {
         let (study, _) = calibrate(study, progress)?;
         let methods = speed_accuracy::measure(&study, progress)?;
-        progress.stage("random absorbers, simplified models, margins, fronts, laws, cranks", 6);
+        progress.stage("random absorbers, simplified models, margins, fronts, laws, proofs, cranks", 7);
         let savings = savings::measure(&study)?;
         progress.step();
         let mut designs: Vec<_> = methods.probes.iter().map(|p| p.1.clone()).collect();
@@ -93,9 +96,11 @@ impl<'a> Chart<'a> {
         progress.step();
         let laws = laws::measure(&study)?;
         progress.step();
+        let proofs = proofs::measure(&study)?;
+        progress.step();
         let ladder = crank_ladder::measure(&study, &crank_ladder::FACTORS)?;
         progress.step();
-        Ok(Self { study, methods, savings, models, margins, laws, fronts, ladder, common })
+        Ok(Self { study, methods, savings, models, margins, laws, fronts, proofs, ladder, common })
     }
 
     /// Whether skipping changes nothing.

@@ -10,6 +10,7 @@ pub mod laws;
 pub mod margin_methods;
 pub mod methods;
 pub mod model_accuracy;
+pub mod proofs;
 pub mod savings;
 mod scenario_parts;
 pub mod scenarios;

@@ -119,7 +119,8 @@ impl Taylor {
         for slope in self.slopes.iter().filter(|g| **g != ZERO) {
             consider(C64::new(-slope.im, slope.re) / slope.norm());
         }
-        let distance = best.1 * (1.0 - ROUNDING) - self.rest;
+        let lost = ROUNDING * (size(self.centre) + self.slopes.iter().map(|g| size(*g)).sum::<f64>());
+        let distance = best.1 - lost - self.rest;
         (best.0 != ZERO && distance > 0.0).then_some((best.0, distance))
     }
 

@@ -1,8 +1,8 @@
 //! Phasors of all designs of a box at one speed: the base is solved once, and absorbers whose parameters are Taylor models are put on it.
 //!
 //! A ring of inertia J on a law S (m = -omega² J, hub b = -omega² J_hub) loads its station with z = n/d, d = S + m, n = S m + b d. With u the angle of the station and y an output without it,
-//! H the receptance of the station and h the output per unit torque there, the output with it is y - h n f with f = u/(d + H n), and the ring turns by -m f against its hub. d + H n = c S + t is
-//! linear in S, so that n/(c S + t) is taken as one inverse. Of several absorbers on stations each is put on what the ones before it leave.
+//! H the receptance of the station and h the output per unit torque there, the output with it is y - h n f with f = u/(d + H n), and the ring turns by -m f against its hub. d + H n is linear in S, so
+//! that n/(d + H n) is taken as one inverse. Of several absorbers on stations each is put on what the ones before it leave.
 
 use super::factored::Factored;
 use super::{Direct, Quantity, Work};
@@ -28,11 +28,19 @@ pub struct Enclosed {
     station: usize,
     /// Beside the ring, kg m².
     hub: f64,
-    /// Its law; `None` where the ring turns with its hub.
-    law: Option<Arc<dyn Law>>,
-    values: Vec<Taylor>,
-    /// kg m².
-    ring: Taylor,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone)]
+enum Kind {
+    Ring {
+        law: Arc<dyn Law>,
+        values: Vec<Taylor>,
+        /// 1/(kg m²).
+        inverse_inertia: Taylor,
+    },
+    /// The ring turns with its hub: its inertia, kg m².
+    Locked(f64),
 }
 
 impl Enclosed {
@@ -40,25 +48,12 @@ impl Enclosed {
     pub fn of(mounted: &Mounted, values: Vec<Taylor>, stations: &[usize]) -> Option<Self> {
         let Host::Station(own) = mounted.on else { return None };
         let station = stations.iter().position(|s| *s == own)?;
-        match &mounted.absorber {
-            Absorber::Ring(law) if law.parts().is_some() => None,
-            Absorber::Ring(law) => {
-                let ring = law.ring_over(&values);
-                Some(Self { station, hub: mounted.hub(), law: Some(law.clone()), values, ring })
-            }
-            Absorber::Locked { ring_inertia } => {
-                let ring = Taylor::constant(C64::from(*ring_inertia));
-                Some(Self { station, hub: mounted.hub(), law: None, values, ring })
-            }
-        }
-    }
-
-    fn inertial(&self, at: Operating) -> Taylor {
-        self.ring.times_number(C64::from(-at.omega * at.omega))
-    }
-
-    fn hub_inertial(&self, at: Operating) -> Taylor {
-        Taylor::constant(C64::from(-at.omega * at.omega * self.hub))
+        let kind = match &mounted.absorber {
+            Absorber::Ring(law) if law.parts().is_some() => return None,
+            Absorber::Ring(law) => Kind::Ring { law: law.clone(), inverse_inertia: law.ring_over(&values).inverse()?, values },
+            Absorber::Locked { ring_inertia } => Kind::Locked(*ring_inertia),
+        };
+        Some(Self { station, hub: mounted.hub(), kind })
     }
 }
 
@@ -207,29 +202,35 @@ struct Ring {
 }
 
 impl Ring {
-    /// n/(c S + t) = a/c + (b m - a t/c)/(c S + t) with a = m + b, c = 1 + H a and t = m (1 + H b).
+    /// With r = 1/m and g = 1 + H b, n/(d + H n) = (a S + b)/(e S + g), a = 1 + b r and e = H + g r, and this is a/e + (b - a g/e)/(e S + g): the inertia of the ring is in r alone, times S.
     fn on(absorber: &Enclosed, at: Operating, base: &Point) -> Option<Self> {
         let station = absorber.station;
         let receptance = base.receptances[station][station];
-        let (own, hub) = (absorber.inertial(at), absorber.hub_inertial(at));
-        let a = own.plus(&hub);
-        let held = receptance.times(&a);
-        let c = held.plus_number(C64::from(1.0));
-        let Some(law) = &absorber.law else {
-            let none = Taylor::constant(ZERO);
-            return Some(Self { station, share: a.times(&c.inverse()?), twist: none, moment: none });
+        let one = C64::from(1.0);
+        let inertial = |inertia: f64| Taylor::constant(C64::from(-at.omega * at.omega * inertia));
+        let (law, values, inverse_inertia) = match &absorber.kind {
+            Kind::Ring { law, values, inverse_inertia } => (law, values, inverse_inertia),
+            Kind::Locked(ring) => {
+                let (load, none) = (inertial(ring + absorber.hub), Taylor::constant(ZERO));
+                let share = load.times(&receptance.times(&load).plus_number(one).inverse()?);
+                return Some(Self { station, share, twist: none, moment: none });
+            }
         };
-        let s = law.over(&absorber.values, at)?;
-        let t = own.times(&receptance.times(&hub).plus_number(C64::from(1.0)));
-        let inverse = c.times(&s).plus(&t).inverse()?;
-        let share = match c.inverse().filter(|_| c.centre.norm() > CANCELS * (1.0 + held.centre.norm())) {
+        let hub = inertial(absorber.hub);
+        let g = receptance.times(&hub).plus_number(one);
+        let s = law.over(values, at)?;
+        let r = inverse_inertia.times_number(C64::from(-1.0 / (at.omega * at.omega)));
+        let (a, by_r) = (hub.times(&r).plus_number(one), g.times(&r));
+        let e = receptance.plus(&by_r);
+        let inverse = e.times(&s).plus(&g).inverse()?;
+        let share = match e.inverse().filter(|_| e.centre.norm() > CANCELS * (receptance.centre.norm() + by_r.centre.norm())) {
             Some(by) => {
                 let locked = a.times(&by);
-                locked.plus(&hub.times(&own).minus(&locked.times(&t)).times(&inverse))
+                locked.plus(&hub.minus(&locked.times(&g)).times(&inverse))
             }
-            None => s.times(&a).plus(&hub.times(&own)).times(&inverse),
+            None => s.times(&a).plus(&hub).times(&inverse),
         };
-        let twist = own.times(&inverse).times_number(C64::from(-1.0));
+        let twist = inverse.times_number(C64::from(-1.0));
         Some(Self { station, share, twist, moment: s.times(&twist) })
     }
 

@@ -89,6 +89,11 @@ fn laws_and_fronts(chart: &Chart, table: &mut Table) {
         );
         table.row([text("law"), text(l.name), number(l.seconds), number(l.error), text("yes"), note]);
     }
+    for p in &chart.proofs {
+        let setting = format!("{}, {} free, gap {:e}", p.kind, p.free, p.gap);
+        let note = format!("{} boxes; {}", p.boxes, if p.proved { "proved" } else { "not proved" });
+        table.row([text("proof"), setting, number(p.seconds), String::new(), text("yes"), note]);
+    }
     for f in &chart.fronts {
         for r in &f.rounds {
             let setting = format!("{}, {} against {}: {} evaluations", f.family, f.of[0], f.of[1], r.evaluations);

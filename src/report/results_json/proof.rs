@@ -8,7 +8,7 @@ use serde::Serialize;
 /// That no design within the bounds is better.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct Proof {
-    /// `proved`: to the gap that was asked for; `impossible`: no design holds all limits; `open`: the boxes did not suffice; `none`.
+    /// `proved`: to the gap that was asked for; `impossible`: no design holds all limits; `open`: the boxes did not suffice, or what the rest is worse by has no enclosure; `none`.
     verdict: &'static str,
     /// Of `none`.
     #[serde(skip_serializing_if = "Option::is_none")]

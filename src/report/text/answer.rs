@@ -90,7 +90,7 @@ fn found(study: &Study, results: &Results) -> String {
     match (results.best_optimum(false), results.best_given()) {
         (Some(o), given) => {
             let nearest = if proof::is_impossible(o) {
-                "No design within the bounds holds all limits; nearest to them, by the limit that it is furthest beyond, is "
+                "No design of this family within its bounds holds all limits; nearest to them, by the limit that it is furthest beyond, is "
             } else if o.conflict.is_some() {
                 "No design was found that holds all limits; nearest to them, by the limit that it is furthest beyond, is "
             } else {

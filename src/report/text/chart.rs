@@ -10,6 +10,7 @@ use crate::benchmark::laws::LawCost;
 use crate::benchmark::margin_methods::MarginCost;
 use crate::benchmark::methods::Candidate;
 use crate::benchmark::model_accuracy::ModelError;
+use crate::benchmark::proofs::ProofCost;
 use crate::benchmark::savings::Savings;
 use crate::benchmark::speed_accuracy::{Search, SpeedAccuracy};
 use crate::benchmark::stability::{Cell, Scenario};
@@ -32,9 +33,30 @@ pub fn of_study(chart: &Chart) -> String {
     parts.extend((!chart.margins.is_empty()).then(|| margins(&chart.margins)));
     parts.extend((!chart.laws.is_empty()).then(|| laws(&chart.laws)));
     parts.extend((!chart.fronts.is_empty()).then(|| fronts(&chart.fronts)));
+    parts.extend((!chart.proofs.is_empty()).then(|| proofs(&chart.proofs)));
     parts.extend((!chart.models.is_empty()).then(|| models("What a simpler model costs, error of the peak:", &chart.models)));
     parts.extend(chart.ladder.as_ref().map(ladder));
     parts.join("\n")
+}
+
+/// Proofs against gap and free parameters.
+fn proofs(measured: &[ProofCost]) -> String {
+    let row = |p: &ProofCost| {
+        let proved = if p.proved { "yes" } else { "no" };
+        vec![
+            p.kind.to_owned(),
+            p.free.to_string(),
+            format!("{:e}", p.gap),
+            p.boxes.to_string(),
+            format!("{:.2}", p.seconds),
+            proved.to_owned(),
+        ]
+    };
+    let rows: Vec<Vec<String>> = measured.iter().map(row).collect();
+    format!(
+        "What a proof costs that no design within the bounds is better by more than a gap, on all threads:\n{}",
+        table(&["type", "free", "gap", "boxes", "time/s", "proved"], &rows)
+    )
 }
 
 /// Models of the crank.

@@ -3,26 +3,34 @@
 use super::judged::value_of;
 use super::table::significant;
 use crate::analysis::OptimumResult;
-use crate::input::Study;
+use crate::input::{MeasureSpec, Study};
 use crate::optimise::{Proof, Verdict};
 
-/// What is told of a bound is not above it, whatever the digits that are shown.
-const DOWN: f64 = 1.0 - 1e-6;
+/// A bound in words, with its last digit on the safe side: no lower bound is told that was not proved, of a margin no upper one.
+fn told(objective: &MeasureSpec, bound: f64) -> String {
+    let exact = objective.unit.shown(bound);
+    let number = |text: &str| text.split(|c: char| !(c.is_ascii_digit() || ".e-".contains(c))).next().and_then(|t| t.parse::<f64>().ok());
+    let is_safe = |text: &String| number(text).is_none_or(|n| if objective.unit.is_inverse() { n >= exact } else { n <= exact });
+    let shares = std::iter::once(0.0).chain(std::iter::successors(Some(1e-7), |share| (*share < 0.1).then_some(2.0 * share)));
+    let mut texts = shares.map(|share| value_of(objective, bound * (1.0 - share)));
+    texts.find(is_safe).unwrap_or_else(|| value_of(objective, 0.9 * bound))
+}
 
 /// A clause: what no design within the bounds is better than, or why nothing is proved.
 pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     let Some(proof) = &o.proof else { return "not proved".into() };
     let objective = study.objective_of(o.objective);
-    let within = if study.limits.is_empty() { "within the bounds" } else { "within bounds and limits" };
+    let within = if study.limits.is_empty() { "" } else { " within the limits" };
     let side = if objective.unit.is_inverse() { "above" } else { "below" };
     let bound = proof.lower_bound.filter(|b| *b > 0.0);
-    let no_design = |bound: f64| format!("no design {within} is {side} {}", value_of(objective, bound * DOWN));
+    let no_design = |bound: f64| format!("no design of its family{within} is {side} {}", told(objective, bound));
     let gap = bound.and_then(|b| gap(o, b)).map_or_else(String::new, |gap| format!("gap {}, ", significant(gap, 2)));
+    let boxes = if proof.boxes == 1 { "1 box".to_owned() } else { format!("{} boxes", proof.boxes) };
     let said = match (&proof.verdict, bound) {
-        (Verdict::Proved, Some(b)) => format!("proved: {} ({gap}{} boxes)", no_design(b), proof.boxes),
-        (Verdict::Impossible, _) => format!("proved: no design within the bounds holds all limits ({} boxes)", proof.boxes),
-        (Verdict::Open(_), Some(b)) => format!("proved to a part: {} ({gap}{} boxes)", no_design(b), proof.boxes),
-        (Verdict::Open(_), None) | (Verdict::Proved, None) => format!("not proved in {} boxes", proof.boxes),
+        (Verdict::Proved, Some(b)) => format!("proved: {} ({gap}{boxes})", no_design(b)),
+        (Verdict::Impossible, _) => format!("proved: no design of its family holds all limits ({boxes})"),
+        (Verdict::Open(_), Some(b)) => format!("proved to a part: {} ({gap}{boxes})", no_design(b)),
+        (Verdict::Open(_), None) | (Verdict::Proved, None) => format!("not proved in {boxes}"),
         (Verdict::None(reason), _) => format!("not proved ({})", reason.words()),
     };
     match proof.better {

@@ -84,7 +84,9 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         };
         for (role, limit) in &asked {
             for (measure, unit) in limit.parts_in(case.condition).filter(|p| case.asks(p.0) && has_bound(p.0, case.finder)) {
-                let most = if role.is_limit() { unit * (1.0 + HELD) } else { unit * target.unwrap_or(f64::INFINITY) };
+                // what is beyond a limit by rounding is no better design, but none that breaks it
+                let held = if target.is_some() { unit } else { unit * (1.0 + HELD) };
+                let most = if role.is_limit() { held } else { unit * target.unwrap_or(f64::INFINITY) };
                 let mut place = |q: &Quantity| {
                     found.quantities.iter().position(|known| known == q).unwrap_or_else(|| {
                         found.quantities.push(*q);
@@ -120,8 +122,12 @@ impl Case<'_> {
         &self.finder.grid.speed_rpm
     }
 
-    /// The same at one speed; `None` where it resonates without damping there.
+    /// The same at one speed; `None` where it resonates without damping there, and of speeds that no peak is looked for at: beside the sweep, and between its speeds where peaks are not refined.
     pub fn at(&self, case: usize, speed_rpm: f64) -> Option<AtSpeed> {
+        let speeds = self.speeds();
+        if !(speeds[0]..=speeds[speeds.len() - 1]).contains(&speed_rpm) || !self.finder.refine && !speeds.contains(&speed_rpm) {
+            return None;
+        }
         let base = BaseAtSpeed::new(&self.finder.direct, &self.stations, &self.quantities, speed_rpm)?;
         Some(AtSpeed { case, speed_rpm, base })
     }

@@ -5,6 +5,7 @@ use super::form::{Form, least_of_largest};
 use super::verdict::{Effort, Found, Proof, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::taylor::{MOST, Taylor};
+use crate::objective::HELD;
 use crate::optimise::{Outcome, Problem};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -17,6 +18,8 @@ const SPEEDS: usize = 24;
 const TOGETHER: usize = 64;
 /// Boxes of a round whose middle is evaluated.
 const EVALUATED: usize = 2;
+/// Boxes that are left whose middles are evaluated.
+const LAST: usize = 200;
 /// A design is better by more than this share, or it is the optimum again.
 const BETTER: f64 = 1e-6;
 /// Middles that look better than they are although no speed says so, at most: what they are worse by has no enclosure.
@@ -94,6 +97,9 @@ struct Search<'a> {
 pub(super) fn prove(problem: &Problem, optimum: &Outcome, effort: Effort, boxes: &mut u64, work: &mut Work) -> Found {
     let none = |reason| Found::Proof(Proof::none(reason));
     let value = optimum.rows.objective();
+    if optimum.rows.hold() && value <= 0.0 {
+        return none(Reason::Zero);
+    }
     let target = optimum.rows.hold().then_some(value * (1.0 - effort.gap));
     let cases = match asked::cases(problem, &optimum.point, target) {
         Ok(cases) => cases,
@@ -194,15 +200,25 @@ impl Search<'_> {
                 None => proof(None, Verdict::Impossible),
             };
         }
-        let least = open.iter().map(|c| c.of_objectives).fold(1.0, f64::min).max(0.0);
-        let weakest = open.peek().map_or_else(Vec::new, |cell| self.ranges(cell));
+        let all = open.into_sorted_vec();
+        let mut middles: Vec<&Cell> = all.iter().collect();
+        middles.sort_by(|a, b| a.middle.total_cmp(&b.middle).then(a.age.cmp(&b.age)));
+        middles.truncate(LAST);
+        for cell in middles {
+            let point = cell.middle_point();
+            if self.is_better(&point, (value, target), work) {
+                return Ok(Found::Better(point));
+            }
+        }
+        let least = all.iter().map(|c| c.of_objectives).fold(1.0, f64::min).max(0.0);
+        let weakest = all.last().map_or_else(Vec::new, |cell| self.ranges(cell));
         proof(target.map(|target| target * least), Verdict::Open(weakest))
     }
 
     /// Whether the design at a point is better than the optimum, or holds the limits that it breaks.
     fn is_better(&self, point: &[f64], (value, target): (f64, Option<f64>), work: &mut Work) -> bool {
         let Ok((own, excess)) = self.problem.exactly(point, work) else { return false };
-        excess <= crate::objective::HELD && (target.is_none() || own < value * (1.0 - BETTER))
+        if target.is_some() { excess <= 0.0 && own < value * (1.0 - BETTER) } else { excess <= HELD }
     }
 
     /// Speeds of the peaks of the design at a point that exclude it join; whether there were any new ones.

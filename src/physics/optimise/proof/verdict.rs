@@ -55,7 +55,7 @@ impl Verdict {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// Objectives are added up.
+    /// The objective is a sum of others, or a mean over the duty.
     Sum,
     /// The objective has no enclosure.
     Objective,
@@ -71,13 +71,15 @@ pub enum Reason {
     Unfinished,
     /// Nothing may vary.
     NothingFree,
+    /// Its value is zero.
+    Zero,
 }
 
 impl Reason {
     /// In words, after "not proved: ".
     pub fn words(self) -> &'static str {
         match self {
-            Self::Sum => "the objective is a sum",
+            Self::Sum => "the objective is a sum or a mean",
             Self::Objective => "the objective has no enclosure",
             Self::Law => "the type of absorber has no enclosure",
             Self::Parameters => "more than six parameters are free",
@@ -85,6 +87,7 @@ impl Reason {
             Self::Tolerances => "within tolerances",
             Self::Unfinished => "a better design is known, from which the search does not go on",
             Self::NothingFree => "nothing is free",
+            Self::Zero => "it is zero",
         }
     }
 }

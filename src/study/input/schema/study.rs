@@ -230,7 +230,7 @@ pub(crate) struct RawProve {
     #[schemars(extend("minimum" = 1e-8, "maximum" = 0.5, "default" = 1e-3, "examples" = [1e-4]))]
     pub gap: Option<At<f64>>,
     /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
-    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000_000, "default" = 20_000, "examples" = [1_000_000]))]
+    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000_000, "default" = 4_000, "examples" = [1_000_000]))]
     pub boxes: Option<At<i64>>,
 }
 

@@ -168,7 +168,7 @@ pub(crate) fn resolve(
 }
 
 /// What a proof costs and shows where a study says nothing of it.
-pub(super) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 20_000 };
+pub(super) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 4_000 };
 
 fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
     let Some(raw) = raw.map(At::get_ref) else { return EFFORT };

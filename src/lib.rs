@@ -64,7 +64,7 @@
 //! | [`crankshaft`] | the crank as a beam on its bearings, stress concentration, critical locations and their margins |
 //! | [`sizing`] | piston pin, connecting rod and crank from operating data; the rounds that make them agree |
 //! | [`objective`] | measures, conditions, the search of peaks over speed with their gradients, surrogates for searches |
-//! | [`optimise`] | problem, variables, starts, gradient-free search, minimax, front |
+//! | [`optimise`] | problem, variables, starts, gradient-free search, minimax, front, proof |
 //! | [`input`] | schema, validation (where a TOML key is checked), tables, errors: the only place that reads files |
 //! | [`analysis`] | a whole study: calibrate, evaluate, optimise, margins |
 //! | [`benchmark`] | what `hartog chart` measures: speed against accuracy, growth, energy, stability |

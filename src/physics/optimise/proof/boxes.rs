@@ -18,7 +18,7 @@ const SPEEDS: usize = 24;
 const TOGETHER: usize = 64;
 /// Boxes of a round whose middle is evaluated.
 const EVALUATED: usize = 2;
-/// Boxes that are left whose middles are evaluated.
+/// Of the boxes that are left, so many at most are evaluated in their middle.
 const LAST: usize = 200;
 /// A design is better by more than this share, or it is the optimum again.
 const BETTER: f64 = 1e-6;
@@ -201,10 +201,7 @@ impl Search<'_> {
             };
         }
         let all = open.into_sorted_vec();
-        let mut middles: Vec<&Cell> = all.iter().collect();
-        middles.sort_by(|a, b| a.middle.total_cmp(&b.middle).then(a.age.cmp(&b.age)));
-        middles.truncate(LAST);
-        for cell in middles {
+        for cell in all.iter().step_by(all.len().div_ceil(LAST).max(1)) {
             let point = cell.middle_point();
             if self.is_better(&point, (value, target), work) {
                 return Ok(Found::Better(point));

@@ -9,7 +9,7 @@ use super::{C64, ZERO};
 /// Free variables, at most.
 pub const MOST: usize = 6;
 /// Share of its size that an operation may err by in floating-point numbers: sixteen units in the last place.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A function of some variables, each from -1 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,10 +92,12 @@ impl Taylor {
     /// The product.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let (a, b) = (self.linear(), other.linear());
+        let (a, b, own, its) = (self.linear(), other.linear(), self.centre.norm(), other.centre.norm());
         let mut slopes = self.slopes;
         slopes.iter_mut().zip(&other.slopes).for_each(|(g, h)| *g = *g * other.centre + h * self.centre);
-        let rest = a * b + (self.centre.norm() + a) * other.rest + (other.centre.norm() + b) * self.rest + self.rest * other.rest;
+        let rest = a * b + (own + a) * other.rest + (its + b) * self.rest + self.rest * other.rest;
+        // slopes may cancel
+        let rest = rest + ROUNDING * (own * b + its * a);
         Self { centre: self.centre * other.centre, slopes, rest }.rounded()
     }
 
@@ -105,11 +107,10 @@ impl Taylor {
         let mut best = (ZERO, self.rest);
         let mut consider = |direction: C64| {
             let along = |z: C64| direction.re * z.re + direction.im * z.im;
-            let (distance, direction) = (along(self.centre), direction);
-            let (distance, direction) = if distance < 0.0 { (-distance, -direction) } else { (distance, direction) };
-            let distance = distance - self.slopes.iter().map(|g| along(*g).abs()).sum::<f64>();
+            let centre = along(self.centre);
+            let distance = centre.abs() - self.slopes.iter().map(|g| along(*g).abs()).sum::<f64>();
             if distance > best.1 {
-                best = (direction, distance);
+                best = (direction * centre.signum(), distance);
             }
         };
         if own > 0.0 {
@@ -128,8 +129,7 @@ impl Taylor {
     pub fn inverse(&self) -> Option<Self> {
         let (direction, distance) = self.away_from_zero()?;
         let (square, reach) = (self.centre.norm_sqr(), self.reach());
-        let nearest = distance.max(self.centre.norm() - reach);
-        let tangent = reach * reach / (square * nearest) + self.rest / square;
+        let tangent = reach * reach / (square * distance) + self.rest / square;
         let half = 0.5 / distance;
         let by_tangent = self.linear() / square + tangent;
         if half < by_tangent || by_tangent.is_nan() {

@@ -6,6 +6,7 @@ use super::starts::Starts;
 use super::{Problem, Proof, Space};
 use crate::absorber::Mounted;
 use crate::numerics::elementary::Elementary;
+use crate::objective::HELD;
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -261,16 +262,24 @@ pub fn follow(
     let heads = follower.heads(known, &mut work)?;
     let mut best = follower.between(heads, &mut work)?;
     follower.look_at_jumps(&mut best, &mut work)?;
-    let mut lowest = f64::INFINITY;
     let points = best.into_iter().enumerate().map(|(i, o)| {
-        let value = o.rows.objective();
-        let holds = o.rows.hold();
-        let dominated = value >= lowest || !holds;
-        if holds {
-            lowest = lowest.min(value);
-        }
         let design = follower.at(i).space.design(&o.point);
-        FrontPoint { design, value, excess: o.rows.excess(), kkt_residual: o.kkt_residual, dominated, proof: None }
+        let (value, excess) = (o.rows.objective(), o.rows.excess());
+        FrontPoint { design, value, excess, kkt_residual: o.kkt_residual, dominated: false, proof: None }
     });
-    Ok(Front { points: points.collect(), work })
+    let mut points: Vec<FrontPoint> = points.collect();
+    mark_dominated(&mut points);
+    Ok(Front { points, work })
+}
+
+/// Tells of each point, by ascending inertia, whether a lighter ring does as well or a limit fails.
+pub(super) fn mark_dominated(points: &mut [FrontPoint]) {
+    let mut lowest = f64::INFINITY;
+    for p in points {
+        let holds = p.excess <= HELD;
+        p.dominated = p.value >= lowest || !holds;
+        if holds {
+            lowest = lowest.min(p.value);
+        }
+    }
 }

@@ -47,7 +47,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             (false, false, true) => "elsewhere",
             (false, false, false) => "start",
         };
-        let bound = o.proof.as_ref().and_then(|p| p.lower_bound).filter(|b| *b > 0.0);
+        let bound = o.proof.as_ref().and_then(|p| p.lower_bound);
         table.row([
             o.design.name.clone(),
             objective.key.to_owned(),

@@ -57,7 +57,7 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             if is_proved {
                 let proof = point.proof.as_ref();
                 row.push(proof.map_or_else(String::new, |p| p.verdict.word().to_owned()));
-                row.push(optional(proof.and_then(|p| p.lower_bound).filter(|b| *b > 0.0).map(|b| in_unit(study, b))));
+                row.push(optional(proof.and_then(|p| p.lower_bound).map(|b| in_unit(study, b))));
             }
             table.row(row);
         }

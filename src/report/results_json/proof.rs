@@ -44,7 +44,7 @@ impl Proof {
         Self {
             verdict: p.verdict.word(),
             reason,
-            lower_bound: p.lower_bound.filter(|b| *b > 0.0).map(|b| objective.unit.shown(b)),
+            lower_bound: p.lower_bound.map(|b| objective.unit.shown(b)),
             boxes: p.boxes,
             better_found: p.better,
             weakest_box: ranges.iter().map(|(key, from, to)| Range { key, from: *from, to: *to }).collect(),

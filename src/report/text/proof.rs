@@ -16,13 +16,13 @@ fn told(objective: &MeasureSpec, bound: f64) -> String {
     texts.find(is_safe).unwrap_or_else(|| value_of(objective, 0.9 * bound))
 }
 
-/// A clause: what no design within the bounds is better than, or why nothing is proved.
+/// A clause: what no design of the family is better than, or why nothing is proved.
 pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     let Some(proof) = &o.proof else { return "not proved".into() };
     let objective = study.objective_of(o.objective);
     let within = if study.limits.is_empty() { "" } else { " within the limits" };
     let side = if objective.unit.is_inverse() { "above" } else { "below" };
-    let bound = proof.lower_bound.filter(|b| *b > 0.0);
+    let bound = proof.lower_bound;
     let no_design = |bound: f64| format!("no design of its family{within} is {side} {}", told(objective, bound));
     let gap = bound.and_then(|b| gap(o, b)).map_or_else(String::new, |gap| format!("gap {}, ", significant(gap, 2)));
     let boxes = if proof.boxes == 1 { "1 box".to_owned() } else { format!("{} boxes", proof.boxes) };
@@ -46,6 +46,6 @@ pub(super) fn is_impossible(o: &OptimumResult) -> bool {
 }
 
 /// Share of its value that an optimum is above a bound, at most; `None` where it breaks a limit.
-pub(crate) fn gap(o: &OptimumResult, bound: f64) -> Option<f64> {
+fn gap(o: &OptimumResult, bound: f64) -> Option<f64> {
     o.optimum.outcome.rows.hold().then(|| 1.0 - bound / o.optimum.value())
 }

@@ -2,7 +2,7 @@
 
 use super::form::Form;
 use super::verdict::Reason;
-use crate::absorber::{Host, Mounted};
+use crate::absorber::{Host, Mounted, Operating};
 use crate::crankshaft::Torque;
 use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::Extremes;
@@ -62,6 +62,14 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
     }
     if problem.load_cases.iter().any(|c| c.deviation.is_some()) {
         return Err(Reason::Tolerances);
+    }
+    // any point will do: a law has an enclosure or none
+    let at = Operating { omega: 1.0, shaft_speed: 1.0 };
+    let number = |x: f64| Taylor::constant(C64::from(x));
+    let has_law =
+        |m: &Mounted| m.absorber.law().is_some_and(|law| law.over(&law.values().into_iter().map(number).collect::<Vec<_>>(), at).is_some());
+    if !own.iter().all(has_law) {
+        return Err(Reason::Law);
     }
     let objectives = problem.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l)).filter(|_| target.is_some());
     let limits = problem.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l));

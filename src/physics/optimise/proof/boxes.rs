@@ -2,11 +2,11 @@
 
 use super::asked::{self, AtSpeed, Case};
 use super::form::{Form, least_of_largest};
-use super::verdict::{Effort, Found, Proof, Ranges, Reason, Verdict};
+use super::verdict::{Effort, Found, Ranges, Reason, Verdict};
 use crate::numerics::C64;
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::objective::HELD;
-use crate::optimise::{Outcome, Problem};
+use crate::optimise::{Outcome, Problem, Row, Variable};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -77,7 +77,7 @@ impl Ord for Cell {
 
 /// What is said of a box.
 enum Looked {
-    /// A speed excludes it; `None`: several together, or nothing is left to ask.
+    /// A speed excludes it; `None`: several together.
     Excluded(Option<u32>),
     Open(Cell),
 }
@@ -95,7 +95,7 @@ struct Search<'a> {
 /// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.
 /// `boxes`: looked at so far, at most as many as the effort allows.
 pub(super) fn prove(problem: &Problem, optimum: &Outcome, effort: Effort, boxes: &mut u64, work: &mut Work) -> Found {
-    let none = |reason| Found::Proof(Proof::none(reason));
+    let none = |reason| Found::Ended(None, Verdict::None(reason));
     let value = optimum.rows.objective();
     if optimum.rows.hold() && value <= 0.0 {
         return none(Reason::Zero);
@@ -164,7 +164,6 @@ impl Search<'_> {
         if let Looked::Open(cell) = self.look_at(whole, None, 0)? {
             open.push(cell);
         }
-        let proof = |lower_bound, verdict| Ok(Found::Proof(Proof { lower_bound, verdict, ..Proof::none(Reason::NothingFree) }));
         while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
             let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| open.pop()).collect();
             let halves: Vec<(Bounds, &Cell)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell))).collect();
@@ -195,10 +194,7 @@ impl Search<'_> {
             open.extend(rest);
         }
         if open.is_empty() {
-            return match target {
-                Some(target) => proof(Some(target), Verdict::Proved),
-                None => proof(None, Verdict::Impossible),
-            };
+            return Ok(Found::Ended(target, if target.is_some() { Verdict::Proved } else { Verdict::Impossible }));
         }
         let all = open.into_sorted_vec();
         for cell in all.iter().step_by(all.len().div_ceil(LAST).max(1)) {
@@ -207,9 +203,9 @@ impl Search<'_> {
                 return Ok(Found::Better(point));
             }
         }
-        let least = all.iter().map(|c| c.of_objectives).fold(1.0, f64::min).max(0.0);
+        let least = all.iter().map(|c| c.of_objectives).fold(1.0, f64::min);
         let weakest = all.last().map_or_else(Vec::new, |cell| self.ranges(cell));
-        proof(target.map(|target| target * least), Verdict::Open(weakest))
+        Ok(Found::Ended(target.map(|target| target * least).filter(|bound| *bound > 0.0), Verdict::Open(weakest)))
     }
 
     /// Whether the design at a point is better than the optimum, or holds the limits that it breaks.
@@ -229,7 +225,7 @@ impl Search<'_> {
             Err(_) => return false,
         };
         let mut all: Vec<_> = rows.rows.iter().filter(|r| target.is_some() || r.role.is_limit()).collect();
-        let over = |r: &crate::optimise::Row| if r.role.is_limit() { r.value } else { r.value / target.unwrap_or(f64::INFINITY) - 1.0 };
+        let over = |r: &Row| if r.role.is_limit() { r.value } else { r.value / target.unwrap_or(f64::INFINITY) - 1.0 };
         all.sort_by(|a, b| over(b).total_cmp(&over(a)));
         let mut is_new = false;
         for row in all.into_iter().filter(|r| over(r) >= 0.0).take(2) {
@@ -293,7 +289,7 @@ impl Search<'_> {
 
     fn ranges(&self, cell: &Cell) -> Ranges {
         let space = &self.problem.space;
-        let key = |v: &crate::optimise::Variable| space.slots[v.absorber].declaration.parameters[v.parameter].key;
+        let key = |v: &Variable| space.slots[v.absorber].declaration.parameters[v.parameter].key;
         space.variables.iter().zip(&cell.bounds).map(|(v, b)| (key(v), v.value(b.0), v.value(b.1))).collect()
     }
 }

@@ -1,10 +1,13 @@
 //! Real lower bounds that are linear over a box, and what follows from several of them together.
 
 use crate::numerics::C64;
-use crate::numerics::taylor::{MOST, Taylor};
+use crate::numerics::taylor::{MOST, ROUNDING, Taylor};
 
 /// Forms that are combined, at most.
 const COMBINED: usize = 10;
+
+/// Share of its size that an addend of a sum may lose: of a hundred addends some units in the last place each.
+const ADDED: f64 = 32.0 * ROUNDING;
 
 /// A measure over what it must not reach is at least value + sum of slope_d x_d, for every x_d from -1 to 1.
 #[derive(Debug, Clone, Copy, Default)]
@@ -28,7 +31,7 @@ impl Form {
             let along = |z: C64| z.re * by.re - z.im * by.im;
             let size = by.norm();
             form.middle += along(y.centre);
-            form.value -= size * y.rest;
+            form.value -= size * (y.rest + ADDED * y.centre.norm());
             for (d, g) in y.slopes.iter().enumerate() {
                 form.slopes[d] += along(*g);
                 form.spread[d] += size * g.norm();
@@ -45,7 +48,11 @@ impl Form {
             let (reach_a, reach_b) = (a.reach(), b.reach());
             form.middle += by * (a.centre * b.centre.conj()).im;
             let linear = (reach_a - a.rest) * (reach_b - b.rest);
-            form.value -= by * (linear + (a.centre.norm() + reach_a) * b.rest + (b.centre.norm() + reach_b) * a.rest);
+            form.value -= by
+                * (linear
+                    + ADDED * a.centre.norm() * b.centre.norm()
+                    + (a.centre.norm() + reach_a) * b.rest
+                    + (b.centre.norm() + reach_b) * a.rest);
             for d in 0..MOST {
                 let slope = a.slopes[d] * b.centre.conj() + a.centre * b.slopes[d].conj();
                 form.slopes[d] += by * slope.im;

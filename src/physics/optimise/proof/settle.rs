@@ -2,10 +2,10 @@
 
 use super::boxes::prove;
 use super::verdict::{Effort, Found, Proof, Reason};
+use crate::optimise::front::mark_dominated;
 use crate::optimise::minimax::{self, Outcome};
 use crate::optimise::search::is_lower;
 use crate::optimise::{Front, FrontPoint, Optimum, Problem, Stages};
-use crate::response::Work;
 use rayon::prelude::*;
 
 /// Better optima that a proof leads to, at most.
@@ -28,8 +28,8 @@ pub fn settle_front(problem: &Problem, front: &mut Front, effort: Effort) {
     let proved = |point: &mut FrontPoint| {
         let own = Problem { space: problem.space.with_ring_inertia(point.design[0].absorber.ring_inertia()), ..*problem };
         let at = own.space.point_of(&point.design);
-        let Ok(rows) = own.rows(&at, &mut Work::default()) else { return Stages::default() };
         let mut stages = Stages::default();
+        let Ok(rows) = own.rows(&at, &mut stages.minimax) else { return stages };
         let (proof, better) = settled(&own, &Outcome::unmoved(&at, rows), effort, &mut stages);
         if let Some(o) = better {
             (point.design, point.value, point.excess, point.kkt_residual) =
@@ -40,6 +40,7 @@ pub fn settle_front(problem: &Problem, front: &mut Front, effort: Effort) {
     };
     let stages: Vec<Stages> = front.points.par_iter_mut().map(proved).collect();
     stages.iter().for_each(|s| front.work += s.all());
+    mark_dominated(&mut front.points);
 }
 
 /// The proof of the best that is known after it, and that where it is another one.
@@ -49,7 +50,7 @@ fn settled(problem: &Problem, first: &Outcome, effort: Effort, stages: &mut Stag
         let own = best.as_ref().unwrap_or(first);
         let found = prove(problem, own, effort, &mut boxes, &mut stages.search);
         let point = match found {
-            Found::Proof(proof) => return (Proof { boxes, better, ..proof }, best),
+            Found::Ended(lower_bound, verdict) => return (Proof { lower_bound, boxes, better, verdict }, best),
             Found::Better(point) => point,
         };
         match minimax::minimise(problem, &point, &mut stages.minimax) {

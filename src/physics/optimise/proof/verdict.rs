@@ -15,7 +15,7 @@ pub type Ranges = Vec<(&'static str, f64, f64)>;
 /// What was proved of an optimum.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Proof {
-    /// No design within the bounds (that holds all limits) is below it, in the unit of the objective; `None` where no design holds all limits, or nothing is proved.
+    /// No design within the bounds (that holds all limits) is below it, in the unit of the objective, positive; `None` where no design holds all limits, or nothing is proved.
     pub lower_bound: Option<f64>,
     /// Boxes that were looked at.
     pub boxes: u64,
@@ -100,8 +100,10 @@ impl Proof {
     }
 }
 
-/// A proof, or a point of the box whose design is better than the optimum.
+/// What a proof finds.
 pub(super) enum Found {
-    Proof(Proof),
+    /// A lower bound, where there is one, and how it ends.
+    Ended(Option<f64>, Verdict),
+    /// A point whose design is better than the optimum.
     Better(Vec<f64>),
 }

@@ -11,8 +11,10 @@ use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
 use crate::input::error::At;
 use crate::objective::Condition;
+use crate::optimise::Effort;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::ops::RangeInclusive;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -227,12 +229,18 @@ pub(crate) struct RawOptimise {
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawProve {
     /// Share of the optimum's value below which no design is to lie.
-    #[schemars(extend("minimum" = 1e-8, "maximum" = 0.5, "default" = 1e-3, "examples" = [1e-4]))]
+    #[schemars(extend("minimum" = GAPS.start(), "maximum" = GAPS.end(), "default" = EFFORT.gap, "examples" = [1e-4]))]
     pub gap: Option<At<f64>>,
     /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
-    #[schemars(extend("minimum" = 0, "maximum" = 1_000_000_000, "default" = 4_000, "examples" = [1_000_000]))]
+    #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
     pub boxes: Option<At<i64>>,
 }
+
+/// Gaps and numbers of boxes that a proof may be asked for.
+pub(crate) const GAPS: RangeInclusive<f64> = 1e-8..=0.5;
+pub(crate) const BOXES: RangeInclusive<i64> = 0..=1_000_000_000;
+/// What a proof costs and shows where a study says nothing of it.
+pub(crate) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 4_000 };
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

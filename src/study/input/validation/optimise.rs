@@ -10,7 +10,7 @@ use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
 use crate::input::schema::absorber::RawOptimised;
 use crate::input::schema::measure::RawMeasure;
-use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawProve, RawStudy};
+use crate::input::schema::study::{BOXES, EFFORT, GAPS, RawAgainst, RawCondition, RawOptimise, RawProve, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
 use crate::objective::condition::Burning;
@@ -167,22 +167,20 @@ pub(crate) fn resolve(
     })
 }
 
-/// What a proof costs and shows where a study says nothing of it.
-pub(super) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 4_000 };
-
 fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
     let Some(raw) = raw.map(At::get_ref) else { return EFFORT };
     let gap = raw.gap.as_ref().map_or(EFFORT.gap, |gap| {
         let x = *gap.get_ref();
-        if !(1e-8..=0.5).contains(&x) {
-            check.wrong(gap, format!("found {x}, expected a gap from 1e-8 to 0.5, as a share of the optimum"));
+        if !GAPS.contains(&x) {
+            let (least, most) = (GAPS.start(), GAPS.end());
+            check.wrong(gap, format!("found {x}, expected a gap from {least:e} to {most}, as a share of the optimum"));
         }
         x
     });
     let boxes = raw.boxes.as_ref().map_or(EFFORT.boxes as i64, |boxes| {
         let x = *boxes.get_ref();
-        if !(0..=1_000_000_000).contains(&x) {
-            check.wrong(boxes, format!("found {x}, expected a whole number from 0 to 1000000000"));
+        if !BOXES.contains(&x) {
+            check.wrong(boxes, format!("found {x}, expected a whole number from {} to {}", BOXES.start(), BOXES.end()));
         }
         x
     });

@@ -10,6 +10,7 @@ use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Host};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
+use crate::input::schema::study::EFFORT;
 use crate::objective::Condition;
 
 /// Why no study follows from its parts.
@@ -144,7 +145,7 @@ impl Study {
             conditions: vec![Condition::Firing],
             in_operation: false,
             prices: false,
-            prove: (super::optimise::EFFORT, false),
+            prove: (EFFORT, false),
             search_all: false,
         };
         (self.hub, self.twist, self.objective) = (station, default_twist(&self.chain, station), twist_spec(&self.chain, station));

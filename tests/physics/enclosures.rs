@@ -16,7 +16,7 @@ fn enclosed_types() -> Vec<&'static Declaration> {
     let has_enclosure = |d: &&&Declaration| {
         let values: Vec<f64> = d.parameters.iter().map(|p| (p.typical)(&SURROUNDINGS)).collect();
         let models: Vec<Taylor> = values.iter().map(|v| Taylor::constant(C64::from(*v))).collect();
-        (d.build)(&values).over(&models, Operating { omega: 500.0, shaft_speed: 100.0 }).is_some()
+        (d.build)(&values).over(&models, &Operating { omega: 500.0, shaft_speed: 100.0 }.into()).is_some()
     };
     TYPES.iter().filter(has_enclosure).copied().collect()
 }
@@ -124,7 +124,7 @@ fn every_design_is_enclosed(boxes: u64, designs: usize, first: u64) -> u64 {
             let law = design[0].absorber.law().expect("a law");
             for (order, n) in system.excitation.orders.iter().enumerate() {
                 let operating = Operating { omega: n.omega(speed), shaft_speed: speed * std::f64::consts::PI / 30.0 };
-                let s = law.over(&own[0].models(), operating).expect("an enclosure");
+                let s = law.over(&own[0].models(), &operating.into()).expect("an enclosure");
                 assert!(holds(&s, &at, law.dynamic_stiffness(operating)), "{seed}: S of {} at {n}: {s:?}", kinds[0].name);
                 for (i, q) in quantities.iter().enumerate() {
                     let model = &phasors[i][order];

@@ -4,13 +4,13 @@
 //! lies between 0 and 90° for 0 < a <= 1 and 0 <= n < 1: the law is passive. For strains of less than one; at large ones the viscosity follows the rate of shear instead.
 
 use super::closed_forms::{EngineMode, viscous_damping};
-use super::dynamic_stiffness::{Operating, by_frequency};
+use super::dynamic_stiffness::{Operating, OperatingOver, by_frequency};
 use super::law::{ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
 use crate::numerics::elementary::ComplexElementary;
 use crate::numerics::taylor::Taylor;
-use crate::numerics::{C64, ImaginaryPower, imaginary_ln, simd_elementary};
+use crate::numerics::{C64, I, ImaginaryPower, imaginary_ln, simd_elementary};
 use hartog_kernel::kernel;
 use std::sync::Arc;
 
@@ -103,11 +103,11 @@ impl Law for Carreau {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        let power = values[2].times_number(C64::from(at.omega)).imaginary_power(&values[3])?;
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        let power = values[2].times(&at.omega).imaginary_power(&values[3])?;
         let exponent = values[4].plus_number(C64::from(-1.0)).times(&values[3].inverse()?);
         let falls = exponent.times(&power.plus_number(C64::from(1.0)).logarithm()?).exponential();
-        Some(values[1].times_number(C64::new(0.0, at.omega)).times(&falls))
+        Some(values[1].times(&at.omega).times_number(I).times(&falls))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let (a, n) = (self.transition, self.flow_index);

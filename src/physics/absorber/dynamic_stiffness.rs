@@ -1,5 +1,6 @@
 //! Where a law is asked for its dynamic stiffness, and that of a spring and a damper.
 
+use crate::numerics::taylor::Taylor;
 use crate::numerics::{C64, ImaginaryPower};
 use hartog_kernel::kernel;
 
@@ -10,6 +11,22 @@ pub struct Operating {
     pub omega: f64,
     /// Speed of the shaft, rad/s.
     pub shaft_speed: f64,
+}
+
+/// The same where they are anything that models hold, complex numbers with them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingOver {
+    /// Circular frequency of the motion, rad/s.
+    pub omega: Taylor,
+    /// Speed of the shaft, rad/s.
+    pub shaft_speed: Taylor,
+}
+
+impl From<Operating> for OperatingOver {
+    fn from(at: Operating) -> Self {
+        let [omega, shaft_speed] = [at.omega, at.shaft_speed].map(|x| Taylor::constant(C64::from(x)));
+        Self { omega, shaft_speed }
+    }
 }
 
 /// Points that are computed together, and of which a loop takes so many at a time.

@@ -3,7 +3,7 @@
 //! Over two or three decades the storage and loss moduli of filled rubber rise as omega^alpha. With (i)^alpha on the principal branch S is passive and causal for 0 < alpha <= 1; alpha = 1 is a spring
 //! beside a dashpot. The stiffness grows without bound at high frequency: `fractional_zener` ends it.
 
-use super::dynamic_stiffness::{Operating, by_frequency, powers};
+use super::dynamic_stiffness::{Operating, OperatingOver, by_frequency, powers};
 use super::fractional_zener::{EXPONENT, start};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
@@ -77,8 +77,8 @@ impl Law for FractionalKelvin {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        let power = values[2].times_number(C64::from(at.omega)).imaginary_power(&values[3])?;
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        let power = values[2].times(&at.omega).imaginary_power(&values[3])?;
         Some(values[1].times(&power.plus_number(C64::from(1.0))))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {

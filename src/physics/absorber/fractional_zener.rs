@@ -3,7 +3,7 @@
 //! k at low frequency, r k at high frequency. Thermodynamically admissible for r > 1 and 0 < alpha <= 1 \[Bagley & Torvik 1986\].
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::{Operating, by_frequency, powers};
+use super::dynamic_stiffness::{Operating, OperatingOver, by_frequency, powers};
 use super::law::{ByFactor, ClosedForm, Declaration, Law};
 use super::maxwell::RELAXATION_TIME;
 use super::parameter::{Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
@@ -112,8 +112,8 @@ impl Law for FractionalZener {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        let power = values[3].times_number(C64::from(at.omega)).imaginary_power(&values[4])?;
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        let power = values[3].times(&at.omega).imaginary_power(&values[4])?;
         // k (r + (1 - r)/(1 + z))
         let glassy = values[2].times_number(C64::from(-1.0)).plus_number(C64::from(1.0));
         let share = values[2].plus(&glassy.times(&power.plus_number(C64::from(1.0)).inverse()?));

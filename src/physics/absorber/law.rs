@@ -2,7 +2,7 @@
 //! of optimisers come from the declaration; the response methods ask for S and its derivatives, and know no types.
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::material::Material;
 use super::material_state::State;
@@ -101,8 +101,8 @@ pub trait Law: Debug + Send + Sync {
         None
     }
 
-    /// S where the declared parameters are anything that these models hold; `None` where the type has no enclosure, or where these are too wide for it.
-    fn over(&self, _values: &[Taylor], _at: Operating) -> Option<Taylor> {
+    /// S where declared parameters, frequency and speed are anything that these models hold, complex ones with them; `None` where the type has no enclosure, or where these are too wide for it.
+    fn over(&self, _values: &[Taylor], _at: &OperatingOver) -> Option<Taylor> {
         None
     }
 

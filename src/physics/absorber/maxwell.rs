@@ -3,11 +3,11 @@
 //! Silicone oil yields at low frequency and springs back at high frequency; with the right relaxation time a ring without a spring does as much as one that is tuned.
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range, of_material};
-use crate::numerics::C64;
 use crate::numerics::taylor::Taylor;
+use crate::numerics::{C64, I};
 use std::sync::Arc;
 
 /// Ring in an oil of one relaxation time.
@@ -71,9 +71,9 @@ impl Law for Maxwell {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        let below = values[2].times_number(C64::new(0.0, at.omega)).plus_number(C64::from(1.0));
-        Some(values[1].times_number(C64::new(0.0, at.omega)).times(&below.inverse()?))
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        let below = values[2].times(&at.omega).times_number(I).plus_number(C64::from(1.0));
+        Some(values[1].times(&at.omega).times_number(I).times(&below.inverse()?))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let denominator = C64::new(1.0, at.omega * self.relaxation_time);

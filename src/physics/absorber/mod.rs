@@ -45,7 +45,7 @@ pub(crate) use condensed::Condensed;
 pub use construction::{DISC, HOUSING, SHAPES, SLEEVE, Shape, WEDGE};
 pub use cooling::{Cooling, ToAir};
 pub use deviation::Deviation;
-pub use dynamic_stiffness::{Operating, SpringAndDamper};
+pub use dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 pub use fractional_kelvin::{FRACTIONAL_KELVIN, FractionalKelvin};
 pub use fractional_zener::{FRACTIONAL_ZENER, FractionalZener};
 pub use geometry::Geometry;

@@ -6,11 +6,11 @@
 //! on paths. Not modelled: gravity at low speed and pendulums out of step.
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA, Range};
-use crate::numerics::C64;
 use crate::numerics::taylor::Taylor;
+use crate::numerics::{C64, I};
 use std::sync::Arc;
 
 /// Pendulums as the ring that moves like them.
@@ -70,9 +70,9 @@ impl Law for Pendulum {
         let stiffness = self.ring_inertia * (self.tuning_order * at.shaft_speed).powi(2);
         C64::new(stiffness, at.omega * self.damping)
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        let tuned = values[1].times(&values[1]).times_number(C64::from(at.shaft_speed * at.shaft_speed));
-        Some(values[0].times(&tuned).plus(&values[2].times_number(C64::new(0.0, at.omega))))
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        let tuned = values[1].times(&at.shaft_speed);
+        Some(values[0].times(&tuned.times(&tuned)).plus(&values[2].times(&at.omega).times_number(I)))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         let tuned = (self.tuning_order * at.shaft_speed).powi(2);

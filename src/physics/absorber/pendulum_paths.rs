@@ -11,7 +11,7 @@
 //! whose frequency does not depend on the swing) and the cycloid (lambda = 1). In a field that grows with the radius the circle softens with the swing and the cycloid stiffens. All is divided by R0, so
 //! that the twist is s/R0 and the ring inertia N m R0².
 
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::large_twist::{Instant, LargeTwist, Reaction};
 use super::law::{Declaration, Law};
 use super::parameter::{DAMPING, RING_INERTIA};
@@ -126,7 +126,7 @@ impl Law for PathPendulum {
     fn ring_inertia(&self) -> f64 {
         self.small.ring_inertia
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         self.small.over(values, at)
     }
     fn dynamic_stiffness(&self, at: Operating) -> C64 {

@@ -3,7 +3,7 @@
 //! k at low frequency, k + sum k_j at high frequency; with k = 0 an oil of viscous damping sum k_j tau_j. Every k_j and tau_j above zero makes the law passive. Temperature that changes rates by a factor
 //! multiplies every tau_j by it. Given only: a list of branches is what finite elements and shaker tests are fitted with, not what is ordered.
 
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::law::{Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range};
 use crate::numerics::C64;
@@ -82,11 +82,12 @@ impl Law for Prony {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         // x²/(1 + x²) + i x/(1 + x²) = 1 - 1/(1 + i x)
         let mut sum = Taylor::constant(C64::from(self.stiffness));
+        let by_omega = values[2].times(&at.omega);
         for b in self.branches.iter() {
-            let below = values[2].times_number(C64::new(0.0, at.omega * b.relaxation_time)).plus_number(C64::from(1.0));
+            let below = by_omega.times_number(C64::new(0.0, b.relaxation_time)).plus_number(C64::from(1.0));
             let share = below.inverse()?.times_number(C64::from(-1.0)).plus_number(C64::from(1.0));
             sum = sum.plus(&share.times_number(C64::from(b.stiffness)));
         }

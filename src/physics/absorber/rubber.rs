@@ -4,7 +4,7 @@
 //! refuse it. Temperature changes stiffness and loss factor by the same factor, as catalogues of couplings have it (Renold RB: S_t and M30/S_t).
 
 use super::closed_forms::EngineMode;
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS};
 use crate::numerics::C64;
@@ -68,7 +68,7 @@ impl Law for Rubber {
     fn dynamic_stiffness(&self, _: Operating) -> C64 {
         C64::new(self.stiffness, self.stiffness * self.loss_factor)
     }
-    fn over(&self, values: &[Taylor], _: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], _: &OperatingOver) -> Option<Taylor> {
         Some(values[1].times(&values[2].times_number(I).plus_number(C64::from(1.0))))
     }
     fn derivatives(&self, _: Operating) -> Vec<C64> {

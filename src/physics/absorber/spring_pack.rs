@@ -5,7 +5,7 @@
 //! give k_h = k (kappa² + q²)/q and omega_ref c/k_h = q/kappa, so that S = k (1 + (kappa² + q²) i x/(kappa + i x q)). The ratio must be above one: q = 0 would be a dashpot, which `tuned` is.
 
 use super::closed_forms::{EngineMode, h_infinity_ring};
-use super::dynamic_stiffness::Operating;
+use super::dynamic_stiffness::{Operating, OperatingOver};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{Follows, Parameter, RING_INERTIA, Range, STIFFNESS, of_material};
 use crate::numerics::C64;
@@ -101,9 +101,9 @@ impl Law for SpringPack {
     fn is_analytic(&self) -> bool {
         true
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         let [_, stiffness, kappa, ratio, reference] = values else { return None };
-        let ix = reference.inverse()?.times_number(C64::new(0.0, at.omega * HZ_PER_RAD_PER_S));
+        let ix = reference.inverse()?.times(&at.omega).times_number(C64::new(0.0, HZ_PER_RAD_PER_S));
         let q = ratio.plus_number(C64::from(-1.0));
         let (sum, below) = (kappa.times(kappa).plus(&q.times(&q)), kappa.plus(&ix.times(&q)));
         Some(stiffness.times(&sum.times(&ix).times(&below.inverse()?).plus_number(C64::from(1.0))))

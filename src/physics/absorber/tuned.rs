@@ -1,11 +1,11 @@
 //! Ring on a spring with a viscous damper beside it: the textbook's absorber, S = k + i omega c.
 
 use super::closed_forms::{EngineMode, brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
-use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, RING_INERTIA, STIFFNESS};
-use crate::numerics::C64;
 use crate::numerics::taylor::Taylor;
+use crate::numerics::{C64, I};
 use std::sync::Arc;
 
 /// Ring on a spring with a viscous damper beside it.
@@ -55,8 +55,8 @@ impl Law for Tuned {
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         C64::new(self.stiffness, at.omega * self.damping)
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        Some(values[1].plus(&values[2].times_number(C64::new(0.0, at.omega))))
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        Some(values[1].plus(&values[2].times(&at.omega).times_number(I)))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         vec![C64::default(), C64::from(1.0), C64::new(0.0, at.omega)]

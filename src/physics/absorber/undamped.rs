@@ -1,7 +1,7 @@
 //! Ring on a spring, S = k: what a tuned absorber would be without its damper.
 
 use super::closed_forms::{brock_unity_ring, den_hartog_brock_ring, h_infinity_ring};
-use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{RING_INERTIA, STIFFNESS};
 use crate::numerics::C64;
@@ -58,7 +58,7 @@ impl Law for Undamped {
     fn dynamic_stiffness(&self, _: Operating) -> C64 {
         C64::from(self.stiffness)
     }
-    fn over(&self, values: &[Taylor], _: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], _: &OperatingOver) -> Option<Taylor> {
         Some(values[1])
     }
     fn derivatives(&self, _: Operating) -> Vec<C64> {

@@ -1,11 +1,11 @@
 //! Untuned viscous absorber: a ring in a Newtonian fluid, without spring, S = i omega c.
 
 use super::closed_forms::viscous_damping;
-use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 use super::law::{ClosedForm, Declaration, Law};
 use super::parameter::{DAMPING, Follows, Parameter, RING_INERTIA};
-use crate::numerics::C64;
 use crate::numerics::taylor::Taylor;
+use crate::numerics::{C64, I};
 use std::sync::Arc;
 
 /// Ring in a Newtonian fluid.
@@ -44,8 +44,8 @@ impl Law for Viscous {
     fn dynamic_stiffness(&self, at: Operating) -> C64 {
         C64::new(0.0, at.omega * self.damping)
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
-        Some(values[1].times_number(C64::new(0.0, at.omega)))
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
+        Some(values[1].times(&at.omega).times_number(I))
     }
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         vec![C64::default(), C64::new(0.0, at.omega)]

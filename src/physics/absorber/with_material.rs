@@ -1,7 +1,7 @@
 //! A law with its material: in each state of that, the parameters are those of the reference state times a factor.
 
 use super::cooling::{Cooling, ToAir};
-use super::dynamic_stiffness::{Operating, SpringAndDamper};
+use super::dynamic_stiffness::{Operating, OperatingOver, SpringAndDamper};
 use super::large_twist::LargeTwist;
 use super::law::{ByFactor, Declaration, Law};
 use super::material::{Material, Thermal};
@@ -124,7 +124,7 @@ impl Law for WithMaterial {
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.law.derivatives(at)
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         self.law.over(values, at)
     }
     fn ring_over(&self, values: &[Taylor]) -> Taylor {
@@ -157,7 +157,7 @@ impl Law for Changed {
     fn derivatives(&self, at: Operating) -> Vec<C64> {
         self.now.derivatives(at).into_iter().zip(&self.factors).map(|(d, f)| d * *f).collect()
     }
-    fn over(&self, values: &[Taylor], at: Operating) -> Option<Taylor> {
+    fn over(&self, values: &[Taylor], at: &OperatingOver) -> Option<Taylor> {
         self.now.over(&self.changed_over(values), at)
     }
     fn ring_over(&self, values: &[Taylor]) -> Taylor {

@@ -145,6 +145,11 @@ impl Margin {
         without + slope * size
     }
 
+    /// What a torque adds to the share of strength of a shaft at a speed, at most, per N m of its half range and its middle; infinite for a multiaxial criterion.
+    pub(crate) fn used_per_torque(&self, criterion: usize, shaft: usize, speed_rpm: f64) -> f64 {
+        self.rough[criterion][shaft].get(self.place(speed_rpm).low).map_or(f64::INFINITY, |row| row.1)
+    }
+
     /// Whether a criterion is the class societies' rule.
     #[doc(hidden)]
     pub fn is_class_rule(&self, criterion: usize) -> bool {

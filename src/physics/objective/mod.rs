@@ -1,5 +1,7 @@
 //! The objective and how it is evaluated: measures, conditions, peaks over speed with their gradients, and surrogates for searches.
 
+#[doc(hidden)]
+pub mod between_speeds;
 pub mod condition;
 mod damage;
 mod design_cache;

@@ -9,7 +9,7 @@ use crate::absorber::{Mounted, Sheared};
 use crate::response::{Quantity, ResponseError, Work};
 
 /// Strain per twist of the ring that a quantity is of, 1/rad.
-fn per_twist(design: &[Mounted], quantity: Quantity) -> Option<f64> {
+pub(super) fn per_twist(design: &[Mounted], quantity: Quantity) -> Option<f64> {
     let Quantity::RingTwist(i) = quantity else { return None };
     let law = design.get(i)?.absorber.law()?;
     // oil bears any strain

@@ -218,7 +218,7 @@ impl Ring {
         };
         let hub = inertial(absorber.hub);
         let g = receptance.times(&hub).plus_number(one);
-        let s = law.over(values, at)?;
+        let s = law.over(values, &at.into())?;
         let r = inverse_inertia.times_number(C64::from(-1.0 / (at.omega * at.omega)));
         let (a, by_r) = (hub.times(&r).plus_number(one), g.times(&r));
         let e = receptance.plus(&by_r);

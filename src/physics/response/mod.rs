@@ -36,6 +36,8 @@ pub mod receptance;
 pub mod reduced;
 mod ring_sensitivity;
 mod shaft_torques;
+#[doc(hidden)]
+pub mod tangent;
 pub mod work;
 
 pub use closed_form::ClosedForm;

@@ -64,10 +64,11 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         return Err(Reason::Tolerances);
     }
     // any point will do: a law has an enclosure or none
-    let at = Operating { omega: 1.0, shaft_speed: 1.0 };
+    let at = Operating { omega: 1.0, shaft_speed: 1.0 }.into();
     let number = |x: f64| Taylor::constant(C64::from(x));
-    let has_law =
-        |m: &Mounted| m.absorber.law().is_some_and(|law| law.over(&law.values().into_iter().map(number).collect::<Vec<_>>(), at).is_some());
+    let has_law = |m: &Mounted| {
+        m.absorber.law().is_some_and(|law| law.over(&law.values().into_iter().map(number).collect::<Vec<_>>(), &at).is_some())
+    };
     if !own.iter().all(has_law) {
         return Err(Reason::Law);
     }

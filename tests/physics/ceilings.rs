@@ -135,13 +135,14 @@ fn enclosed(seed: u64, count: usize) -> usize {
                 assert!((y - t.value - t.slope * d).norm() <= t.bend * d * d + rounding, "{y} at {d} of {t:?}, {}", about.radius);
                 numbers += 1;
             }
-            let [a, b] = [0, 0].map(|_| about.radius / 3.0 * random.random_range(-1.0..1.0));
+            let farthest: f64 = random.random_range(0.0..0.95);
+            let [a, b] = [0, 0].map(|_| about.radius * farthest * random.random_range(-1.0..1.0));
             let share = random.random_range(0.0..1.0);
             let [at_a, at_b, between] = [a, b, a + (b - a) * share].map(&mut solved);
             for (i, t) in tangents.iter().enumerate() {
                 let off = (between[i] - at_a[i] - (at_b[i] - at_a[i]) * share).norm();
                 let rounding = 1e-10 * t.value.norm() + 1e-11 * about.radius * t.slope.norm();
-                assert!(off <= t.off_chord(b - a) + rounding, "{off} of {t:?}");
+                assert!(off <= t.off_chord(b - a, farthest) + rounding, "{off} of {t:?}");
                 numbers += 1;
             }
         }

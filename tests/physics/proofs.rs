@@ -97,6 +97,8 @@ fn random_engine(seed: u64, (gap, boxes, designs): (f64, u64, usize)) -> Count {
     let lowest = lowest(&problem, &optimum.outcome.point, designs, seed + 1);
     assert!(lowest >= bound, "{seed}: {kind} on {n} stations: a design has {lowest}, proved was {bound}");
     assert!(optimum.value() >= bound, "{seed}");
+    let upper = proof.upper_bound.map_or(1.0, |u| u / optimum.value());
+    assert!((1.0 - 1e-9..=1.0 + gap * 1.001).contains(&upper), "{seed}: {kind} on {n} stations: {upper} of its value");
     let is_proved = proof.verdict == Verdict::Proved;
     if !is_proved {
         println!("{seed}: {kind} with {free} free on {n} stations, {over:?}: {proof:?} of {}", optimum.value());

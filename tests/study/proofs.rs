@@ -31,6 +31,8 @@ fn closed_forms_are_proved() {
         assert_eq!((&proof.verdict, proof.better), (&Verdict::Proved, 0), "{what}");
         let bound = proof.lower_bound.expect("a bound");
         assert!(bound <= exact && bound >= exact * (1.0 - gap - 1e-8), "{what} against {exact}");
+        let upper = proof.upper_bound.expect("an upper bound");
+        assert!(upper >= exact * (1.0 - 1e-8) && upper <= exact * (1.0 + gap + 2e-8), "{what} against {exact}");
     };
     for ring in [0.01, 0.1, 1.0] {
         let masses = TwoMasses { damping_ratio: 0.0, ring };
@@ -105,6 +107,8 @@ fn shipped_engines_are_proved() {
             let proof = o.proof.as_ref().expect("asked for");
             assert_eq!((&proof.verdict, proof.better), (&Verdict::Proved, 0), "{name}: {}", o.design.name);
             assert_close(proof.lower_bound.expect("a bound"), o.optimum.value() * (1.0 - 1e-4), 1e-12, 0.0, &o.design.name);
+            let upper = proof.upper_bound.expect("an upper bound") / o.optimum.value();
+            assert!((1.0..=1.0 + 1.001e-4).contains(&upper), "{}: {upper}", o.design.name);
             assert!(proof.boxes < 1500, "{}: {} boxes", o.design.name, proof.boxes);
         }
     }

@@ -1,8 +1,9 @@
 //! That no peak lies between two speeds: what a measure of a design is nowhere above, over the whole range of speeds.
 //!
 //! Between two speeds without a kink between them a phasor differs from its chord by a second-order rest ([`AboutFrequency`]). Half the range of a sum of orders, an amplitude and a root mean square are norms: over a
-//! chord they are largest at an end, and what is added to the phasors adds no more than its own. A share of strength by amplitude and mean is the gauge of a convex set of bending, mean torque, maximum and minimum of the
-//! torque, the first two linear in the square of the speed; over all torques between a maximum and a minimum it is largest for these or for one of them alone. Intervals whose bound is above what is asked are halved.
+//! chord they are largest at an end, and what is added to the phasors adds no more than its own. A share of strength by amplitude and mean is the gauge of a convex set of bending and torque, which grows with half the range
+//! of the torque: over a chord of bending, mean torque (linear in the square of the speed), half range and middle it is largest at an end. Maximum and minimum of a sum that follows its chord are no farther inside theirs than
+//! the values of the one end at the angles of the other. Intervals whose bound is above what is asked are halved.
 
 use super::measure::{Measure, Over};
 use super::peak_search::PeakFinder;
@@ -10,14 +11,20 @@ use super::strain_peaks::per_twist;
 use crate::absorber::Mounted;
 use crate::crankshaft::Torque;
 use crate::numerics::C64;
+use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::{Extremes, bound};
+use crate::response::factored::Factored;
 use crate::response::tangent::{AboutFrequency, Parabola, Tangent};
 use crate::response::{Quantity, Work};
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::rc::Rc;
 
 /// Intervals that are this share of the range are not halved.
 const SHORTEST: f64 = 1e-12;
+/// Share of its radius in which a disc is used.
+const FARTHEST: f64 = 0.5;
 /// Share of a value that rounding of direct solutions may hide.
 const ROUNDED: f64 = 1e-9;
 
@@ -35,14 +42,16 @@ struct Solved {
     speed_rpm: f64,
     /// Orders of every quantity.
     phasors: Vec<Vec<C64>>,
+    /// Of each, once they are asked for.
+    extremes: Vec<OnceCell<Extremes>>,
     weight: f64,
 }
 
 /// Between two speeds.
 struct Interval {
-    ends: [Solved; 2],
+    ends: [Rc<Solved>; 2],
     upper: f64,
-    /// Index of the part without kinks.
+    /// Index of the part without kinks of the torque.
     part: usize,
 }
 
@@ -67,11 +76,11 @@ impl Ord for Interval {
     }
 }
 
-/// Speeds without a kink between them.
-struct Part {
-    torque: Parabola,
-    /// Of each order, what is known about frequencies: circular frequency, a third of the radius (rad/s), and each quantity there.
-    known: Vec<Vec<(f64, f64, Vec<Tangent>)>>,
+/// A disc of frequencies of an order.
+struct Disc<'s> {
+    about: AboutFrequency<'s>,
+    /// Quantities, or powers, under the torque of each part that asked for them.
+    by_part: Vec<(usize, Vec<Tangent>)>,
 }
 
 struct Search<'s> {
@@ -79,7 +88,11 @@ struct Search<'s> {
     design: &'s [Mounted],
     measure: &'s Measure,
     quantities: Vec<Quantity>,
-    parts: Vec<Part>,
+    /// Speeds between kinks of the torque, by the number of kinks below, with the torque there.
+    parts: Vec<(usize, Parabola)>,
+    /// Of each order, the discs that are known.
+    discs: Vec<Vec<Disc<'s>>>,
+    solver: Factored<'s>,
     solved: u64,
 }
 
@@ -92,7 +105,9 @@ impl PeakFinder<'_> {
         if !self.has_ceiling(measure) {
             return None;
         }
-        let mut search = Search { finder: self, design, measure, quantities, parts: Vec::new(), solved: 0 };
+        let discs = (0..self.system.orders()).map(|_| Vec::new()).collect();
+        let mut search =
+            Search { finder: self, design, measure, quantities, parts: Vec::new(), discs, solver: Factored::new(self.system), solved: 0 };
         search.run(target, most, work)
     }
 
@@ -112,14 +127,12 @@ impl Search<'_> {
         for speeds in self.without_kinks() {
             let [low, high] = [self.solve(speeds.0, work)?, self.solve(speeds.1, work)?];
             for end in [&low, &high] {
-                upper = f64::max(upper, self.at_end(end, &vec![Vec::new(); self.quantities.len()], end.speed_rpm, target));
+                upper = f64::max(upper, self.at(end));
             }
             if !self.finder.refine || speeds.0 >= speeds.1 {
                 continue;
             }
-            self.parts
-                .push(Part { torque: Parabola::between(self.finder.system, speeds), known: vec![Vec::new(); self.finder.system.orders()] });
-            let part = self.parts.len() - 1;
+            let part = self.part_of(speeds);
             let upper = self.upper(part, [&low, &high], target);
             open.push(Interval { ends: [low, high], upper, part });
         }
@@ -131,9 +144,8 @@ impl Search<'_> {
             }
             let middle = self.solve(0.5 * (low.speed_rpm + high.speed_rpm), work)?;
             let of_halves = [self.upper(part, [&low, &middle], target), self.upper(part, [&middle, &high], target)];
-            let again = Solved { phasors: middle.phasors.clone(), ..middle };
-            open.push(Interval { ends: [low, middle], upper: of_halves[0], part });
-            open.push(Interval { ends: [again, high], upper: of_halves[1], part });
+            open.push(Interval { ends: [low, middle.clone()], upper: of_halves[0], part });
+            open.push(Interval { ends: [middle, high], upper: of_halves[1], part });
         }
         let value = open.peek().map_or(upper, |i| f64::max(upper, i.upper)) * (1.0 + ROUNDED);
         value.is_finite().then_some(Ceiling { value, speeds: self.solved })
@@ -167,17 +179,35 @@ impl Search<'_> {
         ranges.iter().flat_map(parts_of).collect()
     }
 
-    fn solve(&mut self, speed_rpm: f64, work: &mut Work) -> Option<Solved> {
+    fn solve(&mut self, speed_rpm: f64, work: &mut Work) -> Option<Rc<Solved>> {
         self.solved += 1;
         let phasors = self.finder.direct.at_each(self.design, &self.quantities, &[speed_rpm], work).ok()?;
-        Some(Solved { speed_rpm, phasors, weight: self.measure.within.weight(speed_rpm) })
+        let extremes = vec![OnceCell::new(); phasors.len()];
+        Some(Rc::new(Solved { speed_rpm, phasors, extremes, weight: self.measure.within.weight(speed_rpm) }))
     }
 
     /// What the measure is nowhere above between two speeds; infinite where they are too far apart to tell.
     fn upper(&mut self, part: usize, ends: [&Solved; 2], target: f64) -> f64 {
         let Some(off) = self.off_chord(part, ends) else { return f64::INFINITY };
-        let middle = 0.5 * (ends[0].speed_rpm + ends[1].speed_rpm);
-        ends.iter().map(|end| self.at_end(end, &off, middle, target)).fold(0.0, f64::max)
+        let of_quantity = |q: usize| self.quantity_over(ends, (q, &off[q]), target);
+        if self.measure.over == Over::Power {
+            let off: f64 = off.iter().flatten().sum();
+            return ends.map(|end| (self.powers_at(end) + off) * end.weight).into_iter().fold(0.0, f64::max);
+        }
+        (0..self.quantities.len()).map(of_quantity).fold(0.0, f64::max)
+    }
+
+    /// Between the same kinks the torque is the same parabola.
+    fn part_of(&mut self, (low, high): (f64, f64)) -> usize {
+        let grid = self.finder.grid;
+        let kinks: Vec<f64> = grid.speed_rpm.iter().zip(&grid.kink).filter(|k| *k.1).map(|k| *k.0).collect();
+        let below = kinks.partition_point(|k| *k <= low);
+        self.parts.iter().position(|part| part.0 == below).unwrap_or_else(|| {
+            let from = if below == 0 { grid.speed_rpm[0].min(low) } else { kinks[below - 1] };
+            let to = kinks.get(below).copied().unwrap_or(grid.speed_rpm[grid.len() - 1]).max(high);
+            self.parts.push((below, Parabola::between(self.finder.system, (from, to))));
+            self.parts.len() - 1
+        })
     }
 
     /// How far each order of each quantity may be from its chord; of powers, each order of each power.
@@ -186,28 +216,26 @@ impl Search<'_> {
         let (low, high) = (ends[0].speed_rpm, ends[1].speed_rpm);
         let mut off = vec![vec![0.0; system.orders()]; self.quantities.len()];
         for order in 0..system.orders() {
-            if !self.parts[part].torque.acts(order) {
+            if !self.parts[part].1.acts(order) {
                 continue;
             }
-            let value = system.excitation.orders[order];
-            let (from, to) = (value.omega(low), value.omega(high));
-            let covers = |k: &&(f64, f64, Vec<Tangent>)| from >= k.0 - k.1 && to <= k.0 + k.1;
-            let known = &self.parts[part].known[order];
-            if !known.iter().any(|k| covers(&k)) {
-                let speed = 0.5 * (low + high);
-                let about = AboutFrequency::new(system, self.design, order, speed)?;
-                let third = about.radius / 3.0;
-                if value.omega(speed) - third > from || value.omega(speed) + third < to {
-                    return None;
+            let omega = [low, high].map(|speed| system.excitation.orders[order].omega(speed));
+            let farthest = |disc: &Disc| omega.iter().map(|omega| (omega - disc.about.omega).abs()).fold(0.0, f64::max) / disc.about.radius;
+            let covers = |disc: &Disc| farthest(disc) <= FARTHEST;
+            let disc = match self.discs[order].iter().position(covers) {
+                Some(disc) => disc,
+                None => {
+                    let about = AboutFrequency::by(&mut self.solver, (system, self.design), order, 0.5 * (low + high))?;
+                    self.discs[order].push(Disc { about, by_part: Vec::new() });
+                    self.discs[order].len() - 1
                 }
-                let outputs = about.outputs(&self.quantities, &self.parts[part].torque);
-                let outputs = if self.measure.over == Over::Power { self.powers(&about, &outputs) } else { outputs };
-                self.parts[part].known[order].push((about.omega, third, outputs));
+            };
+            if !covers(&self.discs[order][disc]) {
+                return None;
             }
-            let known = self.parts[part].known[order].iter().filter(covers);
-            for k in known.take(1) {
-                off.iter_mut().zip(&k.2).for_each(|(off, y)| off[order] = y.off_chord(to - from));
-            }
+            let farthest = farthest(&self.discs[order][disc]);
+            let tangents = self.tangents(order, disc, part);
+            off.iter_mut().zip(tangents).for_each(|(off, y)| off[order] = y.off_chord(omega[1] - omega[0], farthest));
         }
         if let Over::Margin(_) = self.measure.over {
             // chords over the square of the speed
@@ -217,6 +245,21 @@ impl Search<'_> {
             }
         }
         Some(off)
+    }
+
+    /// Quantities, or powers, in a disc of an order.
+    fn tangents(&mut self, order: usize, disc: usize, part: usize) -> &[Tangent] {
+        let own = &self.discs[order][disc];
+        let index = match own.by_part.iter().position(|known| known.0 == part) {
+            Some(index) => index,
+            None => {
+                let outputs = own.about.outputs(&self.quantities, &self.parts[part].1);
+                let outputs = if self.measure.over == Over::Power { self.powers(&own.about, &outputs) } else { outputs };
+                self.discs[order][disc].by_part.push((part, outputs));
+                self.discs[order][disc].by_part.len() - 1
+            }
+        };
+        &self.discs[order][disc].by_part[index].1
     }
 
     /// Power of each ring at an order as a function of frequency: omega Im S |twist|²/2.
@@ -232,58 +275,80 @@ impl Search<'_> {
         self.quantities.iter().zip(twists).map(power_of).collect()
     }
 
-    /// The measure at a speed, at most, where orders may be off by as much; no closer than tells that it is not above the target. `between`: a speed of the interval.
-    fn at_end(&self, end: &Solved, off: &[Vec<f64>], between: f64, target: f64) -> f64 {
+    /// The measure at one speed.
+    fn at(&self, at: &Solved) -> f64 {
         if self.measure.over == Over::Power {
-            let own = self.quantities.iter().zip(&end.phasors).map(|(q, y)| self.power(*q, end.speed_rpm, y)).sum::<f64>();
-            return (own + off.iter().flatten().sum::<f64>()) * end.weight;
+            return self.powers_at(at) * at.weight;
         }
-        let of_quantity = |((q, y), off): ((&Quantity, &Vec<C64>), &Vec<f64>)| self.quantity_at(end, (*q, y, off), between, target);
-        self.quantities.iter().zip(&end.phasors).zip(off).map(of_quantity).fold(0.0, f64::max) * end.weight
+        let none = vec![0.0; self.finder.system.orders()];
+        (0..self.quantities.len()).map(|q| self.quantity_over([at, at], (q, &none), 0.0)).fold(0.0, f64::max)
     }
 
-    fn power(&self, quantity: Quantity, speed_rpm: f64, twists: &[C64]) -> f64 {
-        let Quantity::RingTwist(i) = quantity else { return 0.0 };
-        self.finder.direct.power_of_twist(self.design, i, speed_rpm, twists)
+    /// Power of all rings at one speed, W.
+    fn powers_at(&self, at: &Solved) -> f64 {
+        let power = |(q, y): (&Quantity, &Vec<C64>)| match q {
+            Quantity::RingTwist(i) => self.finder.direct.power_of_twist(self.design, *i, at.speed_rpm, y),
+            _ => 0.0,
+        };
+        self.quantities.iter().zip(&at.phasors).map(power).sum()
     }
 
-    fn quantity_at(&self, end: &Solved, (quantity, y, off): (Quantity, &[C64], &[f64]), between: f64, target: f64) -> f64 {
+    /// What the measure of a quantity is nowhere above between two speeds, where orders are no farther off their chords than this; no closer than tells that it is not above the target.
+    fn quantity_over(&self, ends: [&Solved; 2], (q, off): (usize, &[f64]), target: f64) -> f64 {
         let (sum, orders) = (off.iter().sum::<f64>(), &self.finder.system.excitation.orders);
-        let off_of = |n: usize| off.get(n).copied().unwrap_or(0.0);
-        let amplitude = |n: usize| y[n].norm() + off_of(n);
+        let at_ends =
+            |of: &dyn Fn(&Solved, &[C64]) -> f64| ends.map(|end| of(end, &end.phasors[q]) * end.weight).into_iter().fold(0.0, f64::max);
         match self.measure.over {
-            Over::Orders => (0..y.len()).map(amplitude).fold(0.0, f64::max),
-            Over::Order(order) => orders.iter().position(|o| *o == order).map_or(0.0, amplitude),
+            Over::Orders => at_ends(&|_, y| y.iter().zip(off).map(|(y, off)| y.norm() + off).fold(0.0, f64::max)),
+            Over::Order(order) => orders.iter().position(|o| *o == order).map_or(0.0, |n| at_ends(&|_, y| y[n].norm() + off[n])),
             Over::Statistic(statistic) => {
                 let off: Vec<C64> = off.iter().map(|x| C64::from(*x)).collect();
-                (statistic.0.value)(y) + (statistic.0.value)(&off)
+                let of_off = (statistic.0.value)(&off);
+                at_ends(&|_, y| (statistic.0.value)(y) + of_off)
             }
-            Over::Margin(criterion) => self.used(end, (criterion, quantity), (y, sum), (between, target)),
+            Over::Margin(criterion) => self.used(ends, (criterion, q), sum, target),
             over => {
-                let by = if over == Over::Strain { per_twist(self.design, quantity).unwrap_or(0.0) } else { 1.0 };
+                let by = if over == Over::Strain { per_twist(self.design, self.quantities[q]).unwrap_or(0.0) } else { 1.0 };
                 // the magnitudes of the orders are a bound that needs no extremes
-                let rough = (bound(y) + sum) * by;
-                if rough * end.weight <= target { rough } else { (self.finder.synthesiser.extremes(y).half_peak_to_peak + sum) * by }
+                let rough = at_ends(&|_, y| (bound(y) + sum) * by);
+                if rough <= target { rough } else { at_ends(&|end, _| (self.extremes(end, q).half_peak_to_peak + sum) * by) }
             }
         }
     }
 
-    /// Share of the strength of a shaft.
-    fn used(&self, end: &Solved, (criterion, quantity): (usize, Quantity), (y, off): (&[C64], f64), (between, target): (f64, f64)) -> f64 {
-        let (Some(margin), Quantity::ShaftTorque(shaft)) = (self.finder.margin, quantity) else { return 0.0 };
-        let rough = margin.rough_bound(criterion, shaft, if off > 0.0 { between } else { end.speed_rpm }, bound(y) + off);
-        if rough * end.weight <= target {
+    fn extremes<'e>(&self, end: &'e Solved, q: usize) -> &'e Extremes {
+        end.extremes[q].get_or_init(|| self.finder.synthesiser.extremes(&end.phasors[q]))
+    }
+
+    /// Share of the strength of a shaft, at most.
+    fn used(&self, ends: [&Solved; 2], (criterion, q): (usize, usize), off: f64, target: f64) -> f64 {
+        let (Some(margin), Quantity::ShaftTorque(shaft)) = (self.finder.margin, self.quantities[q]) else { return 0.0 };
+        let between = 0.5 * (ends[0].speed_rpm + ends[1].speed_rpm);
+        let largest = |of: &dyn Fn(&Solved) -> f64| ends.map(|end| of(end) * end.weight).into_iter().fold(0.0, f64::max);
+        let rough = largest(&|end| margin.rough_bound(criterion, shaft, between, bound(&end.phasors[q]) + off));
+        if rough <= target {
             return rough;
         }
-        let extremes = self.finder.synthesiser.extremes(y);
-        let still = |middle: f64| Extremes { half_peak_to_peak: 0.0, middle, ..extremes };
-        let (middle, half) = (extremes.middle, extremes.half_peak_to_peak);
-        let all = [extremes, still(middle + half), still(middle - half)];
-        let share = |extremes: Extremes| {
-            let used = margin.most_used(criterion, shaft, end.speed_rpm, &Torque { extremes, phasors: y });
-            used.map_or(0.0, |u| u.value)
+        let added = margin.used_per_torque(criterion, shaft, between) * (off + self.inside(ends, q));
+        let share = |end: &Solved| {
+            let torque = Torque { extremes: *self.extremes(end, q), phasors: &end.phasors[q] };
+            margin.most_used(criterion, shaft, end.speed_rpm, &torque).map_or(0.0, |u| u.value)
         };
-        let own = if off > 0.0 { all.into_iter().map(share).fold(0.0, f64::max) } else { share(extremes) };
-        own + margin.used_per_torque(criterion, shaft, between) * off
+        largest(&|end| share(end) + added)
+    }
+
+    /// How far maximum and minimum of a sum on its chord may lie inside the chords of theirs, half of both together.
+    fn inside(&self, ends: [&Solved; 2], q: usize) -> f64 {
+        let [a, b] = ends;
+        let value = |end: &Solved, angle: f64| {
+            let harmonics = &self.finder.system.excitation.harmonics;
+            end.phasors[q].iter().zip(harmonics).map(|(y, h)| (y * turn(f64::from(*h) * angle)).re).sum::<f64>()
+        };
+        let of = |angle: fn(&Extremes) -> f64, largest: f64| {
+            let [own, its] = [a, b].map(|end| angle(self.extremes(end, q)));
+            let lost = |end: &Solved, own: f64, other: f64| largest * (value(end, own) - value(end, other));
+            lost(b, its, own).min(lost(a, own, its)).max(0.0)
+        };
+        0.5 * (of(|e| e.angle_max, 1.0) + of(|e| e.angle_min, -1.0))
     }
 }

@@ -94,7 +94,7 @@ impl<'a> Factored<'a> {
     }
 
     /// What of a flexible crank quantities are made of.
-    pub fn wanted(&self, design: &[Mounted], quantities: &[Quantity]) -> Wanted {
+    pub(super) fn wanted(&self, design: &[Mounted], quantities: &[Quantity]) -> Wanted {
         let chain = &self.system.chain;
         let mut stations: Vec<usize> = (0..design.len()).map(|i| station_of(design, i)).collect();
         stations.sort_unstable();
@@ -195,10 +195,18 @@ impl<'a> Factored<'a> {
             // singular: not finite, as where the chain is
             return point.under_unit(station).unwrap_or_else(|_| vec![C64::from(f64::NAN); 2 * n - 1]);
         }
-        let mut x = vec![ZERO; if self.stiff { 2 * n - 1 } else { n }];
-        x[self.place(station)] = C64::from(1.0);
-        self.solve_in_place(&mut x);
+        let mut x = Vec::new();
+        self.put_under_unit(station, &mut x);
         x
+    }
+
+    /// The same in place, of a chain.
+    pub(super) fn put_under_unit(&self, station: usize, x: &mut Vec<C64>) {
+        let n = self.torque.len();
+        x.clear();
+        x.resize(if self.stiff { 2 * n - 1 } else { n }, ZERO);
+        x[self.place(station)] = C64::from(1.0);
+        self.solve_in_place(x);
     }
 
     fn put_under(&self, torques: &[C64], x: &mut Vec<C64>) {

@@ -11,7 +11,7 @@ pub mod direct;
 pub mod enclosed;
 pub mod error;
 pub mod exponential;
-mod factored;
+pub(crate) mod factored;
 mod flexible_point;
 pub mod grid;
 pub mod holzer;

@@ -14,7 +14,7 @@ use crate::response::Rate;
 use crate::units::RAD_PER_S_PER_RPM;
 
 /// What the change of A in the disc may amount to, N e.
-const LARGEST_CHANGE: f64 = 0.5;
+const LARGEST_CHANGE: f64 = 0.6;
 /// Halvings of the radius, at most.
 const HALVINGS: usize = 60;
 /// Share of a rest that rounding may add to it: the solutions behind it are trusted to far more digits.
@@ -57,10 +57,10 @@ impl Tangent {
         Self::new(C64::from(self.value.im), C64::from(self.slope.im), self.bend)
     }
 
-    /// How far it may be from its chord over a distance (rad/s) that lies within a third of the radius: Cauchy's bound of the second derivative of the rest, in discs of two thirds of the radius.
-    pub fn off_chord(&self, distance: f64) -> f64 {
-        let second = 2.0 * self.bend * 2.25;
-        0.125 * distance * distance * second
+    /// How far it may be from its chord over a distance (rad/s), no end of which is farther than this share of the radius from the middle: Cauchy's bound of the second derivative of the rest, in discs that reach the rim.
+    pub fn off_chord(&self, distance: f64, farthest: f64) -> f64 {
+        let to_rim = 1.0 - farthest;
+        0.25 * distance * distance * self.bend / (to_rim * to_rim)
     }
 }
 
@@ -129,8 +129,8 @@ pub struct AboutFrequency<'a> {
     pub radius: f64,
     order: usize,
     speed_rpm: f64,
-    /// Columns of A0^-1: stations, then rings.
-    inverse: Vec<Vec<C64>>,
+    /// Columns of A0^-1, one after the other: stations, then rings.
+    inverse: Vec<C64>,
     /// Of each unknown, kg m².
     masses: Vec<f64>,
     rings: Vec<Ring>,
@@ -152,10 +152,14 @@ struct Solved {
 impl<'a> AboutFrequency<'a> {
     /// A design at an order (an index) and a speed, in as large a disc as its resonances leave; `None` of a flexible crank, of absorbers on rings or without an enclosure, and where it resonates without damping.
     pub fn new(system: &'a System, design: &[Mounted], order: usize, speed_rpm: f64) -> Option<Self> {
+        Self::by(&mut Factored::new(system), (system, design), order, speed_rpm)
+    }
+
+    /// The same by a solver of the system.
+    pub(crate) fn by(solver: &mut Factored, (system, design): (&'a System, &[Mounted]), order: usize, speed_rpm: f64) -> Option<Self> {
         if system.flexible.is_some() {
             return None;
         }
-        let mut solver = Factored::new(system);
         solver.factor(design, order, speed_rpm).ok()?;
         let (omega, n) = (solver.omega, system.chain.len());
         let at = Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
@@ -180,20 +184,26 @@ impl<'a> AboutFrequency<'a> {
         }
         masses.extend(rings.iter().map(|r| r.inertia));
         // a ring follows its station by S/(S - omega² J), and passes as much of a torque on it on
-        let of_station = |station: usize| -> Vec<C64> {
-            let x = solver.under_unit(station);
-            let angles: Vec<C64> = (0..n).map(|i| solver.angle(i, &x)).collect();
-            let of_rings = rings.iter().zip(&passed).map(|(r, p)| angles[r.station] * p.0);
-            angles.iter().copied().chain(of_rings).collect()
-        };
-        let mut inverse: Vec<Vec<C64>> = (0..n).map(of_station).collect();
-        for (i, (r, p)) in rings.iter().zip(&passed).enumerate() {
-            let mut column: Vec<C64> = inverse[r.station].iter().map(|x| x * p.0).collect();
-            column[n + i] += p.1;
-            inverse.push(column);
+        let all = masses.len();
+        let mut inverse: Vec<C64> = Vec::with_capacity(all * all);
+        let mut x = Vec::new();
+        for station in 0..n {
+            solver.put_under_unit(station, &mut x);
+            inverse.extend((0..n).map(|i| solver.angle(i, &x)));
+            let own = station * all;
+            for (r, p) in rings.iter().zip(&passed) {
+                inverse.push(inverse[own + r.station] * p.0);
+            }
         }
-        let square = |(column, m): (&Vec<C64>, &f64)| m * column.iter().zip(&masses).map(|(x, m)| m * x.norm_sqr()).sum::<f64>();
-        let norm = inverse.iter().zip(&masses).map(square).sum::<f64>().sqrt() * (1.0 + ROUNDED);
+        for (i, (r, p)) in rings.iter().zip(&passed).enumerate() {
+            let own = r.station * all;
+            inverse.extend_from_within(own..own + all);
+            let column = &mut inverse[(n + i) * all..];
+            column.iter_mut().for_each(|x| *x *= p.0);
+            column[n + i] += p.1;
+        }
+        let square = |(column, m): (&[C64], &f64)| m * column.iter().zip(&masses).map(|(x, m)| m * x.norm_sqr()).sum::<f64>();
+        let norm = inverse.chunks(all).zip(&masses).map(square).sum::<f64>().sqrt() * (1.0 + ROUNDED);
         if !norm.is_finite() || masses.iter().any(|m| *m <= 0.0) {
             return None;
         }
@@ -294,7 +304,8 @@ impl<'a> AboutFrequency<'a> {
     fn solved(&self, on: impl Iterator<Item = (usize, C64)>) -> Solved {
         let mut x = vec![ZERO; self.masses.len()];
         for (i, a) in on.filter(|(_, a)| *a != ZERO) {
-            x.iter_mut().zip(&self.inverse[i]).for_each(|(x, y)| *x += y * a);
+            let column = &self.inverse[i * x.len()..(i + 1) * x.len()];
+            x.iter_mut().zip(column).for_each(|(x, y)| *x += y * a);
         }
         let damped = self.damped(&x);
         let own = x.iter().zip(&self.masses).map(|(x, m)| m * x.norm_sqr()).sum::<f64>().sqrt();

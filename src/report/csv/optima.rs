@@ -6,7 +6,7 @@ use crate::files::{Folder, WriteError};
 use crate::input::Study;
 
 /// `optima.csv`. `kkt_residual`: length of the steepest-descent step, in logarithms of the parameters; `smallest_curvature`: of the Lagrangian along the directions that first
-/// order leaves free, share of the objective per square of those. `lower_bound`: what no design within bounds and limits is proved to be below (of a margin: above).
+/// order leaves free, share of the objective per square of those. `lower_bound`: what no design within bounds and limits is proved to be below (of a margin: above). `upper_bound`: what it is itself at no speed above (of a margin: below).
 ///
 /// # Errors
 /// [`WriteError`] where it cannot be written.
@@ -35,6 +35,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "evaluations_minimax",
         "proof",
         "lower_bound",
+        "upper_bound",
         "proof_boxes",
     ]);
     for o in &results.optima {
@@ -47,7 +48,7 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             (false, false, true) => "elsewhere",
             (false, false, false) => "start",
         };
-        let bound = o.proof.as_ref().and_then(|p| p.lower_bound);
+        let [lower, upper] = o.proof.as_ref().map_or([None; 2], |p| [p.lower_bound, p.upper_bound]);
         table.row([
             o.design.name.clone(),
             objective.key.to_owned(),
@@ -68,7 +69,8 @@ pub fn optima(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
             (optimum.stages.seeds.evaluations + optimum.stages.search.evaluations).to_string(),
             optimum.stages.minimax.evaluations.to_string(),
             o.proof.as_ref().map_or_else(String::new, |p| p.verdict.word().to_owned()),
-            optional(bound.map(|b| objective.unit.shown(b))),
+            optional(lower.map(|b| objective.unit.shown(b))),
+            optional(upper.map(|b| objective.unit.shown(b))),
             o.proof.as_ref().map_or_else(String::new, |p| p.boxes.to_string()),
         ]);
     }

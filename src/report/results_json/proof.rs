@@ -16,6 +16,9 @@ pub(super) struct Proof {
     /// No design within bounds and limits is below it (of a margin: above).
     #[serde(skip_serializing_if = "Option::is_none")]
     lower_bound: Option<f64>,
+    /// At no speed is the optimum above it (of a margin: below).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    upper_bound: Option<f64>,
     /// Boxes of designs that were looked at.
     boxes: u64,
     /// Better optima that boxes led to.
@@ -45,6 +48,7 @@ impl Proof {
             verdict: p.verdict.word(),
             reason,
             lower_bound: p.lower_bound.map(|b| objective.unit.shown(b)),
+            upper_bound: p.upper_bound.map(|b| objective.unit.shown(b)),
             boxes: p.boxes,
             better_found: p.better,
             weakest_box: ranges.iter().map(|(key, from, to)| Range { key, from: *from, to: *to }).collect(),

@@ -6,14 +6,15 @@ use crate::analysis::OptimumResult;
 use crate::input::{MeasureSpec, Study};
 use crate::optimise::{Proof, Verdict};
 
-/// A bound in words, with its last digit on the safe side: no lower bound is told that was not proved, of a margin no upper one.
-fn told(objective: &MeasureSpec, bound: f64) -> String {
+/// A bound in words, with its last digit on the safe side: no lower bound is told that was not proved, nor an upper one; of a margin they change places.
+fn told(objective: &MeasureSpec, bound: f64, is_lower: bool) -> String {
     let exact = objective.unit.shown(bound);
     let number = |text: &str| text.split(|c: char| !(c.is_ascii_digit() || ".e-".contains(c))).next().and_then(|t| t.parse::<f64>().ok());
-    let is_safe = |text: &String| number(text).is_none_or(|n| if objective.unit.is_inverse() { n >= exact } else { n <= exact });
+    let is_safe =
+        |text: &String| number(text).is_none_or(|n| if objective.unit.is_inverse() == is_lower { n >= exact } else { n <= exact });
     let shares = std::iter::once(0.0).chain(std::iter::successors(Some(1e-7), |share| (*share < 0.1).then_some(2.0 * share)));
-    let mut texts = shares.map(|share| value_of(objective, bound * (1.0 - share)));
-    texts.find(is_safe).unwrap_or_else(|| value_of(objective, 0.9 * bound))
+    let mut texts = shares.map(|share| value_of(objective, if is_lower { bound * (1.0 - share) } else { bound * (1.0 + share) }));
+    texts.find(is_safe).unwrap_or_else(|| value_of(objective, if is_lower { 0.9 * bound } else { 1.1 * bound }))
 }
 
 /// A clause: what no design of the family is better than, or why nothing is proved.
@@ -23,7 +24,7 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     let within = if study.limits.is_empty() { "" } else { " within the limits" };
     let side = if objective.unit.is_inverse() { "above" } else { "below" };
     let bound = proof.lower_bound;
-    let no_design = |bound: f64| format!("no design of its family{within} is {side} {}", told(objective, bound));
+    let no_design = |bound: f64| format!("no design of its family{within} is {side} {}", told(objective, bound, true));
     let gap = bound.and_then(|b| gap(o, b)).map_or_else(String::new, |gap| format!("gap {}, ", significant(gap, 2)));
     let boxes = if proof.boxes == 1 { "1 box".to_owned() } else { format!("{} boxes", proof.boxes) };
     let said = match (&proof.verdict, bound) {
@@ -32,6 +33,11 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
         (Verdict::Open(_), Some(b)) => format!("proved to a part: {} ({gap}{boxes})", no_design(b)),
         (Verdict::Open(_), None) | (Verdict::Proved, None) => format!("not proved in {boxes}"),
         (Verdict::None(reason), _) => format!("not proved ({})", reason.words()),
+    };
+    let other_side = if objective.unit.is_inverse() { "below" } else { "above" };
+    let said = match proof.upper_bound {
+        Some(b) => format!("{said}; at no speed is it {other_side} {}", told(objective, b, false)),
+        None => said,
     };
     match proof.better {
         0 => said,

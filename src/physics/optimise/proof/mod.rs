@@ -7,10 +7,13 @@
 //!
 //! Speeds come as they are needed: where the middle of a box looks better than the optimum at all speeds so far, its true peaks are found, and their speeds join; where it is better, the search goes
 //! on from there. A bound over some speeds, and without what has no enclosure, is a bound over all.
+//!
+//! The value of the optimum itself is proved from above: between any two speeds its measure is nowhere higher by more than the gap.
 
 mod asked;
 mod boxes;
 mod form;
+mod over_speeds;
 mod settle;
 mod verdict;
 

@@ -1,6 +1,7 @@
 //! An optimum and its proof together: what a proof finds that is better takes the place of the optimum.
 
 use super::boxes::prove;
+use super::over_speeds::upper_bound;
 use super::verdict::{Effort, Found, Proof, Reason};
 use crate::optimise::front::mark_dominated;
 use crate::optimise::minimax::{self, Outcome};
@@ -50,7 +51,10 @@ fn settled(problem: &Problem, first: &Outcome, effort: Effort, stages: &mut Stag
         let own = best.as_ref().unwrap_or(first);
         let found = prove(problem, own, effort, &mut boxes, &mut stages.search);
         let point = match found {
-            Found::Ended(lower_bound, verdict) => return (Proof { lower_bound, boxes, better, verdict }, best),
+            Found::Ended(lower_bound, verdict) => {
+                let upper_bound = upper_bound(problem, own, effort, &mut stages.search);
+                return (Proof { lower_bound, upper_bound, boxes, better, verdict }, best);
+            }
             Found::Better(point) => point,
         };
         match minimax::minimise(problem, &point, &mut stages.minimax) {

@@ -17,6 +17,8 @@ pub type Ranges = Vec<(&'static str, f64, f64)>;
 pub struct Proof {
     /// No design within the bounds (that holds all limits) is below it, in the unit of the objective, positive; `None` where no design holds all limits, or nothing is proved.
     pub lower_bound: Option<f64>,
+    /// At no speed is the optimum above it, nor beyond a limit by more than the gap; `None` where that is not proved.
+    pub upper_bound: Option<f64>,
     /// Boxes that were looked at.
     pub boxes: u64,
     /// Better designs that were found in them, each of which led to a better optimum.
@@ -96,7 +98,7 @@ impl Proof {
     /// There is none, for a reason.
     #[doc(hidden)]
     pub fn none(reason: Reason) -> Self {
-        Self { lower_bound: None, boxes: 0, better: 0, verdict: Verdict::None(reason) }
+        Self { lower_bound: None, upper_bound: None, boxes: 0, better: 0, verdict: Verdict::None(reason) }
     }
 }
 

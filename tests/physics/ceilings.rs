@@ -1,12 +1,16 @@
 //! That no peak lies between two speeds is proved: values are nowhere above what is told, and what is told is the peak.
 
-use crate::support::{study, system};
+use crate::support::{Kind, on, study, system};
 use crate::unseen_peaks::{HIGH, LOW, once_missed, random_design, random_system, unit_six};
-use hartog::absorber::Mounted;
+use hartog::absorber::{Mounted, Rubber};
 use hartog::drivetrain::System;
 use hartog::numerics::C64;
-use hartog::objective::{Measure, Over, PeakFinder, STATISTICS};
-use hartog::response::tangent::{AboutFrequency, Parabola};
+use hartog::objective::{Condition, Measure, Over, PeakFinder, STATISTICS};
+use hartog::optimise::proof::worst_bound;
+use hartog::optimise::robust::deviated;
+use hartog::optimise::{Effort, LoadCase, Tolerances};
+use hartog::response::about_frequency::AboutFrequency;
+use hartog::response::tangent::Parabola;
 use hartog::response::{Direct, Grid, Method, Quantity, Rate, Work};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -161,4 +165,35 @@ fn a_million_numbers_lie_beside_tangents_and_chords() {
     let numbers = enclosed(4, 6000);
     println!("{numbers} numbers");
     assert!(numbers > 1_000_000);
+}
+
+/// Law: no deviation within tolerances is worse than what is proved, and that is the worst that a search of the box finds, to the gap: of the six with a spring and a damper, and with rubber whose ring scatters, too.
+#[test]
+fn the_worst_within_tolerances_is_bounded() {
+    let s = study("villalva_i6_thesis");
+    let sys = system(&s);
+    let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);
+    let method = Method::Direct(Direct::new(&sys, &grid));
+    let finder = PeakFinder::new(&sys, &grid, &method, true);
+    let cases = [LoadCase { condition: Condition::Firing, cylinder: None, finder: &finder, deviation: None }];
+    let (k, c, j) = ("stiffness_n_m_per_rad", "damping_n_m_s_per_rad", "ring_inertia_kg_m2");
+    let tuned = on(0, Kind::Tuned, 0.076, 55_356.0, 36.829);
+    let rubber = Mounted::on_station(0, Rubber { ring_inertia: 0.05, stiffness: 4e4, loss_factor: 0.3 });
+    for (design, shares) in [(vec![tuned], vec![(k, 0.1), (c, 0.3)]), (vec![rubber], vec![(k, 0.2), ("loss_factor", 0.2), (j, 0.05)])] {
+        let tolerances = Tolerances::of(&design, &shares);
+        for over in [Over::Synthesis, Over::Orders] {
+            let measure = Measure::new(vec![s.twist], over);
+            let value = |p: &[f64]| deviated(&cases, &design, &tolerances.at(p), &measure);
+            let worst = tolerances.worst(value, 1).1;
+            let found = worst_bound(&cases, &design, &tolerances, (&measure, worst), Effort { gap: 1e-3, boxes: 100_000 });
+            let found = found.expect("a bound");
+            println!("{over:?}: {} of {worst}, {} boxes", found.value / worst - 1.0, found.boxes);
+            assert!(found.value <= worst * (1.0 + 1e-3 + 1e-8), "{over:?}: {found:?} of {worst}");
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
+            for _ in 0..200 {
+                let point = tolerances.sample(false, &mut random);
+                assert!(value(&point) <= found.value, "{point:?}");
+            }
+        }
+    }
 }

@@ -13,9 +13,10 @@ use crate::crankshaft::Torque;
 use crate::numerics::C64;
 use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::{Extremes, bound};
+use crate::response::about_frequency::AboutFrequency;
 use crate::response::factored::Factored;
-use crate::response::tangent::{AboutFrequency, Parabola, Tangent};
-use crate::response::{Quantity, Work};
+use crate::response::tangent::{Parabola, Tangent};
+use crate::response::{Grid, Quantity, Work};
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -111,6 +112,42 @@ impl PeakFinder<'_> {
         search.run(target, most, work)
     }
 
+    /// The range of the measure, cut at kinks of the torque and of the measure and, where the crank is asked for, at the speeds of its table. Where peaks are not refined, single speeds.
+    pub(crate) fn without_kinks(&self, measure: &Measure) -> Vec<(f64, f64)> {
+        let (grid, within) = (self.grid, &measure.within);
+        let all = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
+        let whole = [all];
+        let ranges: &[(f64, f64)] = if within.ranges.is_empty() { &whole } else { &within.ranges };
+        if !self.refine {
+            return grid.speed_rpm.iter().filter(|s| within.holds(**s)).map(|s| (*s, *s)).collect();
+        }
+        let cuts_all = matches!(measure.over, Over::Margin(_));
+        let of_grid = grid.speed_rpm.iter().zip(&grid.kink).filter(|(_, kink)| **kink || cuts_all).map(|(s, _)| *s);
+        let cuts: Vec<f64> = of_grid.chain(within.kinks()).collect();
+        let parts_of = |&(low, high): &(f64, f64)| -> Vec<(f64, f64)> {
+            let (low, high) = (low.max(all.0), high.min(all.1));
+            let mut speeds: Vec<f64> = cuts.iter().copied().filter(|s| *s > low && *s < high).chain([low, high]).collect();
+            speeds.sort_by(f64::total_cmp);
+            speeds.dedup();
+            if low > high {
+                Vec::new()
+            } else if speeds.len() == 1 {
+                vec![(low, high)]
+            } else {
+                speeds.windows(2).map(|w| (w[0], w[1])).collect()
+            }
+        };
+        ranges.iter().flat_map(parts_of).collect()
+    }
+
+    /// The torque between the kinks about two speeds that have none between them.
+    pub(crate) fn torque_about(&self, speeds: (f64, f64)) -> Parabola {
+        let (all, kinks, below) = (&self.grid.speed_rpm, kinks_of(self.grid), kinks_below(self.grid, speeds));
+        let from = if below == 0 { all[0].min(speeds.0) } else { kinks[below - 1] };
+        let to = kinks.get(below).copied().unwrap_or(all[all.len() - 1]).max(speeds.1);
+        Parabola::between(self.system, (from, to))
+    }
+
     fn has_ceiling(&self, measure: &Measure) -> bool {
         match measure.over {
             Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain => true,
@@ -120,11 +157,20 @@ impl PeakFinder<'_> {
     }
 }
 
+fn kinks_of(grid: &Grid) -> Vec<f64> {
+    grid.speed_rpm.iter().zip(&grid.kink).filter(|k| *k.1).map(|k| *k.0).collect()
+}
+
+/// Number of kinks of the torque below two speeds.
+fn kinks_below(grid: &Grid, speeds: (f64, f64)) -> usize {
+    kinks_of(grid).partition_point(|k| *k <= speeds.0)
+}
+
 impl Search<'_> {
     fn run(&mut self, target: f64, most: u64, work: &mut Work) -> Option<Ceiling> {
         let mut open = BinaryHeap::new();
         let mut upper = 0.0;
-        for speeds in self.without_kinks() {
+        for speeds in self.finder.without_kinks(self.measure) {
             let [low, high] = [self.solve(speeds.0, work)?, self.solve(speeds.1, work)?];
             for end in [&low, &high] {
                 upper = f64::max(upper, self.at(end));
@@ -151,34 +197,6 @@ impl Search<'_> {
         value.is_finite().then_some(Ceiling { value, speeds: self.solved })
     }
 
-    /// The range of the measure, cut at kinks of the torque and of the measure and, where the crank is asked for, at the speeds of its table. Where peaks are not refined, single speeds.
-    fn without_kinks(&self) -> Vec<(f64, f64)> {
-        let (grid, within) = (self.finder.grid, &self.measure.within);
-        let all = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
-        let whole = [all];
-        let ranges: &[(f64, f64)] = if within.ranges.is_empty() { &whole } else { &within.ranges };
-        if !self.finder.refine {
-            return grid.speed_rpm.iter().filter(|s| within.holds(**s)).map(|s| (*s, *s)).collect();
-        }
-        let cuts_all = matches!(self.measure.over, Over::Margin(_));
-        let of_grid = grid.speed_rpm.iter().zip(&grid.kink).filter(|(_, kink)| **kink || cuts_all).map(|(s, _)| *s);
-        let cuts: Vec<f64> = of_grid.chain(within.kinks()).collect();
-        let parts_of = |&(low, high): &(f64, f64)| -> Vec<(f64, f64)> {
-            let (low, high) = (low.max(all.0), high.min(all.1));
-            let mut speeds: Vec<f64> = cuts.iter().copied().filter(|s| *s > low && *s < high).chain([low, high]).collect();
-            speeds.sort_by(f64::total_cmp);
-            speeds.dedup();
-            if low > high {
-                Vec::new()
-            } else if speeds.len() == 1 {
-                vec![(low, high)]
-            } else {
-                speeds.windows(2).map(|w| (w[0], w[1])).collect()
-            }
-        };
-        ranges.iter().flat_map(parts_of).collect()
-    }
-
     fn solve(&mut self, speed_rpm: f64, work: &mut Work) -> Option<Rc<Solved>> {
         self.solved += 1;
         let phasors = self.finder.direct.at_each(self.design, &self.quantities, &[speed_rpm], work).ok()?;
@@ -198,14 +216,10 @@ impl Search<'_> {
     }
 
     /// Between the same kinks the torque is the same parabola.
-    fn part_of(&mut self, (low, high): (f64, f64)) -> usize {
-        let grid = self.finder.grid;
-        let kinks: Vec<f64> = grid.speed_rpm.iter().zip(&grid.kink).filter(|k| *k.1).map(|k| *k.0).collect();
-        let below = kinks.partition_point(|k| *k <= low);
+    fn part_of(&mut self, speeds: (f64, f64)) -> usize {
+        let below = kinks_below(self.finder.grid, speeds);
         self.parts.iter().position(|part| part.0 == below).unwrap_or_else(|| {
-            let from = if below == 0 { grid.speed_rpm[0].min(low) } else { kinks[below - 1] };
-            let to = kinks.get(below).copied().unwrap_or(grid.speed_rpm[grid.len() - 1]).max(high);
-            self.parts.push((below, Parabola::between(self.finder.system, (from, to))));
+            self.parts.push((below, self.finder.torque_about(speeds)));
             self.parts.len() - 1
         })
     }
@@ -225,7 +239,7 @@ impl Search<'_> {
             let disc = match self.discs[order].iter().position(covers) {
                 Some(disc) => disc,
                 None => {
-                    let about = AboutFrequency::by(&mut self.solver, (system, self.design), order, 0.5 * (low + high))?;
+                    let about = AboutFrequency::disc(&mut self.solver, (system, self.design), order, 0.5 * (low + high))?;
                     self.discs[order].push(Disc { about, by_part: Vec::new() });
                     self.discs[order].len() - 1
                 }

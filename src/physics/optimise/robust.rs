@@ -174,6 +174,28 @@ impl Tolerances {
         self.edges.len()
     }
 
+    /// Each edge: absorber, parameters that change together, whether by an amount (or by a factor), and its least and largest.
+    pub(super) fn ranges(&self) -> impl Iterator<Item = (usize, &[usize], bool, (f64, f64))> {
+        self.edges.iter().map(|(absorber, parameters, by)| {
+            let (is_amount, range) = match *by {
+                By::Share(share) => (false, (1.0 - share, 1.0 + share)),
+                By::Amount(amount) => (true, (-amount, amount)),
+                By::Factors(up, down) => (false, (up.min(down), up.max(down))),
+            };
+            (*absorber, parameters.as_slice(), is_amount, range)
+        })
+    }
+
+    /// The deviation with these factors or amounts, one an edge.
+    pub(super) fn built(&self, values: &[f64]) -> Deviation {
+        let mut all = self.at(&vec![0.0; self.edges()]);
+        for ((absorber, parameters, is_amount, _), value) in self.ranges().zip(values) {
+            let list = if is_amount { &mut all.amounts } else { &mut all.factors };
+            parameters.iter().for_each(|p| list[absorber][*p] = *value);
+        }
+        all
+    }
+
     /// The deviation at a point of the box: each edge from -1 to 1.
     pub fn at(&self, point: &[f64]) -> Deviation {
         let mut factors: Vec<Vec<f64>> = self.counts.iter().map(|n| vec![1.0; *n]).collect();

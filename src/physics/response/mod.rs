@@ -2,6 +2,8 @@
 //!
 //! Every method offers the same verbs ([`Response`]). Phasors of a sweep lie speed by speed, the orders of a speed together.
 
+#[doc(hidden)]
+pub mod about_frequency;
 mod batch;
 pub mod bodies;
 pub mod closed_form;

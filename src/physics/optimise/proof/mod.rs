@@ -16,6 +16,8 @@ mod form;
 mod over_speeds;
 mod settle;
 mod verdict;
+mod worst;
 
 pub use settle::{settle, settle_front};
 pub use verdict::{Effort, Proof, Ranges, Reason, Verdict};
+pub use worst::{WorstBound, worst_bound};

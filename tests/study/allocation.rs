@@ -21,7 +21,8 @@ fn bearing(allocate: AllocateSpec, sampling: Option<Sampling>) -> Study {
     let mut s = with(MASSES, What::Twist, &[(What::Twist, limit())]);
     s.optimise = None;
     s.designs = vec![DesignSpec { name: "drawn".into(), absorbers: vec![on(0, Kind::Tuned, MASSES.ring, DRAWN.0, DRAWN.1)] }];
-    s.robust = Some(RobustSpec { shares: GIVEN.to_vec(), process: Vec::new(), search: false, sampling, allocate: Some(allocate) });
+    s.robust =
+        Some(RobustSpec { shares: GIVEN.to_vec(), process: Vec::new(), search: false, sampling, prove: None, allocate: Some(allocate) });
     s
 }
 
@@ -121,7 +122,7 @@ fn ridges_in_wide_boxes_are_met() {
     s.designs = vec![DesignSpec { name: "drawn".into(), absorbers: ring(k, c) }];
     let given = vec![("stiffness_n_m_per_rad", 0.85), ("damping_n_m_s_per_rad", 0.85)];
     let allocate = Some(AllocateSpec { holding: None, costs: None });
-    s.robust = Some(RobustSpec { shares: given, process: Vec::new(), search: false, sampling: None, allocate });
+    s.robust = Some(RobustSpec { shares: given, process: Vec::new(), search: false, sampling: None, prove: None, allocate });
     let results = s.run().expect("damped");
     let sys = system(&s);
     let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);

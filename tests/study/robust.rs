@@ -10,7 +10,7 @@ use hartog::optimise::Tolerances;
 const SHARES: [(&str, f64); 2] = [("stiffness_n_m_per_rad", 0.1), ("damping_n_m_s_per_rad", 0.3)];
 
 fn spec(sampling: Option<Sampling>) -> Option<RobustSpec> {
-    Some(RobustSpec { shares: SHARES.to_vec(), process: Vec::new(), search: true, sampling, allocate: None })
+    Some(RobustSpec { shares: SHARES.to_vec(), process: Vec::new(), search: true, sampling, prove: None, allocate: None })
 }
 
 /// Nominal and worst value of a design of a run.
@@ -106,13 +106,20 @@ fn deviations_end_with_the_range() {
     let mut s = study("villalva_i6_robust");
     s.designs = vec![DesignSpec { name: "zener".into(), absorbers: design.to_vec() }];
     s.optimise = None;
-    s.robust = Some(RobustSpec { shares: vec![("glass_ratio", 0.9)], process: Vec::new(), search: true, sampling: None, allocate: None });
+    s.robust = Some(RobustSpec {
+        shares: vec![("glass_ratio", 0.9)],
+        process: Vec::new(),
+        search: true,
+        sampling: None,
+        prove: None,
+        allocate: None,
+    });
     let results = s.run().expect("damped");
     let found = &results.robust[0].worst.deviation;
     let built = 1.2 * found.factors[0][2];
     assert!(built > 1.0 && built < 1.0 + 1e-6, "{built} by {found:?}");
     let tuned = [Mounted::on_station(0, Tuned { ring_inertia: 0.076, stiffness: 5e4, damping: 0.0 })];
     s.designs = vec![DesignSpec { name: "undamped".into(), absorbers: tuned.to_vec() }];
-    s.robust = Some(RobustSpec { shares: SHARES.to_vec(), process: Vec::new(), search: true, sampling: None, allocate: None });
+    s.robust = Some(RobustSpec { shares: SHARES.to_vec(), process: Vec::new(), search: true, sampling: None, prove: None, allocate: None });
     assert!(s.run().map_or(1.0, |r| r.robust[0].worst.deviation.factors[0][2]) == 1.0);
 }

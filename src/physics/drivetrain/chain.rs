@@ -5,7 +5,7 @@
 //! its torque acts on the next station g times. Angles, torques and stiffnesses are those of their own shaft, not referred to another one.
 
 use super::Difference;
-use crate::numerics::{C64, I};
+use crate::numerics::{C64, I, ZERO};
 use nalgebra::DMatrix;
 
 /// A rigid inertia, with what joins it to the next one and to the ground.
@@ -174,6 +174,33 @@ impl Chain {
             }
         }
         k
+    }
+
+    /// C times angles of the stations, which others may follow.
+    pub(crate) fn damped(&self, x: &[C64]) -> Vec<C64> {
+        let mut damped = vec![ZERO; x.len()];
+        for (i, s) in self.stations.iter().enumerate() {
+            damped[i] += x[i] * s.damping_to_ground;
+            if i + 1 < self.len() {
+                let (next, gear) = (self.next(i), self.gear(i));
+                let torque = (x[i] - x[next] * gear) * s.damping_to_next;
+                damped[i] += torque;
+                damped[next] -= torque * gear;
+            }
+        }
+        damped
+    }
+
+    /// No less than the norm of M^-1/2 C M^-1/2, with these masses of the stations: its largest sum of a row, 1/s.
+    pub(crate) fn largest_damping(&self, masses: &[f64]) -> f64 {
+        let mut rows: Vec<f64> = self.stations.iter().zip(masses).map(|(s, m)| s.damping_to_ground / m).collect();
+        for (i, s) in self.stations.iter().enumerate().take(self.len() - 1).filter(|s| s.1.damping_to_next != 0.0) {
+            let (next, gear) = (self.next(i), self.gear(i).abs());
+            let across = s.damping_to_next * gear / (masses[i] * masses[next]).sqrt();
+            rows[i] += s.damping_to_next / masses[i] + across;
+            rows[next] += s.damping_to_next * gear * gear / masses[next] + across;
+        }
+        rows.into_iter().fold(0.0, f64::max)
     }
 
     /// Bodies that no spring ties to the ground: shafts without stiffness cut the chain. Each has one rigid mode.

@@ -16,6 +16,7 @@ pub mod problem;
 #[doc(hidden)]
 pub mod proof;
 pub mod robust;
+mod scatter;
 pub mod search;
 #[doc(hidden)]
 pub mod second_order;
@@ -40,7 +41,8 @@ pub use load_case::largest;
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
 pub use proof::{Effort, Proof, Reason, Verdict};
-pub use robust::{Scatter, Tolerances};
+pub use robust::Tolerances;
+pub use scatter::Scatter;
 pub use search::{LocalOptimum, Optimum, Stages, Start};
 pub use second_order::SecondOrder;
 pub use shadow_prices::OnBound;

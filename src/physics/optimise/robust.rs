@@ -3,6 +3,8 @@
 //! The worst of a box is a minimax problem of its own. Its corners are scenarios from the start; at the optimum of those the box is searched for a worse deviation inside, which joins them until none is found or after a number of rounds.
 
 use super::minimax::Outcome;
+
+use super::scatter::{HARDNESS, Scatter, modulus_of_hardness};
 use super::search::{self, Finish, Optimum, Recorder};
 use super::{LoadCase, Problem, minimax};
 use crate::absorber::construction::shape;
@@ -34,45 +36,6 @@ const RANDOM_WIDE: usize = 96;
 const SEARCHED_WIDE: usize = 12;
 /// Share of the reach at which it is looked whether the value falls from an end.
 const INWARD: f64 = 0.05;
-
-/// What the making of absorbers scatters.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scatter {
-    /// A parameter by its key, a share more or less.
-    Share(&'static str, f64),
-    /// A parameter by its key, an amount in its unit more or less.
-    Amount(&'static str, f64),
-    /// Hardness of rubber, Shore A more or less: its modulus follows by Gent's relation.
-    Hardness(f64),
-    /// Viscosity of oil, a share more or less: the relaxation time is tied to it.
-    Viscosity(f64),
-}
-
-impl Scatter {
-    /// So many times as much.
-    pub fn times(self, factor: f64) -> Self {
-        match self {
-            Self::Share(key, share) => Self::Share(key, share * factor),
-            Self::Amount(key, amount) => Self::Amount(key, amount * factor),
-            Self::Hardness(amount) => Self::Hardness(amount * factor),
-            Self::Viscosity(share) => Self::Viscosity(share * factor),
-        }
-    }
-
-    /// Share, or amount in the unit of its key.
-    pub fn width(self) -> f64 {
-        let (Self::Share(_, x) | Self::Amount(_, x) | Self::Hardness(x) | Self::Viscosity(x)) = self;
-        x
-    }
-}
-
-/// Young's modulus of rubber by its hardness but for a factor \[Gent 1958\]: (56 + 7.62336 S)/(254 - 2.54 S).
-fn modulus_of_hardness(shore_a: f64) -> f64 {
-    (56.0 + 7.623_36 * shore_a) / (254.0 - 2.54 * shore_a)
-}
-
-/// Softest and hardest rubber that the relation is used for, Shore A.
-const HARDNESS: (f64, f64) = (10.0, 95.0);
 
 /// How a point of an edge, from -1 to 1, changes a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]

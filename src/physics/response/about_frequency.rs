@@ -101,7 +101,7 @@ impl<'a> AboutFrequency<'a> {
         if !found.enclose_laws(design) {
             return None;
         }
-        let change = found.norm * found.change_of_all(found.norm_of_damping());
+        let change = found.norm * found.change_of_all(system.chain.largest_damping(&found.masses));
         found.norm /= 1.0 - change;
         (change <= LARGEST_CHANGE).then_some(found)
     }
@@ -162,7 +162,7 @@ impl<'a> AboutFrequency<'a> {
 
     /// Finds the radius of a disc; whether there is one.
     fn widen(&mut self, design: &[Mounted]) -> bool {
-        let by_damping = self.norm_of_damping();
+        let by_damping = self.system.chain.largest_damping(&self.masses);
         // 2 omega R + R² + c R = change/N
         let half = self.omega + 0.5 * by_damping;
         let most = LARGEST_CHANGE / self.norm;
@@ -233,35 +233,6 @@ impl<'a> AboutFrequency<'a> {
         true
     }
 
-    /// No less than |M^-1/2 C M^-1/2|: its largest sum of a row.
-    fn norm_of_damping(&self) -> f64 {
-        let (chain, n) = (&self.system.chain, self.system.chain.len());
-        let mut rows: Vec<f64> = (0..n).map(|i| chain.stations[i].damping_to_ground / self.masses[i]).collect();
-        for (i, s) in chain.stations.iter().enumerate().take(n - 1).filter(|s| s.1.damping_to_next != 0.0) {
-            let (next, gear) = (chain.next(i), chain.gear(i).abs());
-            let across = s.damping_to_next * gear / (self.masses[i] * self.masses[next]).sqrt();
-            rows[i] += s.damping_to_next / self.masses[i] + across;
-            rows[next] += s.damping_to_next * gear * gear / self.masses[next] + across;
-        }
-        rows.into_iter().fold(0.0, f64::max)
-    }
-
-    /// C times some unknowns.
-    fn damped(&self, x: &[C64]) -> Vec<C64> {
-        let (chain, n) = (&self.system.chain, self.system.chain.len());
-        let mut damped = vec![ZERO; x.len()];
-        for (i, s) in chain.stations.iter().enumerate() {
-            damped[i] += x[i] * s.damping_to_ground;
-            if i + 1 < n {
-                let (next, gear) = (chain.next(i), chain.gear(i));
-                let torque = (x[i] - x[next] * gear) * s.damping_to_next;
-                damped[i] += torque;
-                damped[next] -= torque * gear;
-            }
-        }
-        damped
-    }
-
     fn twist(&self, ring: usize, x: &[C64]) -> C64 {
         x[self.system.chain.len() + ring] - x[self.rings[ring].station]
     }
@@ -272,7 +243,7 @@ impl<'a> AboutFrequency<'a> {
             let column = &self.inverse[i * x.len()..(i + 1) * x.len()];
             x.iter_mut().zip(column).for_each(|(x, y)| *x += y * a);
         }
-        let damped = self.damped(&x);
+        let damped = self.system.chain.damped(&x);
         let own = x.iter().zip(&self.masses).map(|(x, m)| m * x.norm_sqr()).sum::<f64>().sqrt();
         let by_damping = damped.iter().zip(&self.masses).map(|(x, m)| x.norm_sqr() / m).sum::<f64>().sqrt();
         let by_ring = |(i, r): (usize, &Ring)| r.stiffness.reach() * self.twist(i, &x).norm() * self.by_twist(r).sqrt();

@@ -8,7 +8,7 @@ use crate::input::Study;
 use crate::objective::holds;
 use crate::units::DEG_PER_RAD;
 
-/// `robust.csv`: a row a design for the objective, then one for each limit, with the factors on the parameters where each is worst; `tolerance_band.csv`: a row a design and speed. None without tolerances.
+/// `robust.csv`: a row a design for the objective, then one for each limit, with the factors on the parameters where each is worst and what it is proved to be at worst; `tolerance_band.csv`: a row a design and speed. None without tolerances.
 ///
 /// # Errors
 /// [`WriteError`] where they cannot be written.
@@ -25,6 +25,8 @@ pub fn robust(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
         "nominal",
         "worst",
         "worst_at",
+        "worst_proved",
+        "proof_boxes",
         "limit",
         "held",
         "percentile",
@@ -50,6 +52,8 @@ pub fn robust(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
                 optional(shown(unit * worst.nominal)),
                 optional(shown(unit * worst.value)),
                 factors(&design.absorbers, &worst.deviation),
+                optional(worst.bound.and_then(|b| shown(unit * b.value))),
+                worst.bound.map_or_else(String::new, |b| b.boxes.to_string()),
                 optional(limit.and_then(shown)),
                 limit.map_or_else(String::new, |_| holds(worst.value).to_string()),
                 sampled(&|p| p.value),

@@ -7,7 +7,7 @@ use crate::input::{MeasureSpec, Study};
 use crate::optimise::{Proof, Verdict};
 
 /// A bound in words, with its last digit on the safe side: no lower bound is told that was not proved, nor an upper one; of a margin they change places.
-fn told(objective: &MeasureSpec, bound: f64, is_lower: bool) -> String {
+pub(super) fn told(objective: &MeasureSpec, bound: f64, is_lower: bool) -> String {
     let exact = objective.unit.shown(bound);
     let number = |text: &str| text.split(|c: char| !(c.is_ascii_digit() || ".e-".contains(c))).next().and_then(|t| t.parse::<f64>().ok());
     let is_safe =

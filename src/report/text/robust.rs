@@ -1,8 +1,9 @@
 //! Designs within tolerances, in words.
 
+use super::proof::told;
 use super::table::{significant, table};
 use crate::absorber::{Deviation, Mounted};
-use crate::analysis::{Results, RowCase};
+use crate::analysis::{Results, RobustOfDesign, RowCase};
 use crate::input::{MeasureSpec, RobustSpec, Study, UnitOf};
 use crate::objective::{Condition, holds};
 use crate::optimise::Scatter;
@@ -86,6 +87,9 @@ pub fn robust(study: &Study, results: &Results) -> String {
         let how = if s.normal { "normal, the tolerance being three standard deviations" } else { "uniform" };
         text.push_str(&format!("  {} random designs, {how}; from and to: 95 % confidence interval of the percentile\n", s.samples));
     }
+    if let Some(effort) = spec.prove.filter(|effort| effort.boxes > 0) {
+        text.push_str(&proved(of, results, effort.gap));
+    }
     if results.conditions().any(|c| c == Condition::InOperation) {
         text.push_str(
             "  tolerances are about the reference of each material: the temperature and strain of operation are judged without them\n",
@@ -103,6 +107,26 @@ pub fn robust(study: &Study, results: &Results) -> String {
         }
     }
     text
+}
+
+/// What is proved of worst cases, in lines.
+fn proved(of: &MeasureSpec, results: &Results, gap: f64) -> String {
+    let of_design = |d: &RobustOfDesign| match d.worst.bound {
+        Some(b) => {
+            let share = b.value / d.worst.value - 1.0;
+            let how = if share <= gap * 1.001 { "proved" } else { "proved to a part" };
+            let side = if of.unit.is_inverse() { "below" } else { "above" };
+            let bound = told(of, b.value, false);
+            format!(
+                "  {how}: no combination within them makes {} {side} {bound} (gap {}, {} boxes)\n",
+                d.design,
+                significant(share, 2),
+                b.boxes
+            )
+        }
+        None => format!("  not proved: what {} is at worst within them\n", d.design),
+    };
+    results.robust.iter().map(of_design).collect()
 }
 
 /// A value of the objective in its unit.

@@ -5,6 +5,7 @@ use crate::absorber::Deviation;
 use crate::input::{LimitSpec, RobustSpec, Sampling, Study};
 use crate::objective::{Measure, PeakFinder};
 use crate::optimise::checkpoint::remembered;
+use crate::optimise::proof::{WorstBound, worst_bound};
 use crate::optimise::{LoadCase, Tolerances, robust};
 use crate::response::{ResponseError, Work};
 use rand::SeedableRng;
@@ -29,6 +30,9 @@ pub struct Worst {
     pub value: f64,
     /// Where.
     pub deviation: Deviation,
+    /// What no combination within the tolerances is proved to be above.
+    #[serde(default)]
+    pub bound: Option<WorstBound>,
 }
 
 /// A design within the tolerances.
@@ -66,8 +70,14 @@ pub fn robust<'d>(
     let one = |d: &&'d DesignResult| {
         let tolerances = Tolerances::scattered_of(&d.absorbers, &spec.scatter());
         let sample_tolerances = || within(study, (finder, cases), d, (spec, &tolerances, seed));
-        let found = (tolerances.edges() > 0)
-            .then(|| remembered(progress.memory(), &("tolerances", &d.name, &d.absorbers), sample_tolerances).map_err(|error| (*d, error)));
+        let found = (tolerances.edges() > 0).then(|| {
+            remembered(
+                progress.memory(),
+                &("tolerances", &d.name, &d.absorbers, spec.prove.map(|e| (e.gap.to_bits(), e.boxes))),
+                sample_tolerances,
+            )
+            .map_err(|error| (*d, error))
+        });
         progress.step();
         found
     };
@@ -84,7 +94,9 @@ fn within(
     let in_cases = |cases: &[LoadCase], measure: &Measure, unit: f64| -> Result<Worst, ResponseError> {
         let nominal = crate::optimise::largest(cases.iter(), &d.absorbers, measure, &mut Work::default())?;
         let (point, value) = tolerances.worst(|p| robust::deviated(cases, &d.absorbers, &tolerances.at(p), measure), seed);
-        Ok(Worst { nominal: nominal / unit, value: value / unit, deviation: tolerances.at(&point).within(&d.absorbers) })
+        let bound = spec.prove.and_then(|effort| worst_bound(cases, &d.absorbers, tolerances, (measure, value), effort));
+        let bound = bound.map(|b| WorstBound { value: b.value / unit, ..b });
+        Ok(Worst { nominal: nominal / unit, value: value / unit, deviation: tolerances.at(&point).within(&d.absorbers), bound })
     };
     let worst = |measure: &Measure, unit: f64| in_cases(cases, measure, unit);
     let in_service: Vec<LoadCase> = cases.iter().filter(|c| c.condition.is_service()).copied().collect();
@@ -92,7 +104,9 @@ fn within(
         l.to_limit().excepted.iter().try_fold(worst(&l.of.measure, l.limit)?, |known, e| {
             let own = in_cases(if e.in_service { &in_service } else { cases }, &e.measure, e.limit)?;
             let nominal = known.nominal.max(own.nominal);
-            Ok(Worst { nominal, ..if own.value > known.value { own } else { known } })
+            let both = known.bound.zip(own.bound);
+            let bound = both.map(|(a, b)| WorstBound { value: a.value.max(b.value), boxes: a.boxes + b.boxes });
+            Ok(Worst { nominal, bound, ..if own.value > known.value { own } else { known } })
         })
     };
     Ok(RobustOfDesign {

@@ -3,6 +3,7 @@
 use crate::absorber::SHAPES;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
+use crate::input::schema::study::RawProve;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -27,6 +28,9 @@ pub(crate) struct RawRobust {
     /// Random designs within the tolerances, beside the exact worst case.
     #[schemars(extend("examples" = [{"percentile": 95, "samples": 1000, "distribution": "uniform"}]))]
     pub sampling: Option<RawSampling>,
+    /// Asks for a proof of what no combination within the tolerances is worse than, of the objective and of every limit.
+    #[schemars(extend("examples" = [{"gap": 1e-3, "boxes": 100_000}]))]
+    pub prove: Option<At<RawProve>>,
     /// Asks for the tolerances that each design can bear under the limits of the study; `{}` for the widest that keep their ratio, within which no limit was found to be broken.
     #[schemars(extend("examples" = [{"cost": {"rubber_thickness_mm": 3, "hardness_shore_a": 5}}]))]
     pub allocate: Option<At<RawAllocate>>,

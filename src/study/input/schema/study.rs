@@ -228,10 +228,10 @@ pub(crate) struct RawOptimise {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawProve {
-    /// Share of the optimum's value below which no design is to lie.
+    /// Share of a value below which no design is to lie, or above which it is not to be, within tolerances.
     #[schemars(extend("minimum" = GAPS.start(), "maximum" = GAPS.end(), "default" = EFFORT.gap, "examples" = [1e-4]))]
     pub gap: Option<At<f64>>,
-    /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
+    /// Boxes that the range of the free parameters, or of speeds and tolerances, is cut into, at most; 0: nothing is proved.
     #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
     pub boxes: Option<At<i64>>,
 }

@@ -167,13 +167,13 @@ pub(crate) fn resolve(
     })
 }
 
-fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
+pub(super) fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
     let Some(raw) = raw.map(At::get_ref) else { return EFFORT };
     let gap = raw.gap.as_ref().map_or(EFFORT.gap, |gap| {
         let x = *gap.get_ref();
         if !GAPS.contains(&x) {
             let (least, most) = (GAPS.start(), GAPS.end());
-            check.wrong(gap, format!("found {x}, expected a gap from {least:e} to {most}, as a share of the optimum"));
+            check.wrong(gap, format!("found {x}, expected a gap from {least:e} to {most}, as a share of the value"));
         }
         x
     });

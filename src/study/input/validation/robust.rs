@@ -1,13 +1,13 @@
 //! Tolerances that a design is to hold within.
 
 use super::absorbers::DesignSpec;
-use super::optimise::OptimiseSpec;
+use super::optimise::{OptimiseSpec, effort};
 use crate::absorber::construction::shape;
 use crate::absorber::{Declaration, Sheared};
 use crate::input::error::{At, Check};
 use crate::input::measure::LimitSpec;
 use crate::input::schema::robust::{HARDNESS, RawAllocate, RawDistribution, RawRobust, VISCOSITY, process_keys};
-use crate::optimise::{Scatter, Tolerances};
+use crate::optimise::{Effort, Scatter, Tolerances};
 
 /// Tolerances of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct RobustSpec {
     pub search: bool,
     /// Random designs.
     pub sampling: Option<Sampling>,
+    /// How closely worst cases are proved, where that is asked for.
+    pub prove: Option<Effort>,
     /// Whether the tolerances that designs can bear are sought.
     pub allocate: Option<AllocateSpec>,
 }
@@ -123,7 +125,8 @@ pub(super) fn resolve(
             normal: matches!(s.distribution, RawDistribution::Normal),
         }
     });
-    let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, allocate: None };
+    let prove = raw.prove.as_ref().map(|prove| effort(check, Some(prove)));
+    let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, prove, allocate: None };
     let allocate = raw.allocate.as_ref().and_then(|a| allocate(check, a, (&spec, limits)));
     (!spec.shares.is_empty() || !spec.process.is_empty()).then_some(RobustSpec { allocate, ..spec })
 }

@@ -5,7 +5,12 @@ use crate::support::{assert_close, study};
 use hartog::absorber::{Absorber, Deviation, Mounted, TUNED, Tuned, VISCOUS};
 use hartog::analysis::Results;
 use hartog::input::{DesignSpec, RobustSpec, Sampling};
+use hartog::objective::PeakFinder;
 use hartog::optimise::Tolerances;
+use hartog::response::{Direct, Grid, Method, Work};
+use rand::SeedableRng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rayon::prelude::*;
 
 const SHARES: [(&str, f64); 2] = [("stiffness_n_m_per_rad", 0.1), ("damping_n_m_s_per_rad", 0.3)];
 
@@ -122,4 +127,52 @@ fn deviations_end_with_the_range() {
     s.designs = vec![DesignSpec { name: "undamped".into(), absorbers: tuned.to_vec() }];
     s.robust = Some(RobustSpec { shares: SHARES.to_vec(), process: Vec::new(), search: true, sampling: None, prove: None, allocate: None });
     assert!(s.run().map_or(1.0, |r| r.robust[0].worst.deviation.factors[0][2]) == 1.0);
+}
+
+/// Law: the worst case of every design of the shipped six within its tolerances is proved to one in a thousand, and no combination of them (all corners, random ones inside and on the faces) is worse than is proved.
+fn worst_cases_are_proved(points: usize) {
+    let mut s = study("villalva_i6_robust");
+    s.robust.as_mut().expect("tolerances").sampling = None;
+    let results = s.run().expect("damped");
+    let sys = crate::support::system(&s);
+    let grid = Grid::new(&s.speeds_rpm, &sys.excitation.tabulated_rpm);
+    let method = Method::Direct(Direct::new(&sys, &grid));
+    let finder = PeakFinder::new(&sys, &grid, &method, true);
+    assert_eq!(results.robust.len(), 5);
+    for d in &results.robust {
+        let bound = d.worst.bound.expect("a proof").value;
+        assert!(bound >= d.worst.value && bound <= d.worst.value * 1.001_000_1, "{}: {bound} of {}", d.design, d.worst.value);
+        let design = &results
+            .designs
+            .iter()
+            .chain(results.optima.iter().map(|o| &o.design))
+            .find(|o| o.name == d.design)
+            .expect("a design")
+            .absorbers;
+        let tolerances = Tolerances::of(design, &SHARES);
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(3);
+        let on_a_face = |mut point: Vec<f64>, i: usize| {
+            let d = i % point.len();
+            point[d] = if i % 2 == 0 { 1.0 } else { -1.0 };
+            point
+        };
+        let inside = (0..points).map(|i| (i, tolerances.sample(false, &mut random)));
+        let all: Vec<Vec<f64>> = inside.map(|(i, p)| if i % 3 == 0 { on_a_face(p, i) } else { p }).chain(tolerances.corners()).collect();
+        let value = |p: &Vec<f64>| {
+            finder.peak(&tolerances.at(p).of(design), &s.objective.measure, &mut Work::default()).expect("damped").map_or(0.0, |p| p.value)
+        };
+        let worst = all.par_iter().map(value).reduce(|| 0.0, f64::max);
+        assert!(worst <= bound, "{}: {worst} is worse than {bound}", d.design);
+    }
+}
+
+#[test]
+fn worst_cases_of_the_six_are_proved() {
+    worst_cases_are_proved(300);
+}
+
+#[test]
+#[ignore = "10⁵ combinations of each design, some minutes"]
+fn a_hundred_thousand_combinations_are_no_worse() {
+    worst_cases_are_proved(100_000);
 }

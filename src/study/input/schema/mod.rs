@@ -12,6 +12,7 @@ pub mod material;
 pub mod material_states;
 pub mod measure;
 pub mod measure_of_construction;
+pub mod prove;
 pub mod published;
 pub mod range;
 pub mod robust;

@@ -1,9 +1,9 @@
 //! Tolerances that a design is to hold within.
 
+use super::prove::RawProve;
 use crate::absorber::SHAPES;
 use crate::absorber::types::parameter_keys;
 use crate::input::error::At;
-use crate::input::schema::study::RawProve;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -6,15 +6,14 @@ use super::fatigue::RawFatigue;
 use super::keyword::by_word;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
+use super::prove::RawProve;
 use super::published::RawPublished;
 use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
 use crate::input::error::At;
 use crate::objective::Condition;
-use crate::optimise::Effort;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::ops::RangeInclusive;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -224,23 +223,6 @@ pub(crate) struct RawOptimise {
     #[schemars(extend("examples" = [{"of": ["peak_twist", "margin"], "targets": [0.4, 2]}]))]
     pub combined: Option<At<RawCombined>>,
 }
-
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct RawProve {
-    /// Share of a value below which no design is to lie, or above which it is not to be, within tolerances.
-    #[schemars(extend("minimum" = GAPS.start(), "maximum" = GAPS.end(), "default" = EFFORT.gap, "examples" = [1e-4]))]
-    pub gap: Option<At<f64>>,
-    /// Boxes that the range of the free parameters, or of speeds and tolerances, is cut into, at most; 0: nothing is proved.
-    #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
-    pub boxes: Option<At<i64>>,
-}
-
-/// Gaps and numbers of boxes that a proof may be asked for.
-pub(crate) const GAPS: RangeInclusive<f64> = 1e-8..=0.5;
-pub(crate) const BOXES: RangeInclusive<i64> = 0..=1_000_000_000;
-/// What a proof costs and shows where a study says nothing of it.
-pub(crate) const EFFORT: Effort = Effort { gap: 1e-3, boxes: 4_000 };
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

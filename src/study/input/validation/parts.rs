@@ -10,7 +10,7 @@ use crate::absorber::types::GIVEN_ONLY;
 use crate::absorber::{Declaration, Host};
 use crate::drivetrain::{Chain, Modes};
 use crate::engine::{Engine, Source};
-use crate::input::schema::study::EFFORT;
+use crate::input::schema::prove::EFFORT;
 use crate::objective::Condition;
 
 /// Why no study follows from its parts.

@@ -234,6 +234,7 @@ pub fn write_chart(chart: &Chart, folder: &Folder) -> Result<(), WriteError> {
         csv::chart::crank_ladder(ladder, folder)?;
         plot::ladder::ladder(&chart.study, ladder, folder)?;
     }
+    plot::proofs::draw(&chart.study, &chart.proofs, folder)?;
     plot::chart::growth(&chart.common.growth, folder)?;
     plot::chart::stability(&chart.common.map, folder)
 }

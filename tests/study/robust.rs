@@ -153,7 +153,7 @@ fn worst_cases_are_proved(points: usize) {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(3);
         let on_a_face = |mut point: Vec<f64>, i: usize| {
             let d = i % point.len();
-            point[d] = if i % 2 == 0 { 1.0 } else { -1.0 };
+            point[d] = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
             point
         };
         let inside = (0..points).map(|i| (i, tolerances.sample(false, &mut random)));

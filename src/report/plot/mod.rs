@@ -18,6 +18,7 @@ mod margin;
 pub mod models;
 mod pareto;
 mod pdf;
+pub mod proofs;
 mod response;
 mod robust;
 

@@ -20,6 +20,13 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         front.front.points.iter().map(|p| (p.design[0].absorber.ring_inertia(), in_unit(study, p.value))).collect()
     };
     let lines: Vec<(&str, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.declaration.name, front(f))).collect();
+    // beside each, what no design with such a ring is proved to be better than
+    let bounds = |f: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
+        let bound =
+            |p: &crate::optimise::FrontPoint| Some((p.design[0].absorber.ring_inertia(), in_unit(study, p.proof.as_ref()?.lower_bound?)));
+        f.front.points.iter().filter_map(bound).collect()
+    };
+    let proved: Vec<Vec<(f64, f64)>> = results.fronts.iter().map(bounds).filter(|b| !b.is_empty()).collect();
     let mut given: Vec<(String, &str, (f64, f64))> = results
         .designs
         .iter()
@@ -54,6 +61,8 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         .enumerate()
         .map(|(i, (kind, _))| Entry::curve(format!("optimum, {}", kind.replace('_', " ")), stroke(i, kind)))
         .collect();
+    let thin = line(GREY, 8);
+    entries.extend(proved.first().map(|_| Entry::curve("proved: no such ring is better", Stroke::solid(thin))));
     entries.extend(levels.iter().filter(|l| l.0.is_some()).map(|(_, label, stroke)| Entry::curve(*label, *stroke)));
     canvas::save(folder, "pareto", (WIDTH, 440 + legend::height(&entries, WIDTH)), |area| {
         let main = legend::below(area, &entries)?;
@@ -75,6 +84,9 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
         };
         for (i, (kind, points)) in lines.iter().enumerate() {
             draw(points, stroke(i, kind))?;
+        }
+        for bounds in &proved {
+            draw(bounds, Stroke::solid(thin))?;
         }
         for (level, _, stroke) in levels {
             if let Some(level) = level {

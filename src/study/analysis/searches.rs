@@ -208,9 +208,14 @@ impl<'a> Searches<'a> {
         let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
-        let proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
+        let mut proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
+        let proved = optimum.outcome.point.clone();
         let design = self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), &name)?;
+        if let Some(proof) = proof.as_mut().filter(|_| optimum.outcome.point != proved) {
+            // what no design is below holds of its family, what it is itself at no speed above does not
+            proof.upper_bound = proof::upper_bound(&problem, &optimum.outcome, spec.prove.0, &mut optimum.stages.search);
+        }
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
         let second_order = if conflict.is_some() || !first_order {

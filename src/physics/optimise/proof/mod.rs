@@ -18,6 +18,7 @@ mod settle;
 mod verdict;
 mod worst;
 
+pub use over_speeds::upper_bound;
 pub use settle::{settle, settle_front};
 pub use verdict::{Effort, Proof, Ranges, Reason, Verdict};
 pub use worst::{WorstBound, worst_bound};

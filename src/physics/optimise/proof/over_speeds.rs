@@ -7,7 +7,8 @@ use crate::optimise::{Outcome, Problem};
 use crate::response::Work;
 
 /// What the objective of an optimum is nowhere above, over all speeds and conditions, as close to its value as the gap where as many speeds as boxes suffice; `None` where it is not proved, or a limit is not to hold to the gap.
-pub(super) fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &mut Work) -> Option<f64> {
+#[doc(hidden)]
+pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &mut Work) -> Option<f64> {
     if !optimum.rows.hold() || !problem.weights.is_empty() {
         return None;
     }

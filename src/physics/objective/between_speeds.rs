@@ -251,6 +251,9 @@ impl Search<'_> {
             let tangents = self.tangents(order, disc, part);
             off.iter_mut().zip(tangents).for_each(|(off, y)| off[order] = y.off_chord(omega[1] - omega[0], farthest));
         }
+        if !off.iter().flatten().all(|off| off.is_finite()) {
+            return None;
+        }
         if let Over::Margin(_) = self.measure.over {
             // chords over the square of the speed
             let share = 0.25 * (high - low) / (high + low);

@@ -76,6 +76,10 @@ impl Parabola {
     /// Coefficients of 1, d and d² about a speed, d in rad/s of an order of this value.
     pub(super) fn about(&self, order: usize, speed_rpm: f64, omega_per_rpm: f64) -> [Vec<C64>; 3] {
         let [a, b, c] = self.speeds;
+        if a == c {
+            let none = vec![ZERO; self.torques[0][order].len()];
+            return [self.torques[0][order].clone(), none.clone(), none];
+        }
         let of_station = |i: usize| {
             let [ta, tb, tc] = [0, 1, 2].map(|k| self.torques[k][order][i]);
             // Newton's divided differences

@@ -4,10 +4,11 @@ use super::canvas::{self, COLOURS, GREY, Stroke, WIDTH, captioned, fill, line, p
 use super::labels;
 use super::legend::{self, Entry};
 use crate::absorber::TYPES;
-use crate::analysis::Results;
+use crate::analysis::{FrontResult, Results};
 use crate::csv::in_unit;
 use crate::files::{Folder, WriteError};
 use crate::input::{Study, UnitOf};
+use crate::optimise::FrontPoint;
 use plotters::prelude::*;
 
 /// A colour for each declared type; what is none of them (a locked ring) is grey.
@@ -15,18 +16,29 @@ fn colour(type_name: &str) -> RGBColor {
     TYPES.iter().position(|t| t.name == type_name).map_or(GREY, |i| COLOURS[i % COLOURS.len()])
 }
 
+/// What no design with a ring of each size is proved to be better than.
+fn bounds(study: &Study, front: &FrontResult) -> Vec<(f64, f64)> {
+    let bound = |p: &FrontPoint| Some((p.design[0].absorber.ring_inertia(), in_unit(study, p.proof.as_ref()?.lower_bound?)));
+    front.front.points.iter().filter_map(bound).collect()
+}
+
+/// The scale of the objective.
+fn scale(study: &Study, smallest: f64, largest: f64) -> (f64, f64) {
+    match study.objective.unit {
+        // margins differ little and have no natural zero
+        UnitOf::Margin | UnitOf::Life => {
+            ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3))
+        }
+        _ => (0.0, canvas::round_up(largest)),
+    }
+}
+
 pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    let front = |front: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
+    let front = |front: &FrontResult| -> Vec<(f64, f64)> {
         front.front.points.iter().map(|p| (p.design[0].absorber.ring_inertia(), in_unit(study, p.value))).collect()
     };
     let lines: Vec<(&str, Vec<(f64, f64)>)> = results.fronts.iter().map(|f| (f.declaration.name, front(f))).collect();
-    // beside each, what no design with such a ring is proved to be better than
-    let bounds = |f: &crate::analysis::FrontResult| -> Vec<(f64, f64)> {
-        let bound =
-            |p: &crate::optimise::FrontPoint| Some((p.design[0].absorber.ring_inertia(), in_unit(study, p.proof.as_ref()?.lower_bound?)));
-        f.front.points.iter().filter_map(bound).collect()
-    };
-    let proved: Vec<Vec<(f64, f64)>> = results.fronts.iter().map(bounds).filter(|b| !b.is_empty()).collect();
+    let proved: Vec<Vec<(f64, f64)>> = results.fronts.iter().map(|f| bounds(study, f)).filter(|b| !b.is_empty()).collect();
     let mut given: Vec<(String, &str, (f64, f64))> = results
         .designs
         .iter()
@@ -43,13 +55,7 @@ pub(crate) fn draw(study: &Study, results: &Results, folder: &Folder) -> Result<
     let floor = results.forced_floor.map(|v| in_unit(study, v));
     let largest = lines.iter().flat_map(|l| l.1.iter()).map(|p| p.1).chain(given.iter().map(|g| g.2.1)).chain(none).fold(0.0, f64::max);
     let smallest = points().map(|p| p.1).chain(none).fold(f64::INFINITY, f64::min);
-    // margins differ little and have no natural zero
-    let (bottom, top) = match study.objective.unit {
-        UnitOf::Margin | UnitOf::Life => {
-            ((smallest - 0.5 * (largest - smallest)).max(0.0), largest + 0.25 * (largest - smallest).max(1e-3))
-        }
-        _ => (0.0, canvas::round_up(largest)),
-    };
+    let (bottom, top) = scale(study, smallest, largest);
     let unit = match study.objective.unit.suffix().trim() {
         "" => String::new(),
         suffix => format!(" / {suffix}"),

@@ -18,8 +18,8 @@ use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, largest, proof, robust, search,
-    second_order, shadow_prices, starts,
+    Effort, Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, largest, proof, robust,
+    search, second_order, shadow_prices, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -210,12 +210,8 @@ impl<'a> Searches<'a> {
         let problem = Problem { load_cases: &scenarios, ..problem };
         let mut proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
-        let proved = optimum.outcome.point.clone();
-        let design = self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), &name)?;
-        if let Some(proof) = proof.as_mut().filter(|_| optimum.outcome.point != proved) {
-            // what no design is below holds of its family, what it is itself at no speed above does not
-            proof.upper_bound = proof::upper_bound(&problem, &optimum.outcome, spec.prove.0, &mut optimum.stages.search);
-        }
+        let proved = (spec.prove.0, proof.as_mut());
+        let design = self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), proved, &name)?;
         // of the nearest design nothing is an optimum but its violation
         let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
         let second_order = if conflict.is_some() || !first_order {
@@ -295,7 +291,13 @@ impl<'a> Searches<'a> {
 
     /// The numbers of an optimum. A limit may jump between two speeds that a search looks at, as a temperature does where a balance of heat is lost: where the design then breaks one, the best of the other local optima
     /// that holds them takes its place.
-    fn as_reported(&self, problem: &Problem, (optimum, others): (&mut Optimum, bool), name: &str) -> Result<DesignResult, RunError> {
+    fn as_reported(
+        &self,
+        problem: &Problem,
+        (optimum, others): (&mut Optimum, bool),
+        (effort, mut proof): (Effort, Option<&mut Proof>),
+        name: &str,
+    ) -> Result<DesignResult, RunError> {
         let evaluated = |design: &[Mounted]| evaluate::evaluate(self.finders, name, design, self.wanted, &mut Work::default());
         let own = evaluated(&optimum.design)?;
         if own.within_limits() || !others {
@@ -308,6 +310,10 @@ impl<'a> Searches<'a> {
             let Some(found) = evaluated(&design).ok().filter(|d| d.within_limits() && outcome.rows.hold()) else { continue };
             optimum.others.drain(..=i);
             (optimum.design, optimum.outcome) = (design, outcome);
+            if let Some(proof) = &mut proof {
+                // what no design is below holds of its family, what it is itself at no speed above does not
+                proof.upper_bound = proof::upper_bound(problem, &optimum.outcome, effort, &mut optimum.stages.search);
+            }
             return Ok(found);
         }
         Ok(own)

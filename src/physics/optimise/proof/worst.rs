@@ -154,6 +154,9 @@ impl Search<'_> {
             by_speed += before;
             models.iter_mut().zip(outputs).for_each(|(models, y)| models[order] = y);
         }
+        if !models.iter().flatten().all(Taylor::is_finite) {
+            return too_large(own, 0);
+        }
         let mut spread = [0.0; MOST];
         for y in models.iter().flatten() {
             spread.iter_mut().zip(&y.slopes).for_each(|(sum, g)| *sum += g.norm());
@@ -192,7 +195,7 @@ impl Search<'_> {
         let mut values: Vec<Vec<Taylor>> =
             laws().map(|law| law.map_or_else(Vec::new, |law| law.values().into_iter().map(number).collect())).collect();
         for (edge, ((absorber, parameters, is_amount, range), own)) in self.tolerances.ranges().zip(&own.ranges).enumerate() {
-            let Some(law) = self.design[absorber].absorber.law() else { continue };
+            let Some(law) = self.design.get(absorber).and_then(|m| m.absorber.law()) else { continue };
             let change = Taylor::between(own.0, own.1, edge + 1);
             for p in parameters {
                 let (drawn, allowed) = (law.values()[*p], law.declaration().parameters[*p].range);

@@ -210,15 +210,12 @@ impl<'a> Searches<'a> {
         let problem = Problem { load_cases: &scenarios, ..problem };
         let mut proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
-        let proved = (spec.prove.0, proof.as_mut());
-        let design = self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), proved, &name)?;
+        let design =
+            self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), (spec.prove.0, proof.as_mut()), &name)?;
         // of the nearest design nothing is an optimum but its violation
-        let first_order = optimum.outcome.kkt_residual < FIRST_ORDER;
-        let second_order = if conflict.is_some() || !first_order {
-            None
-        } else {
-            second_order::second_order(&problem, &optimum.outcome, &mut Work::default())
-        };
+        let is_optimum = conflict.is_none() && optimum.outcome.kkt_residual < FIRST_ORDER;
+        let conditions = || second_order::second_order(&problem, &optimum.outcome, &mut Work::default());
+        let second_order = is_optimum.then(conditions).flatten();
         let mounted = optimum.design.as_slice();
         let classifier = Classifier::new(self.finders[0].system, self.study.twist);
         let nature = |r: &Row| {

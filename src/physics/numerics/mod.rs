@@ -26,6 +26,7 @@ pub mod polyline;
 pub(crate) mod projections;
 pub mod quadrature;
 pub mod rainflow;
+pub(crate) mod ranked;
 pub(crate) mod rational;
 pub(crate) mod roots;
 pub mod rounding;

@@ -12,13 +12,13 @@ use crate::absorber::Mounted;
 use crate::crankshaft::Torque;
 use crate::numerics::C64;
 use crate::numerics::elementary::turn;
+use crate::numerics::ranked::{ByRank, Ranked};
 use crate::numerics::synthesis::{Extremes, bound};
 use crate::response::about_frequency::AboutFrequency;
 use crate::response::factored::Factored;
 use crate::response::tangent::{Parabola, Tangent};
 use crate::response::{Grid, Quantity, Work};
 use std::cell::OnceCell;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::rc::Rc;
 
@@ -54,26 +54,13 @@ struct Interval {
     upper: f64,
     /// Index of the part without kinks of the torque.
     part: usize,
+    age: u64,
 }
 
-impl PartialEq for Interval {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Interval {}
-
-impl PartialOrd for Interval {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Interval {
+impl Ranked for Interval {
     /// That with the highest bound is halved first.
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper).then(other.ends[0].speed_rpm.total_cmp(&self.ends[0].speed_rpm))
+    fn rank(&self) -> (f64, u64) {
+        (self.upper, self.age)
     }
 }
 
@@ -180,20 +167,20 @@ impl Search<'_> {
             }
             let part = self.part_of(speeds);
             let upper = self.upper(part, [&low, &high], target);
-            open.push(Interval { ends: [low, high], upper, part });
+            open.push(ByRank(Interval { ends: [low, high], upper, part, age: self.solved }));
         }
         let range = self.finder.grid.speed_rpm[self.finder.grid.len() - 1] * SHORTEST;
-        while let Some(Interval { ends: [low, high], upper, part }) = open.pop() {
+        while let Some(ByRank(Interval { ends: [low, high], upper, part, age })) = open.pop() {
             if upper <= target || self.solved >= most || high.speed_rpm - low.speed_rpm <= range {
-                open.push(Interval { ends: [low, high], upper, part });
+                open.push(ByRank(Interval { ends: [low, high], upper, part, age }));
                 break;
             }
             let middle = self.solve(0.5 * (low.speed_rpm + high.speed_rpm), work)?;
             let of_halves = [self.upper(part, [&low, &middle], target), self.upper(part, [&middle, &high], target)];
-            open.push(Interval { ends: [low, middle.clone()], upper: of_halves[0], part });
-            open.push(Interval { ends: [middle, high], upper: of_halves[1], part });
+            let halves = [[low, middle.clone()], [middle, high]].into_iter().zip(of_halves);
+            open.extend(halves.map(|(ends, upper)| ByRank(Interval { ends, upper, part, age: self.solved })));
         }
-        let value = open.peek().map_or(upper, |i| f64::max(upper, i.upper)) * (1.0 + ROUNDED);
+        let value = open.peek().map_or(upper, |i| f64::max(upper, i.0.upper)) * (1.0 + ROUNDED);
         value.is_finite().then_some(Ceiling { value, speeds: self.solved })
     }
 

@@ -4,12 +4,12 @@ use super::asked::{self, AtSpeed, Case};
 use super::form::{Form, least_of_largest};
 use super::verdict::{Effort, Found, Ranges, Reason, Verdict};
 use crate::numerics::C64;
+use crate::numerics::ranked::{ByRank, Ranked};
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::objective::HELD;
 use crate::optimise::{Outcome, Problem, Row, Variable};
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Speeds of a load case at which boxes are looked at from the beginning, besides those of the peaks of the optimum.
@@ -54,24 +54,10 @@ struct Cell {
     age: u64,
 }
 
-impl PartialEq for Cell {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Cell {}
-
-impl PartialOrd for Cell {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Cell {
-    /// The greatest is cut first: that with the lowest bound.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.bound.total_cmp(&self.bound).then(other.age.cmp(&self.age))
+impl Ranked for Cell {
+    /// That with the lowest bound is cut first.
+    fn rank(&self) -> (f64, u64) {
+        (-self.bound, self.age)
     }
 }
 
@@ -162,10 +148,10 @@ impl Search<'_> {
         *boxes += 1;
         let mut open = BinaryHeap::new();
         if let Looked::Open(cell) = self.look_at(whole, None, 0)? {
-            open.push(cell);
+            open.push(ByRank(cell));
         }
         while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
-            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| open.pop()).collect();
+            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| Some(open.pop()?.0)).collect();
             let halves: Vec<(Bounds, &Cell)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell))).collect();
             let age = *boxes;
             let looked = |(i, (half, parent)): (usize, (Bounds, &Cell))| self.look_at(half, Some(parent), age + i as u64);
@@ -191,12 +177,12 @@ impl Search<'_> {
                 }
             }
             self.choose_useful();
-            open.extend(rest);
+            open.extend(rest.into_iter().map(ByRank));
         }
         if open.is_empty() {
             return Ok(Found::Ended(target, if target.is_some() { Verdict::Proved } else { Verdict::Impossible }));
         }
-        let all = open.into_sorted_vec();
+        let all: Vec<Cell> = open.into_sorted_vec().into_iter().map(|cell| cell.0).collect();
         for cell in all.iter().step_by(all.len().div_ceil(LAST).max(1)) {
             let point = cell.middle_point();
             if self.is_better(&point, (value, target), work) {

@@ -6,6 +6,7 @@
 use super::verdict::Effort;
 use crate::absorber::{Mounted, OperatingOver};
 use crate::numerics::C64;
+use crate::numerics::ranked::{ByRank, Ranked};
 use crate::numerics::synthesis::bound;
 use crate::numerics::taylor::{MOST, Taylor};
 use crate::objective::{Condition, Measure, Over, PeakFinder};
@@ -15,7 +16,6 @@ use crate::response::about_frequency::{AboutFrequency, Change};
 use crate::response::factored::Factored;
 use crate::response::tangent::Parabola;
 use rayon::prelude::*;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Boxes that are cut together.
@@ -49,24 +49,10 @@ struct Cell {
     age: u64,
 }
 
-impl PartialEq for Cell {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Cell {}
-
-impl PartialOrd for Cell {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Cell {
-    /// The greatest is cut first: that with the highest bound.
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper).then(other.age.cmp(&self.age))
+impl Ranked for Cell {
+    /// That with the highest bound is cut first.
+    fn rank(&self) -> (f64, u64) {
+        (self.upper, self.age)
     }
 }
 
@@ -117,17 +103,17 @@ impl Search<'_> {
         for speeds in self.finder.without_kinks(self.measure) {
             self.torques.push(self.finder.torque_about(speeds));
             all.boxes += 1;
-            open.push(self.looked_at(Region { speeds, ranges: ranges.clone() }, self.torques.len() - 1, all.boxes)?);
+            open.push(ByRank(self.looked_at(Region { speeds, ranges: ranges.clone() }, self.torques.len() - 1, all.boxes)?));
         }
-        while all.boxes < most && open.peek().is_some_and(|cell| cell.upper > self.target) {
-            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| open.pop()).collect();
+        while all.boxes < most && open.peek().is_some_and(|cell| cell.0.upper > self.target) {
+            let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| Some(open.pop()?.0)).collect();
             let halves: Vec<(Region, usize)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell.part))).collect();
             let age = all.boxes;
             all.boxes += halves.len() as u64;
             let look = |(i, (half, part)): (usize, (Region, usize))| self.looked_at(half, part, age + i as u64);
-            open.extend(halves.into_par_iter().enumerate().map(look).collect::<Option<Vec<Cell>>>()?);
+            open.extend(halves.into_par_iter().enumerate().map(look).collect::<Option<Vec<Cell>>>()?.into_iter().map(ByRank));
         }
-        all.value = open.peek().map_or(all.value, |cell| f64::max(all.value, cell.upper));
+        all.value = open.peek().map_or(all.value, |cell| f64::max(all.value, cell.0.upper));
         all.value.is_finite().then_some(())
     }
 

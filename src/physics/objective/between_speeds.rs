@@ -138,7 +138,10 @@ impl PeakFinder<'_> {
     fn has_ceiling(&self, measure: &Measure) -> bool {
         match measure.over {
             Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_) | Over::Power | Over::Strain => true,
-            Over::Margin(criterion) => self.margin.is_some_and(|margin| !margin.is_multiaxial(criterion)),
+            // the share is linear in the square of the speed, a factor in the speed
+            Over::Margin(criterion) => {
+                measure.within.factors.is_empty() && self.margin.is_some_and(|margin| !margin.is_multiaxial(criterion))
+            }
             Over::Temperature | Over::Mean | Over::AtDuty(_) | Over::MeanPower | Over::Damage | Over::Property(_) => false,
         }
     }

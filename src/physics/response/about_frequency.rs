@@ -111,6 +111,10 @@ impl<'a> AboutFrequency<'a> {
             return None;
         }
         solver.factor(design, order, speed_rpm).ok()?;
+        if solver.is_stiff() {
+            // differences of angles lose the torque of the shaft
+            return None;
+        }
         let (omega, n) = (solver.omega, system.chain.len());
         let at = Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM };
         let mut masses = system.chain.inertias();

@@ -174,6 +174,11 @@ impl<'a> Factored<'a> {
         matrix.factor()
     }
 
+    /// Whether torques of shafts are unknowns: beside a very stiff shaft.
+    pub(super) fn is_stiff(&self) -> bool {
+        self.stiff
+    }
+
     /// Unknowns under torques on the stations.
     pub fn under(&self, torques: &[C64]) -> Vec<C64> {
         if self.flexible.is_some() {

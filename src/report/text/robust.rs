@@ -114,7 +114,7 @@ fn proved(of: &MeasureSpec, results: &Results, gap: f64) -> String {
     let of_design = |d: &RobustOfDesign| match d.worst.bound {
         Some(b) => {
             let share = b.value / d.worst.value - 1.0;
-            let how = if share <= gap * 1.001 { "proved" } else { "proved to a part" };
+            let how = if (0.0..=gap * 1.001).contains(&share) { "proved" } else { "proved to a part" };
             let side = if of.unit.is_inverse() { "below" } else { "above" };
             let bound = told(of, b.value, false);
             format!(

@@ -17,7 +17,7 @@ pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &
     let asked: Vec<_> = objectives.chain(problem.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l))).collect();
     let mut upper = 0.0;
     for case in problem.load_cases {
-        if case.condition == Condition::InOperation || case.deviation.is_some() {
+        if case.condition == Condition::InOperation || case.deviation.is_some() || !case.finder.refine {
             return None;
         }
         let absorbers = case.absorbers(&design).ok()?;
@@ -25,8 +25,11 @@ pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &
             let most = if role.is_limit() { within } else { value * within };
             for (measure, unit) in limit.parts_in(case.condition).filter(|part| case.asks(part.0)) {
                 if let Over::Property(_) = measure.over {
-                    upper = if role.is_limit() { upper } else { value };
-                    continue;
+                    // it has no speeds
+                    if role.is_limit() {
+                        continue;
+                    }
+                    return None;
                 }
                 let found = case.finder.ceiling(&absorbers, measure, (most * unit, effort.boxes), work)?.value / unit;
                 if role.is_limit() && found > most * (1.0 + ROUNDED) {

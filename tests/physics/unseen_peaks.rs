@@ -174,14 +174,13 @@ fn found(sys: &System, design: &[Mounted], quantity: Quantity, step: f64, joint:
     })
 }
 
-/// Designs from a seed, each held against the reference at 10 and 20 rpm: relative errors by synthesis and by orders.
-fn errors(seed: u64, count: usize) -> Vec<(String, f64)> {
+/// Random designs of one to three small rings from a seed, on shipped engines, on one of unit torques and on random ones.
+pub(crate) fn each_random_design(seed: u64, count: usize, mut see: impl FnMut(usize, &System, Quantity, &[Mounted])) {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
     let shipped = ["villalva_i6_thesis", "mendes_mwm6"].map(|name| {
         let s = study(name);
         (system(&s), s.twist)
     });
-    let mut list = Vec::new();
     for i in 0..count {
         let built;
         let (sys, quantity) = match i % 4 {
@@ -192,14 +191,22 @@ fn errors(seed: u64, count: usize) -> Vec<(String, f64)> {
             }
         };
         let design = random_design(&mut random, sys.chain.len() - 1);
-        let exact = reference(sys, &design, quantity);
+        see(i, sys, quantity, &design);
+    }
+}
+
+/// Designs from a seed, each held against the reference at 10 and 20 rpm: relative errors by synthesis and by orders.
+fn errors(seed: u64, count: usize) -> Vec<(String, f64)> {
+    let mut list = Vec::new();
+    each_random_design(seed, count, |i, sys, quantity, design| {
+        let exact = reference(sys, design, quantity);
         for step in [10.0, 20.0] {
-            let peaks = found(sys, &design, quantity, step, i % 8 > 3);
+            let peaks = found(sys, design, quantity, step, i % 8 > 3);
             for (k, over) in ["synthesis", "orders"].into_iter().enumerate() {
                 list.push((format!("seed {seed}, design {i}, {step} rpm, {over}: {design:?}"), peaks[k] / exact[k] - 1.0));
             }
         }
-    }
+    });
     list
 }
 

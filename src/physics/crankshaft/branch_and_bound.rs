@@ -1,7 +1,7 @@
 //! The location that is used most among some, each known at first by a bound that costs little, then by others that cost more, and evaluated only where it may be the worst.
 
 use super::Used;
-use std::cmp::Ordering;
+use crate::numerics::ranked::{ByRank, Ranked};
 use std::collections::BinaryHeap;
 
 /// A location that may be used most, the one with the larger bound before another.
@@ -32,36 +32,23 @@ impl Able {
     }
 }
 
-impl PartialEq for Able {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Able {}
-
-impl PartialOrd for Able {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Able {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound).then(other.location.cmp(&self.location))
+impl Ranked for Able {
+    /// That with the highest bound; of level ones the first as they are listed.
+    fn rank(&self) -> (f64, u64) {
+        (self.bound, self.location as u64)
     }
 }
 
 /// The worst, of level ones the first as they are listed. `next`: of a location of which so many closer bounds are known.
 pub(super) fn worst(able: Vec<Able>, mut next: impl FnMut(usize, u8) -> Next, mut used: impl FnMut(usize) -> Used) -> Option<Used> {
     let mut most: Option<Used> = None;
-    let mut able = BinaryHeap::from(able);
-    while let Some(top) = able.pop() {
+    let mut able: BinaryHeap<ByRank<Able>> = able.into_iter().map(ByRank).collect();
+    while let Some(ByRank(top)) = able.pop() {
         if most.is_some_and(|m| top.bound < m.value) {
             break;
         }
         match next(top.location, top.level) {
-            Next::Bound(bound) => able.push(Able { bound: bound.min(top.bound), level: top.level + 1, ..top }),
+            Next::Bound(bound) => able.push(ByRank(Able { bound: bound.min(top.bound), level: top.level + 1, ..top })),
             Next::Out => {}
             Next::Evaluate => {
                 let own = used(top.location);

@@ -85,12 +85,13 @@ struct Search<'s> {
 }
 
 impl PeakFinder<'_> {
-    /// What a measure is nowhere above over the range, as close to `target` as so many speeds allow; `None` where it has no such bound: of multiaxial criteria, temperatures, properties and means, of flexible cranks, of
-    /// absorbers on rings or without an enclosure, and where so many speeds do not suffice for any.
+    /// What a measure is nowhere above over the range, as close to `target` as so many speeds allow; `None` where it has no such bound: where peaks are not refined; of multiaxial criteria, weighted margins, temperatures, properties and means; of flexible cranks, beside very stiff shafts, of
+    /// absorbers on rings or without an enclosure; and where so many speeds do not suffice for any.
     pub fn ceiling(&self, design: &[Mounted], measure: &Measure, (target, most): (f64, u64), work: &mut Work) -> Option<Ceiling> {
         let is_there = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
         let quantities: Vec<Quantity> = measure.quantities.iter().copied().filter(is_there).collect();
-        if !self.has_ceiling(measure) {
+        // where peaks are not refined the grid knows no kinks, and no value between its speeds is told
+        if !self.refine || !self.has_ceiling(measure) {
             return None;
         }
         let discs = (0..self.system.orders()).map(|_| Vec::new()).collect();
@@ -99,15 +100,12 @@ impl PeakFinder<'_> {
         search.run(target, most, work)
     }
 
-    /// The range of the measure, cut at kinks of the torque and of the measure and, where the crank is asked for, at the speeds of its table. Where peaks are not refined, single speeds.
+    /// The range of the measure, cut at kinks of the torque and of the measure and, where the crank is asked for, at the speeds of its table; a range of one speed as it is.
     pub(crate) fn without_kinks(&self, measure: &Measure) -> Vec<(f64, f64)> {
         let (grid, within) = (self.grid, &measure.within);
         let all = (grid.speed_rpm[0], grid.speed_rpm[grid.len() - 1]);
         let whole = [all];
         let ranges: &[(f64, f64)] = if within.ranges.is_empty() { &whole } else { &within.ranges };
-        if !self.refine {
-            return grid.speed_rpm.iter().filter(|s| within.holds(**s)).map(|s| (*s, *s)).collect();
-        }
         let cuts_all = matches!(measure.over, Over::Margin(_));
         let of_grid = grid.speed_rpm.iter().zip(&grid.kink).filter(|(_, kink)| **kink || cuts_all).map(|(s, _)| *s);
         let cuts: Vec<f64> = of_grid.chain(within.kinks()).collect();
@@ -165,7 +163,7 @@ impl Search<'_> {
             for end in [&low, &high] {
                 upper = f64::max(upper, self.at(end));
             }
-            if !self.finder.refine || speeds.0 >= speeds.1 {
+            if speeds.0 >= speeds.1 {
                 continue;
             }
             let part = self.part_of(speeds);

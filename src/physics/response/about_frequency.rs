@@ -1,8 +1,8 @@
-//! The response of a design as a function of frequency and of parameters of its absorbers: in the middle of a box its value and slopes, and how far from that tangent it may be in the box, or in a disc of complex frequencies.
+//! The response of a design as a function of frequency: in the middle of an interval or of a disc of complex frequencies its value and slope, and how far from that tangent it may be there; and what changes of the absorbers make of it.
 //!
 //! With A(omega) the dynamic stiffness of chain and rings (each ring an unknown of its own), A0 = A(omega0) and E = A - A0, an output a^T A^-1 T is
 //! a'^T T - a'^T E x + a'^T E A^-1 E x, with a' = A0^-1 a and x = A0^-1 T. Each unknown weighed by its inertia M, |M^1/2 A^-1 M^1/2| <= N/(1 - N e): N is the Frobenius norm of M^1/2 A0^-1 M^1/2, and e no
-//! less than the norm of M^-1/2 E M^-1/2. What is analytic in a disc and there no larger than g, with value and slope zero in its middle, is at most g (d/R)² at the distance d (Schwarz's lemma).
+//! less than the norm of M^-1/2 E M^-1/2. What is larger than an affine function by at most g in a disc of complex frequencies bends by no more than 2 g/r² at a distance r from its rim (Cauchy).
 
 use super::factored::Factored;
 use super::tangent::{Parabola, Tangent};
@@ -47,7 +47,7 @@ enum Over {
     Interval,
 }
 
-/// A system with its absorbers over a box of frequencies, and of parameters of the absorbers, about its middle.
+/// A system with its absorbers over a box of frequencies, about its middle.
 #[derive(Debug)]
 pub struct AboutFrequency<'a> {
     system: &'a System,
@@ -79,7 +79,7 @@ struct Solved {
 }
 
 impl<'a> AboutFrequency<'a> {
-    /// A design at an order (an index) and a speed, in as large a disc as its resonances leave; `None` of a flexible crank, of absorbers on rings or without an enclosure, and where it resonates without damping.
+    /// A design at an order (an index) and a speed, in as large a disc as its resonances leave; `None` of a flexible crank, beside very stiff shafts, of absorbers on rings or without an enclosure, and where it resonates without damping.
     pub fn new(system: &'a System, design: &[Mounted], order: usize, speed_rpm: f64) -> Option<Self> {
         Self::disc(&mut Factored::new(system), (system, design), order, speed_rpm)
     }

@@ -3,7 +3,7 @@
 use crate::drivetrain::System;
 use crate::numerics::{C64, ZERO};
 
-/// A function of frequency: value + slope d + rest, d = omega - omega0, with |rest| <= bend |d|² for complex d up to a radius.
+/// A function of frequency: value + slope d + rest, d = omega - omega0, with |rest| <= bend R² for complex d up to a radius R. Where value and slope are those of the function, it is at most bend |d|² (Schwarz's lemma).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tangent {
     /// At omega0.

@@ -6,6 +6,9 @@ use crate::optimise::problem::Role;
 use crate::optimise::{Outcome, Problem};
 use crate::response::Work;
 
+/// By which what is told may exceed what was asked for.
+const ROUNDED: f64 = 1e-8;
+
 /// What the objective of an optimum is nowhere above, over all speeds and conditions, as close to its value as the gap where as many speeds as boxes suffice; `None` where it is not proved, or a limit is not to hold to the gap.
 #[doc(hidden)]
 pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &mut Work) -> Option<f64> {
@@ -17,7 +20,7 @@ pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &
     let asked: Vec<_> = objectives.chain(problem.limits.iter().enumerate().map(|(i, l)| (Role::Limit(i), l))).collect();
     let mut upper = 0.0;
     for case in problem.load_cases {
-        if case.condition == Condition::InOperation || case.deviation.is_some() || !case.finder.refine {
+        if case.condition == Condition::InOperation || case.deviation.is_some() {
             return None;
         }
         let absorbers = case.absorbers(&design).ok()?;
@@ -41,6 +44,3 @@ pub fn upper_bound(problem: &Problem, optimum: &Outcome, effort: Effort, work: &
     }
     Some(upper)
 }
-
-/// By which what is told may exceed what was asked for.
-const ROUNDED: f64 = 1e-8;

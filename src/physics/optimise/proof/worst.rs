@@ -78,7 +78,7 @@ pub fn worst_bound(
     effort: Effort,
 ) -> Option<WorstBound> {
     let is_norm = matches!(measure.over, Over::Synthesis | Over::Orders | Over::Order(_) | Over::Statistic(_));
-    if !is_norm || tolerances.edges() >= MOST || !worst.is_finite() {
+    if !is_norm || tolerances.edges() >= MOST || !worst.is_finite() || effort.boxes == 0 {
         return None;
     }
     let mut all = WorstBound { value: 0.0, boxes: 0 };

@@ -12,7 +12,7 @@ pub(super) enum Kind {
 }
 
 /// Columns of words and names.
-const TEXT: [&str; 35] = [
+const TEXT: [&str; 36] = [
     "absorbers",
     "catalogue",
     "condition",
@@ -20,6 +20,7 @@ const TEXT: [&str; 35] = [
     "curve",
     "design",
     "engine",
+    "excluded_by",
     "fillet",
     "found_from",
     "front",

@@ -89,7 +89,8 @@ pub fn write_run(
 
 /// Writes the tables of a run but the large ones.
 fn write_tables(study: &Study, results: &Results, folder: &Folder) -> Result<(), WriteError> {
-    RUN_TABLES.iter().filter(|t| (t.asked)(study)).try_for_each(|t| (t.write)(study, results, folder))
+    RUN_TABLES.iter().filter(|t| (t.asked)(study)).try_for_each(|t| (t.write)(study, results, folder))?;
+    csv::proofs(study, results, folder)
 }
 
 /// Writes a calibration, where there is one.

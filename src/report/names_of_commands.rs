@@ -35,6 +35,7 @@ impl Names {
         let mut names = Self::of("run", &[PAGE, RESULTS, UNFINISHED])
             .tables(&asked.collect::<Vec<_>>())
             .tables(&["response", "timing"])
+            .tables_if(study.optimise.as_ref().is_some_and(|o| o.prove.file), &["proof_optimum_*"])
             .plots(&["designs", "campbell", "excitation"])
             .each_design(study)
             .plots_if(materials(study, &|m| m.thermal.is_some()), &["heat"])

@@ -2,7 +2,7 @@
 
 use crate::absorber::Declaration;
 use crate::analysis::{RunError, Silent, run};
-use crate::input::{Size, Study};
+use crate::input::{ProveSpec, Size, Study};
 use crate::optimise::{Effort, Verdict};
 
 /// A proof of the first objective.
@@ -57,7 +57,7 @@ fn cost(study: &Study, kind: &'static Declaration, size: &Size, gap: f64) -> Res
     own.more_objectives.clear();
     let Some(spec) = own.optimise.as_mut() else { return Ok(None) };
     (spec.absorbers[0].types, spec.absorbers[0].size) = (vec![kind], size.clone());
-    spec.prove = (Effort { gap, boxes: BOXES }, true);
+    spec.prove = ProveSpec { effort: Effort { gap, boxes: BOXES }, all: true, file: false };
     let results = run(&own, &Silent)?;
     let Some(found) = results.optima.first() else { return Ok(None) };
     let Some(proof) = found.proof.as_ref().filter(|p| !matches!(p.verdict, Verdict::None(_))) else { return Ok(None) };

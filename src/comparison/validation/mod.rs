@@ -15,6 +15,7 @@ mod multiaxial;
 mod notches;
 mod planes;
 mod predicted;
+pub mod proof;
 pub mod rounds;
 mod text_values;
 mod uncertainty;

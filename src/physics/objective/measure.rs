@@ -269,7 +269,8 @@ impl Limit {
     }
 
     /// Those that count in a condition.
-    pub(crate) fn parts_in(&self, condition: Condition) -> impl Iterator<Item = (&Measure, f64)> {
+    #[doc(hidden)]
+    pub fn parts_in(&self, condition: Condition) -> impl Iterator<Item = (&Measure, f64)> {
         self.parts().filter(move |p| condition.counts(p.2)).map(|p| (p.0, p.1))
     }
 }

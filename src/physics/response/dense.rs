@@ -6,7 +6,7 @@ use crate::absorber::{Mounted, Operating};
 use crate::drivetrain::System;
 use crate::numerics::{C64, I, ZERO};
 use crate::units::RAD_PER_S_PER_RPM;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, FullPivLU};
 
 /// Dense solution with full pivoting.
 #[derive(Debug)]
@@ -21,13 +21,10 @@ impl<'a> Dense<'a> {
         Self { system, grid }
     }
 
-    /// Angles of all bodies, stations first, rad.
-    ///
-    /// # Errors
-    /// [`ResponseError::Unbounded`] where the system is singular.
-    pub fn angles(&self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(Bodies, DVector<C64>), ResponseError> {
-        let excited = self.system.excitation.orders[order];
-        let omega = excited.omega(speed_rpm);
+    /// Chain and rings at an order (an index) and a speed.
+    #[doc(hidden)]
+    pub fn at(&self, design: &[Mounted], (order, speed_rpm): (usize, f64)) -> AtFrequency<'a> {
+        let omega = self.system.excitation.orders[order].omega(speed_rpm);
         let bodies = Bodies::new(self.system, design);
         let n = bodies.len();
         let mut torque = DVector::from_element(n, ZERO);
@@ -43,11 +40,67 @@ impl<'a> Dense<'a> {
                 matrix[(i, j)] += s * sign;
             }
         }
+        AtFrequency { system: self.system, omega, bodies, matrix: matrix.full_piv_lu(), torque }
+    }
+
+    /// Angles of all bodies, stations first, rad.
+    ///
+    /// # Errors
+    /// [`ResponseError::Unbounded`] where the system is singular.
+    pub fn angles(&self, design: &[Mounted], order: usize, speed_rpm: f64) -> Result<(Bodies, DVector<C64>), ResponseError> {
+        let at = self.at(design, (order, speed_rpm));
+        let angles = at.under_torque().ok_or_else(|| ResponseError::unbounded(self.system.excitation.orders[order], speed_rpm))?;
+        Ok((at.bodies, angles))
+    }
+}
+
+/// Chain and rings at one frequency.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct AtFrequency<'a> {
+    system: &'a System,
+    omega: f64,
+    bodies: Bodies,
+    matrix: FullPivLU<C64, Dyn, Dyn>,
+    torque: DVector<C64>,
+}
+
+impl AtFrequency<'_> {
+    /// Angles of all bodies under a torque on each; `None` where the system is singular.
+    fn under(&self, torque: &DVector<C64>) -> Option<DVector<C64>> {
         if torque.iter().all(|t| *t == ZERO) {
-            return Ok((bodies, torque));
+            return Some(torque.clone());
         }
-        let angles = matrix.full_piv_lu().solve(&torque).filter(|x| x.iter().all(|y| y.is_finite()));
-        angles.map(|x| (bodies, x)).ok_or_else(|| ResponseError::unbounded(excited, speed_rpm))
+        self.matrix.solve(torque).filter(|x| x.iter().all(|y| y.is_finite()))
+    }
+
+    /// The same under that of the engine.
+    pub fn under_torque(&self) -> Option<DVector<C64>> {
+        self.under(&self.torque)
+    }
+
+    /// Twist of the ring of an absorber, by the angles of all bodies: that of its carrier less its own.
+    pub fn twist(&self, absorber: usize, angles: &DVector<C64>) -> C64 {
+        let (host, ring) = self.bodies.rings[absorber];
+        angles[host] - angles[ring]
+    }
+
+    /// Angles of all bodies under a unit torque on the carrier of an absorber and its opposite on the ring.
+    pub fn under_pair(&self, absorber: usize) -> Option<DVector<C64>> {
+        let (host, ring) = self.bodies.rings[absorber];
+        let mut pair = DVector::from_element(self.bodies.len(), ZERO);
+        pair[host] += 1.0;
+        pair[ring] -= 1.0;
+        self.under(&pair)
+    }
+
+    /// A quantity, by the angles of all bodies.
+    pub fn output(&self, quantity: Quantity, angles: &DVector<C64>) -> C64 {
+        let twist = self.bodies.between(&self.system.chain, quantity).of(|body| angles[body]);
+        match quantity {
+            Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, self.omega),
+            _ => quantity.of_angle(twist, self.omega),
+        }
     }
 }
 
@@ -57,12 +110,9 @@ impl Response for Dense<'_> {
     fn phasor(&self, design: &[Mounted], quantity: Quantity, at: (usize, f64), work: &mut Work) -> Result<C64, ResponseError> {
         let (order, speed_rpm) = at;
         work.dense_solves += 1;
-        let (bodies, x) = self.angles(design, order, speed_rpm)?;
-        let twist = bodies.between(&self.system.chain, quantity).of(|body| x[body]);
-        let omega = self.system.excitation.orders[order].omega(speed_rpm);
-        Ok(match quantity {
-            Quantity::ShaftTorque(s) => twist * self.system.chain.shaft_stiffness(s, omega),
-            _ => quantity.of_angle(twist, omega),
-        })
+        let solved = self.at(design, at);
+        let angles = solved.under_torque();
+        let angles = angles.ok_or_else(|| ResponseError::unbounded(self.system.excitation.orders[order], speed_rpm))?;
+        Ok(solved.output(quantity, &angles))
     }
 }

@@ -34,7 +34,7 @@ pub fn pareto(study: &Study, results: &Results, folder: &Folder) -> Result<(), W
     header.extend(&others);
     header.extend(study.more_objectives.iter().map(|o| o.column.as_str()));
     let bound_column = format!("lower_bound_of_{}", study.objective.column);
-    let is_proved = study.optimise.as_ref().is_some_and(|o| o.prove.1);
+    let is_proved = study.optimise.as_ref().is_some_and(|o| o.prove.all);
     if is_proved {
         header.extend(["proof", &bound_column]);
     }

@@ -54,6 +54,7 @@ pub use materials::{heat, made_of, simplest};
 pub(crate) use model::crank_pressure;
 pub use model::{duty, reciprocating};
 pub use plausibility::{implausible, placeholders};
+pub use proof::confirmed;
 pub(crate) use robust::scattered;
 pub use robust::{robust, tolerances};
 pub use run::choices;

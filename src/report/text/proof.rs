@@ -3,6 +3,7 @@
 use super::judged::value_of;
 use super::table::significant;
 use crate::analysis::OptimumResult;
+use crate::input::tables::ProofTable;
 use crate::input::{MeasureSpec, Study};
 use crate::optimise::{Proof, Verdict};
 
@@ -39,11 +40,42 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
         Some(b) => format!("{said}; at no speed is it {other_side} {}", told(objective, b, false)),
         None => said,
     };
+    let said = match (&o.exclusions, &proof.verdict) {
+        (Some(_), _) => format!("{said}; its boxes are in proof_{}.csv", o.design.name),
+        (None, Verdict::Proved | Verdict::Impossible) if study.optimise.as_ref().is_some_and(|s| s.prove.file) => {
+            format!("{said}; no table of it, as single speeds do not exclude all in as many boxes")
+        }
+        (None, _) => said,
+    };
     match proof.better {
         0 => said,
         1 => format!("{said}; a box of the proof led to it"),
         n => format!("{said}; {n} boxes of the proof led to it"),
     }
+}
+
+/// What a proof from a file says, once it is confirmed in so many parts of its boxes.
+#[doc(hidden)]
+pub fn confirmed(study: &Study, objective: usize, table: &ProofTable, parts: u64) -> String {
+    let objective = study.objective_of(objective);
+    let within = if study.limits.is_empty() { "" } else { " within the limits" };
+    let side = if objective.unit.is_inverse() { "above" } else { "below" };
+    let range = |d: usize| {
+        let ends = table.boxes.iter().map(|b| b.ranges[d]);
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |m, r| (m.0.min(r.0), m.1.max(r.1)));
+        format!("{} {} to {}", table.free[d], significant(low, 4), significant(high, 4))
+    };
+    let ranges: Vec<String> = (0..table.free.len()).map(range).collect();
+    let found = match table.bound {
+        Some(bound) => format!("no design of its family{within} is {side} {}", told(objective, objective.unit.inside(bound), true)),
+        None => "no design of its family holds all limits".to_owned(),
+    };
+    format!(
+        "{}: confirmed, {found}: {} boxes cover {}, and each is excluded at its speed by solutions of the whole matrix ({parts} parts)\n",
+        table.design,
+        table.boxes.len(),
+        ranges.join(" and ")
+    )
 }
 
 /// Whether it is proved that no design holds all limits.

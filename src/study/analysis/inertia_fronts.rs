@@ -62,10 +62,9 @@ impl<'a> Searches<'a> {
             let problem = Problem { load_cases: &load_cases, ..self.problem(space, 0) };
             let (front, mut seconds) = timed(|| front::follow(&problem, (inertias, &known), &|s| self.starts(spec, s), &step));
             let mut front = front.map_err(failed)?;
-            if let (effort, true) = spec.prove
-                && effort.boxes > 0
-            {
-                seconds += timed(|| proof::settle_front(&problem, &mut front, effort)).1;
+            let prove = spec.prove;
+            if prove.all && prove.effort.boxes > 0 {
+                seconds += timed(|| proof::settle_front(&problem, &mut front, prove.effort)).1;
             }
             front.points.par_iter_mut().for_each(|p| {
                 let excess = self.excess_as_reported(&p.design);

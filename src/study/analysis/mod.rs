@@ -43,6 +43,8 @@ pub mod on_joints;
 #[doc(hidden)]
 pub mod plausibility;
 mod prices;
+#[doc(hidden)]
+pub mod problem_of;
 pub mod progress;
 #[doc(hidden)]
 pub mod reciprocating;

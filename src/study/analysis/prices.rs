@@ -10,7 +10,7 @@ use super::timing::Clock;
 use super::{Progress, RunError, Silent, compounds};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Declaration, Mounted, Surroundings};
-use crate::input::{AbsorberSpec, OptimiseSpec, Size, Study};
+use crate::input::{AbsorberSpec, OptimiseSpec, ProveSpec, Size, Study};
 use crate::objective::{Condition, PeakFinder};
 use crate::optimise::checkpoint::remembered;
 use crate::optimise::shadow_prices::OnBound;
@@ -100,7 +100,7 @@ fn changed(study: &Study, spec: &OptimiseSpec, design: &[Mounted], change: Chang
     let mut own = study.clone();
     // limits are judged in operation: without the last of them the search still looks there
     let in_operation = spec.in_operation || !study.limits.is_empty();
-    let prove = (Effort { boxes: 0, ..spec.prove.0 }, false);
+    let prove = ProveSpec { effort: Effort { boxes: 0, ..spec.prove.effort }, all: false, file: false };
     let mut spec = OptimiseSpec { prices: false, in_operation, prove, ..spec.clone() };
     for (absorber, kind) in spec.absorbers.iter_mut().zip(kinds(design)) {
         absorber.types = vec![kind];

@@ -27,7 +27,7 @@ use crate::drivetrain::System;
 use crate::engine::Order;
 use crate::input::Study;
 use crate::objective::{Condition, holds};
-use crate::optimise::{Conflict, Front, Nearby, OnBound, Optimum, Proof, Scan, SecondOrder, Stop, Survey, Tradeoff};
+use crate::optimise::{Conflict, Exclusions, Front, Nearby, OnBound, Optimum, Proof, Scan, SecondOrder, Stop, Survey, Tradeoff};
 
 /// An optimum with what is reported of it.
 #[derive(Debug, Clone, serde::Serialize)]
@@ -58,6 +58,9 @@ pub struct OptimumResult {
     /// That no design within the bounds is better; `None` where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<Proof>,
+    /// The same for others to check; `None` where that was not asked for, nothing is proved, or one speed at a time does not exclude all in as many boxes.
+    #[serde(skip)]
+    pub exclusions: Option<Exclusions>,
     /// What second order says of it, where peaks keep their places that near.
     pub second_order: Option<SecondOrder>,
     /// Its measures by its parameters.

@@ -100,7 +100,7 @@ impl Study {
 pub fn run(study: &Study, progress: &dyn Progress) -> Result<Results, RunError> {
     let mut clock = Clock::start();
     let mut systems = systems(study, study.excitation(), progress);
-    let grid = Grid::new(&study.speeds_rpm, if study.refine_peaks { &systems[0].excitation.tabulated_rpm } else { &[] });
+    let grid = grid(study, &systems[0]);
     clock.lap("excitation", Work::default());
     let methods = methods(study, &systems, &grid, progress, &mut clock);
     let margin = crank(study, &systems[0], &grid, progress, &mut clock);
@@ -220,8 +220,13 @@ fn probe(study: &Study, finder: &PeakFinder, shown: &[&DesignResult], margins: &
     timing_probe::per_design(finder, &d.absorbers, study.twist, &margins).map_err(|error| of_design(d, error))
 }
 
+/// Speeds of a study, with those of its table of torque where peaks are refined.
+pub(super) fn grid(study: &Study, system: &System) -> Grid {
+    Grid::new(&study.speeds_rpm, if study.refine_peaks { &system.excitation.tabulated_rpm } else { &[] })
+}
+
 /// Modes that each absorber to be optimised can be tuned to.
-fn modes(study: &Study, system: &System) -> Vec<Vec<EngineMode>> {
+pub(super) fn modes(study: &Study, system: &System) -> Vec<Vec<EngineMode>> {
     let highest = highest_frequency_hz(study, &system.excitation.orders);
     study.optimise.as_ref().map_or_else(Vec::new, |o| families::engine_modes(study, o, highest))
 }

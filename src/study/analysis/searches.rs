@@ -10,7 +10,7 @@ use super::timing::{Clock, timed};
 use super::{Progress, RunError};
 use crate::absorber::closed_forms::EngineMode;
 use crate::absorber::{Deviation, Mounted};
-use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, Study};
+use crate::input::{DesignSpec, FrontSpec, LimitSpec, OptimiseSpec, ProveSpec, Study};
 use crate::numerics::elementary::Elementary;
 use crate::objective::{Condition, Limit, Measure, Over, PeakFinder};
 use crate::optimise;
@@ -18,8 +18,8 @@ use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Effort, Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, largest, proof, robust,
-    search, second_order, shadow_prices, starts,
+    Effort, Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, Verdict, largest, proof,
+    robust, search, second_order, shadow_prices, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -209,9 +209,12 @@ impl<'a> Searches<'a> {
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
         let mut proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
+        let is_proved = proof.as_ref().is_some_and(|p| matches!(p.verdict, Verdict::Proved | Verdict::Impossible));
+        let exclusions = || proof::exclusions(&problem, &optimum.outcome, spec.prove.effort, &mut Work::default());
+        let exclusions = (spec.prove.file && is_proved).then(exclusions).flatten();
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
         let design =
-            self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), (spec.prove.0, proof.as_mut()), &name)?;
+            self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), (spec.prove.effort, proof.as_mut()), &name)?;
         // of the nearest design nothing is an optimum but its violation
         let is_optimum = conflict.is_none() && optimum.outcome.kkt_residual < FIRST_ORDER;
         let conditions = || second_order::second_order(&problem, &optimum.outcome, &mut Work::default());
@@ -247,6 +250,7 @@ impl<'a> Searches<'a> {
             survey,
             nearby,
             proof,
+            exclusions,
             second_order,
             sensitivities,
             on_bounds,
@@ -258,8 +262,8 @@ impl<'a> Searches<'a> {
 
     /// That no design is better than an optimum, where the study asks for that or it costs little; what a proof finds that is better takes its place.
     fn proof(&self, (spec, main): (&OptimiseSpec, bool), problem: &Problem, (optimum, tolerant): (&mut Optimum, bool)) -> Option<Proof> {
-        let (effort, of_all) = spec.prove;
-        let is_asked = of_all || main && problem.space.slots.len() == 1;
+        let ProveSpec { effort, all, .. } = spec.prove;
+        let is_asked = all || main && problem.space.slots.len() == 1;
         if effort.boxes == 0 || !is_asked {
             return None;
         }
@@ -314,6 +318,12 @@ impl<'a> Searches<'a> {
             return Ok(found);
         }
         Ok(own)
+    }
+
+    /// Family and objective of the optimum of a name; none of those within tolerances.
+    pub(super) fn named(&self, spec: &OptimiseSpec, name: &str) -> Option<(Space, usize)> {
+        let found = self.sought(spec).into_iter().find(|s| s.family.name == name && s.within.is_none())?;
+        Some((found.family.space, found.objective))
     }
 
     /// What is sought: every family by the first objective; the main size of each type once more by every other objective, and within tolerances.

@@ -27,8 +27,8 @@ pub use published::Published;
 pub use schema::json::FileKind;
 pub use validation::{
     AbsorberSpec, AllocateSpec, CalibrateSpec, CatalogueSpec, CrankModel, DesignSpec, DutyPoint, FlexibleModel, FreeInput, FrontSpec,
-    Input, OptimiseSpec, PartsError, Placeholder, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber, SizedChain,
-    SizingStudy, Study,
+    Input, OptimiseSpec, PartsError, Placeholder, ProveSpec, Reciprocating, ResponseMethod, RobustSpec, Sampling, Size, SizedAbsorber,
+    SizedChain, SizingStudy, Study,
 };
 pub use validation::{RETUNED, scatter_key};
 pub use wording::closest;

@@ -27,7 +27,7 @@ const UNEXPLAINED: usize = 40;
 /// Of a box that is narrower than this in every coordinate its middle tells what the box is.
 const NARROW: f64 = 0.05;
 /// Of the speeds of a box, those that say most of it: its halves are looked at there first.
-const FIRST: usize = 12;
+pub(super) const FIRST: usize = 12;
 /// Then at those that have excluded most boxes so far, and at the last that have joined.
 const USEFUL: usize = 40;
 const NEWEST: usize = 12;
@@ -35,7 +35,7 @@ const NEWEST: usize = 12;
 const BESIDE: [f64; 4] = [-0.01, -0.001, 0.001, 0.01];
 
 /// A box, by the lower and upper end of each coordinate.
-type Bounds = Vec<(f64, f64)>;
+pub(super) type Bounds = Vec<(f64, f64)>;
 
 /// A box that is not excluded yet.
 struct Cell {
@@ -68,10 +68,10 @@ enum Looked {
     Open(Cell),
 }
 
-struct Search<'a> {
-    problem: &'a Problem<'a>,
-    cases: Vec<Case<'a>>,
-    speeds: Vec<AtSpeed>,
+pub(super) struct Search<'a> {
+    pub problem: &'a Problem<'a>,
+    pub cases: Vec<Case<'a>>,
+    pub speeds: Vec<AtSpeed>,
     /// Boxes that each speed has excluded.
     excluded: Vec<u64>,
     /// Speeds that boxes are looked at, after their own.
@@ -91,16 +91,20 @@ pub(super) fn prove(problem: &Problem, optimum: &Outcome, effort: Effort, boxes:
         Ok(cases) => cases,
         Err(reason) => return none(reason),
     };
-    let mut search = Search { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new() };
-    search.first_speeds(optimum);
-    match search.run(value, target, (effort, boxes), work) {
+    match Search::new(problem, cases, optimum).run(value, target, (effort, boxes), work) {
         Ok(found) => found,
         Err(reason) => none(reason),
     }
 }
 
-impl Search<'_> {
-    /// Those of the peaks of the optimum, and some of the range.
+impl<'a> Search<'a> {
+    /// With the speeds of the peaks of an optimum, and some of the range.
+    pub fn new(problem: &'a Problem<'a>, cases: Vec<Case<'a>>, optimum: &Outcome) -> Self {
+        let mut search = Self { problem, cases, speeds: Vec::new(), excluded: Vec::new(), useful: Vec::new() };
+        search.first_speeds(optimum);
+        search
+    }
+
     fn first_speeds(&mut self, optimum: &Outcome) {
         let rows = optimum.rows.rows.iter();
         let mut wanted: Vec<(usize, f64)> = Vec::new();
@@ -142,7 +146,7 @@ impl Search<'_> {
         is_new
     }
 
-    fn run(&mut self, value: f64, target: Option<f64>, (effort, boxes): (Effort, &mut u64), work: &mut Work) -> Result<Found, Reason> {
+    pub fn run(&mut self, value: f64, target: Option<f64>, (effort, boxes): (Effort, &mut u64), work: &mut Work) -> Result<Found, Reason> {
         let whole = self.problem.space.bounds();
         let mut unexplained = 0;
         *boxes += 1;
@@ -152,7 +156,8 @@ impl Search<'_> {
         }
         while !open.is_empty() && *boxes < effort.boxes && unexplained < UNEXPLAINED {
             let cut: Vec<Cell> = (0..TOGETHER).map_while(|_| Some(open.pop()?.0)).collect();
-            let halves: Vec<(Bounds, &Cell)> = cut.iter().flat_map(|cell| cell.halves().map(|half| (half, cell))).collect();
+            let halves: Vec<(Bounds, &Cell)> =
+                cut.iter().flat_map(|cell| halves(&cell.bounds, cell.along).map(|half| (half, cell))).collect();
             let age = *boxes;
             let looked = |(i, (half, parent)): (usize, (Bounds, &Cell))| self.look_at(half, Some(parent), age + i as u64);
             let found = halves.into_par_iter().enumerate().map(looked).collect::<Result<Vec<Looked>, Reason>>()?;
@@ -190,7 +195,7 @@ impl Search<'_> {
             }
         }
         let least = all.iter().map(|c| c.of_objectives).fold(1.0, f64::min);
-        let weakest = all.last().map_or_else(Vec::new, |cell| self.ranges(cell));
+        let weakest = all.last().map_or_else(Vec::new, |cell| self.ranges(&cell.bounds));
         Ok(Found::Ended(target.map(|target| target * least).filter(|bound| *bound > 0.0), Verdict::Open(weakest)))
     }
 
@@ -263,7 +268,7 @@ impl Search<'_> {
     }
 
     /// Values of all parameters over a box.
-    fn values(&self, bounds: &[(f64, f64)]) -> Vec<Vec<Taylor>> {
+    pub fn values(&self, bounds: &[(f64, f64)]) -> Vec<Vec<Taylor>> {
         let space = &self.problem.space;
         let held = |x: &f64| Taylor::constant(C64::from(*x));
         let mut values: Vec<Vec<Taylor>> = space.slots.iter().map(|s| s.values.iter().map(held).collect()).collect();
@@ -273,10 +278,11 @@ impl Search<'_> {
         values
     }
 
-    fn ranges(&self, cell: &Cell) -> Ranges {
+    /// The same as ranges.
+    pub fn ranges(&self, bounds: &[(f64, f64)]) -> Ranges {
         let space = &self.problem.space;
         let key = |v: &Variable| space.slots[v.absorber].declaration.parameters[v.parameter].key;
-        space.variables.iter().zip(&cell.bounds).map(|(v, b)| (key(v), v.value(b.0), v.value(b.1))).collect()
+        space.variables.iter().zip(bounds).map(|(v, b)| (key(v), v.value(b.0), v.value(b.1))).collect()
     }
 }
 
@@ -284,21 +290,21 @@ impl Cell {
     fn middle_point(&self) -> Vec<f64> {
         self.bounds.iter().map(|b| 0.5 * (b.0 + b.1)).collect()
     }
+}
 
-    /// Both halves along its longest side.
-    fn halves(&self) -> [Bounds; 2] {
-        let (low, high) = self.bounds[self.along];
-        let middle = 0.5 * (low + high);
-        [(low, middle), (middle, high)].map(|half| {
-            let mut bounds = self.bounds.clone();
-            bounds[self.along] = half;
-            bounds
-        })
-    }
+/// Both halves of a box along a coordinate.
+pub(super) fn halves(bounds: &[(f64, f64)], along: usize) -> [Bounds; 2] {
+    let (low, high) = bounds[along];
+    let middle = 0.5 * (low + high);
+    [(low, middle), (middle, high)].map(|half| {
+        let mut bounds = bounds.to_vec();
+        bounds[along] = half;
+        bounds
+    })
 }
 
 /// The coordinate along which a box is cut: that which moves most of what is largest; of a box that nothing linear is known of, the longest.
-fn along(bounds: &[(f64, f64)], forms: &[Form]) -> usize {
+pub(super) fn along(bounds: &[(f64, f64)], forms: &[Form]) -> usize {
     let largest = forms.iter().reduce(|m, f| if f.middle > m.middle { f } else { m });
     let spread = largest.map_or([0.0; MOST], |f| f.spread);
     let longest = (0..bounds.len()).max_by(|a, b| (bounds[*a].1 - bounds[*a].0).total_cmp(&(bounds[*b].1 - bounds[*b].0))).unwrap_or(0);

@@ -12,12 +12,14 @@
 
 mod asked;
 mod boxes;
+mod exclusions;
 mod form;
 mod over_speeds;
 mod settle;
 mod verdict;
 mod worst;
 
+pub use exclusions::{Exclusion, Exclusions, exclusions};
 pub use over_speeds::upper_bound;
 pub use settle::{settle, settle_front};
 pub use verdict::{Effort, Proof, Ranges, Reason, Verdict};

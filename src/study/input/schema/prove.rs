@@ -9,12 +9,27 @@ use std::ops::RangeInclusive;
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RawProve {
-    /// Share of a value below which no design is to lie, or above which it is not to be, within tolerances.
+    /// Share of a value above which no combination within the tolerances is to lie.
     #[schemars(extend("minimum" = GAPS.start(), "maximum" = GAPS.end(), "default" = EFFORT.gap, "examples" = [1e-4]))]
     pub gap: Option<At<f64>>,
-    /// Boxes that the range of the free parameters, or of speeds and tolerances, is cut into, at most; 0: nothing is proved.
+    /// Boxes that the ranges of speeds and tolerances are cut into, at most; 0: nothing is proved.
     #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
     pub boxes: Option<At<i64>>,
+}
+
+/// The same of an optimum.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RawProveOptima {
+    /// Share of an optimum below which no design is to lie.
+    #[schemars(extend("minimum" = GAPS.start(), "maximum" = GAPS.end(), "default" = EFFORT.gap, "examples" = [1e-4]))]
+    pub gap: Option<At<f64>>,
+    /// Boxes that the range of the free parameters is cut into, at most; 0: nothing is proved.
+    #[schemars(extend("minimum" = BOXES.start(), "maximum" = BOXES.end(), "default" = EFFORT.boxes, "examples" = [1_000_000]))]
+    pub boxes: Option<At<i64>>,
+    /// Whether each proof is written as a table, `proof_<design>.csv`, that `hartog check --proof` confirms by other means: boxes that cover the bounds, each with a speed that excludes it.
+    #[schemars(extend("default" = false, "examples" = [true]))]
+    pub file: Option<bool>,
 }
 
 /// Gaps and numbers of boxes that a proof may be asked for.

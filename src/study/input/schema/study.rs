@@ -6,7 +6,7 @@ use super::fatigue::RawFatigue;
 use super::keyword::by_word;
 use super::material_states::RawTemperatures;
 use super::measure::RawMeasure;
-use super::prove::RawProve;
+use super::prove::RawProveOptima;
 use super::published::RawPublished;
 use super::range::{RawBounds, RawRange, between};
 use super::robust::RawRobust;
@@ -215,8 +215,8 @@ pub(crate) struct RawOptimise {
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub prices: Option<bool>,
     /// How closely it is proved that no design within the bounds is better, and how much that may cost. Without it the optima of one absorber of the first size of each type are proved to a gap of 0.001; with it all.
-    #[schemars(extend("examples" = [{"gap": 1e-4, "boxes": 1_000_000}]))]
-    pub prove: Option<At<RawProve>>,
+    #[schemars(extend("examples" = [{"gap": 1e-4, "boxes": 1_000_000, "file": true}]))]
+    pub prove: Option<At<RawProveOptima>>,
     /// A family of absorbers; with several, all are in the design at once.
     pub absorber: At<Vec<RawOptimised>>,
     /// Several objectives as one, in units of their targets.

@@ -52,7 +52,7 @@ pub use sizing::{SizedAbsorber, SizedChain, SizingStudy};
 
 use named::folder_of;
 pub(super) use named::table;
-pub use optimise::{FrontSpec, OptimiseSpec};
+pub use optimise::{FrontSpec, OptimiseSpec, ProveSpec};
 pub use placeholders::Placeholder;
 pub use robust::{AllocateSpec, RobustSpec, Sampling, scatter_key};
 

@@ -10,7 +10,7 @@ use crate::input::error::{At, Check};
 use crate::input::measure::MeasureSpec;
 use crate::input::schema::absorber::RawOptimised;
 use crate::input::schema::measure::RawMeasure;
-use crate::input::schema::prove::{BOXES, EFFORT, GAPS, RawProve};
+use crate::input::schema::prove::{BOXES, EFFORT, GAPS, RawProveOptima};
 use crate::input::schema::study::{RawAgainst, RawCondition, RawOptimise, RawStudy};
 use crate::numerics::elementary::Elementary;
 use crate::objective::Condition;
@@ -19,6 +19,17 @@ use crate::optimise::Effort;
 
 /// More optima than this are a mistake in the file: each takes a search of its own.
 const MOST_OPTIMA: usize = 1000;
+
+/// What is proved of optima.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProveSpec {
+    /// How closely.
+    pub effort: Effort,
+    /// Whether it is asked of all of them: of several absorbers, of every size and of fronts, too.
+    pub all: bool,
+    /// Whether proofs are written for others to check.
+    pub file: bool,
+}
 
 /// What to optimise.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,8 +46,8 @@ pub struct OptimiseSpec {
     pub in_operation: bool,
     /// Whether optima are sought without each condition, limit and bound in turn.
     pub prices: bool,
-    /// How closely optima are proved, and whether that is asked of all of them.
-    pub prove: (Effort, bool),
+    /// What is proved of optima.
+    pub prove: ProveSpec,
     /// Whether compounds, oils and steps that cannot be best are searched, too.
     #[doc(hidden)]
     pub search_all: bool,
@@ -163,14 +174,18 @@ pub(crate) fn resolve(
         conditions,
         in_operation,
         prices: raw.prices.unwrap_or(false),
-        prove: (effort(check, raw.prove.as_ref()), raw.prove.is_some()),
+        prove: prove(check, raw.prove.as_ref()),
         search_all: false,
     })
 }
 
-pub(super) fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
-    let Some(raw) = raw.map(At::get_ref) else { return EFFORT };
-    let gap = raw.gap.as_ref().map_or(EFFORT.gap, |gap| {
+fn prove(check: &mut Check, raw: Option<&At<RawProveOptima>>) -> ProveSpec {
+    let Some(raw) = raw.map(At::get_ref) else { return ProveSpec { effort: EFFORT, all: false, file: false } };
+    ProveSpec { effort: effort(check, (raw.gap.as_ref(), raw.boxes.as_ref())), all: true, file: raw.file.unwrap_or(false) }
+}
+
+pub(super) fn effort(check: &mut Check, (gap, boxes): (Option<&At<f64>>, Option<&At<i64>>)) -> Effort {
+    let gap = gap.map_or(EFFORT.gap, |gap| {
         let x = *gap.get_ref();
         if !GAPS.contains(&x) {
             let (least, most) = (GAPS.start(), GAPS.end());
@@ -178,7 +193,7 @@ pub(super) fn effort(check: &mut Check, raw: Option<&At<RawProve>>) -> Effort {
         }
         x
     });
-    let boxes = raw.boxes.as_ref().map_or(EFFORT.boxes as i64, |boxes| {
+    let boxes = boxes.map_or(EFFORT.boxes as i64, |boxes| {
         let x = *boxes.get_ref();
         if !BOXES.contains(&x) {
             check.wrong(boxes, format!("found {x}, expected a whole number from {} to {}", BOXES.start(), BOXES.end()));

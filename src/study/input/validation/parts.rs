@@ -145,7 +145,7 @@ impl Study {
             conditions: vec![Condition::Firing],
             in_operation: false,
             prices: false,
-            prove: (EFFORT, false),
+            prove: super::optimise::ProveSpec { effort: EFFORT, all: false, file: false },
             search_all: false,
         };
         (self.hub, self.twist, self.objective) = (station, default_twist(&self.chain, station), twist_spec(&self.chain, station));

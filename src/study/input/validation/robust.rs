@@ -125,7 +125,7 @@ pub(super) fn resolve(
             normal: matches!(s.distribution, RawDistribution::Normal),
         }
     });
-    let prove = raw.prove.as_ref().map(|prove| effort(check, Some(prove)));
+    let prove = raw.prove.as_ref().map(|prove| effort(check, (prove.get_ref().gap.as_ref(), prove.get_ref().boxes.as_ref())));
     let spec = RobustSpec { shares, process, search: raw.search.unwrap_or(true), sampling, prove, allocate: None };
     let allocate = raw.allocate.as_ref().and_then(|a| allocate(check, a, (&spec, limits)));
     (!spec.shares.is_empty() || !spec.process.is_empty()).then_some(RobustSpec { allocate, ..spec })

@@ -53,8 +53,9 @@ const TEXT: [&str; 36] = [
 /// Ends of names of such columns.
 const TEXT_ENDS: [&str; 3] = ["_fillet", "_quantity", "_shaft"];
 const TRUTH: [&str; 7] = ["converged", "dominated", "held", "knee", "limited", "limits_hold", "stable"];
-const COUNT: [&str; 20] = [
+const COUNT: [&str; 21] = [
     "absorber",
+    "box",
     "designs_elsewhere",
     "designs_nearby",
     "direct_solves",

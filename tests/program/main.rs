@@ -16,6 +16,7 @@ mod long;
 mod new;
 mod page;
 mod plausibility;
+mod proof_tables;
 mod report;
 #[path = "../support.rs"]
 mod support;

@@ -34,6 +34,7 @@ mod multiaxial_margin;
 mod one_order;
 mod prices;
 mod progress;
+mod proof_tables;
 mod proofs;
 mod publications;
 mod real_absorbers;

@@ -4,7 +4,7 @@ use crate::limits::{TwoMasses, What, with};
 use crate::support::{assert_close, h_infinity_peak, study};
 use hartog::absorber::{Declaration, MAXWELL, RUBBER, TUNED, VISCOUS};
 use hartog::analysis::families;
-use hartog::input::{Size, Study};
+use hartog::input::{ProveSpec, Size, Study};
 use hartog::objective::{Condition, PeakFinder};
 use hartog::optimise::proof::settle;
 use hartog::optimise::{Effort, LoadCase, Problem, Verdict, search, starts};
@@ -15,7 +15,7 @@ fn two_masses(masses: TwoMasses, kind: &'static Declaration, gap: f64) -> Study 
     let mut s = with(masses, What::Twist, &[]);
     let o = s.optimise.as_mut().expect("optimises");
     (o.absorbers[0].types, o.absorbers[0].size) = (vec![kind], Size::Each(vec![masses.ring]));
-    o.prove = (Effort { gap, boxes: 1_000_000 }, true);
+    o.prove = ProveSpec { effort: Effort { gap, boxes: 1_000_000 }, all: true, file: false };
     s
 }
 
@@ -100,7 +100,7 @@ fn shipped_engines_are_proved() {
         if let Size::Each(list) = &mut o.absorbers[0].size {
             list.truncate(1);
         }
-        o.prove = (Effort { gap: 1e-4, boxes: 100_000 }, true);
+        o.prove = ProveSpec { effort: Effort { gap: 1e-4, boxes: 100_000 }, all: true, file: false };
         let results = s.run().unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(results.optima.len(), 4, "tuned and viscous, by twist and by margin");
         for o in &results.optima {
@@ -120,7 +120,7 @@ fn impossible_limits_are_proved() {
     let (masses, least) = (TwoMasses { damping_ratio: 0.0, ring: 0.1 }, h_infinity_peak(0.1) * 1e-4);
     let asked = |share: f64| {
         let mut s = with(masses, What::RingTwist, &[(What::Twist, share * least)]);
-        s.optimise.as_mut().expect("optimises").prove = (Effort { gap: 1e-3, boxes: 200_000 }, true);
+        s.optimise.as_mut().expect("optimises").prove = ProveSpec { effort: Effort { gap: 1e-3, boxes: 200_000 }, all: true, file: false };
         s.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0)
     };
     let impossible = asked(1.0 - 1e-4);
@@ -136,7 +136,7 @@ fn impossible_limits_are_proved() {
 fn fronts_are_proved() {
     let mut s = study("den_hartog");
     let o = s.optimise.as_mut().expect("optimises");
-    (o.absorbers[0].types, o.prove) = (vec![&TUNED], (Effort { gap: 1e-5, boxes: 100_000 }, true));
+    (o.absorbers[0].types, o.prove) = (vec![&TUNED], ProveSpec { effort: Effort { gap: 1e-5, boxes: 100_000 }, all: true, file: false });
     let results = s.run().unwrap_or_else(|e| panic!("{e}"));
     let points = &results.fronts[0].front.points;
     assert_eq!(points.len(), 25);

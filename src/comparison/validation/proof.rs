@@ -4,14 +4,14 @@
 //! \[Sherman & Morrison 1950\]. In each parameter S is linear, so that D over a box lies in the hull of what it is in the corners, and so does the linear part of y; what is left is at most
 //! |c| r²/(1 - |c| r) with r the largest |D|. A box that this does not exclude is cut.
 
-use crate::absorber::{Absorber, Declaration, Operating, RUBBER, TUNED, UNDAMPED, VISCOUS};
+use crate::absorber::{Absorber, Declaration, Mounted, Operating, RUBBER, TUNED, UNDAMPED, VISCOUS};
 use crate::crankshaft::Torque;
 use crate::input::tables::ExcludedBox;
 use crate::numerics::C64;
 use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::Extremes;
 use crate::objective::{Measure, Over};
-use crate::optimise::{LoadCase, Problem, Space};
+use crate::optimise::{ExcludingSpeed, Exclusion, LoadCase, Problem, Space};
 use crate::response::{Dense, Quantity};
 use crate::units::RAD_PER_S_PER_RPM;
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ const BEYOND: f64 = 1e-9;
 /// Parts of a box that are looked at, at most.
 const PARTS: u64 = 100_000;
 
-/// Confirms that boxes cover all designs of a problem, and that at the speed of each every design in it breaks a limit or has an objective of at least `claim`; without a claim, that every one breaks a limit. Returns the
+/// Confirms that boxes cover all designs of a problem, and that at the speeds of each every design in it breaks a limit or has an objective of at least `claim`; without a claim, that every one breaks a limit. Returns the
 /// number of parts of boxes that were looked at.
 ///
 /// # Errors
@@ -50,58 +50,61 @@ pub fn confirm(problem: &Problem, claim: Option<f64>, boxes: &[ExcludedBox]) -> 
         )));
     }
     let bounds: Vec<(f64, f64)> = space.variables.iter().map(|v| (v.lower, v.upper)).collect();
-    cover(&bounds, boxes.iter().collect())?;
-    let one = |row: &ExcludedBox| excluded(problem, claim, row).map_err(|words| Objection { line: Some(row.line), words });
+    let keys: Vec<&str> = space.variables.iter().map(|v| slot.declaration.parameters[v.parameter].key).collect();
+    cover((&keys, &bounds), boxes.iter().collect())?;
+    let one = |row: &ExcludedBox| excluded(problem, claim, &row.own).map_err(|words| Objection { line: Some(row.line), words });
     let looked: Vec<Result<u64, Objection>> = boxes.par_iter().map(one).collect();
     looked.into_iter().sum()
 }
 
 /// Whether boxes cover a range, each part of it once: there is a cut between them, or there is one and it is the range.
-fn cover(range: &[(f64, f64)], mut boxes: Vec<&ExcludedBox>) -> Result<(), Objection> {
+fn cover((keys, range): (&[&str], &[(f64, f64)]), mut boxes: Vec<&ExcludedBox>) -> Result<(), Objection> {
     let is_same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
     if let [only] = boxes.as_slice()
-        && only.ranges.iter().zip(range).all(|(a, b)| is_same(a.0, b.0) && is_same(a.1, b.1))
+        && only.own.ranges.iter().zip(range).all(|(a, b)| is_same(a.0, b.0) && is_same(a.1, b.1))
     {
         return Ok(());
     }
     for d in 0..range.len() {
-        boxes.sort_by(|a, b| a.ranges[d].0.total_cmp(&b.ranges[d].0));
+        boxes.sort_by(|a, b| a.own.ranges[d].0.total_cmp(&b.own.ranges[d].0));
         let mut end = f64::NEG_INFINITY;
         for i in 0..boxes.len() {
-            let from = boxes[i].ranges[d].0;
+            let from = boxes[i].own.ranges[d].0;
             if i > 0 && end <= from {
                 let (mut low, mut high) = (range.to_vec(), range.to_vec());
                 (low[d].1, high[d].0) = (from, from);
                 let right = boxes.split_off(i);
-                cover(&low, boxes)?;
-                return cover(&high, right);
+                cover((keys, &low), boxes)?;
+                return cover((keys, &high), right);
             }
-            end = end.max(boxes[i].ranges[d].1);
+            end = end.max(boxes[i].own.ranges[d].1);
         }
     }
-    let words = format!("the boxes do not cover {range:?} without gaps and overlaps");
+    let ranges: Vec<String> = keys.iter().zip(range).map(|(key, r)| format!("{key} {} to {}", r.0, r.1)).collect();
+    let words = format!("the boxes do not cover {} without gaps and overlaps", ranges.join(" and "));
     Err(Objection { line: boxes.first().map(|b| b.line), words })
 }
 
 /// Number of parts of a box that were looked at until all of it was excluded.
-fn excluded(problem: &Problem, claim: Option<f64>, row: &ExcludedBox) -> Result<u64, String> {
-    let case = problem.load_cases.iter().find(|c| (c.condition, c.cylinder) == (row.condition, row.cylinder));
-    let case = case.ok_or("the optimum is not held in this condition")?;
-    let speeds = &case.finder.grid.speed_rpm;
-    let is_asked =
-        (speeds[0]..=speeds[speeds.len() - 1]).contains(&row.speed_rpm) && (case.finder.refine || speeds.contains(&row.speed_rpm));
-    if !is_asked {
-        return Err(format!("the study does not ask for {} rpm", row.speed_rpm));
+fn excluded(problem: &Problem, claim: Option<f64>, own: &Exclusion) -> Result<u64, String> {
+    let shares = own.speeds.iter().map(|s| s.share);
+    if shares.clone().any(|share| !(0.0..=1.0).contains(&share)) || (shares.sum::<f64>() - 1.0).abs() > BEYOND {
+        return Err("the shares of its speeds are not from 0 to 1, or not 1 together".into());
     }
-    let (mut open, mut parts) = (vec![row.ranges.clone()], 0);
+    let (mut open, mut parts) = (vec![own.ranges.clone()], 0);
     while let Some(ranges) = open.pop() {
         parts += 1;
         if parts > PARTS {
             return Err("the box could not be confirmed".into());
         }
-        let part = Part::new(problem, case, &ranges, row.speed_rpm)
-            .ok_or("the law is not linear in its parameters there, or the system is singular")?;
-        if let Some(along) = part.open_along(problem, case, claim, row.speed_rpm)? {
+        let mut least = Least::default();
+        for speed in &own.speeds {
+            least.add(problem, claim, (&ranges, speed))?;
+        }
+        if least.value < 1.0 + BEYOND {
+            return Err("the design in the middle of a part is not excluded".into());
+        }
+        if let Some(along) = least.open_along() {
             let (low, high) = ranges[along];
             let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
             for half in [(low, middle), (middle, high)] {
@@ -114,146 +117,180 @@ fn excluded(problem: &Problem, claim: Option<f64>, row: &ExcludedBox) -> Result<
     Ok(parts)
 }
 
-/// A part of a box: an order each.
-struct Part {
-    /// What S is in each corner less what it is in the middle.
-    corners: Vec<Vec<C64>>,
-    /// c, and v·x.
-    twists: Vec<(C64, C64)>,
-    /// Phasor in the middle, and under the pair of torques, of a quantity.
-    outputs: Vec<(Quantity, Vec<(C64, C64)>)>,
-}
-
 /// The law at values of the free parameters, as a design.
-fn design(space: &Space, values: &[f64]) -> Vec<crate::absorber::Mounted> {
+fn design(space: &Space, values: &[f64]) -> Vec<Mounted> {
     let mut held = Space { slots: space.slots.clone(), variables: Vec::new() };
     space.variables.iter().zip(values).for_each(|(v, x)| held.slots[0].values[v.parameter] = *x);
     held.design(&[])
 }
 
-impl Part {
-    fn new(problem: &Problem, case: &LoadCase, ranges: &[(f64, f64)], speed_rpm: f64) -> Option<Self> {
-        let (space, system) = (&problem.space, case.finder.system);
-        let dense = Dense::new(system, case.finder.grid);
-        let at = |corner: Option<usize>| {
-            let value = |(d, (low, high)): (usize, &(f64, f64))| match corner {
-                Some(bits) if bits >> d & 1 == 1 => *high,
-                Some(_) => *low,
-                None => 0.5 * (low + high),
-            };
-            case.absorbers(&design(space, &ranges.iter().enumerate().map(value).collect::<Vec<_>>())).ok()
-        };
-        let middle = at(None)?;
-        let corners = (0..1 << ranges.len()).map(|bits| at(Some(bits))).collect::<Option<Vec<_>>>()?;
-        let stiffness = |design: &[crate::absorber::Mounted], omega: f64| match &design[0].absorber {
-            Absorber::Ring(law) => Some(law.dynamic_stiffness(Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM })),
-            Absorber::Locked { .. } => None,
-        };
-        let measures = problem.objectives.iter().chain(problem.limits).flat_map(|l| &l.measure.quantities);
-        let mut part = Self { corners: vec![Vec::new(); corners.len()], twists: Vec::new(), outputs: Vec::new() };
-        for q in measures {
-            if part.outputs.iter().all(|known| known.0 != *q) {
-                part.outputs.push((*q, Vec::new()));
-            }
-        }
-        for (n, order) in system.excitation.orders.iter().enumerate() {
-            let solved = dense.at(&middle, (n, speed_rpm));
-            let (x, pair) = (solved.under_torque()?, solved.under_pair(0)?);
-            part.twists.push((solved.twist(0, &pair), solved.twist(0, &x)));
-            part.outputs.iter_mut().for_each(|(q, y)| y.push((solved.output(*q, &x), solved.output(*q, &pair))));
-            let omega = order.omega(speed_rpm);
-            let own = stiffness(&middle, omega)?;
-            for (all, corner) in part.corners.iter_mut().zip(&corners) {
-                all.push(stiffness(corner, omega)? - own);
-            }
-            // of a law that is linear in each parameter the middle is the mean of the corners
-            let (sum, most) = part.corners.iter().map(|c| c[n]).fold((C64::default(), 0.0), |(s, m), d| (s + d, f64::max(m, d.norm())));
-            if sum.norm() > 1e-9 * (most + own.norm()) * corners.len() as f64 {
-                return None;
-            }
-        }
-        Some(part)
-    }
+/// Designs in the middle and in the corners of a part, bit d of a corner's number telling its end of range d.
+fn designs(problem: &Problem, case: &LoadCase, ranges: &[(f64, f64)]) -> Option<(Vec<Mounted>, Vec<Vec<Mounted>>)> {
+    let end = |bits: usize, d: usize, r: &(f64, f64)| if bits >> d & 1 == 1 { r.1 } else { r.0 };
+    let corner = |bits: usize| ranges.iter().enumerate().map(|(d, r)| end(bits, d, r)).collect::<Vec<_>>();
+    let there = |values: &[f64]| case.absorbers(&design(&problem.space, values)).ok();
+    let middle: Vec<f64> = ranges.iter().map(|r| 0.5 * (r.0 + r.1)).collect();
+    Some((there(&middle)?, (0..1 << ranges.len()).map(|bits| there(&corner(bits))).collect::<Option<_>>()?))
+}
 
-    /// `None` where all of it is excluded, else the parameter that it is to be cut along.
-    fn open_along(&self, problem: &Problem, case: &LoadCase, claim: Option<f64>, speed_rpm: f64) -> Result<Option<usize>, String> {
-        let objectives = problem.objectives.iter().filter_map(|l| Some((l, claim?)));
-        let asked = objectives.chain(problem.limits.iter().map(|l| (l, 1.0)));
-        let parts = asked.flat_map(|(l, times)| l.parts_in(case.condition).map(move |(measure, unit)| (measure, unit * times)));
-        let there = parts.filter(|(measure, _)| measure.within.holds(speed_rpm));
-        let each = there.flat_map(|(measure, most)| {
-            let quantities = measure.quantities.iter().filter_map(|q| self.outputs.iter().find(|o| o.0 == *q));
-            quantities.filter_map(move |(q, y)| {
-                let (weights, more) = weights(case, measure, (*q, y), speed_rpm)?;
-                let by = measure.within.weight(speed_rpm) / most;
-                Some((y, weights.into_iter().map(|w| w * by).collect::<Vec<C64>>(), more * by))
-            })
+/// The least that the mean over the speeds of a box is over a part of it.
+#[derive(Default)]
+struct Least {
+    /// In the middle.
+    value: f64,
+    /// Change to each corner, but for what is not linear.
+    corners: Vec<f64>,
+    /// What that is at most.
+    rest: f64,
+    /// How far each parameter moves phasors.
+    moved: Vec<f64>,
+}
+
+impl Least {
+    /// Adds what is asked at a speed.
+    fn add(&mut self, problem: &Problem, claim: Option<f64>, (ranges, speed): (&[(f64, f64)], &ExcludingSpeed)) -> Result<(), String> {
+        let case = problem.load_cases.iter().find(|c| (c.condition, c.cylinder) == (speed.condition, speed.cylinder));
+        let case = case.ok_or("the optimum is not held in this condition")?;
+        let (speeds, rpm) = (&case.finder.grid.speed_rpm, speed.speed_rpm);
+        if !(speeds[0]..=speeds[speeds.len() - 1]).contains(&rpm) || !(case.finder.refine || speeds.contains(&rpm)) {
+            return Err(format!("the study does not ask for {rpm} rpm"));
+        }
+        let objectives = problem.objectives.iter().filter_map(|l| Some((l, claim?))).filter(|_| !speed.by_limit);
+        let limits = problem.limits.iter().map(|l| (l, 1.0)).filter(|_| speed.by_limit);
+        let parts =
+            objectives.chain(limits).flat_map(|(l, by)| l.parts_in(case.condition).map(move |(measure, unit)| (measure, unit * by)));
+        let parts: Vec<_> = parts.filter(|(measure, _)| measure.within.holds(rpm)).collect();
+        let quantities: Vec<Quantity> = parts.iter().flat_map(|p| p.0.quantities.iter().copied()).collect();
+        let at = AtSpeed::new(problem, case, (ranges, rpm), &quantities)
+            .ok_or("the law is not linear in its parameters, or the system is singular")?;
+        let planes = parts.iter().flat_map(|(measure, most)| {
+            let by = speed.share * measure.within.weight(rpm) / most;
+            let plane =
+                |q: &Quantity| Some(Plane::of(case, measure, (*q, at.outputs.iter().find(|o| o.0 == *q)?.1.as_slice()), rpm)?.times(by));
+            measure.quantities.iter().filter_map(plane).collect::<Vec<_>>()
         });
-        let value =
-            |(y, weights, more): &(&Vec<(C64, C64)>, Vec<C64>, f64)| more + y.iter().zip(weights).map(|(y, w)| (y.0 * w).re).sum::<f64>();
-        let Some(best) = each.max_by(|a, b| value(a).total_cmp(&value(b))) else {
+        let Some(plane) = planes.max_by(|a, b| a.value.total_cmp(&b.value)) else {
             return Err("what is asked there has no bound by other means".into());
         };
-        if value(&best) < 1.0 + BEYOND {
-            return Err("the design in the middle of a part is not excluded at this speed".into());
+        self.value += plane.value;
+        self.corners.resize(at.corners.len(), 0.0);
+        self.moved.resize(ranges.len(), 0.0);
+        let y = &at.outputs.iter().find(|o| o.0 == plane.quantity).ok_or("the quantity is unknown")?.1;
+        for (n, (y, (c, twist))) in y.iter().zip(&at.twists).enumerate() {
+            let (change, weight) = (-(y.1 * twist), plane.weights[n]);
+            let largest = at.corners.iter().map(|corner| corner[n].norm()).fold(0.0, f64::max);
+            let (all, share) = (largest * change.norm(), largest * c.norm());
+            self.rest += if share < 1.0 { (weight.norm() * share + plane.moved) * all / (1.0 - share) } else { f64::INFINITY };
+            self.corners.iter_mut().zip(&at.corners).for_each(|(sum, corner)| *sum += (corner[n] * change * weight).re);
+            for (d, moved) in self.moved.iter_mut().enumerate() {
+                *moved += (at.corners[1 << d][n] - at.corners[0][n]).norm() * change.norm() * weight.norm();
+            }
         }
-        let slopes: Vec<C64> = best.0.iter().zip(&best.1).zip(&self.twists).map(|((y, w), t)| w * y.1 * t.1).collect();
-        let mut rest = 0.0;
-        for (n, slope) in slopes.iter().enumerate() {
-            let reach = self.corners.iter().map(|c| c[n].norm()).fold(0.0, f64::max) * self.twists[n].0.norm();
-            rest += if reach < 1.0 { slope.norm() / self.twists[n].0.norm() * reach * reach / (1.0 - reach) } else { f64::INFINITY };
+        Ok(())
+    }
+
+    /// `None` where all of the part is excluded, else the parameter that it is to be cut along: that which takes most away, linearly or by what is not.
+    fn open_along(&self) -> Option<usize> {
+        let linear = self.corners.iter().copied().fold(f64::INFINITY, f64::min);
+        if self.value + linear - self.rest >= 1.0 + BEYOND {
+            return None;
         }
-        let linear = |corner: &Vec<C64>| corner.iter().zip(&slopes).map(|(d, s)| -(d * s).re).sum::<f64>();
-        let least = self.corners.iter().map(linear).fold(f64::INFINITY, f64::min);
-        if value(&best) + least - rest >= 1.0 + BEYOND {
-            return Ok(None);
-        }
-        // along what moves phasors most
-        let moves = |d: usize| -> f64 {
-            let from = (0..self.corners.len()).filter(|bits| bits >> d & 1 == 0);
-            from.flat_map(|bits| (0..slopes.len()).map(move |n| (bits, n)))
-                .map(|(bits, n)| ((self.corners[bits | 1 << d][n] - self.corners[bits][n]) * slopes[n]).norm())
-                .sum()
-        };
-        let count = self.corners.len().trailing_zeros() as usize;
-        Ok((0..count).max_by(|a, b| moves(*a).total_cmp(&moves(*b))))
+        let change = |d: usize| if -linear > self.rest { (self.corners[1 << d] - self.corners[0]).abs() } else { self.moved[d] };
+        (0..self.moved.len()).max_by(|a, b| change(*a).total_cmp(&change(*b)))
     }
 }
 
-/// Numbers whose products with the phasors of a quantity, real parts added up, and another number together are nowhere above a measure, and equal it in the middle; `None` of measures without.
-fn weights(case: &LoadCase, measure: &Measure, (quantity, y): (Quantity, &[(C64, C64)]), speed_rpm: f64) -> Option<(Vec<C64>, f64)> {
-    let excitation = &case.finder.system.excitation;
-    let centres: Vec<C64> = y.iter().map(|y| y.0).collect();
-    let extremes = case.finder.synthesiser.extremes(&centres);
-    let at = |angle: f64| -> Vec<C64> { excitation.harmonics.iter().map(|h| turn(f64::from(*h) * angle)).collect() };
-    let (high, low) = (at(extremes.angle_max), at(extremes.angle_min));
-    let both = |of_high: f64, of_low: f64| high.iter().zip(&low).map(|(a, b)| a * of_high + b * of_low).collect::<Vec<_>>();
-    let sum = |weights: &[C64]| centres.iter().zip(weights).map(|(y, w)| (y * w).re).sum::<f64>();
-    match measure.over {
-        Over::Synthesis => Some((both(0.5, -0.5), 0.0)),
-        Over::Orders | Over::Order(_) => {
-            let is_asked = |n: &usize| !matches!(measure.over, Over::Order(o) if o != excitation.orders[*n]);
-            let n = (0..y.len()).filter(is_asked).max_by(|a, b| centres[*a].norm().total_cmp(&centres[*b].norm()))?;
-            let mut own = vec![C64::default(); y.len()];
-            own[n] = centres[n].conj() / centres[n].norm();
-            own[n].is_finite().then_some((own, 0.0))
-        }
-        Over::Margin(criterion) => {
-            let (margin, Quantity::ShaftTorque(shaft)) = (case.finder.margin?, quantity) else { return None };
-            if margin.is_multiaxial(criterion) {
+/// Dense solutions in the middle of a part, an order each.
+struct AtSpeed {
+    /// What S is in each corner less what it is in the middle.
+    corners: Vec<Vec<C64>>,
+    /// c, and v·x.
+    twists: Vec<(C64, C64)>,
+    /// Of each quantity its phasor, and that under the pair of torques.
+    outputs: Vec<(Quantity, Vec<(C64, C64)>)>,
+}
+
+impl AtSpeed {
+    fn new(problem: &Problem, case: &LoadCase, (ranges, speed_rpm): (&[(f64, f64)], f64), quantities: &[Quantity]) -> Option<Self> {
+        let (middle, corners) = designs(problem, case, ranges)?;
+        let stiffness = |design: &[Mounted], omega: f64| match &design[0].absorber {
+            Absorber::Ring(law) => Some(law.dynamic_stiffness(Operating { omega, shaft_speed: speed_rpm * RAD_PER_S_PER_RPM })),
+            Absorber::Locked { .. } => None,
+        };
+        let dense = Dense::new(case.finder.system, case.finder.grid);
+        let outputs = quantities.iter().map(|q| (*q, Vec::new())).collect();
+        let mut own = Self { corners: vec![Vec::new(); corners.len()], twists: Vec::new(), outputs };
+        for (n, order) in case.finder.system.excitation.orders.iter().enumerate() {
+            let solved = dense.at(&middle, (n, speed_rpm));
+            let (x, pair) = (solved.under_torque()?, solved.under_pair(0)?);
+            own.twists.push((solved.twist(0, &pair), solved.twist(0, &x)));
+            own.outputs.iter_mut().for_each(|(q, y)| y.push((solved.output(*q, &x), solved.output(*q, &pair))));
+            let omega = order.omega(speed_rpm);
+            let s = stiffness(&middle, omega)?;
+            let (mut sum, mut most) = (C64::default(), s.norm());
+            for (all, corner) in own.corners.iter_mut().zip(&corners) {
+                let change = stiffness(corner, omega)? - s;
+                (sum, most) = (sum + change, f64::max(most, change.norm()));
+                all.push(change);
+            }
+            // of a law that is linear in each parameter the middle is the mean of the corners
+            if sum.norm() > BEYOND * most * corners.len() as f64 {
                 return None;
             }
-            let (most, least) = (sum(&high), sum(&low));
-            let extremes = Extremes { half_peak_to_peak: 0.5 * (most - least), middle: 0.5 * (most + least), ..extremes };
-            let torque = Torque { extremes, phasors: &centres };
-            let own = margin.spots_of(criterion, shaft).map(|i| margin.used(criterion, i, speed_rpm, &torque));
-            // convex in maximum and minimum, rising with the one and falling with the other
-            let rises = |u: &crate::crankshaft::Used| u.slopes.0 >= u.slopes.1.abs();
-            let used = own.filter(rises).max_by(|a, b| a.value.total_cmp(&b.value))?;
-            let weights = both(0.5 * (used.slopes.0 + used.slopes.1), 0.5 * (used.slopes.1 - used.slopes.0));
-            let more = used.value - sum(&weights);
-            Some((weights, more))
         }
-        _ => None,
+        Some(own)
+    }
+}
+
+/// What a measure is nowhere below: its value in the middle, and the change of each phasor times its weight, real parts added up, less the sum of the sizes of all changes times `moved`.
+struct Plane {
+    quantity: Quantity,
+    value: f64,
+    weights: Vec<C64>,
+    moved: f64,
+}
+
+impl Plane {
+    /// `None` of measures without.
+    fn of(case: &LoadCase, measure: &Measure, (quantity, y): (Quantity, &[(C64, C64)]), speed_rpm: f64) -> Option<Self> {
+        let excitation = &case.finder.system.excitation;
+        let centres: Vec<C64> = y.iter().map(|y| y.0).collect();
+        let extremes = case.finder.synthesiser.extremes(&centres);
+        let at = |angle: f64| -> Vec<C64> { excitation.harmonics.iter().map(|h| turn(f64::from(*h) * angle)).collect() };
+        let (high, low) = (at(extremes.angle_max), at(extremes.angle_min));
+        let both = |of_high: f64, of_low: f64| high.iter().zip(&low).map(|(a, b)| a * of_high + b * of_low).collect::<Vec<_>>();
+        let sum = |weights: &[C64]| centres.iter().zip(weights).map(|(y, w)| (y * w).re).sum::<f64>();
+        let linear = |weights: Vec<C64>| Self { quantity, value: sum(&weights), weights, moved: 0.0 };
+        match measure.over {
+            Over::Synthesis => Some(linear(both(0.5, -0.5))),
+            Over::Orders | Over::Order(_) => {
+                let is_asked = |n: &usize| !matches!(measure.over, Over::Order(o) if o != excitation.orders[*n]);
+                let n = (0..y.len()).filter(is_asked).max_by(|a, b| centres[*a].norm().total_cmp(&centres[*b].norm()))?;
+                let mut own = vec![C64::default(); y.len()];
+                own[n] = centres[n].conj() / centres[n].norm();
+                own[n].is_finite().then(|| linear(own))
+            }
+            Over::Margin(criterion) => {
+                let (margin, Quantity::ShaftTorque(shaft)) = (case.finder.margin?, quantity) else { return None };
+                if margin.is_multiaxial(criterion) {
+                    return None;
+                }
+                let (most, least) = (sum(&high), sum(&low));
+                let extremes = Extremes { half_peak_to_peak: 0.5 * (most - least), middle: 0.5 * (most + least), ..extremes };
+                let torque = Torque { extremes, phasors: &centres };
+                let own = margin.spots_of(criterion, shaft).map(|i| margin.used(criterion, i, speed_rpm, &torque));
+                let used = own.max_by(|a, b| a.value.total_cmp(&b.value))?;
+                // convex in maximum and minimum: where it falls with the one or rises with the other, that moves no further than all phasors
+                let (by_most, by_least) = (0.5 * (used.slopes.0 + used.slopes.1), 0.5 * (used.slopes.1 - used.slopes.0));
+                let weights = both(by_most.max(0.0), by_least.min(0.0));
+                Some(Self { quantity, value: used.value, weights, moved: by_least.max(0.0) - by_most.min(0.0) })
+            }
+            _ => None,
+        }
+    }
+
+    fn times(mut self, factor: f64) -> Self {
+        self.weights.iter_mut().for_each(|w| *w *= factor);
+        Self { value: self.value * factor, moved: self.moved * factor, ..self }
     }
 }

@@ -40,7 +40,7 @@ pub use load_case::LoadCase;
 pub use load_case::largest;
 pub use minimax::Outcome;
 pub use problem::{Problem, Role, Row, Rows};
-pub use proof::{Effort, Exclusion, Exclusions, Proof, Reason, Verdict};
+pub use proof::{Effort, ExcludingSpeed, Exclusion, Exclusions, Proof, Reason, Verdict};
 pub use robust::Tolerances;
 pub use scatter::Scatter;
 pub use search::{LocalOptimum, Optimum, Stages, Start};

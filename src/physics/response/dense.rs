@@ -75,6 +75,7 @@ impl AtFrequency<'_> {
     }
 
     /// The same under that of the engine.
+    #[doc(hidden)]
     pub fn under_torque(&self) -> Option<DVector<C64>> {
         self.under(&self.torque)
     }
@@ -86,6 +87,7 @@ impl AtFrequency<'_> {
     }
 
     /// Angles of all bodies under a unit torque on the carrier of an absorber and its opposite on the ring.
+    #[doc(hidden)]
     pub fn under_pair(&self, absorber: usize) -> Option<DVector<C64>> {
         let (host, ring) = self.bodies.rings[absorber];
         let mut pair = DVector::from_element(self.bodies.len(), ZERO);

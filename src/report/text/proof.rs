@@ -43,7 +43,7 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     let said = match (&o.exclusions, &proof.verdict) {
         (Some(_), _) => format!("{said}; its boxes are in proof_{}.csv", o.design.name),
         (None, Verdict::Proved | Verdict::Impossible) if study.optimise.as_ref().is_some_and(|s| s.prove.file) => {
-            format!("{said}; no table of it, as single speeds do not exclude all in as many boxes")
+            format!("{said}; no table of it, as as many boxes do not suffice for it")
         }
         (None, _) => said,
     };
@@ -61,7 +61,7 @@ pub fn confirmed(study: &Study, objective: usize, table: &ProofTable, parts: u64
     let within = if study.limits.is_empty() { "" } else { " within the limits" };
     let side = if objective.unit.is_inverse() { "above" } else { "below" };
     let range = |d: usize| {
-        let ends = table.boxes.iter().map(|b| b.ranges[d]);
+        let ends = table.boxes.iter().map(|b| b.own.ranges[d]);
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |m, r| (m.0.min(r.0), m.1.max(r.1)));
         format!("{} {} to {}", table.free[d], significant(low, 4), significant(high, 4))
     };
@@ -71,7 +71,7 @@ pub fn confirmed(study: &Study, objective: usize, table: &ProofTable, parts: u64
         None => "no design of its family holds all limits".to_owned(),
     };
     format!(
-        "{}: confirmed, {found}: {} boxes cover {}, and each is excluded at its speed by solutions of the whole matrix ({parts} parts)\n",
+        "{}: confirmed, {found}: {} boxes cover {}, and solutions of the whole matrix exclude each at its speeds ({parts} parts)\n",
         table.design,
         table.boxes.len(),
         ranges.join(" and ")

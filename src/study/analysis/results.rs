@@ -58,7 +58,7 @@ pub struct OptimumResult {
     /// That no design within the bounds is better; `None` where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<Proof>,
-    /// The same for others to check; `None` where that was not asked for, nothing is proved, or one speed at a time does not exclude all in as many boxes.
+    /// The same for others to check; `None` where that was not asked for, nothing is proved, or as many boxes do not suffice.
     #[serde(skip)]
     pub exclusions: Option<Exclusions>,
     /// What second order says of it, where peaks keep their places that near.

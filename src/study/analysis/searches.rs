@@ -18,8 +18,8 @@ use crate::optimise::minimax;
 use crate::optimise::search::Recorder;
 use crate::optimise::starts::NamedPoint;
 use crate::optimise::{
-    Effort, Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, Verdict, largest, proof,
-    robust, search, second_order, shadow_prices, starts,
+    Effort, Exclusions, Interchange, LoadCase, Optimum, Problem, Proof, Reason, Remembers, Row, Slot, Space, Tolerances, Verdict, largest,
+    proof, robust, search, second_order, shadow_prices, starts,
 };
 use crate::response::{ResponseError, Work};
 use rayon::prelude::*;
@@ -208,10 +208,7 @@ impl<'a> Searches<'a> {
         let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
-        let mut proof = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
-        let is_proved = proof.as_ref().is_some_and(|p| matches!(p.verdict, Verdict::Proved | Verdict::Impossible));
-        let exclusions = || proof::exclusions(&problem, &optimum.outcome, spec.prove.effort, &mut Work::default());
-        let exclusions = (spec.prove.file && is_proved).then(exclusions).flatten();
+        let (mut proof, exclusions) = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
         let design =
             self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), (spec.prove.effort, proof.as_mut()), &name)?;
@@ -260,16 +257,25 @@ impl<'a> Searches<'a> {
         })
     }
 
-    /// That no design is better than an optimum, where the study asks for that or it costs little; what a proof finds that is better takes its place.
-    fn proof(&self, (spec, main): (&OptimiseSpec, bool), problem: &Problem, (optimum, tolerant): (&mut Optimum, bool)) -> Option<Proof> {
-        let ProveSpec { effort, all, .. } = spec.prove;
-        let is_asked = all || main && problem.space.slots.len() == 1;
-        if effort.boxes == 0 || !is_asked {
-            return None;
+    /// That no design is better than an optimum, where the study asks for that or it costs little, and the same for others to check; what a proof finds that is better takes its place.
+    fn proof(
+        &self,
+        (spec, main): (&OptimiseSpec, bool),
+        problem: &Problem,
+        (optimum, tolerant): (&mut Optimum, bool),
+    ) -> (Option<Proof>, Option<Exclusions>) {
+        let ProveSpec { effort, all, file } = spec.prove;
+        if effort.boxes == 0 || !(all || main && problem.space.slots.len() == 1) {
+            return (None, None);
         }
-        let (proof, seconds) = timed(|| if tolerant { Proof::none(Reason::Tolerances) } else { proof::settle(problem, optimum, effort) });
+        let (found, seconds) = timed(|| {
+            let proof = if tolerant { Proof::none(Reason::Tolerances) } else { proof::settle(problem, optimum, effort) };
+            let is_told = file && matches!(proof.verdict, Verdict::Proved | Verdict::Impossible);
+            let exclusions = is_told.then(|| proof::exclusions(problem, &optimum.outcome, effort, &mut optimum.stages.search)).flatten();
+            (Some(proof), exclusions)
+        });
         self.proofs.fetch_add((1e9 * seconds) as u64, Ordering::Relaxed);
-        Some(proof)
+        found
     }
 
     /// Limits are judged in operation, too: whether an optimum differs there, which then is sought anew. A design that is as good there is the best of both; within tolerances it is as drawn there.

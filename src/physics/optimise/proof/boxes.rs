@@ -304,12 +304,17 @@ pub(super) fn halves(bounds: &[(f64, f64)], along: usize) -> [Bounds; 2] {
 }
 
 /// The coordinate along which a box is cut: that which moves most of what is largest; of a box that nothing linear is known of, the longest.
-pub(super) fn along(bounds: &[(f64, f64)], forms: &[Form]) -> usize {
+fn along(bounds: &[(f64, f64)], forms: &[Form]) -> usize {
     let largest = forms.iter().reduce(|m, f| if f.middle > m.middle { f } else { m });
     let spread = largest.map_or([0.0; MOST], |f| f.spread);
-    let longest = (0..bounds.len()).max_by(|a, b| (bounds[*a].1 - bounds[*a].0).total_cmp(&(bounds[*b].1 - bounds[*b].0))).unwrap_or(0);
+    let longest = longest(bounds);
     let most = (0..bounds.len()).max_by(|a, b| spread[*a].total_cmp(&spread[*b])).unwrap_or(0);
     if spread[most] > 0.0 && bounds[longest].1 - bounds[longest].0 < WIDE { most } else { longest }
+}
+
+/// The longest side of a box.
+pub(super) fn longest(bounds: &[(f64, f64)]) -> usize {
+    (0..bounds.len()).max_by(|a, b| (bounds[*a].1 - bounds[*a].0).total_cmp(&(bounds[*b].1 - bounds[*b].0))).unwrap_or(0)
 }
 
 /// Coordinates farther apart than this (a factor of e) are far apart.

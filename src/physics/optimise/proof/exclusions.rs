@@ -1,28 +1,37 @@
-//! A proof to be checked by others: boxes that cover all designs, each with one speed that excludes it.
+//! A proof to be checked by others: boxes that cover all designs, each with the speeds that exclude it.
 //!
-//! The search excludes boxes by several speeds together, too; here each is cut until a single one does. It is made to a smaller gap than the proof is told to, so that whoever checks it may err.
+//! The range is cut anew with the speeds that the search came to. It is made to a smaller gap than the proof is told to, so that whoever checks it may err.
 
 use super::asked;
-use super::boxes::{Bounds, FIRST, Search, along, halves};
-use super::form::Form;
+use super::boxes::{Bounds, FIRST, Search, halves, longest};
+use super::form::{Form, combination};
 use super::verdict::{Effort, Found, Verdict};
 use crate::objective::Condition;
 use crate::optimise::{Outcome, Problem};
 use crate::response::Work;
 
-/// A box of designs that one speed excludes: all of them break a limit there, or have an objective there that is no less than what is proved.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-pub struct Exclusion {
-    /// Lowest and highest value of each free parameter.
-    pub ranges: Vec<(f64, f64)>,
+/// A speed that excludes a box, alone or with others.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct ExcludingSpeed {
     /// Condition of the engine.
     pub condition: Condition,
     /// The cylinder (from 0) that misfires.
     pub cylinder: Option<usize>,
     /// rpm.
     pub speed_rpm: f64,
-    /// Whether a limit is broken there.
+    /// Whether a limit is asked for there, or the objective.
     pub by_limit: bool,
+    /// What it counts; of a box they add up to one.
+    pub share: f64,
+}
+
+/// A box of designs that are excluded: what they have at some speeds, in units of what they must not reach, is nowhere below one in a weighted mean.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Exclusion {
+    /// Lowest and highest value of each free parameter.
+    pub ranges: Vec<(f64, f64)>,
+    /// The speeds.
+    pub speeds: Vec<ExcludingSpeed>,
 }
 
 /// Boxes that cover all designs.
@@ -34,7 +43,7 @@ pub struct Exclusions {
     pub boxes: Vec<Exclusion>,
 }
 
-/// Boxes that cover the whole range of the free parameters, each excluded by one speed: no design of them is below the share `1 - gap` of the value of an optimum and holds all limits, or, where the optimum breaks one, none
+/// Boxes that cover the whole range of the free parameters and exclude all of it: no design is below the share `1 - gap` of the value of an optimum and holds all limits, or, where the optimum breaks one, none
 /// holds all. `None` where there is no such proof, and where more boxes are needed than the effort allows.
 #[doc(hidden)]
 pub fn exclusions(problem: &Problem, optimum: &Outcome, effort: Effort, work: &mut Work) -> Option<Exclusions> {
@@ -49,13 +58,12 @@ pub fn exclusions(problem: &Problem, optimum: &Outcome, effort: Effort, work: &m
     }
     let least = (1.0 - EXCLUDED * effort.gap) / (1.0 - SEARCHED * effort.gap);
     let mut found: Vec<Exclusion> = Vec::new();
-    // the lower half comes first, whatever is cut
     let mut open = vec![(problem.space.bounds(), Vec::new())];
     while let Some((bounds, known)) = open.pop() {
         if (found.len() + open.len()) as u64 >= effort.boxes {
             return None;
         }
-        match search.excluded_by_one(bounds, &known, least)? {
+        match search.excluded(bounds, &known, least)? {
             Step::Excluded(exclusion) => found.push(exclusion),
             Step::Cut([low, high], known) => open.extend([(high, known.clone()), (low, known)]),
         }
@@ -77,33 +85,49 @@ enum Step {
 }
 
 impl Search<'_> {
-    /// Looks for a speed that excludes a box, those that say most of the box it is half of first.
-    fn excluded_by_one(&self, bounds: Bounds, known: &[u32], least: f64) -> Option<Step> {
+    /// Looks for a speed that excludes a box, those that say most of the box it is half of first, and then for several together.
+    fn excluded(&self, bounds: Bounds, known: &[u32], least: f64) -> Option<Step> {
         let values = self.values(&bounds);
         let absorbers = self.cases.iter().map(|c| c.enclosed(&values).ok()).collect::<Option<Vec<_>>>()?;
         let others = (0..self.speeds.len() as u32).filter(|s| !known.contains(s));
-        let (mut forms, mut said): (Vec<Form>, Vec<(f64, u32)>) = (Vec::new(), Vec::new());
+        let (mut said, mut own): (Vec<(Form, u32)>, Vec<Form>) = (Vec::new(), Vec::new());
         for s in known.iter().copied().chain(others) {
-            let (at, first) = (&self.speeds[s as usize], forms.len());
-            let case = &self.cases[at.case];
-            case.forms(at, &absorbers[at.case], &mut forms);
-            let excludes = |f: &&Form| f.least() >= if f.is_objective { least } else { 1.0 };
-            if let Some(form) = forms[first..].iter().find(excludes) {
-                let ranges = self.ranges(&bounds).into_iter().map(|(_, low, high)| (low, high)).collect();
-                let load_case = &self.problem.load_cases[case.index];
-                let (condition, cylinder) = (load_case.condition, load_case.cylinder);
-                return Some(Step::Excluded(Exclusion {
-                    ranges,
-                    condition,
-                    cylinder,
-                    speed_rpm: at.speed_rpm,
-                    by_limit: !form.is_objective,
-                }));
+            let at = &self.speeds[s as usize];
+            own.clear();
+            self.cases[at.case].forms(at, &absorbers[at.case], &mut own);
+            // what an objective must not reach is a little less than what was searched for
+            for form in own.drain(..).map(|f| if f.is_objective { f.times(1.0 / least) } else { f }) {
+                if form.least() >= 1.0 {
+                    return Some(Step::Excluded(self.exclusion(&bounds, &[(s, &form, 1.0)])));
+                }
+                said.push((form, s));
             }
-            said.push((forms[first..].iter().map(|f| f.middle).fold(f64::NEG_INFINITY, f64::max), s));
         }
-        said.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let halves = halves(&bounds, along(&bounds, &forms));
-        Some(Step::Cut(halves, said.into_iter().map(|s| s.1).take(FIRST).collect()))
+        said.sort_by(|a, b| b.0.middle.total_cmp(&a.0.middle));
+        let (bound, shares) = combination(&mut said.iter().map(|s| s.0).collect::<Vec<_>>());
+        if bound >= 1.0 {
+            let speeds: Vec<_> = shares.iter().filter(|s| s.1 > 0.0).map(|(i, share)| (said[*i].1, &said[*i].0, *share)).collect();
+            return Some(Step::Excluded(self.exclusion(&bounds, &speeds)));
+        }
+        let best = said.iter().map(|s| &s.0).reduce(|m, f| if f.least() > m.least() { f } else { m });
+        let along = best.and_then(Form::loses_most_along).unwrap_or_else(|| longest(&bounds));
+        let mut first: Vec<u32> = Vec::new();
+        for (_, s) in &said {
+            if first.len() < FIRST && !first.contains(s) {
+                first.push(*s);
+            }
+        }
+        Some(Step::Cut(halves(&bounds, along), first))
+    }
+
+    fn exclusion(&self, bounds: &Bounds, speeds: &[(u32, &Form, f64)]) -> Exclusion {
+        let speed = |(s, form, share): &(u32, &Form, f64)| {
+            let at = &self.speeds[*s as usize];
+            let load_case = &self.problem.load_cases[self.cases[at.case].index];
+            let (condition, cylinder) = (load_case.condition, load_case.cylinder);
+            ExcludingSpeed { condition, cylinder, speed_rpm: at.speed_rpm, by_limit: !form.is_objective, share: *share }
+        };
+        let ranges = self.ranges(bounds).into_iter().map(|(_, low, high)| (low, high)).collect();
+        Exclusion { ranges, speeds: speeds.iter().map(speed).collect() }
     }
 }

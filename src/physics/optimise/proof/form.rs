@@ -76,6 +76,14 @@ impl Form {
         self.value - self.slopes.iter().map(|s| s.abs()).sum::<f64>()
     }
 
+    /// The variable along which a cut raises the least most: that with the steepest slope, or, where more is lost by what is not linear, that which moves phasors most; `None` where none does.
+    pub(super) fn loses_most_along(&self) -> Option<usize> {
+        let linear: f64 = self.slopes.iter().map(|s| s.abs()).sum();
+        let by = if linear > self.middle - self.value { self.slopes.map(f64::abs) } else { self.spread };
+        let most = (0..MOST).fold(0, |m, d| if by[d] > by[m] { d } else { m });
+        (by[most] > 0.0).then_some(most)
+    }
+
     /// A share of the way to another one: as good a bound of the larger of the two.
     fn towards(&self, other: &Self, share: f64) -> Self {
         let mix = |a: f64, b: f64| a + (b - a) * share;
@@ -88,13 +96,34 @@ impl Form {
 
 /// The largest lower bound over the box that convex combinations of forms were found to give: their maximum is nowhere below it.
 pub(super) fn least_of_largest(forms: &mut [Form]) -> f64 {
+    combined(forms, |_, _| {})
+}
+
+/// The same with the share of each form in the combination, those without a share left out. The largest in the middle come first, as they stand where they are level.
+pub(super) fn combination(forms: &mut [Form]) -> (f64, Vec<(usize, f64)>) {
+    let mut shares: Vec<(usize, f64)> = Vec::new();
+    let least = combined(forms, |i, share| {
+        shares.iter_mut().for_each(|s| s.1 *= 1.0 - share);
+        match shares.iter_mut().find(|s| s.0 == i) {
+            Some(own) => own.1 += share,
+            None => shares.push((i, share)),
+        }
+    });
+    (least, shares)
+}
+
+/// Tells of each step to a better combination: the form, and how far the way to it.
+fn combined(forms: &mut [Form], mut step: impl FnMut(usize, f64)) -> f64 {
     forms.sort_by(|a, b| b.middle.total_cmp(&a.middle));
     let forms = &forms[..forms.len().min(COMBINED)];
-    let Some(mut best) = forms.iter().copied().reduce(|m, f| if f.least() > m.least() { f } else { m }) else { return f64::NEG_INFINITY };
+    let first = (0..forms.len()).reduce(|m, i| if forms[i].least() > forms[m].least() { i } else { m });
+    let Some(first) = first else { return f64::NEG_INFINITY };
+    let mut best = forms[first];
+    step(first, 1.0);
     for _ in 0..=MOST {
         let before = best.least();
-        let from = best;
-        for other in forms {
+        let (from, mut taken) = (best, None);
+        for (i, other) in forms.iter().enumerate() {
             // the least is concave in the share, with kinks where a slope vanishes
             for d in 0..MOST {
                 let change = other.slopes[d] - from.slopes[d];
@@ -102,11 +131,12 @@ pub(super) fn least_of_largest(forms: &mut [Form]) -> f64 {
                 if change != 0.0 && (0.0..1.0).contains(&share) {
                     let mixed = from.towards(other, share);
                     if mixed.least() > best.least() {
-                        best = mixed;
+                        (best, taken) = (mixed, Some((i, share)));
                     }
                 }
             }
         }
+        taken.into_iter().for_each(|(i, share)| step(i, share));
         if best.least() <= before {
             break;
         }

@@ -19,7 +19,7 @@ mod settle;
 mod verdict;
 mod worst;
 
-pub use exclusions::{Exclusion, Exclusions, exclusions};
+pub use exclusions::{ExcludingSpeed, Exclusion, Exclusions, exclusions};
 pub use over_speeds::upper_bound;
 pub use settle::{settle, settle_front};
 pub use verdict::{Effort, Proof, Ranges, Reason, Verdict};

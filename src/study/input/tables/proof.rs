@@ -3,21 +3,16 @@
 use super::table::Table;
 use crate::input::error::InputError;
 use crate::objective::Condition;
+use crate::optimise::{ExcludingSpeed, Exclusion};
 use std::path::Path;
 
-/// A box of designs, and the speed that is to exclude it.
+/// A box of designs, and the speeds that are to exclude it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExcludedBox {
     /// Line of the file.
     pub line: u64,
-    /// Lowest and highest value of each free parameter.
-    pub ranges: Vec<(f64, f64)>,
-    /// Condition of the engine.
-    pub condition: Condition,
-    /// The cylinder (from 0) that misfires.
-    pub cylinder: Option<usize>,
-    /// rpm.
-    pub speed_rpm: f64,
+    /// What is to be excluded, and how.
+    pub own: Exclusion,
 }
 
 /// A proof as it stands in a file.
@@ -34,48 +29,73 @@ pub struct ProofTable {
 }
 
 /// Beginnings of the names of columns with ends of ranges.
+#[doc(hidden)]
 pub const ENDS: [&str; 2] = ["lowest_", "highest_"];
 
-/// Reads `design, lower_bound, condition, misfire_cylinder, speed_rpm`, and for each free parameter `lowest_…` and `highest_…`.
+/// Reads `design, lower_bound, box, condition, misfire_cylinder, speed_rpm, excluded_by, share`, and for each free parameter `lowest_…` and `highest_…`.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
+#[doc(hidden)]
 pub fn proof_table(path: &Path) -> Result<ProofTable, InputError> {
     let table = Table::read(path, &["design", "speed_rpm", "condition"])?;
-    let [design, bound, condition, cylinder, speed] =
-        ["design", "lower_bound", "condition", "misfire_cylinder", "speed_rpm"].map(|name| table.column(name));
-    let (design, bound, condition, cylinder, speed) = (design?, bound?, condition?, cylinder?, speed?);
+    let own = ["design", "lower_bound", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
+    let [design, bound, number, condition, cylinder, speed, by, share] = own.map(|name| table.column(name));
+    let (design, bound, number, condition) = (design?, bound?, number?, condition?);
+    let (cylinder, speed, by, share) = (cylinder?, speed?, by?, share?);
     let free: Vec<String> = table.header.iter().filter_map(|h| h.strip_prefix(ENDS[0])).map(str::to_owned).collect();
     let pair = |key: &String| Ok((table.column(&format!("{}{key}", ENDS[0]))?, table.column(&format!("{}{key}", ENDS[1]))?));
     let columns = free.iter().map(pair).collect::<Result<Vec<_>, InputError>>()?;
-    let Some((first, cells)) = table.rows.first() else { return Err(table.whole("found no box, expected one row each".into())) };
+    let Some((first, cells)) = table.rows.first() else {
+        return Err(table.whole("found no box, expected a row for each of its speeds".into()));
+    };
     let claim = |row: u64, cells: &[String]| table.number(row, bound, &cells[bound]);
     let found = ProofTable { design: table.words(*first, design, &cells[design])?, bound: claim(*first, cells)?, free, boxes: Vec::new() };
-    let known = |word: &str| Condition::NAMED.into_iter().find(|c| c.name() == word);
-    let row = |(line, cells): &(u64, Vec<String>)| {
-        for (column, differs) in [(design, cells[design] != found.design), (bound, claim(*line, cells)? != found.bound)] {
+    let row = |line: u64, cells: &[String]| -> Result<(Vec<(f64, f64)>, ExcludingSpeed), InputError> {
+        for (column, differs) in [(design, cells[design] != found.design), (bound, claim(line, cells)? != found.bound)] {
             if differs {
-                return Err(table.at(*line, column, format!("found `{}`, expected that of the first row", cells[column])));
+                return Err(table.at(line, column, format!("found `{}`, expected that of the first row", cells[column])));
             }
         }
-        let Some(condition) = known(&cells[condition]) else {
-            return Err(table.at(*line, condition, format!("found `{}`, expected a condition, as `firing`", cells[condition])));
-        };
-        let range =
-            |(low, high): &(usize, usize)| Ok((table.filled(*line, *low, &cells[*low])?, table.filled(*line, *high, &cells[*high])?));
-        let misfires = match table.number(*line, cylinder, &cells[cylinder])? {
+        let range = |(low, high): &(usize, usize)| Ok((table.filled(line, *low, &cells[*low])?, table.filled(line, *high, &cells[*high])?));
+        let wrong = |column: usize, expected: &str| table.at(line, column, format!("found `{}`, expected {expected}", cells[column]));
+        let named = Condition::NAMED.into_iter().find(|c| c.name() == cells[condition]);
+        let misfires = match table.number(line, cylinder, &cells[cylinder])? {
             None => None,
             Some(n) if n >= 1.0 && n.fract() == 0.0 => Some(n as usize - 1),
-            Some(_) => return Err(table.at(*line, cylinder, format!("found `{}`, expected the number of a cylinder", cells[cylinder]))),
+            Some(_) => return Err(wrong(cylinder, "the number of a cylinder")),
         };
-        Ok(ExcludedBox {
-            line: *line,
-            ranges: columns.iter().map(range).collect::<Result<_, InputError>>()?,
-            condition,
+        let by_limit = match cells[by].as_str() {
+            "limit" => true,
+            "objective" => false,
+            _ => return Err(wrong(by, "`objective` or `limit`")),
+        };
+        let speed = ExcludingSpeed {
+            condition: named.ok_or_else(|| wrong(condition, "a condition, as `firing`"))?,
             cylinder: misfires,
-            speed_rpm: table.filled(*line, speed, &cells[speed])?,
-        })
+            speed_rpm: table.filled(line, speed, &cells[speed])?,
+            by_limit,
+            share: table.filled(line, share, &cells[share])?,
+        };
+        Ok((columns.iter().map(range).collect::<Result<_, InputError>>()?, speed))
     };
-    let boxes = table.rows.iter().map(row).collect::<Result<_, InputError>>()?;
+    let (mut boxes, mut last): (Vec<ExcludedBox>, Option<&str>) = (Vec::new(), None);
+    for (line, cells) in &table.rows {
+        let (ranges, speed) = row(*line, cells)?;
+        match boxes.last_mut() {
+            Some(b) if last == Some(&cells[number]) => {
+                if b.own.ranges != ranges {
+                    return Err(table.at(
+                        *line,
+                        number,
+                        format!("found other ranges than in the row before it, which is of box `{}`, too", cells[number]),
+                    ));
+                }
+                b.own.speeds.push(speed);
+            }
+            _ => boxes.push(ExcludedBox { line: *line, own: Exclusion { ranges, speeds: vec![speed] } }),
+        }
+        last = Some(&cells[number]);
+    }
     Ok(ProofTable { boxes, ..found })
 }

@@ -6,7 +6,7 @@ use std::fs;
 /// Words of a message, and how a proof was changed.
 type Changed<'a> = (&'a str, &'a dyn Fn(&str) -> String);
 
-/// A proof of Den Hartog's problem is confirmed with exit code 0; without one of its rows, of another study and with a higher bound it is not (1); what is no proof of the study is bad input (2).
+/// A proof of Den Hartog's problem is confirmed with exit code 0; without one of its rows, of another study in another unit and with a higher bound it is not (1); what is no proof of the study is bad input (2).
 #[test]
 fn proofs_are_written_and_checked() {
     let folder = tempfile::tempdir().expect("folder");
@@ -33,18 +33,24 @@ fn proofs_are_written_and_checked() {
     };
     let without = |i: usize| move |text: &str| text.lines().enumerate().filter(|(n, _)| *n != i).map(|(_, l)| format!("{l}\n")).collect();
     let higher = |text: &str| text.replace(",0.02629", ",0.02630");
-    let refused: [Changed; 2] = [("do not cover", &without(1)), ("not excluded", &higher)];
+    let unit = |text: &str| text.replace(",deg,", ",rad,");
+    let refused: [Changed; 3] =
+        [("do not cover", &without(1)), ("not excluded", &higher), ("the optimum is by `peak_twist` in `deg`", &unit)];
     for (words, how) in refused {
         let (code, said) = changed(how);
         assert_eq!(code, Some(1), "{said}");
         assert!(said.starts_with("not confirmed: ") && said.contains(words), "{said}");
     }
-    let bad: [Changed; 5] = [
+    let bad: [Changed; 7] = [
         ("found a proof of `optimum_other`, expected one of an optimum of the study", &|t| t.replace("optimum_tuned", "optimum_other")),
         ("found `fring`, expected a condition, as `firing`", &|t| t.replace("firing", "fring")),
         ("found no box, expected a row for each of its speeds", &|t| t.lines().take(1).collect()),
         ("expected `lower_bound` among them", &|t| t.replace("lower_bound", "bound")),
-        ("expected `objective` or `limit`", &|t| t.replace(",objective,", ",nothing,")),
+        ("expected `objective` or `limit`", &|t| t.replace(",objective,1", ",nothing,1")),
+        ("expected that of the first row", &|t| t.replacen(",0.02629", ",0.02628", 2).replacen(",0.02628", ",0.02629", 1)),
+        ("expected no less than the lowest", &|t| {
+            t.replace("lowest_", "other_").replace("highest_", "lowest_").replace("other_", "highest_")
+        }),
     ];
     for (words, how) in bad {
         let (code, said) = changed(how);

@@ -150,3 +150,38 @@ fn proofs_of_two_masses_are_confirmed() {
     let least = crate::support::h_infinity_peak(0.1) * 1e-4;
     of(&TUNED, &[(What::Twist, 0.999 * least)]);
 }
+
+/// What is no less than a limit by rounding holds it, as everywhere: that no design holds one is not confirmed where one does by less than [`HELD`](hartog::objective::HELD).
+#[test]
+fn limits_hold_with_rounding() {
+    let (masses, least) = (TwoMasses { damping_ratio: 0.0, ring: 0.1 }, crate::support::h_infinity_peak(0.1) * 1e-4);
+    let limited = |share: f64| written(with(masses, What::Twist, &[(What::Twist, share * least)]), 1e-3);
+    let impossible = limited(1.0 - 1e-5);
+    let o = impossible.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
+    let rows = rows(&o);
+    assert!(confirmed(&impossible, &o.design.name, None, &rows).is_ok());
+    let by_rounding = limited(1.0 - 5e-7);
+    let held = by_rounding.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
+    assert!(held.design.within_limits());
+    for claim in [None, Some(1.0)] {
+        let found = confirmed(&by_rounding, &o.design.name, claim, &rows);
+        assert!(matches!(found, Err(Objection { is_refuted: true, .. })), "{found:?}");
+    }
+}
+
+/// What the dense solutions do not tell is not confirmed, whether it is so or not: the twist of a shaft so stiff that it is lost in rounding, and a flexible crank, of which they know nothing.
+#[test]
+fn what_is_not_known_is_not_confirmed() {
+    let s = written(study("villalva_i6"), 1e-3);
+    let o = s.run().unwrap_or_else(|e| panic!("{e}")).optima.swap_remove(1);
+    let (rows, claim) = (rows(&o), o.proof.as_ref().and_then(|p| p.lower_bound));
+    assert!(confirmed(&s, &o.design.name, claim, &rows).is_ok());
+    let mut stiff = s.clone();
+    stiff.chain.stations[3].stiffness_to_next = 1e19;
+    let mut bending = written(study("villalva_i6_flexible"), 1e-3);
+    bending.optimise.clone_from(&s.optimise);
+    for other in [stiff, bending] {
+        let found = confirmed(&other, &o.design.name, claim, &rows);
+        assert!(matches!(found, Err(Objection { is_refuted: false, .. })), "{found:?}");
+    }
+}

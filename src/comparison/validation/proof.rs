@@ -10,7 +10,7 @@ use crate::input::tables::ExcludedBox;
 use crate::numerics::C64;
 use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::Extremes;
-use crate::objective::{Measure, Over};
+use crate::objective::{HELD, Measure, Over};
 use crate::optimise::{ExcludingSpeed, Exclusion, LoadCase, Problem, Space};
 use crate::response::{Dense, Quantity};
 use crate::units::RAD_PER_S_PER_RPM;
@@ -21,13 +21,25 @@ use rayon::prelude::*;
 pub struct Objection {
     /// Line of the file; `None`: not of one line.
     pub line: Option<u64>,
+    /// Whether the proof does not hold as it stands; else it is of a kind that is not checked.
+    pub is_refuted: bool,
     /// In words.
     pub words: String,
 }
 
+impl Objection {
+    fn refuted(words: impl Into<String>) -> Self {
+        Self { line: None, is_refuted: true, words: words.into() }
+    }
+
+    fn unchecked(words: impl Into<String>) -> Self {
+        Self { line: None, is_refuted: false, words: words.into() }
+    }
+}
+
 /// Types whose law is linear in each of its parameters.
 const TYPES: [&Declaration; 4] = [&TUNED, &UNDAMPED, &VISCOUS, &RUBBER];
-/// What excludes exceeds what is claimed by this share at least: rounding of dense solutions is smaller.
+/// What excludes exceeds what is claimed by this share at least.
 const BEYOND: f64 = 1e-9;
 /// Parts of a box that are looked at, at most.
 const PARTS: u64 = 100_000;
@@ -38,71 +50,95 @@ const PARTS: u64 = 100_000;
 /// # Errors
 /// [`Objection`] where that is not so, or cannot be told.
 pub fn confirm(problem: &Problem, claim: Option<f64>, boxes: &[ExcludedBox]) -> Result<u64, Objection> {
-    let whole = |words: String| Objection { line: None, words };
     let (space, [slot]) = (&problem.space, problem.space.slots.as_slice()) else {
-        return Err(whole("only proofs of one absorber are checked".into()));
+        return Err(Objection::unchecked("only proofs of one absorber are checked"));
     };
     if !TYPES.contains(&slot.declaration) || space.variables.iter().any(|v| v.parameter == 0) || !problem.weights.is_empty() {
         let types: Vec<&str> = TYPES.iter().map(|t| t.name).collect();
-        return Err(whole(format!(
-            "only proofs of {}, of a ring of given inertia and no sum of objectives, are checked",
-            types.join(", ")
-        )));
+        let words = format!("only proofs of {}, of a ring of given inertia and no sum of objectives, are checked", types.join(", "));
+        return Err(Objection::unchecked(words));
+    }
+    if problem.load_cases.iter().any(|c| c.finder.system.flexible.is_some()) {
+        return Err(Objection::unchecked("proofs on a flexible crank are not checked"));
+    }
+    if claim.is_some_and(|claim| !(claim.is_finite() && claim > 0.0)) {
+        return Err(Objection::refuted("the bound is not above zero"));
     }
     let bounds: Vec<(f64, f64)> = space.variables.iter().map(|v| (v.lower, v.upper)).collect();
     let keys: Vec<&str> = space.variables.iter().map(|v| slot.declaration.parameters[v.parameter].key).collect();
-    cover((&keys, &bounds), boxes.iter().collect())?;
-    let one = |row: &ExcludedBox| excluded(problem, claim, &row.own).map_err(|words| Objection { line: Some(row.line), words });
+    cover(&keys, bounds, boxes.iter().collect())?;
+    let one = |row: &ExcludedBox| excluded(problem, claim, &row.own).map_err(|o| Objection { line: Some(row.line), ..o });
     let looked: Vec<Result<u64, Objection>> = boxes.par_iter().map(one).collect();
     looked.into_iter().sum()
 }
 
-/// Whether boxes cover a range, each part of it once: there is a cut between them, or there is one and it is the range.
-fn cover((keys, range): (&[&str], &[(f64, f64)]), mut boxes: Vec<&ExcludedBox>) -> Result<(), Objection> {
+/// Whether boxes cover a range, each part of it once: there are cuts between them, and each slab is covered, or there is one and it is the range.
+fn cover(keys: &[&str], range: Vec<(f64, f64)>, boxes: Vec<&ExcludedBox>) -> Result<(), Objection> {
     let is_same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
-    if let [only] = boxes.as_slice()
-        && only.own.ranges.iter().zip(range).all(|(a, b)| is_same(a.0, b.0) && is_same(a.1, b.1))
-    {
-        return Ok(());
-    }
-    for d in 0..range.len() {
-        boxes.sort_by(|a, b| a.own.ranges[d].0.total_cmp(&b.own.ranges[d].0));
-        let mut end = f64::NEG_INFINITY;
-        for i in 0..boxes.len() {
-            let from = boxes[i].own.ranges[d].0;
-            if i > 0 && end <= from {
-                let (mut low, mut high) = (range.to_vec(), range.to_vec());
-                (low[d].1, high[d].0) = (from, from);
-                let right = boxes.split_off(i);
-                cover((keys, &low), boxes)?;
-                return cover((keys, &high), right);
-            }
-            end = end.max(boxes[i].own.ranges[d].1);
+    let mut open = vec![(range, boxes)];
+    while let Some((range, boxes)) = open.pop() {
+        if let [only] = boxes.as_slice()
+            && only.own.ranges.iter().zip(&range).all(|(a, b)| is_same(a.0, b.0) && is_same(a.1, b.1))
+        {
+            continue;
+        }
+        let slabs = (0..range.len()).map(|d| (d, slabs(d, boxes.clone()))).find(|found| found.1.len() > 1);
+        let Some((d, slabs)) = slabs else {
+            let ranges: Vec<String> = keys.iter().zip(&range).map(|(key, r)| format!("{key} {} to {}", r.0, r.1)).collect();
+            let words = format!("the boxes do not cover {} without gaps and overlaps", ranges.join(" and "));
+            return Err(Objection { line: boxes.first().map(|b| b.line), ..Objection::refuted(words) });
+        };
+        let from = |slab: &Vec<&ExcludedBox>| slab[0].own.ranges[d].0;
+        let starts: Vec<f64> = slabs.iter().map(from).collect();
+        let last = slabs.len() - 1;
+        for (i, slab) in slabs.into_iter().enumerate() {
+            let mut own = range.clone();
+            own[d] = (if i == 0 { own[d].0 } else { starts[i] }, if i == last { own[d].1 } else { starts[i + 1] });
+            open.push((own, slab));
         }
     }
-    let ranges: Vec<String> = keys.iter().zip(range).map(|(key, r)| format!("{key} {} to {}", r.0, r.1)).collect();
-    let words = format!("the boxes do not cover {} without gaps and overlaps", ranges.join(" and "));
-    Err(Objection { line: boxes.first().map(|b| b.line), words })
+    Ok(())
+}
+
+/// Boxes between cuts across a parameter that no box of them crosses, in ascending order.
+fn slabs(d: usize, mut boxes: Vec<&ExcludedBox>) -> Vec<Vec<&ExcludedBox>> {
+    boxes.sort_by(|a, b| a.own.ranges[d].0.total_cmp(&b.own.ranges[d].0));
+    let (mut slabs, mut end): (Vec<Vec<&ExcludedBox>>, f64) = (Vec::new(), f64::NEG_INFINITY);
+    for b in boxes {
+        match slabs.last_mut() {
+            Some(slab) if b.own.ranges[d].0 < end => slab.push(b),
+            _ => slabs.push(vec![b]),
+        }
+        end = end.max(b.own.ranges[d].1);
+    }
+    slabs
 }
 
 /// Number of parts of a box that were looked at until all of it was excluded.
-fn excluded(problem: &Problem, claim: Option<f64>, own: &Exclusion) -> Result<u64, String> {
+fn excluded(problem: &Problem, claim: Option<f64>, own: &Exclusion) -> Result<u64, Objection> {
     let shares = own.speeds.iter().map(|s| s.share);
     if shares.clone().any(|share| !(0.0..=1.0).contains(&share)) || (shares.sum::<f64>() - 1.0).abs() > BEYOND {
-        return Err("the shares of its speeds are not from 0 to 1, or not 1 together".into());
+        return Err(Objection::refuted("the shares of its speeds are not from 0 to 1, or not 1 together"));
     }
     let (mut open, mut parts) = (vec![own.ranges.clone()], 0);
     while let Some(ranges) = open.pop() {
         parts += 1;
         if parts > PARTS {
-            return Err("the box could not be confirmed".into());
+            return Err(Objection::unchecked(format!("{PARTS} parts of the box do not suffice to exclude it")));
         }
         let mut least = Least::default();
         for speed in &own.speeds {
             least.add(problem, claim, (&ranges, speed))?;
         }
-        if least.value < 1.0 + BEYOND {
-            return Err("the design in the middle of a part is not excluded".into());
+        if least.value - least.doubt < 1.0 + BEYOND {
+            let unchecked = Objection::unchecked;
+            return Err(match (least.value + least.doubt < 1.0 + BEYOND, least.is_partial) {
+                (_, true) => {
+                    unchecked("it may rest on an rms value, a power, a strain or a multiaxial margin: of these no proof is checked")
+                }
+                (true, false) => Objection::refuted("a design in it is not excluded"),
+                (false, false) => unchecked("rounding of the dense solutions hides whether it is excluded"),
+            });
         }
         if let Some(along) = least.open_along() {
             let (low, high) = ranges[along];
@@ -142,45 +178,62 @@ struct Least {
     corners: Vec<f64>,
     /// What that is at most.
     rest: f64,
+    /// What rounding may change in the middle.
+    doubt: f64,
+    /// Whether something that is asked there has no bound by other means.
+    is_partial: bool,
     /// How far each parameter moves phasors.
     moved: Vec<f64>,
 }
 
 impl Least {
     /// Adds what is asked at a speed.
-    fn add(&mut self, problem: &Problem, claim: Option<f64>, (ranges, speed): (&[(f64, f64)], &ExcludingSpeed)) -> Result<(), String> {
+    fn add(&mut self, problem: &Problem, claim: Option<f64>, (ranges, speed): (&[(f64, f64)], &ExcludingSpeed)) -> Result<(), Objection> {
         let case = problem.load_cases.iter().find(|c| (c.condition, c.cylinder) == (speed.condition, speed.cylinder));
-        let case = case.ok_or("the optimum is not held in this condition")?;
+        let case = case.ok_or_else(|| Objection::refuted("the optimum is not held in this condition"))?;
         let (speeds, rpm) = (&case.finder.grid.speed_rpm, speed.speed_rpm);
         if !(speeds[0]..=speeds[speeds.len() - 1]).contains(&rpm) || !(case.finder.refine || speeds.contains(&rpm)) {
-            return Err(format!("the study does not ask for {rpm} rpm"));
+            return Err(Objection::refuted(format!("the study does not ask for {rpm} rpm")));
         }
+        if claim.is_none() && !speed.by_limit {
+            return Err(Objection::refuted("it is excluded by the objective, but there is no `lower_bound`"));
+        }
+        // limits hold with a little above them
         let objectives = problem.objectives.iter().filter_map(|l| Some((l, claim?))).filter(|_| !speed.by_limit);
-        let limits = problem.limits.iter().map(|l| (l, 1.0)).filter(|_| speed.by_limit);
+        let limits = problem.limits.iter().map(|l| (l, 1.0 + HELD)).filter(|_| speed.by_limit);
         let parts =
             objectives.chain(limits).flat_map(|(l, by)| l.parts_in(case.condition).map(move |(measure, unit)| (measure, unit * by)));
         let parts: Vec<_> = parts.filter(|(measure, _)| measure.within.holds(rpm)).collect();
-        let quantities: Vec<Quantity> = parts.iter().flat_map(|p| p.0.quantities.iter().copied()).collect();
-        let at = AtSpeed::new(problem, case, (ranges, rpm), &quantities)
-            .ok_or("the law is not linear in its parameters, or the system is singular")?;
-        let planes = parts.iter().flat_map(|(measure, most)| {
-            let by = speed.share * measure.within.weight(rpm) / most;
-            let plane =
-                |q: &Quantity| Some(Plane::of(case, measure, (*q, at.outputs.iter().find(|o| o.0 == *q)?.1.as_slice()), rpm)?.times(by));
-            measure.quantities.iter().filter_map(plane).collect::<Vec<_>>()
-        });
-        let Some(plane) = planes.max_by(|a, b| a.value.total_cmp(&b.value)) else {
-            return Err("what is asked there has no bound by other means".into());
+        let is_there = |q: &&Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= problem.space.slots.len());
+        let quantities: Vec<Quantity> = parts.iter().flat_map(|p| p.0.quantities.iter().filter(is_there).copied()).collect();
+        let at = AtSpeed::new(problem, case, (ranges, rpm), &quantities);
+        let at = at.ok_or_else(|| Objection::unchecked("the law is not linear in its parameters there, or the system is singular"))?;
+        let mut best: Option<(Plane, &[Phasor])> = None;
+        for (measure, most) in &parts {
+            for (q, y) in measure.quantities.iter().filter_map(|q| Some((*q, at.outputs.iter().find(|o| o.0 == *q)?.1.as_slice()))) {
+                match Plane::of(case, measure, (q, y), rpm) {
+                    Some(plane) => {
+                        let plane = plane.times(speed.share * measure.within.weight(rpm) / most);
+                        best = best.filter(|b| b.0.value >= plane.value).or(Some((plane, y)));
+                    }
+                    None => self.is_partial = true,
+                }
+            }
+        }
+        let Some((plane, y)) = best else {
+            return Err(Objection::unchecked("no proof by rms values, powers, strains and multiaxial margins is checked"));
         };
         self.value += plane.value;
         self.corners.resize(at.corners.len(), 0.0);
         self.moved.resize(ranges.len(), 0.0);
-        let y = &at.outputs.iter().find(|o| o.0 == plane.quantity).ok_or("the quantity is unknown")?.1;
         for (n, (y, (c, twist))) in y.iter().zip(&at.twists).enumerate() {
-            let (change, weight) = (-(y.1 * twist), plane.weights[n]);
+            let (change, weight) = (-(y.by_pair.0 * twist.0), plane.weights[n]);
             let largest = at.corners.iter().map(|corner| corner[n].norm()).fold(0.0, f64::max);
-            let (all, share) = (largest * change.norm(), largest * c.norm());
+            let (all, share) = (largest * change.norm(), largest * (c.0.norm() + c.1));
             self.rest += if share < 1.0 { (weight.norm() * share + plane.moved) * all / (1.0 - share) } else { f64::INFINITY };
+            let off = y.by_pair.1 * twist.0.norm() + (y.by_pair.0.norm() + y.by_pair.1) * twist.1;
+            self.rest += (weight.norm() + plane.moved) * largest * off / (1.0 - share).max(f64::EPSILON);
+            self.doubt += (weight.norm() + plane.moved) * y.own.1;
             self.corners.iter_mut().zip(&at.corners).for_each(|(sum, corner)| *sum += (corner[n] * change * weight).re);
             for (d, moved) in self.moved.iter_mut().enumerate() {
                 *moved += (at.corners[1 << d][n] - at.corners[0][n]).norm() * change.norm() * weight.norm();
@@ -192,7 +245,7 @@ impl Least {
     /// `None` where all of the part is excluded, else the parameter that it is to be cut along: that which takes most away, linearly or by what is not.
     fn open_along(&self) -> Option<usize> {
         let linear = self.corners.iter().copied().fold(f64::INFINITY, f64::min);
-        if self.value + linear - self.rest >= 1.0 + BEYOND {
+        if self.value + linear - self.rest - self.doubt >= 1.0 + BEYOND {
             return None;
         }
         let change = |d: usize| if -linear > self.rest { (self.corners[1 << d] - self.corners[0]).abs() } else { self.moved[d] };
@@ -204,10 +257,19 @@ impl Least {
 struct AtSpeed {
     /// What S is in each corner less what it is in the middle.
     corners: Vec<Vec<C64>>,
-    /// c, and v·x.
-    twists: Vec<(C64, C64)>,
-    /// Of each quantity its phasor, and that under the pair of torques.
-    outputs: Vec<(Quantity, Vec<(C64, C64)>)>,
+    /// c, and v·x, each with its doubt.
+    twists: Vec<(Trusted, Trusted)>,
+    outputs: Vec<(Quantity, Vec<Phasor>)>,
+}
+
+/// A number, and what rounding may change of it.
+type Trusted = (C64, f64);
+
+/// A quantity at an order, in the middle.
+struct Phasor {
+    own: Trusted,
+    /// Under the pair of torques.
+    by_pair: Trusted,
 }
 
 impl AtSpeed {
@@ -223,8 +285,10 @@ impl AtSpeed {
         for (n, order) in case.finder.system.excitation.orders.iter().enumerate() {
             let solved = dense.at(&middle, (n, speed_rpm));
             let (x, pair) = (solved.under_torque()?, solved.under_pair(0)?);
-            own.twists.push((solved.twist(0, &pair), solved.twist(0, &x)));
-            own.outputs.iter_mut().for_each(|(q, y)| y.push((solved.output(*q, &x), solved.output(*q, &pair))));
+            own.twists.push((solved.twist(0, &pair)?, solved.twist(0, &x)?));
+            for (q, y) in &mut own.outputs {
+                y.push(Phasor { own: solved.trusted(*q, &x)?, by_pair: solved.trusted(*q, &pair)? });
+            }
             let omega = order.omega(speed_rpm);
             let s = stiffness(&middle, omega)?;
             let (mut sum, mut most) = (C64::default(), s.norm());
@@ -244,7 +308,6 @@ impl AtSpeed {
 
 /// What a measure is nowhere below: its value in the middle, and the change of each phasor times its weight, real parts added up, less the sum of the sizes of all changes times `moved`.
 struct Plane {
-    quantity: Quantity,
     value: f64,
     weights: Vec<C64>,
     moved: f64,
@@ -252,15 +315,15 @@ struct Plane {
 
 impl Plane {
     /// `None` of measures without.
-    fn of(case: &LoadCase, measure: &Measure, (quantity, y): (Quantity, &[(C64, C64)]), speed_rpm: f64) -> Option<Self> {
+    fn of(case: &LoadCase, measure: &Measure, (quantity, y): (Quantity, &[Phasor]), speed_rpm: f64) -> Option<Self> {
         let excitation = &case.finder.system.excitation;
-        let centres: Vec<C64> = y.iter().map(|y| y.0).collect();
+        let centres: Vec<C64> = y.iter().map(|y| y.own.0).collect();
         let extremes = case.finder.synthesiser.extremes(&centres);
         let at = |angle: f64| -> Vec<C64> { excitation.harmonics.iter().map(|h| turn(f64::from(*h) * angle)).collect() };
         let (high, low) = (at(extremes.angle_max), at(extremes.angle_min));
         let both = |of_high: f64, of_low: f64| high.iter().zip(&low).map(|(a, b)| a * of_high + b * of_low).collect::<Vec<_>>();
         let sum = |weights: &[C64]| centres.iter().zip(weights).map(|(y, w)| (y * w).re).sum::<f64>();
-        let linear = |weights: Vec<C64>| Self { quantity, value: sum(&weights), weights, moved: 0.0 };
+        let linear = |weights: Vec<C64>| Self { value: sum(&weights), weights, moved: 0.0 };
         match measure.over {
             Over::Synthesis => Some(linear(both(0.5, -0.5))),
             Over::Orders | Over::Order(_) => {
@@ -283,7 +346,7 @@ impl Plane {
                 // convex in maximum and minimum: where it falls with the one or rises with the other, that moves no further than all phasors
                 let (by_most, by_least) = (0.5 * (used.slopes.0 + used.slopes.1), 0.5 * (used.slopes.1 - used.slopes.0));
                 let weights = both(by_most.max(0.0), by_least.min(0.0));
-                Some(Self { quantity, value: used.value, weights, moved: by_least.max(0.0) - by_most.min(0.0) })
+                Some(Self { value: used.value, weights, moved: by_least.max(0.0) - by_most.min(0.0) })
             }
             _ => None,
         }

@@ -40,7 +40,7 @@ impl<'a> Dense<'a> {
                 matrix[(i, j)] += s * sign;
             }
         }
-        AtFrequency { system: self.system, omega, bodies, matrix: matrix.full_piv_lu(), torque }
+        AtFrequency { system: self.system, omega, bodies, factors: matrix.clone().full_piv_lu(), matrix, torque }
     }
 
     /// Angles of all bodies, stations first, rad.
@@ -54,6 +54,9 @@ impl<'a> Dense<'a> {
     }
 }
 
+/// Roundings that a solution is trusted to, of each entry of its matrix: rows and columns are exchanged for the largest pivot.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
 /// Chain and rings at one frequency.
 #[doc(hidden)]
 #[derive(Debug)]
@@ -61,7 +64,8 @@ pub struct AtFrequency<'a> {
     system: &'a System,
     omega: f64,
     bodies: Bodies,
-    matrix: FullPivLU<C64, Dyn, Dyn>,
+    matrix: DMatrix<C64>,
+    factors: FullPivLU<C64, Dyn, Dyn>,
     torque: DVector<C64>,
 }
 
@@ -71,7 +75,7 @@ impl AtFrequency<'_> {
         if torque.iter().all(|t| *t == ZERO) {
             return Some(torque.clone());
         }
-        self.matrix.solve(torque).filter(|x| x.iter().all(|y| y.is_finite()))
+        self.factors.solve(torque).filter(|x| x.iter().all(|y| y.is_finite()))
     }
 
     /// The same under that of the engine.
@@ -80,20 +84,46 @@ impl AtFrequency<'_> {
         self.under(&self.torque)
     }
 
-    /// Twist of the ring of an absorber, by the angles of all bodies: that of its carrier less its own.
-    pub fn twist(&self, absorber: usize, angles: &DVector<C64>) -> C64 {
+    /// What a sum of angles times numbers is off by at most, where rounding changes each entry of the matrix and each product by some units in the last place: |z| |A| |x| of them, z being the angles under the numbers as
+    /// torques; `None` where the system is singular.
+    #[doc(hidden)]
+    pub fn doubt(&self, numbers: &DVector<C64>, angles: &DVector<C64>) -> Option<f64> {
+        let z = self.under(numbers)?;
+        let n = angles.len();
+        let row = |i: usize| z[i].norm() * (0..n).map(|j| self.matrix[(i, j)].norm() * angles[j].norm()).sum::<f64>();
+        let products: f64 = (0..n).map(|i| numbers[i].norm() * angles[i].norm()).sum();
+        Some(ROUNDINGS * ((0..n).map(row).sum::<f64>() + products))
+    }
+
+    /// A unit torque on the carrier of an absorber and its opposite on the ring; these numbers times the angles are the twist of the ring, the other way round.
+    fn pair(&self, absorber: usize) -> DVector<C64> {
         let (host, ring) = self.bodies.rings[absorber];
-        angles[host] - angles[ring]
+        let mut pair = DVector::from_element(self.bodies.len(), ZERO);
+        pair[host] += 1.0;
+        pair[ring] -= 1.0;
+        pair
+    }
+
+    /// Twist of the ring of an absorber, by the angles of all bodies: that of its carrier less its own; with its doubt.
+    #[doc(hidden)]
+    pub fn twist(&self, absorber: usize, angles: &DVector<C64>) -> Option<(C64, f64)> {
+        let pair = self.pair(absorber);
+        Some((pair.dot(angles), self.doubt(&pair, angles)?))
     }
 
     /// Angles of all bodies under a unit torque on the carrier of an absorber and its opposite on the ring.
     #[doc(hidden)]
     pub fn under_pair(&self, absorber: usize) -> Option<DVector<C64>> {
-        let (host, ring) = self.bodies.rings[absorber];
-        let mut pair = DVector::from_element(self.bodies.len(), ZERO);
-        pair[host] += 1.0;
-        pair[ring] -= 1.0;
-        self.under(&pair)
+        self.under(&self.pair(absorber))
+    }
+
+    /// A quantity with its doubt.
+    #[doc(hidden)]
+    pub fn trusted(&self, quantity: Quantity, angles: &DVector<C64>) -> Option<(C64, f64)> {
+        let n = self.bodies.len();
+        let unit = |body: usize| DVector::from_fn(n, |i, _| C64::from(f64::from(u8::from(i == body))));
+        let numbers = DVector::from_fn(n, |body, _| self.output(quantity, &unit(body)));
+        Some((self.output(quantity, angles), self.doubt(&numbers, angles)?))
     }
 
     /// A quantity, by the angles of all bodies.

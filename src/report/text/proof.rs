@@ -42,7 +42,7 @@ pub(super) fn clause(study: &Study, o: &OptimumResult) -> String {
     };
     let said = match (&o.exclusions, &proof.verdict) {
         (Some(_), _) => format!("{said}; its boxes are in proof_{}.csv", o.design.name),
-        (None, Verdict::Proved | Verdict::Impossible) if study.optimise.as_ref().is_some_and(|s| s.prove.file) => {
+        (None, Verdict::Proved | Verdict::Impossible | Verdict::Open(_)) if study.optimise.as_ref().is_some_and(|s| s.prove.file) => {
             format!("{said}; no table of it, as as many boxes do not suffice for it")
         }
         (None, _) => said,
@@ -70,10 +70,10 @@ pub fn confirmed(study: &Study, objective: usize, table: &ProofTable, parts: u64
         Some(bound) => format!("no design of its family{within} is {side} {}", told(objective, objective.unit.inside(bound), true)),
         None => "no design of its family holds all limits".to_owned(),
     };
+    let boxes = if table.boxes.len() == 1 { "1 box covers".to_owned() } else { format!("{} boxes cover", table.boxes.len()) };
     format!(
-        "{}: confirmed, {found}: {} boxes cover {}, and solutions of the whole matrix exclude each at its speeds ({parts} parts)\n",
+        "{}: confirmed, {found}: {boxes} {}, and solutions of the whole matrix exclude each at its speeds ({parts} parts)\n",
         table.design,
-        table.boxes.len(),
         ranges.join(" and ")
     )
 }

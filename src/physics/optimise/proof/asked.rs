@@ -93,9 +93,8 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         };
         for (role, limit) in &asked {
             for (measure, unit) in limit.parts_in(case.condition).filter(|p| case.asks(p.0) && has_bound(p.0, case.finder)) {
-                // what is beyond a limit by rounding is no better design, but none that breaks it
-                let held = if target.is_some() { unit } else { unit * (1.0 + HELD) };
-                let most = if role.is_limit() { held } else { unit * target.unwrap_or(f64::INFINITY) };
+                // what is beyond a limit by rounding holds it
+                let most = unit * if role.is_limit() { 1.0 + HELD } else { target.unwrap_or(f64::INFINITY) };
                 let mut place = |q: &Quantity| {
                     found.quantities.iter().position(|known| known == q).unwrap_or_else(|| {
                         found.quantities.push(*q);

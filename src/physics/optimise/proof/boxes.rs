@@ -75,7 +75,7 @@ pub(super) struct Search<'a> {
     /// Boxes that each speed has excluded.
     excluded: Vec<u64>,
     /// Speeds that boxes are looked at, after their own.
-    useful: Vec<u32>,
+    pub useful: Vec<u32>,
 }
 
 /// Proves that no design is below an optimum by more than the gap, or finds one; of an optimum that breaks a limit, that no design holds all limits.

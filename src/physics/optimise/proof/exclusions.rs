@@ -77,6 +77,9 @@ pub fn exclusions(problem: &Problem, optimum: &Outcome, effort: Effort, work: &m
 const SEARCHED: f64 = 0.8;
 const EXCLUDED: f64 = 0.9;
 
+/// A limit is exceeded by this factor at least.
+const BEYOND_LIMIT: f64 = 1.0 + 1e-7;
+
 /// What comes of a box.
 enum Step {
     Excluded(Exclusion),
@@ -85,18 +88,24 @@ enum Step {
 }
 
 impl Search<'_> {
-    /// Looks for a speed that excludes a box, those that say most of the box it is half of first, and then for several together.
+    /// Looks for a speed that excludes a box, those that say most of the box it is half of first, then the most useful and last all others, and for several together.
     fn excluded(&self, bounds: Bounds, known: &[u32], least: f64) -> Option<Step> {
         let values = self.values(&bounds);
         let absorbers = self.cases.iter().map(|c| c.enclosed(&values).ok()).collect::<Option<Vec<_>>>()?;
-        let others = (0..self.speeds.len() as u32).filter(|s| !known.contains(s));
+        let useful: Vec<u32> = self.useful.iter().copied().filter(|s| !known.contains(s)).collect();
+        let rest = (0..self.speeds.len() as u32).filter(|s| !known.contains(s) && !useful.contains(s));
+        let first = known.len() + useful.len();
         let (mut said, mut own): (Vec<(Form, u32)>, Vec<Form>) = (Vec::new(), Vec::new());
-        for s in known.iter().copied().chain(others) {
+        for (i, s) in known.iter().chain(&useful).copied().chain(rest).enumerate() {
+            // what excludes the middle will exclude smaller boxes
+            if i == first && said.iter().any(|(form, _)| form.middle >= 1.0) {
+                break;
+            }
             let at = &self.speeds[s as usize];
             own.clear();
             self.cases[at.case].forms(at, &absorbers[at.case], &mut own);
-            // what an objective must not reach is a little less than what was searched for
-            for form in own.drain(..).map(|f| if f.is_objective { f.times(1.0 / least) } else { f }) {
+            // what an objective must not reach is a little less than what was searched for, and a limit is a little more
+            for form in own.drain(..).map(|f| f.times(if f.is_objective { 1.0 / least } else { 1.0 / BEYOND_LIMIT })) {
                 if form.least() >= 1.0 {
                     return Some(Step::Excluded(self.exclusion(&bounds, &[(s, &form, 1.0)])));
                 }

@@ -20,6 +20,8 @@ pub struct ExcludedBox {
 pub struct ProofTable {
     /// Name of the optimum.
     pub design: String,
+    /// Key of its objective, and the unit of the bound.
+    pub objective: [String; 2],
     /// What no design is to be below, in the unit of the objective; `None`: no design is to hold all limits.
     pub bound: Option<f64>,
     /// Keys of the free parameters.
@@ -32,16 +34,16 @@ pub struct ProofTable {
 #[doc(hidden)]
 pub const ENDS: [&str; 2] = ["lowest_", "highest_"];
 
-/// Reads `design, lower_bound, box, condition, misfire_cylinder, speed_rpm, excluded_by, share`, and for each free parameter `lowest_…` and `highest_…`.
+/// Reads `design, objective, unit, lower_bound, box, condition, misfire_cylinder, speed_rpm, excluded_by, share`, and for each free parameter `lowest_…` and `highest_…`.
 ///
 /// # Errors
 /// [`InputError`] with row and column.
 #[doc(hidden)]
 pub fn proof_table(path: &Path) -> Result<ProofTable, InputError> {
     let table = Table::read(path, &["design", "speed_rpm", "condition"])?;
-    let own = ["design", "lower_bound", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
-    let [design, bound, number, condition, cylinder, speed, by, share] = own.map(|name| table.column(name));
-    let (design, bound, number, condition) = (design?, bound?, number?, condition?);
+    let own = ["design", "objective", "unit", "lower_bound", "box", "condition", "misfire_cylinder", "speed_rpm", "excluded_by", "share"];
+    let [design, objective, unit, bound, number, condition, cylinder, speed, by, share] = own.map(|name| table.column(name));
+    let (design, objective, unit, bound, number, condition) = (design?, objective?, unit?, bound?, number?, condition?);
     let (cylinder, speed, by, share) = (cylinder?, speed?, by?, share?);
     let free: Vec<String> = table.header.iter().filter_map(|h| h.strip_prefix(ENDS[0])).map(str::to_owned).collect();
     let pair = |key: &String| Ok((table.column(&format!("{}{key}", ENDS[0]))?, table.column(&format!("{}{key}", ENDS[1]))?));
@@ -50,14 +52,32 @@ pub fn proof_table(path: &Path) -> Result<ProofTable, InputError> {
         return Err(table.whole("found no box, expected a row for each of its speeds".into()));
     };
     let claim = |row: u64, cells: &[String]| table.number(row, bound, &cells[bound]);
-    let found = ProofTable { design: table.words(*first, design, &cells[design])?, bound: claim(*first, cells)?, free, boxes: Vec::new() };
+    let words = |column: usize| table.words(*first, column, &cells[column]);
+    let found = ProofTable {
+        design: words(design)?,
+        objective: [words(objective)?, words(unit)?],
+        bound: claim(*first, cells)?,
+        free,
+        boxes: Vec::new(),
+    };
     let row = |line: u64, cells: &[String]| -> Result<(Vec<(f64, f64)>, ExcludingSpeed), InputError> {
-        for (column, differs) in [(design, cells[design] != found.design), (bound, claim(line, cells)? != found.bound)] {
-            if differs {
-                return Err(table.at(line, column, format!("found `{}`, expected that of the first row", cells[column])));
-            }
+        let [of, its] = &found.objective;
+        let differs = [
+            (design, cells[design] != found.design),
+            (objective, cells[objective] != *of),
+            (unit, cells[unit] != *its),
+            (bound, claim(line, cells)? != found.bound),
+        ];
+        if let Some((column, _)) = differs.into_iter().find(|d| d.1) {
+            return Err(table.at(line, column, format!("found `{}`, expected that of the first row", cells[column])));
         }
-        let range = |(low, high): &(usize, usize)| Ok((table.filled(line, *low, &cells[*low])?, table.filled(line, *high, &cells[*high])?));
+        let range = |(low, high): &(usize, usize)| {
+            let ends = (table.filled(line, *low, &cells[*low])?, table.filled(line, *high, &cells[*high])?);
+            if ends.0 > ends.1 {
+                return Err(table.at(line, *high, format!("found {}, expected no less than the lowest, {}", ends.1, ends.0)));
+            }
+            Ok(ends)
+        };
         let wrong = |column: usize, expected: &str| table.at(line, column, format!("found `{}`, expected {expected}", cells[column]));
         let named = Condition::NAMED.into_iter().find(|c| c.name() == cells[condition]);
         let misfires = match table.number(line, cylinder, &cells[cylinder])? {

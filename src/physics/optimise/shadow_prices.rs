@@ -83,6 +83,10 @@ impl Active {
 
     /// Whether the conditions of first order have other multipliers, too: their columns depend on each other.
     fn is_ambiguous(&self) -> bool {
+        // of an objective of zero nothing is active
+        if self.of.is_empty() {
+            return false;
+        }
         let values = self.columns.singular_values();
         let least = DEPENDENT * values.iter().copied().fold(0.0, f64::max);
         values.iter().filter(|v| **v > least).count() < self.of.len()

@@ -96,6 +96,8 @@ pub struct Family {
     pub space: Space,
     /// Whether it has the main size of every absorber.
     pub is_main: bool,
+    /// Whether it is proved that no design of it is better than its optimum: where the study asks for that, or where it costs little.
+    pub is_proved: bool,
 }
 
 /// The first size of an absorber; nothing where it is free.
@@ -133,7 +135,8 @@ pub fn wanted(spec: &OptimiseSpec, modes: &[Vec<EngineMode>]) -> Vec<Family> {
                 spec.absorbers.iter().zip(rings).for_each(|(a, ring)| name.push_str(&suffix(a, *ring)));
             }
             let space = family(spec, &Choice { types: types.clone(), rings: rings.clone() }, modes);
-            list.push(Family { family: name.clone(), name, space, is_main: i == 0 });
+            let is_proved = spec.prove.effort.boxes > 0 && (spec.prove.all || i == 0 && space.slots.len() == 1);
+            list.push(Family { family: name.clone(), name, space, is_main: i == 0, is_proved });
         }
     }
     list

@@ -152,7 +152,9 @@ impl<'a> Searches<'a> {
         let sought = self.sought(spec);
         self.progress.stage("screens of random designs", sought.len());
         let families: Vec<_> = sought.into_par_iter().map(with_starts).inspect(|_| self.progress.step()).collect();
-        self.progress.stage("optima", families.iter().map(|f| f.0.len()).sum());
+        // a step a start, and one a proof
+        let steps = |(starts, sought): &(Vec<NamedPoint>, Sought)| starts.len() + usize::from(sought.family.is_proved);
+        self.progress.stage("optima", families.iter().map(steps).sum());
         let step = || self.progress.step();
         let one = |(starts, sought)| self.optimum(spec, sought, starts, &step);
         let mut found = families.into_par_iter().map(one).collect::<Result<Vec<OptimumResult>, RunError>>()?;
@@ -178,7 +180,7 @@ impl<'a> Searches<'a> {
 
     /// One of them.
     fn optimum(&self, spec: &OptimiseSpec, sought: Sought, starts: Vec<NamedPoint>, step: Recorder) -> Result<OptimumResult, RunError> {
-        let Sought { family: Family { name, family, space, is_main: main }, objective, within } = sought;
+        let Sought { family: Family { name, family, space, is_main: main, is_proved }, objective, within } = sought;
         let failed = |error: ResponseError| RunError { what: name.clone(), error };
         let problem =
             Problem { memory: self.memory(Some(optimise::Sought { design: &name, objective })), ..self.problem(space, objective) };
@@ -208,7 +210,7 @@ impl<'a> Searches<'a> {
         let scenarios: Vec<LoadCase> = at_reference.iter().copied().chain(counts.then_some(operation)).collect();
         let LookedOver { scan, survey, nearby, conflict } = looked;
         let problem = Problem { load_cases: &scenarios, ..problem };
-        let (mut proof, exclusions) = self.proof((spec, main), &problem, (&mut optimum, within.is_some()));
+        let (mut proof, exclusions) = self.proof((spec, is_proved), &problem, (&mut optimum, within.is_some()), step);
         let conflict = conflict.filter(|_| !optimum.outcome.rows.hold());
         let design =
             self.as_reported(&problem, (&mut optimum, conflict.is_none() && within.is_none()), (spec.prove.effort, proof.as_mut()), &name)?;
@@ -257,23 +259,25 @@ impl<'a> Searches<'a> {
         })
     }
 
-    /// That no design is better than an optimum, where the study asks for that or it costs little, and the same for others to check; what a proof finds that is better takes its place.
+    /// That no design is better than an optimum, and the same for others to check; what a proof finds that is better takes its place.
     fn proof(
         &self,
-        (spec, main): (&OptimiseSpec, bool),
+        (spec, is_asked): (&OptimiseSpec, bool),
         problem: &Problem,
         (optimum, tolerant): (&mut Optimum, bool),
+        step: Recorder,
     ) -> (Option<Proof>, Option<Exclusions>) {
-        let ProveSpec { effort, all, file } = spec.prove;
-        if effort.boxes == 0 || !(all || main && problem.space.slots.len() == 1) {
+        if !is_asked {
             return (None, None);
         }
+        let ProveSpec { effort, file, .. } = spec.prove;
         let (found, seconds) = timed(|| {
             let proof = if tolerant { Proof::none(Reason::Tolerances) } else { proof::settle(problem, optimum, effort) };
             let is_told = file && matches!(proof.verdict, Verdict::Proved | Verdict::Impossible);
             let exclusions = is_told.then(|| proof::exclusions(problem, &optimum.outcome, effort, &mut optimum.stages.search)).flatten();
             (Some(proof), exclusions)
         });
+        step();
         self.proofs.fetch_add((1e9 * seconds) as u64, Ordering::Relaxed);
         found
     }

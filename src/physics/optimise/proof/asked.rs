@@ -2,7 +2,7 @@
 
 use super::form::Form;
 use super::verdict::Reason;
-use crate::absorber::{Host, Mounted, Operating};
+use crate::absorber::{Host, Law, Mounted, Operating};
 use crate::crankshaft::Torque;
 use crate::numerics::elementary::turn;
 use crate::numerics::synthesis::Extremes;
@@ -14,6 +14,7 @@ use crate::optimise::problem::Role;
 use crate::optimise::{Problem, Row};
 use crate::response::Quantity;
 use crate::response::enclosed::{BaseAtSpeed, Enclosed};
+use std::sync::Arc;
 
 /// A load case with the absorbers of a design there: their laws are those of all designs of the family.
 pub(super) struct Case<'a> {
@@ -63,13 +64,7 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
     if problem.load_cases.iter().any(|c| c.deviation.is_some()) {
         return Err(Reason::Tolerances);
     }
-    // any point will do: a law has an enclosure or none
-    let at = Operating { omega: 1.0, shaft_speed: 1.0 }.into();
-    let number = |x: f64| Taylor::constant(C64::from(x));
-    let has_law = |m: &Mounted| {
-        m.absorber.law().is_some_and(|law| law.over(&law.values().into_iter().map(number).collect::<Vec<_>>(), &at).is_some())
-    };
-    if !own.iter().all(has_law) {
+    if !own.iter().all(|m| m.absorber.law().is_some_and(has_enclosure)) {
         return Err(Reason::Law);
     }
     let objectives = problem.objectives.iter().enumerate().map(|(i, l)| (Role::Objective(i), l)).filter(|_| target.is_some());
@@ -113,6 +108,12 @@ pub(super) fn cases<'a>(problem: &'a Problem<'a>, point: &[f64], target: Option<
         return Err(Reason::Objective);
     }
     Ok(cases)
+}
+
+/// Whether a law has an enclosure. Any point will do: it has one or none.
+pub(super) fn has_enclosure(law: &Arc<dyn Law>) -> bool {
+    let at = Operating { omega: 1.0, shaft_speed: 1.0 }.into();
+    law.over(&law.values().into_iter().map(|x| Taylor::constant(C64::from(x))).collect::<Vec<_>>(), &at).is_some()
 }
 
 /// Whether a measure at a speed has a bound over a box: shares of strength by amplitude and mean are convex functions of the torque, those by its whole history are left out.

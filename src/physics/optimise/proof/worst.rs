@@ -3,6 +3,7 @@
 //! Over a box of both a phasor is linear but for a bound of the rest ([`AboutFrequency`]). Half the range of a sum of orders, an amplitude and a root mean square are norms: of linear phasors they are largest in a corner of the
 //! box, and the rest adds no more than its own. The box whose bound is highest is cut first.
 
+use super::asked::has_enclosure;
 use super::verdict::Effort;
 use crate::absorber::{Mounted, OperatingOver};
 use crate::numerics::C64;
@@ -87,6 +88,9 @@ pub fn worst_bound(
             return None;
         }
         let design = case.absorbers(design).ok()?;
+        if !design.iter().all(|m| m.absorber.law().is_none_or(has_enclosure)) {
+            return None;
+        }
         let is_there = |q: &Quantity| !matches!(q, Quantity::RingTwist(i) if *i >= design.len());
         let quantities = measure.quantities.iter().copied().filter(is_there).collect();
         let target = worst * (1.0 + effort.gap);

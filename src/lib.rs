@@ -68,7 +68,7 @@
 //! | [`input`] | schema, validation (where a TOML key is checked), tables, errors: the only place that reads files |
 //! | [`analysis`] | a whole study: calibrate, evaluate, optimise, margins |
 //! | [`benchmark`] | what `hartog chart` measures: speed against accuracy, growth, energy, stability |
-//! | [`validation`] | what `hartog compare` does: published tables, formulas that only their sources use |
+//! | [`validation`] | what `hartog compare` does: published tables, formulas that only their sources use; proofs held against dense solutions |
 //! | [`report`] | text, tables and plots: the only place that writes files |
 //! | [`cli`] | one file a command |
 //!

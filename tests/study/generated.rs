@@ -113,6 +113,13 @@ fn generated_studies_are_answered_or_refused() {
     assert!(ends[&End::Optimised] > 40 && ends[&End::Refused] > 5, "{ends:?}");
 }
 
+/// Seeds of studies that once ended in a panic: an optimum of zero has no active condition (200).
+#[test]
+fn what_once_failed_is_answered() {
+    let ends = studies(200..201);
+    assert_eq!(ends.values().sum::<u64>(), 1, "{ends:?}");
+}
+
 /// A hundred thousand: at least half reach the optimiser.
 #[test]
 #[ignore = "an hour"]

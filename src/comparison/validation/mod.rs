@@ -1,5 +1,5 @@
 //! Published tables against our own numbers, each with its role: given to the model, fitted, predicted, a misprint, or without explanation; and the
-//! formulas that only their sources use.
+//! formulas that only their sources use. Proofs of optima against dense solutions.
 
 mod absorbers;
 mod amplitudes;

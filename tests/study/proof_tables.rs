@@ -9,7 +9,7 @@ use hartog::input::tables::ExcludedBox;
 use hartog::input::{ProveSpec, Size, Study};
 use hartog::objective::{Condition, PeakFinder};
 use hartog::optimise::{Effort, LoadCase, Problem};
-use hartog::response::{Direct, Grid, Method, Work};
+use hartog::response::{Direct, Grid, Method, Quantity, Work};
 use hartog::validation::proof::{Objection, confirm};
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -183,5 +183,33 @@ fn what_is_not_known_is_not_confirmed() {
     for other in [stiff, bending] {
         let found = confirmed(&other, &o.design.name, claim, &rows);
         assert!(matches!(found, Err(Objection { is_refuted: false, .. })), "{found:?}");
+    }
+}
+
+/// A true table stays one where its boxes are cut, into however many; limits may be of rings that the optimum lacks and a given design has.
+#[test]
+fn tables_may_be_long_and_limits_of_other_designs() {
+    const PARTS: usize = 1000;
+    let masses = TwoMasses { damping_ratio: 0.0, ring: 0.1 };
+    let mut s = written(with(masses, What::Twist, &[(What::RingTwist, 1.0)]), 1e-3);
+    s.optimise.as_mut().expect("optimises").absorbers[0].types = vec![&VISCOUS];
+    s.limits[0].of.measure.quantities = vec![Quantity::RingTwist(0), Quantity::RingTwist(1)];
+    let o = s.run().unwrap_or_else(|e| panic!("{e}")).optima.remove(0);
+    let (rows, claim) = (rows(&o), o.proof.as_ref().and_then(|p| p.lower_bound));
+    let cut = |row: &ExcludedBox| -> Vec<ExcludedBox> {
+        let (low, high) = row.own.ranges[0];
+        let at = |i: usize| if i == PARTS { high } else { low + (high - low) * i as f64 / PARTS as f64 };
+        (0..PARTS)
+            .map(|i| {
+                let mut part = row.clone();
+                part.own.ranges[0] = (at(i), at(i + 1));
+                part
+            })
+            .collect()
+    };
+    let long: Vec<ExcludedBox> = rows.iter().flat_map(cut).collect();
+    assert!(long.len() > 20_000, "{}", long.len());
+    for table in [&rows, &long] {
+        assert!(confirmed(&s, &o.design.name, claim, table).is_ok());
     }
 }

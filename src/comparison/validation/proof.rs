@@ -15,6 +15,7 @@ use crate::optimise::{ExcludingSpeed, Exclusion, LoadCase, Problem, Space};
 use crate::response::{Dense, Quantity};
 use crate::units::RAD_PER_S_PER_RPM;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Why a proof is not confirmed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -67,9 +68,18 @@ pub fn confirm(problem: &Problem, claim: Option<f64>, boxes: &[ExcludedBox]) -> 
     let bounds: Vec<(f64, f64)> = space.variables.iter().map(|v| (v.lower, v.upper)).collect();
     let keys: Vec<&str> = space.variables.iter().map(|v| slot.declaration.parameters[v.parameter].key).collect();
     cover(&keys, bounds, boxes.iter().collect())?;
-    let one = |row: &ExcludedBox| excluded(problem, claim, &row.own).map_err(|o| Objection { line: Some(row.line), ..o });
-    let looked: Vec<Result<u64, Objection>> = boxes.par_iter().map(one).collect();
-    looked.into_iter().sum()
+    let parts = AtomicU64::new(0);
+    let objection = |row: &ExcludedBox| match excluded(problem, claim, &row.own) {
+        Ok(own) => {
+            parts.fetch_add(own, Ordering::Relaxed);
+            None
+        }
+        Err(objection) => Some(Objection { line: Some(row.line), ..objection }),
+    };
+    match boxes.par_iter().find_map_first(objection) {
+        Some(objection) => Err(objection),
+        None => Ok(parts.into_inner()),
+    }
 }
 
 /// Whether boxes cover a range, each part of it once: there are cuts between them, and each slab is covered, or there is one and it is the range.
